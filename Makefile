@@ -1,0 +1,96 @@
+# Two commands: `make run` and `make test`. Everything they install stays in this folder
+# (.venv, frontend/node_modules, .build, .data); only `make test` may ask apt for a Chromium.
+SHELL := /bin/bash
+PYTHON ?= python3
+BIN := .venv/bin
+PIP := $(BIN)/python -m pip --quiet --disable-pip-version-check
+NPM := npm --prefix frontend --no-fund --no-audit --loglevel=error
+DATABASE_TESTS := tests/storage tests/jobs tests/api tests/cli
+WEB_SOURCES := $(shell find frontend/src frontend/public frontend/index.html frontend/vite.config.ts -type f 2>/dev/null)
+
+.PHONY: run test setup check lock types bench clean
+.DELETE_ON_ERROR:
+
+run: setup
+	@exec $(BIN)/sightline demo
+
+setup: .build/python .build/web
+
+.build/tools:
+	@mkdir -p .build
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null || \
+	  { echo "Sightline needs Python 3.11 or newer: install it, or name it, as in: make run PYTHON=python3.12" >&2; exit 1; }
+	@$(PYTHON) -c 'import venv, ensurepip' 2>/dev/null || \
+	  { echo "Python cannot make virtual environments: install it with: sudo apt install python3-venv" >&2; exit 1; }
+	@node -e 'const [a, b] = process.versions.node.split(".").map(Number); process.exit(a > 20 || (a === 20 && b >= 19) ? 0 : 1)' 2>/dev/null || \
+	  { echo "Sightline needs Node 20.19 or newer with npm, to build its pages: see nodejs.org." >&2; exit 1; }
+	@touch $@
+
+.build/python: requirements.lock pyproject.toml | .build/tools
+	@echo "Installing the Python packages into .venv ..."
+	@test -x $(BIN)/python || $(PYTHON) -m venv .venv
+	@$(PIP) install --require-hashes -r requirements.lock
+	@$(PIP) install --no-deps --no-build-isolation --editable .
+	@touch $@
+
+.build/node: frontend/package-lock.json frontend/package.json | .build/tools
+	@echo "Installing the front end's packages into frontend/node_modules ..."
+	@$(NPM) ci
+	@touch $@
+
+.build/web: .build/node $(WEB_SOURCES)
+	@echo "Building the pages ..."
+	@$(NPM) run --silent build
+	@touch $@
+
+.build/python-dev: requirements-dev.lock .build/python
+	@echo "Installing the test tools into .venv ..."
+	@$(PIP) install --require-hashes -r requirements-dev.lock
+	@touch $@
+
+# An installed browser serves; otherwise Debian's package, otherwise the one Playwright brings.
+.build/chromium: .build/python-dev
+	@for name in chromium chromium-browser google-chrome google-chrome-stable; do \
+	   command -v $$name > $@ && break; done; \
+	 test -s $@ && exit 0; \
+	 if grep -q '^ID=debian' /etc/os-release && [ "$$(id -u)" = 0 ]; then \
+	   apt-get update -qq && apt-get install -y -qq chromium >/dev/null && command -v chromium > $@; \
+	 elif grep -q '^ID=debian' /etc/os-release && sudo -n true 2>/dev/null; then \
+	   sudo apt-get update -qq && sudo apt-get install -y -qq chromium >/dev/null && command -v chromium > $@; \
+	 else \
+	   $(BIN)/playwright install chromium && echo playwright > $@; \
+	 fi || { rm -f $@; echo "The browser tests need Chromium: install it (sudo apt install chromium) and run make test again." >&2; exit 1; }
+
+test: setup .build/python-dev .build/chromium check
+	@SIGHTLINE_TEST_DATABASE_URL= $(BIN)/python -m pytest -n 2 --dist loadgroup --ignore=tests/browser
+	@if [ -n "$$SIGHTLINE_TEST_DATABASE_URL" ]; then \
+	   echo "The same on PostgreSQL ..." && $(BIN)/python -m pytest -n 2 --dist loadgroup $(DATABASE_TESTS); fi
+	@SIGHTLINE_TEST_DATABASE_URL= $(BIN)/python -m pytest tests/browser
+
+check: .build/python-dev .build/node
+	@$(BIN)/ruff check backend tests migrations
+	@$(BIN)/ruff format --check backend tests migrations
+	@$(BIN)/mypy
+	@$(BIN)/lint-imports
+	@$(BIN)/python -m backend.api.openapi .build/openapi.json
+	@$(NPM) run --silent types -- --check
+	@$(NPM) run --silent check
+	@$(NPM) run --silent test
+
+types: .build/python-dev .build/node
+	@$(BIN)/python -m backend.api.openapi .build/openapi.json
+	@$(NPM) run --silent types
+
+bench: setup .build/python-dev .build/chromium
+	@for script in tests/bench/bench_*.py; do $(BIN)/python $$script || exit 1; done
+
+# Renews the lock files. Hashes only: no lock names where a package came from.
+UV := $(BIN)/uv pip compile --universal --python-version 3.11 --generate-hashes --no-emit-index-url --no-header --no-annotate --quiet
+lock:
+	@$(PIP) install uv
+	@$(UV) --extra setup pyproject.toml -o requirements.lock
+	@$(UV) --extra setup --extra dev -c requirements.lock pyproject.toml -o requirements-dev.lock
+	@$(NPM) install --package-lock-only --omit-lockfile-registry-resolved
+
+clean:
+	rm -rf .venv .build frontend/node_modules frontend/dist
