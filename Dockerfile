@@ -1,0 +1,24 @@
+# The front end is built in a stage of its own; the image that runs holds no Node.
+FROM node:22-bookworm-slim AS web
+WORKDIR /sightline/frontend
+COPY frontend/package.json frontend/package-lock.json frontend/.npmrc ./
+RUN npm ci --no-fund --no-audit
+COPY frontend/ ./
+RUN npm run build
+
+FROM python:3.12-slim-bookworm
+ENV PYTHONUNBUFFERED=1 SIGHTLINE_DATA_DIR=/data SIGHTLINE_HOST=0.0.0.0 SIGHTLINE_PORT=8000
+WORKDIR /sightline
+COPY requirements.lock pyproject.toml README.md LICENSE ./
+RUN pip install --no-cache-dir --require-hashes -r requirements.lock
+COPY backend/ backend/
+COPY migrations/ migrations/
+RUN pip install --no-cache-dir --no-deps --no-build-isolation --editable . \
+ && useradd --create-home --uid 10001 sightline && mkdir /data && chown sightline /data
+COPY --from=web /sightline/frontend/dist frontend/dist
+USER sightline
+VOLUME /data
+EXPOSE 8000
+HEALTHCHECK --interval=10s --timeout=3s --start-period=20s \
+  CMD ["python", "-c", "import urllib.request as u; u.urlopen('http://127.0.0.1:8000/api/health', timeout=2)"]
+CMD ["sightline", "serve"]

@@ -1,0 +1,51 @@
+"""docker-compose.yml against the Compose specification, and against the settings the code really reads."""
+
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+
+from backend.settings import Settings
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+@pytest.fixture(scope="module")
+def compose() -> dict[str, Any]:
+    loaded: dict[str, Any] = yaml.safe_load((ROOT / "docker-compose.yml").read_text())
+    return loaded
+
+
+def test_follows_the_compose_specification() -> None:
+    command = [sys.executable, "-m", "check_jsonschema", "--builtin-schema", "vendor.compose-spec"]
+    done = subprocess.run(
+        [*command, str(ROOT / "docker-compose.yml")], capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_every_sightline_variable_is_a_setting(compose: dict[str, Any]) -> None:
+    known = {f"SIGHTLINE_{name.upper()}" for name in Settings.model_fields}
+    for service in ("app", "worker"):
+        named = {n for n in compose["services"][service]["environment"] if n.startswith("SIGHTLINE_")}
+        assert named
+        assert named <= known, named - known
+
+
+def test_has_all_parts_and_every_secret_must_be_given(compose: dict[str, Any]) -> None:
+    assert {"app", "worker", "database", "storage", "proxy"} <= set(compose["services"])
+    example = {line.split("=")[0] for line in (ROOT / ".env.example").read_text().splitlines() if "=" in line}
+    text = (ROOT / "docker-compose.yml").read_text()
+    for secret in ("POSTGRES_PASSWORD", "S3_ACCESS_KEY", "S3_SECRET_KEY", "SIGHTLINE_SECRET"):
+        assert f"${{{secret}:?" in text
+        assert secret in example
+
+
+def test_the_image_is_built_from_files_that_exist() -> None:
+    for line in (ROOT / "Dockerfile").read_text().splitlines():
+        if line.startswith("COPY") and "--from" not in line:
+            for source in line.split()[1:-1]:
+                assert (ROOT / source).exists(), source

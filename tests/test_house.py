@@ -1,0 +1,71 @@
+"""The rules of the house that no other tool keeps: small files, clean locks, no machine's paths, true papers."""
+
+import re
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+MAX_LINES = 400
+GENERATED = {"frontend/src/schema.d.ts"}
+
+
+def tracked(*patterns: str) -> list[Path]:
+    listed = subprocess.run(
+        ["git", "ls-files", "--cached", "--others", "--exclude-standard", *patterns],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    return [ROOT / name for name in listed.stdout.splitlines() if (ROOT / name).is_file()]
+
+
+def test_files_stay_small() -> None:
+    sources = tracked("backend/*.py", "tests/*.py", "migrations/*.py", "frontend/src/*")
+    assert len(sources) > 50
+    long = {
+        name: lines
+        for path in sources
+        if (name := str(path.relative_to(ROOT))) not in GENERATED
+        and (lines := len(path.read_text(encoding="utf-8").splitlines())) > MAX_LINES
+    }
+    assert not long
+
+
+@pytest.mark.parametrize("lock", ["requirements.lock", "requirements-dev.lock", "frontend/package-lock.json"])
+def test_locks_have_hashes_and_name_no_registry(lock: str) -> None:
+    text = (ROOT / lock).read_text()
+    assert "sha256:" in text or '"integrity"' in text
+    assert '"resolved": "http' not in text
+    assert "index-url" not in text
+    assert lock.endswith(".json") or "://" not in text
+
+
+def test_no_file_carries_a_path_of_one_machine() -> None:
+    # Spelled in pieces, so that this file does not find itself.
+    banned = re.compile("|".join([r"(?<![\w.])/" + "work/", r"(?<![\w.])/" + "root/", "/tmp/" + r"[a-z]+_"]))
+    found = [
+        f"{path.relative_to(ROOT)}:{number}"
+        for path in tracked()
+        if path.suffix not in {".png", ".lock"} and path.name != "package-lock.json"
+        for number, line in enumerate(path.read_text(encoding="utf-8", errors="replace").splitlines(), 1)
+        if banned.search(line)
+    ]
+    assert not found
+
+
+def test_the_papers_are_there_and_name_the_two_commands() -> None:
+    for paper in ("CONVENTIONS.md", "DECISIONS.md", "CHANGELOG.md", "CONTRIBUTING.md", "LICENSE"):
+        assert (ROOT / paper).stat().st_size > 200, paper
+    readme = (ROOT / "README.md").read_text()
+    assert "make run" in readme and "make test" in readme
+    for picture in re.findall(r"!\[[^\]]*\]\(([^)]+)\)", readme):
+        assert (ROOT / picture).is_file(), picture
+
+
+def test_ci_runs_make_test_and_prepares_nothing_else() -> None:
+    commands = (ROOT / ".ci/run").read_text()
+    assert "make test" in commands
+    assert not re.search(r"\b(pip|npm|apt|apt-get|install)\b", commands)
