@@ -1,0 +1,18 @@
+"""Default insets: how far each target lies behind the side plane through the wheel contact.
+
+These are estimates without a published source; screens and files show them as such, and they can be edited. A
+target whose inset is unknown gets a wide uncertainty instead of a guess (the bias it stands for: sight.py,
+inset).
+"""
+
+DEFAULT_INSETS: dict[str, tuple[float, float, str]] = {
+    "driver_eye": (
+        0.45,
+        0.10,
+        "driver on the near side; 1.15 +- 0.15 m for a driver on the far side (estimate)",
+    ),
+    "taillight": (0.05, 0.05, "outer edge of the lamp (estimate)"),
+    "headlight": (0.05, 0.05, "outer edge of the lamp (estimate)"),
+    "roof": (0.30, 0.10, "near edge of the roof; 0.85 +- 0.10 m for its crown (estimate)"),
+    "other": (0.0, 0.30, "unknown"),
+}

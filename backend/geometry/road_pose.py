@@ -1,0 +1,82 @@
+"""Where the camera stands with respect to the road, and what a click becomes there.
+
+Frames (contract.md): camera x right, y down, z forward; road X along the traffic, Y across it and away from
+the camera, Z up, origin on the road below the board's reference corner. `x_cam = rotation @ x_road +
+translation_m`.
+"""
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+
+from backend.geometry.arrays import Floats, frozen
+from backend.geometry.camera import Camera
+
+POSE_NAMES = ("rx", "ry", "rz", "tx", "ty", "tz")
+
+Side = Literal["top", "bottom"]
+
+DEFAULT_U_HEIGHT_M = 0.003  # a tape read to a few millimetres (estimate)
+DEFAULT_U_LEAN_RAD = 0.005  # a board set up with a spirit level, about 0.3 degrees (estimate)
+
+
+@dataclass(frozen=True)
+class Reference:
+    """The row of inner corners whose height above the road was measured with a tape."""
+
+    side: Side
+    height_m: float
+    u_height_m: float = DEFAULT_U_HEIGHT_M
+    u_lean_rad: float = DEFAULT_U_LEAN_RAD
+
+
+@dataclass(frozen=True)
+class BoardOnRoad:
+    """The board as it stood. `columns`, `rows`: inner corners across and down, as seen."""
+
+    columns: int
+    rows: int
+    square_m: float
+    reference: Side
+    reference_height_m: float
+    u_reference_height_m: float
+    u_lean_rad: float
+    distance_m: float
+
+
+@dataclass(frozen=True, eq=False)
+class RoadPose:
+    """A camera on the road. `covariance` is of `parameters`: the lens's, then rx ry rz tx ty tz, where an
+    increment acts as x_cam = Exp(r) (R x_road + t) + t'. It holds lens and corner noise only; lean and
+    reference height of the board are entries of their own. None: unknown, and left out of every
+    uncertainty."""
+
+    camera: Camera
+    rotation: Floats
+    translation_m: Floats
+    covariance: Floats | None = None
+    board: BoardOnRoad | None = None
+    frames_used: int = 0
+    rms_px: float | None = None
+    warnings: tuple[str, ...] = field(default=())
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "rotation", frozen(self.rotation))
+        object.__setattr__(self, "translation_m", frozen(self.translation_m))
+        if self.covariance is not None:
+            object.__setattr__(self, "covariance", frozen(self.covariance))
+
+    @cached_property
+    def parameters(self) -> tuple[str, ...]:
+        return self.camera.parameters + POSE_NAMES
+
+    @cached_property
+    def centre_m(self) -> Floats:
+        """Camera centre in the road frame, (3,); its Z is the camera height."""
+        return frozen(-self.rotation.T @ self.translation_m)
+
+    def to_camera(self, points_road_m: Floats) -> Floats:
+        """Camera-frame points (N, 3) of road points (N, 3)."""
+        return np.asarray(points_road_m @ self.rotation.T + self.translation_m, dtype=np.float64)
