@@ -1,0 +1,324 @@
+"""What each CSV of an export holds: the name, type, unit and meaning of every column.
+
+This is the data dictionary of the package (`datapackage.json` is made from it); the rows come from `exporting.py`.
+"""
+
+from __future__ import annotations
+
+from backend.work.packaging import Column, Table
+
+TARGETS = ("roof", "driver_eye", "taillight", "headlight", "other")
+CATEGORIES = ("hatchback", "saloon", "estate", "suv", "van", "lorry", "other")
+LIGHTING = ("daytime", "low_light")
+VERDICTS = ("to_review", "accepted", "fixed", "rejected", "reopened")
+
+
+def _id(name: str, meaning: str, required: bool = True) -> Column:
+    return Column(name, "integer", meaning, required=required)
+
+
+def _px(name: str, meaning: str) -> Column:
+    return Column(name, "number", f"{meaning}; (0, 0) is the centre of the top-left pixel", "px", required=True)
+
+
+def _m(name: str, meaning: str) -> Column:
+    return Column(name, "number", meaning, "m")
+
+
+def _time(name: str, meaning: str) -> Column:
+    return Column(name, "datetime", f"{meaning} (ISO 8601, UTC)")
+
+
+_WHERE = (
+    _id("vehicle_id", "vehicle that was measured"),
+    _id("recording_id", "recording in which the points were clicked"),
+    Column("target", "string", "what was measured", required=True, enum=TARGETS),
+    Column("frame", "integer", "frame number: the n-th decoded frame, from 0", required=True, minimum=0),
+    Column("pts", "integer", "presentation time stamp of that frame, in the stream's own time base"),
+    Column("time_s", "number", "time of that frame from the start of the stream", "s"),
+    Column("frame_crc32", "integer", "CRC-32 of the decoded luma of that frame: proof of what was clicked on"),
+)
+_CLICKED = (
+    _px("contact_x_px", "where the tyre meets the road, x to the right"),
+    _px("contact_y_px", "where the tyre meets the road, y down"),
+    _px("target_x_px", "the target point, x to the right"),
+    _px("target_y_px", "the target point, y down"),
+    Column("sigma_px", "number", "standard uncertainty of each coordinate of each click", "px", minimum=0),
+    _id("pose_id", "road pose used"),
+)
+_INSET = (
+    _m("inset_m", "how far the target lies behind the vertical plane through the contact point, along road Y"),
+    _m("u_inset_m", "standard uncertainty of the inset (k = 1)"),
+)
+_HEIGHT = (
+    _m("height_m", "height of the target above the road along its normal, corrected for the inset"),
+    _m("uncorrected_height_m", "the same with an inset of 0 (the paper's assumption)"),
+    _m("u_height_m", "standard uncertainty of height_m (k = 1)"),
+    _m("U95_height_m", "half-width of the 95 % interval of height_m"),
+    _m("distance_m", "from the camera's centre to the contact point"),
+    Column("status", "string", "whether there is a height", required=True, enum=("ok", "not_measurable")),
+    Column("reason", "string", "why there is no height"),
+    Column("flags", "string", "warnings on this height, separated by semicolons"),
+    Column("code_version", "string", "version of the program that computed the height", required=True),
+    _id("created_by_id", "who clicked", required=False),
+    _time("created_at", "when the revision was stored"),
+    Column("withdrawn", "boolean", "true where the measurement was taken back", required=True),
+)
+_MEASURED = _WHERE + _CLICKED + (_id("calibration_id", "calibration behind that pose"),) + _INSET + _HEIGHT
+
+MEASUREMENTS = Table(
+    "measurements",
+    "The current revision of every measurement, with the last verdict on it. Withdrawn ones are kept and marked.",
+    (
+        _id("id", "measurement (a series of revisions)"),
+        _id("revision", "number of the current revision, from 1"),
+        *_MEASURED,
+        Column("verdict", "string", "state of the review of this revision", required=True, enum=VERDICTS),
+        Column("review_reason", "string", "the reviewer's reason"),
+        _id("reviewer_id", "who reviewed", required=False),
+        _time("reviewed_at", "when it was reviewed"),
+    ),
+    primary=("id",),
+    foreign=(
+        (("vehicle_id",), "vehicles", ("id",)),
+        (("recording_id",), "recordings", ("id",)),
+        (("recording_id", "frame"), "frames", ("recording_id", "frame")),
+        (("pose_id",), "poses", ("id",)),
+        (("calibration_id",), "calibrations", ("id",)),
+        (("created_by_id",), "people", ("id",)),
+        (("reviewer_id",), "people", ("id",)),
+    ),
+)
+
+REVISIONS = Table(
+    "revisions",
+    "Every revision of every measurement as it was stored: nothing is overwritten.",
+    (
+        _id("measurement_id", "measurement that this is a revision of"),
+        _id("revision", "number of the revision, from 1"),
+        *_MEASURED,
+    ),
+    primary=("measurement_id", "revision"),
+    foreign=(
+        (("measurement_id",), "measurements", ("id",)),
+        (("recording_id", "frame"), "frames", ("recording_id", "frame")),
+        (("pose_id",), "poses", ("id",)),
+        (("created_by_id",), "people", ("id",)),
+    ),
+)
+
+BUDGET = Table(
+    "budget",
+    "The contributions to each current u_height_m; their root sum of squares is u_height_m.",
+    (
+        _id("measurement_id", "measurement"),
+        Column("source", "string", "where the uncertainty comes from", required=True),
+        _m("u_m", "its contribution to the standard uncertainty of the height"),
+    ),
+    primary=("measurement_id", "source"),
+    foreign=((("measurement_id",), "measurements", ("id",)),),
+)
+
+CLICKS = Table(
+    "clicks",
+    "The clicks of every current measurement, as `sightline height --clicks` reads them; those of each pose alone "
+    "are in clicks/pose-N.csv, to be used with poses/pose-N.json.",
+    (
+        Column("id", "string", "measurement the clicks belong to", required=True),
+        *_CLICKED[:5],
+        *_INSET,
+        Column("lighting", "string", "light at the time of the pass", enum=LIGHTING),
+        _m("reference_height_m", "manufacturer's height, for roofs"),
+        Column("target", "string", "what was measured", required=True, enum=TARGETS),
+        Column("category", "string", "body of the vehicle", enum=CATEGORIES),
+        _id("pose_id", "road pose to compute the height with"),
+        Column("pose_file", "string", "that pose as a file of this package", required=True),
+    ),
+    primary=("id",),
+    foreign=((("pose_id",), "poses", ("id",)),),
+)
+
+VEHICLES = Table(
+    "vehicles",
+    "The passes and what is known of each vehicle.",
+    (
+        _id("id", "vehicle"),
+        _id("number", "its number within the survey"),
+        _id("recording_id", "recording it passes in"),
+        Column("first_frame", "integer", "first frame of the pass", minimum=0),
+        Column("last_frame", "integer", "last frame of the pass", minimum=0),
+        Column("best_frame", "integer", "frame proposed for measuring", minimum=0),
+        Column("make", "string", "maker"),
+        Column("model", "string", "model"),
+        Column("year", "integer", "model year"),
+        Column("category", "string", "kind of body", enum=CATEGORIES),
+        _m("manufacturer_height_m", "overall height the maker states"),
+        _m("u_manufacturer_height_m", "standard uncertainty of that height (k = 1)"),
+        Column("height_source", "string", "where that height comes from"),
+        Column("lighting", "string", "light at the time of the pass", enum=LIGHTING),
+        Column("notes", "string", "remarks"),
+        Column("state", "string", "how far the work on it is", required=True),
+    ),
+    primary=("id",),
+    foreign=((("recording_id",), "recordings", ("id",)),),
+)
+
+RECORDINGS = Table(
+    "recordings",
+    "The video files behind the measurements.",
+    (
+        _id("id", "recording"),
+        Column("name", "string", "name of the file", required=True),
+        Column("sha256", "string", "SHA-256 of the file"),
+        Column("size_bytes", "integer", "size of the file", "byte"),
+        Column("width_px", "integer", "width of a frame", "px"),
+        Column("height_px", "integer", "height of a frame", "px"),
+        Column("frame_count", "integer", "number of decoded frames"),
+        Column("duration_s", "number", "time from the first frame to the end of the last", "s"),
+        Column("codec", "string", "codec of the video stream"),
+        Column("container", "string", "container of the file"),
+        Column("variable_rate", "boolean", "true where the time between frames varies"),
+        Column("lighting", "string", "light in the recording", enum=LIGHTING),
+        _id("camera_id", "camera that made it", required=False),
+        _id("pose_id", "road pose in force", required=False),
+    ),
+    primary=("id",),
+)
+
+FRAMES = Table(
+    "frames",
+    "The frames that were clicked on, so that each can be found again in the video file and proved unchanged.",
+    (
+        _id("recording_id", "recording"),
+        Column("frame", "integer", "the n-th decoded frame, from 0", required=True, minimum=0),
+        Column("pts", "integer", "presentation time stamp in the stream's time base"),
+        Column("time_s", "number", "time from the start of the stream", "s"),
+        Column("crc32", "integer", "CRC-32 of the decoded luma", required=True),
+    ),
+    primary=("recording_id", "frame"),
+    foreign=((("recording_id",), "recordings", ("id",)),),
+)
+
+POSES = Table(
+    "poses",
+    "Where the camera stood with respect to the road; the whole of each is in poses/pose-N.json.",
+    (
+        _id("id", "road pose"),
+        _id("recording_id", "recording in which the board stood on the road", required=False),
+        _id("calibration_id", "calibration it was solved with"),
+        Column("first_frame", "integer", "first frame of the board's segment"),
+        Column("last_frame", "integer", "last frame of the board's segment"),
+        Column("frames_used", "integer", "frames that entered the solution"),
+        Column("rms_px", "number", "root of the mean squared distance of the corners", "px"),
+        _m("board_distance_m", "from the camera's centre to the board"),
+        Column("board_columns", "integer", "inner corners in a row of the board"),
+        Column("board_rows", "integer", "rows of inner corners"),
+        _m("square_m", "side of a square"),
+        Column("reference", "string", "row of inner corners whose height was measured", enum=("top", "bottom")),
+        _m("reference_height_m", "height of that row above the road"),
+        _m("u_reference_height_m", "standard uncertainty of that height (k = 1)"),
+        Column("u_lean_rad", "number", "standard uncertainty of the board's lean (k = 1)", "rad"),
+        Column("document", "string", "the pose as a file of this package (sightline-pose-1)", required=True),
+        _id("created_by_id", "who made it", required=False),
+        _time("created_at", "when it was made"),
+    ),
+    primary=("id",),
+    foreign=((("calibration_id",), "calibrations", ("id",)), (("created_by_id",), "people", ("id",))),
+)
+
+CALIBRATIONS = Table(
+    "calibrations",
+    "Lens and camera matrix behind the poses; the whole of each is in calibrations/calibration-N.json.",
+    (
+        _id("id", "calibration"),
+        _id("camera_id", "camera it belongs to"),
+        Column("camera_name", "string", "name of the camera"),
+        Column("source", "string", "where it comes from", enum=("images", "clip", "import")),
+        Column("model", "string", "lens model", required=True, enum=("brown", "fisheye")),
+        Column("width_px", "integer", "width of the images it holds for", "px", required=True),
+        Column("height_px", "integer", "height of the images it holds for", "px", required=True),
+        Column("fx_px", "number", "focal length along x", "px", required=True),
+        Column("fy_px", "number", "focal length along y", "px", required=True),
+        Column("cx_px", "number", "principal point, x", "px", required=True),
+        Column("cy_px", "number", "principal point, y", "px", required=True),
+        Column("distortion", "string", "distortion coefficients in OpenCV's order, separated by blanks"),
+        Column("rms_px", "number", "root of the mean squared point distance", "px"),
+        Column("trusted", "boolean", "false where the program warned against using it"),
+        Column("document", "string", "the calibration as a file of this package (sightline-camera-1)", required=True),
+        _id("created_by_id", "who made it", required=False),
+        _time("created_at", "when it was made"),
+    ),
+    primary=("id",),
+    foreign=((("created_by_id",), "people", ("id",)),),
+)
+
+REVIEWS = Table(
+    "reviews",
+    "Every verdict, in the order in which they were given.",
+    (
+        _id("id", "review"),
+        _id("measurement_id", "measurement that was reviewed"),
+        _id("revision", "revision that was reviewed"),
+        Column("verdict", "string", "the verdict", required=True, enum=VERDICTS[1:]),
+        Column("reason", "string", "the reviewer's reason"),
+        _id("reviewer_id", "who reviewed", required=False),
+        _time("at", "when"),
+    ),
+    primary=("id",),
+    foreign=((("measurement_id",), "measurements", ("id",)), (("reviewer_id",), "people", ("id",))),
+)
+
+INSETS = Table(
+    "insets",
+    "The insets in force in this survey: used for every measurement that does not carry its own.",
+    (
+        Column("target", "string", "what is measured", required=True, enum=TARGETS),
+        *_INSET,
+        Column("note", "string", "where the figure comes from"),
+    ),
+    primary=("target",),
+)
+
+PEOPLE = Table(
+    "people",
+    "The people named in the other tables, by number and name only.",
+    (_id("id", "person"), Column("name", "string", "name", required=True)),
+    primary=("id",),
+)
+
+AUDIT = Table(
+    "audit",
+    "Who did what, when, chained by hash: hash = SHA-256 of previous_hash and the canonical JSON of the row. The rows of "
+    "other surveys and of accounts are there as links of the chain only: withheld is true and the content is left out.",
+    (
+        _id("id", "audit event"),
+        Column("at", "string", "when (ISO 8601, UTC), as it was hashed"),
+        _id("actor_id", "who; empty for the program itself", required=False),
+        Column("action", "string", "what was done"),
+        Column("entity", "string", "to what kind of thing"),
+        Column("entity_id", "string", "to which one"),
+        _id("survey_id", "survey it belongs to", required=False),
+        Column("before", "string", "the thing before, as JSON"),
+        Column("after", "string", "the thing after, as JSON"),
+        Column("previous_hash", "string", "hash of the event before", required=True),
+        Column("hash", "string", "hash of this event", required=True),
+        Column("withheld", "boolean", "true where only the hashes are given", required=True),
+    ),
+    primary=("id",),
+)
+
+TABLES: tuple[Table, ...] = (
+    MEASUREMENTS,
+    REVISIONS,
+    BUDGET,
+    CLICKS,
+    VEHICLES,
+    RECORDINGS,
+    FRAMES,
+    POSES,
+    CALIBRATIONS,
+    REVIEWS,
+    INSETS,
+    PEOPLE,
+    AUDIT,
+)
