@@ -1,0 +1,96 @@
+"""One demonstration survey, one server and one Chromium for all browser tests."""
+
+import os
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser, BrowserContext, Page, Playwright, sync_playwright
+
+from .server import ROOT, Server, start
+
+
+def chromium_path() -> str | None:
+    """The browser `make test` found; None lets Playwright take its own."""
+    note = ROOT / ".build" / "chromium"
+    named = os.environ.get("SIGHTLINE_CHROMIUM") or (note.read_text().strip() if note.exists() else "")
+    return named if named and named != "playwright" else None
+
+
+@pytest.fixture(scope="session")
+def playwright() -> Iterator[Playwright]:
+    with sync_playwright() as started:
+        yield started
+
+
+@pytest.fixture(scope="session")
+def browser(playwright: Playwright) -> Iterator[Browser]:
+    launched = playwright.chromium.launch(
+        executable_path=chromium_path(),
+        args=["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update"],
+    )
+    yield launched
+    launched.close()
+
+
+@pytest.fixture(scope="session")
+def demonstration(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
+    """`sightline demo`, with the demonstration survey made and ready."""
+    server = start("demo", tmp_path_factory.mktemp("demonstration"))
+    try:
+        server.wait(120)
+        yield server
+    finally:
+        server.stop()
+
+
+@pytest.fixture(scope="session")
+def admin_state(browser: Browser, demonstration: Server) -> dict[str, Any]:
+    """Cookies of the admin whom the one-time link made, kept for the tests that only need to be signed in."""
+    context = browser.new_context(base_url=demonstration.url)
+    page = context.new_page()
+    page.goto(demonstration.sign_in_link())
+    page.wait_for_url(lambda url: "sign-in" not in url)
+    wait_for_demonstration(page)
+    state: dict[str, Any] = dict(context.storage_state())
+    context.close()
+    return state
+
+
+def wait_for_demonstration(page: Page, seconds: float = 120) -> int:
+    """The id of the demonstration survey, once it is complete."""
+    until = time.monotonic() + seconds
+    while time.monotonic() < until:
+        me = page.request.get("/api/session").json()
+        if me.get("demo_survey_id"):
+            return int(me["demo_survey_id"])
+        time.sleep(0.5)
+    raise AssertionError("the demonstration survey was not made in time")
+
+
+@pytest.fixture
+def context(
+    browser: Browser, demonstration: Server, admin_state: dict[str, Any]
+) -> Iterator[BrowserContext]:
+    opened = browser.new_context(
+        base_url=demonstration.url, storage_state=admin_state, viewport={"width": 1440, "height": 900}
+    )
+    yield opened
+    opened.close()
+
+
+@pytest.fixture
+def page(context: BrowserContext) -> Page:
+    opened = context.new_page()
+    opened.set_default_timeout(15_000)
+    return opened
+
+
+@pytest.fixture(scope="session")
+def screenshots() -> Path:
+    """Where the tests leave pictures to look at; made anew each time, never committed."""
+    folder = ROOT / ".build" / "screenshots"
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder
