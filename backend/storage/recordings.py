@@ -1,0 +1,160 @@
+"""Recordings: from upload through ingest to use. Their frame tables are in `frames`."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict
+from typing import Any, cast
+
+from sqlalchemy import ColumnElement, select
+from sqlalchemy.orm import Session
+
+from backend.errors import BadInput, Conflict
+from backend.storage import audit, frames, jobs
+from backend.storage.columns import columns_of, now
+from backend.storage.records import Facts, FrameTable, Recording, RecordingChanges
+from backend.storage.rows import add_row, change_row, get_row
+from backend.storage.tables import cameras, recordings, road_poses, surveys
+from backend.storage.tables_of_work import measurement_series
+
+_ALIVE: ColumnElement[bool] = recordings.c.deleted_at.is_(None)
+_NAMED = [column.name for column in columns_of(recordings, "created_by", "deleted_at")]
+
+
+def create(
+    session: Session,
+    survey_id: int,
+    *,
+    name: str,
+    media_key: str,
+    sha256: str,
+    size_bytes: int,
+    camera_id: int | None = None,
+    actor: int | None,
+) -> Recording:
+    """A recording whose file is stored and whose ingest is to come (state "ingesting")."""
+    get_row(session, surveys, survey_id, "survey")
+    content = {"survey_id": survey_id, "name": name.strip() or "recording", "media_key": media_key}
+    content |= {"sha256": sha256, "size_bytes": size_bytes, "camera_id": camera_id}
+    if camera_id is not None:
+        _same_survey(session, cameras, camera_id, "camera", survey_id)
+    empty: dict[str, Any] = {"vfr": False, "notes": [], "report": {}, "thumbs": []}
+    stamps = {"state": "ingesting", "created_at": now(), "created_by": actor}
+    recording_id = add_row(session, recordings, {**content, **empty, **stamps})
+    audit.record(session, actor, "create", "recording", recording_id, survey_id, None, content)
+    return get(session, recording_id)
+
+
+def get(session: Session, recording_id: int) -> Recording:
+    """One recording with its latest job. Raises NotFound (also when it was deleted)."""
+    return _recordings(session, [_row(session, recording_id)])[0]
+
+
+def list_for_survey(session: Session, survey_id: int) -> tuple[Recording, ...]:
+    """The recordings of a survey, in the order in which they came; two queries."""
+    query = select(recordings).where(recordings.c.survey_id == survey_id, _ALIVE).order_by(recordings.c.id)
+    return _recordings(session, [dict(row) for row in session.execute(query).mappings()])
+
+
+def update(session: Session, recording_id: int, changes: RecordingChanges, *, actor: int | None) -> Recording:
+    """Change name, camera, pose or lighting. Raises NotFound, BadInput for things of another survey."""
+    before = _row(session, recording_id)
+    change = dict(changes)
+    unknown = set(change) - {"name", "camera_id", "pose_id", "lighting"}
+    if unknown:
+        raise BadInput(f"A recording's {', '.join(sorted(unknown))} cannot be changed; leave it out.")
+    if "name" in change and not str(change["name"]).strip():
+        raise BadInput("A recording needs a name; fill it in.")
+    if change.get("lighting") not in (None, "daytime", "low_light"):
+        raise BadInput("The lighting is daytime or low_light; choose one.")
+    for key, table, word in (("camera_id", cameras, "camera"), ("pose_id", road_poses, "road pose")):
+        if change.get(key) is not None:
+            _same_survey(session, table, cast(int, change[key]), word, before["survey_id"])
+    if change:
+        change_row(session, recordings, recording_id, change)
+    what = audit.changed(before, change, change)
+    audit.record(session, actor, "update", "recording", recording_id, before["survey_id"], *what)
+    return get(session, recording_id)
+
+
+def ingested(
+    session: Session, recording_id: int, facts: Facts, found: FrameTable, *, actor: int | None
+) -> Recording:
+    """Store what the ingest found and the frame table; the recording is ready. May be repeated.
+
+    Raises Conflict when measurements exist and the new frames are not the ones they were clicked on.
+    """
+    before = _row(session, recording_id)
+    fingerprint = frames.fingerprint(found)
+    if _measured(session, recording_id):
+        if fingerprint != frames.fingerprint(frames.table(session, recording_id)):
+            raise Conflict(
+                "The frames found now differ from those that were measured; upload the video as a new recording."
+            )
+    else:
+        frames.replace(session, recording_id, found)
+    values = {**asdict(facts), "frame_count": len(found), "state": "ready", "error": None}
+    change_row(session, recordings, recording_id, values)
+    told = {key: values[key] for key in ("width_px", "height_px", "codec", "container", "frame_count")}
+    after = {"state": "ready", **told, "frames_sha256": fingerprint}
+    then = {"state": before["state"]}
+    audit.record(session, actor, "ingest", "recording", recording_id, before["survey_id"], then, after)
+    return get(session, recording_id)
+
+
+def ingest_failed(session: Session, recording_id: int, error: str, *, actor: int | None) -> Recording:
+    """The video cannot be used; `error` is the sentence that says why."""
+    return _state(session, recording_id, "failed", error, "ingest_failed", actor)
+
+
+def restart_ingest(session: Session, recording_id: int, *, actor: int | None) -> Recording:
+    """Back to "ingesting" for another try."""
+    return _state(session, recording_id, "ingesting", None, "restart_ingest", actor)
+
+
+def remove(session: Session, recording_id: int, *, actor: int | None) -> Recording:
+    """Delete (softly) a recording without measurements; its frame table goes. Raises Conflict otherwise.
+
+    The caller removes the media file if `media_in_use` says that nothing else needs it.
+    """
+    gone = get(session, recording_id)
+    if _measured(session, recording_id):
+        raise Conflict("This recording has measurements and stays; an audit needs its frames.")
+    frames.remove(session, recording_id)
+    change_row(session, recordings, recording_id, {"deleted_at": now()})
+    before = {"name": gone.name, "sha256": gone.sha256}
+    audit.record(session, actor, "delete", "recording", recording_id, gone.survey_id, before, None)
+    return gone
+
+
+def media_in_use(session: Session, media_key: str) -> bool:
+    """Whether a recording that was not deleted still has this file."""
+    query = select(recordings.c.id).where(recordings.c.media_key == media_key, _ALIVE).limit(1)
+    return session.execute(query).first() is not None
+
+
+def _state(
+    session: Session, recording_id: int, state: str, error: str | None, action: str, actor: int | None
+) -> Recording:
+    before = _row(session, recording_id)
+    change_row(session, recordings, recording_id, {"state": state, "error": error})
+    then, after = {"state": before["state"]}, {"state": state, "error": error}
+    audit.record(session, actor, action, "recording", recording_id, before["survey_id"], then, after)
+    return get(session, recording_id)
+
+
+def _row(session: Session, recording_id: int) -> dict[str, Any]:
+    return get_row(session, recordings, recording_id, "recording", _ALIVE)
+
+
+def _measured(session: Session, recording_id: int) -> bool:
+    query = select(measurement_series.c.id).where(measurement_series.c.recording_id == recording_id).limit(1)
+    return session.execute(query).first() is not None
+
+
+def _same_survey(session: Session, table: Any, row_id: int, word: str, survey_id: int) -> None:
+    if get_row(session, table, row_id, word)["survey_id"] != survey_id:
+        raise BadInput(f"The {word} {row_id} belongs to another survey; choose one of this survey's.")
+
+
+def _recordings(session: Session, rows: Sequence[Mapping[str, Any]]) -> tuple[Recording, ...]:
+    latest = jobs.latest_of_recordings(session, [row["id"] for row in rows])
+    return tuple(Recording(job=latest.get(row["id"]), **{name: row[name] for name in _NAMED}) for row in rows)

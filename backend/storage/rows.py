@@ -1,0 +1,56 @@
+"""Small helpers that every aggregate uses."""
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from sqlalchemy import ColumnElement, Table, insert, select, update
+from sqlalchemy.orm import Session
+
+from backend.errors import NotFound
+from backend.storage.records import Who
+from backend.storage.tables import people
+
+
+def add_row(session: Session, table: Table, values: Mapping[str, Any]) -> int:
+    """Insert one row and return its id."""
+    return int(session.execute(insert(table).returning(table.c.id), dict(values)).scalar_one())
+
+
+def change_row(session: Session, table: Table, row_id: int, values: Mapping[str, Any]) -> None:
+    """Update one row by its id."""
+    session.execute(update(table).where(table.c.id == row_id).values(dict(values)))
+
+
+def get_row(
+    session: Session, table: Table, row_id: int, word: str, *also: ColumnElement[bool]
+) -> dict[str, Any]:
+    """One row as a dict. Raises NotFound in words ("There is no camera 7 ...")."""
+    row = session.execute(select(table).where(table.c.id == row_id, *also)).mappings().one_or_none()
+    if row is None:
+        raise missing(word, row_id)
+    return dict(row)
+
+
+def missing(word: str, row_id: int | None = None) -> NotFound:
+    """The error for a thing that is not there."""
+    number = "" if row_id is None else f" {row_id}"
+    return NotFound(f"There is no {word}{number}; it may have been removed, so go back and choose another.")
+
+
+def who(person_id: int | None, name: str | None) -> Who | None:
+    """A person's id and name, where there is one."""
+    return None if person_id is None else Who(person_id, name or "")
+
+
+def names(session: Session, ids: Iterable[int | None]) -> dict[int, str]:
+    """The names of some people, in one query."""
+    wanted = {one for one in ids if one is not None}
+    if not wanted:
+        return {}
+    found = session.execute(select(people.c.id, people.c.name).where(people.c.id.in_(wanted)))
+    return {row.id: row.name for row in found}
+
+
+def name_of(session: Session, person_id: int | None) -> str:
+    """A person's name for a sentence, "the system" for nobody."""
+    return names(session, [person_id]).get(person_id or 0, "the system")

@@ -1,0 +1,89 @@
+"""Uploads on their way in (tus): how far each has come and what became of it."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from sqlalchemy import delete, select, update
+from sqlalchemy.orm import Session
+
+from backend.errors import Conflict
+from backend.storage import audit
+from backend.storage.columns import now
+from backend.storage.records import Upload
+from backend.storage.rows import add_row, change_row, get_row, missing, who
+from backend.storage.tables import people, surveys, uploads
+
+
+def create(
+    session: Session, survey_id: int, *, filename: str, size_bytes: int, media_key: str, actor: int | None
+) -> Upload:
+    """An upload of which nothing has arrived; `media_key` is where its bytes are gathered."""
+    get_row(session, surveys, survey_id, "survey")
+    content = {"survey_id": survey_id, "filename": filename, "size_bytes": size_bytes}
+    stamps = {"media_key": media_key, "offset": 0, "created_at": now(), "created_by": actor}
+    upload_id = add_row(session, uploads, {**content, **stamps})
+    audit.record(session, actor, "create", "upload", upload_id, survey_id, None, content)
+    return get(session, upload_id)
+
+
+def get(session: Session, upload_id: int) -> Upload:
+    """One upload. Raises NotFound."""
+    row = session.execute(_uploads().where(uploads.c.id == upload_id)).mappings().one_or_none()
+    if row is None:
+        raise missing("upload", upload_id)
+    return _upload(row)
+
+
+def unfinished(session: Session, survey_id: int | None = None) -> tuple[Upload, ...]:
+    """The uploads that can go on, of one survey or of all."""
+    query = _uploads().where(uploads.c.finished_at.is_(None)).order_by(uploads.c.id)
+    if survey_id is not None:
+        query = query.where(uploads.c.survey_id == survey_id)
+    return tuple(_upload(row) for row in session.execute(query).mappings())
+
+
+def advance(session: Session, upload_id: int, *, from_offset: int, to_offset: int) -> Upload:
+    """Bytes `from_offset .. to_offset` are safe on disk; not an event. Raises Conflict if another was faster."""
+    done = session.execute(
+        update(uploads)
+        .where(uploads.c.id == upload_id, uploads.c.offset == from_offset, uploads.c.finished_at.is_(None))
+        .values(offset=to_offset)
+        .returning(uploads.c.id)
+    )
+    if done.first() is None:
+        stands = get(session, upload_id)
+        raise Conflict(f"The upload stands at byte {stands.offset}, not {from_offset}; go on from there.")
+    return get(session, upload_id)
+
+
+def finish(session: Session, upload_id: int, *, recording_id: int, actor: int | None) -> Upload:
+    """All bytes are in and became this recording."""
+    before = get(session, upload_id)
+    if before.finished_at is not None:
+        raise Conflict("This upload is finished already; look for its recording in the list.")
+    change_row(session, uploads, upload_id, {"recording_id": recording_id, "finished_at": now()})
+    after = {"recording_id": recording_id}
+    audit.record(session, actor, "finish", "upload", upload_id, before.survey_id, None, after)
+    return get(session, upload_id)
+
+
+def remove(session: Session, upload_id: int, *, actor: int | None) -> Upload:
+    """Give up an upload; the caller removes its bytes. Raises Conflict for a finished one."""
+    gone = get(session, upload_id)
+    if gone.finished_at is not None:
+        raise Conflict("This upload is finished; delete its recording instead.")
+    session.execute(delete(uploads).where(uploads.c.id == upload_id))
+    before = {"filename": gone.filename, "size_bytes": gone.size_bytes, "offset": gone.offset}
+    audit.record(session, actor, "delete", "upload", upload_id, gone.survey_id, before, None)
+    return gone
+
+
+def _uploads() -> Any:
+    return select(uploads, people.c.name.label("maker")).outerjoin(
+        people, people.c.id == uploads.c.created_by
+    )
+
+
+def _upload(row: Mapping[Any, Any]) -> Upload:
+    values = {key: value for key, value in row.items() if key not in ("created_by", "maker")}
+    return Upload(created_by=who(row["created_by"], row["maker"]), **values)
