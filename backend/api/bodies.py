@@ -1,0 +1,58 @@
+"""Bodies that every route module shares: the strict base, the error, points, who, and the job."""
+
+from datetime import datetime
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+Finite = Annotated[float, Field(allow_inf_nan=False)]
+Point = Annotated[list[Finite], Field(min_length=2, max_length=2, examples=[[320.5, 240.25]])]
+Name = Annotated[str, Field(min_length=1, max_length=200)]
+Text = Annotated[str, Field(max_length=10_000)]
+# Ids are 64-bit in both databases; a larger number is a malformed id, not a database error.
+Id = Annotated[int, Field(ge=1, le=2**63 - 1)]
+FrameNumber = Annotated[int, Field(ge=0, le=2**31 - 1)]
+JobState = Literal["queued", "running", "done", "failed", "cancelled"]
+
+
+class In(BaseModel):
+    """A body that comes in: unknown keys are refused, so that a misspelt one is never silently dropped."""
+
+    model_config = ConfigDict(extra="forbid", str_strip_whitespace=True)
+
+
+class Out(BaseModel):
+    """A body that goes out; built straight from the storage room's frozen records."""
+
+    model_config = ConfigDict(from_attributes=True)
+
+
+class ErrorDetail(Out):
+    code: str
+    message: str = Field(description="One sentence that says what is wrong and what to do.")
+
+
+class ErrorBody(Out):
+    """Every error of every route; a conflict may carry what is there now."""
+
+    error: ErrorDetail
+    current: Any | None = None
+
+
+class WhoBody(Out):
+    id: int
+    name: str
+
+
+class JobBody(Out):
+    id: int
+    kind: str
+    state: JobState
+    progress: float
+    message: str
+    error: str | None
+    result: dict[str, Any] | None
+    survey_id: int | None
+    recording_id: int | None
+    created_at: datetime
+    finished_at: datetime | None

@@ -1,0 +1,39 @@
+"""One writer at a time, queued on the event loop instead of in the thread pool."""
+
+import asyncio
+from collections.abc import AsyncIterator
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import AbstractContextManager, asynccontextmanager
+
+import anyio
+from sqlalchemy.orm import Session
+
+
+class WriteGate:
+    """Opens and closes write transactions for routes that run in any thread of the pool.
+
+    Waiting on the event loop takes no thread: with the wait in the pool, forty waiting writers would leave none for
+    the one that holds the lock, and nothing would move again. Beginning and ending happen on one thread of their own,
+    because the store's lock must be given back by the thread that took it.
+    """
+
+    def __init__(self) -> None:
+        self._turn = asyncio.Lock()
+        self._thread = ThreadPoolExecutor(max_workers=1, thread_name_prefix="writer")
+
+    @asynccontextmanager
+    async def unit(self, opened: AbstractContextManager[Session]) -> AsyncIterator[Session]:
+        """The session of one write transaction; committed at the end, rolled back on any error."""
+        async with self._turn:
+            session = await self._run(opened.__enter__)
+            try:
+                yield session
+            except BaseException as error:
+                await self._run(opened.__exit__, type(error), error, error.__traceback__)
+                raise
+            await self._run(opened.__exit__, None, None, None)
+
+    async def _run(self, function, *arguments):  # type: ignore[no-untyped-def]
+        # Shielded: a request that goes away must not leave a transaction open behind it.
+        with anyio.CancelScope(shield=True):
+            return await asyncio.get_running_loop().run_in_executor(self._thread, function, *arguments)

@@ -1,0 +1,73 @@
+"""The built front end: its pages, its hashed assets, and the API's pages without any foreign address."""
+
+import re
+from pathlib import Path
+
+from fastapi import FastAPI
+from fastapi.responses import FileResponse, HTMLResponse, Response
+from starlette.exceptions import HTTPException
+
+from backend.settings import Settings
+
+FRONT_END_ROUTE = re.compile(
+    r"^(sign-in|account|people|audit|surveys/\d+(/(camera|recordings|pose|measure|review|export))?)?/?$"
+)
+HASHED = re.compile(r"-[A-Za-z0-9_-]{8}\.\w+$")
+IMMUTABLE = "public, max-age=31536000, immutable"
+NOT_BUILT = (
+    "<!doctype html><html lang=en><meta charset=utf-8><title>Sightline</title>"
+    "<p>Sightline's pages are not built yet; run <code>make setup</code> and load this page again."
+)
+DOCS = (
+    "<!doctype html><html lang=en><meta charset=utf-8><title>Sightline API</title>"
+    '<link rel=stylesheet href="/swagger/swagger-ui.css"><div id=swagger-ui></div>'
+    '<script src="/swagger/swagger-ui-bundle.js"></script><script src="/docs/start.js"></script>'
+)
+# try-it-out needs the header that every change carries.
+START = """SwaggerUIBundle({
+  url: "/openapi.json", dom_id: "#swagger-ui", deepLinking: true,
+  requestInterceptor: (request) => { request.headers["X-Sightline"] = "1"; return request; },
+});
+"""
+
+
+def install(app: FastAPI, settings: Settings) -> None:
+    """Add the pages, after the API: a path that is none of them is a 404 like any other."""
+    folder = settings.frontend_dir
+
+    def docs() -> Response:
+        if not (folder / "swagger" / "swagger-ui-bundle.js").is_file():
+            return HTMLResponse(NOT_BUILT, status_code=503)
+        return HTMLResponse(DOCS)
+
+    def start() -> Response:
+        return Response(START, media_type="text/javascript")
+
+    def page(path: str) -> Response:
+        return answer_page(folder, path)
+
+    app.add_api_route("/docs", docs, include_in_schema=False)
+    app.add_api_route("/docs/start.js", start, include_in_schema=False)
+    app.add_api_route("/{path:path}", page, methods=["GET", "HEAD"], include_in_schema=False)
+
+
+def answer_page(folder: Path, path: str) -> Response:
+    """A file of the build, or index.html for one of the front end's own routes.
+
+    Raises:
+        HTTPException: 404 for anything else (also for every unknown path under /api).
+    """
+    if FRONT_END_ROUTE.match(path):
+        return _index(folder)
+    file = (folder / path).resolve()
+    if path.startswith("api/") or not file.is_relative_to(folder.resolve()) or not file.is_file():
+        raise HTTPException(404)
+    caching = IMMUTABLE if HASHED.search(file.name) else "no-cache"
+    return FileResponse(file, headers={"Cache-Control": caching})
+
+
+def _index(folder: Path) -> Response:
+    index = folder / "index.html"
+    if not index.is_file():
+        return HTMLResponse(NOT_BUILT, status_code=503)
+    return FileResponse(index, headers={"Cache-Control": "no-cache"})
