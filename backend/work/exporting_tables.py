@@ -18,7 +18,9 @@ def _id(name: str, meaning: str, required: bool = True) -> Column:
 
 
 def _px(name: str, meaning: str) -> Column:
-    return Column(name, "number", f"{meaning}; (0, 0) is the centre of the top-left pixel", "px", required=True)
+    return Column(
+        name, "number", f"{meaning}; (0, 0) is the centre of the top-left pixel", "px", required=True
+    )
 
 
 def _m(name: str, meaning: str) -> Column:
@@ -36,7 +38,9 @@ _WHERE = (
     Column("frame", "integer", "frame number: the n-th decoded frame, from 0", required=True, minimum=0),
     Column("pts", "integer", "presentation time stamp of that frame, in the stream's own time base"),
     Column("time_s", "number", "time of that frame from the start of the stream", "s"),
-    Column("frame_crc32", "integer", "CRC-32 of the decoded luma of that frame: proof of what was clicked on"),
+    Column(
+        "frame_crc32", "integer", "CRC-32 of the decoded luma of that frame: proof of what was clicked on"
+    ),
 )
 _CLICKED = (
     _px("contact_x_px", "where the tyre meets the road, x to the right"),
@@ -47,7 +51,9 @@ _CLICKED = (
     _id("pose_id", "road pose used"),
 )
 _INSET = (
-    _m("inset_m", "how far the target lies behind the vertical plane through the contact point, along road Y"),
+    _m(
+        "inset_m", "how far the target lies behind the vertical plane through the contact point, along road Y"
+    ),
     _m("u_inset_m", "standard uncertainty of the inset (k = 1)"),
 )
 _HEIGHT = (
@@ -158,6 +164,7 @@ VEHICLES = Table(
         Column("lighting", "string", "light at the time of the pass", enum=LIGHTING),
         Column("notes", "string", "remarks"),
         Column("state", "string", "how far the work on it is", required=True),
+        Column("deleted", "boolean", "true where the record was taken out (it is kept)", required=True),
     ),
     primary=("id",),
     foreign=((("recording_id",), "recordings", ("id",)),),
@@ -214,7 +221,9 @@ POSES = Table(
         Column("board_columns", "integer", "inner corners in a row of the board"),
         Column("board_rows", "integer", "rows of inner corners"),
         _m("square_m", "side of a square"),
-        Column("reference", "string", "row of inner corners whose height was measured", enum=("top", "bottom")),
+        Column(
+            "reference", "string", "row of inner corners whose height was measured", enum=("top", "bottom")
+        ),
         _m("reference_height_m", "height of that row above the road"),
         _m("u_reference_height_m", "standard uncertainty of that height (k = 1)"),
         Column("u_lean_rad", "number", "standard uncertainty of the board's lean (k = 1)", "rad"),
@@ -244,7 +253,12 @@ CALIBRATIONS = Table(
         Column("distortion", "string", "distortion coefficients in OpenCV's order, separated by blanks"),
         Column("rms_px", "number", "root of the mean squared point distance", "px"),
         Column("trusted", "boolean", "false where the program warned against using it"),
-        Column("document", "string", "the calibration as a file of this package (sightline-camera-1)", required=True),
+        Column(
+            "document",
+            "string",
+            "the calibration as a file of this package (sightline-camera-1)",
+            required=True,
+        ),
         _id("created_by_id", "who made it", required=False),
         _time("created_at", "when it was made"),
     ),
@@ -258,7 +272,8 @@ REVIEWS = Table(
     (
         _id("id", "review"),
         _id("measurement_id", "measurement that was reviewed"),
-        _id("revision", "revision that was reviewed"),
+        _id("revision", "revision that the reviewer saw"),
+        _id("result_revision", "revision that the verdict holds for (a fix makes a new one)"),
         Column("verdict", "string", "the verdict", required=True, enum=VERDICTS[1:]),
         Column("reason", "string", "the reviewer's reason"),
         _id("reviewer_id", "who reviewed", required=False),
@@ -296,7 +311,7 @@ AUDIT = Table(
         _id("actor_id", "who; empty for the program itself", required=False),
         Column("action", "string", "what was done"),
         Column("entity", "string", "to what kind of thing"),
-        Column("entity_id", "string", "to which one"),
+        _id("entity_id", "to which one", required=False),
         _id("survey_id", "survey it belongs to", required=False),
         Column("before", "string", "the thing before, as JSON"),
         Column("after", "string", "the thing after, as JSON"),

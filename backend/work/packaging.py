@@ -220,7 +220,9 @@ def write_directory(package: Package, target: Path) -> None:
         fresh.chmod(0o755)
         _put_in_place(fresh, target)
     except OSError as error:
-        raise NoRoom(f"{target} could not be written ({error.strerror}); free some space and export again.") from error
+        raise NoRoom(
+            f"{target} could not be written ({error.strerror}); free some space and export again."
+        ) from error
     finally:
         shutil.rmtree(fresh, ignore_errors=True)
 

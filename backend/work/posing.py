@@ -1,0 +1,162 @@
+"""Road poses: the board on one frame, the pose from a span of frames, and what is drawn and said about it."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from backend.errors import BadInput
+from backend.geometry.camera import Camera, project
+from backend.geometry.corners import Board, Corners, Gray, detect
+from backend.geometry.documents import pose_to_dict
+from backend.geometry.pose import expected_u, pose_from_corners
+from backend.geometry.road import axes_at_contact, iso_heights, road_grid
+from backend.geometry.road_pose import Reference, RoadPose
+from backend.work.answering import drawn_axes
+
+# Corner errors of neighbouring frames are correlated (metrology 0.3): more frames than this add time, not accuracy.
+MOST_FRAMES = 15
+EXPECTED_AT_M = (2.0, 3.0, 5.0)
+_ISO_HEIGHTS_M = (0.5, 1.0, 1.5, 2.0)
+_NORMAL_95 = 1.959963984540054
+_ORDER_NOTE = "Corners are numbered from the top left as seen, along the rows to the right and then down."
+_TRANSPOSED = " The board stands the other way up than given: {columns} columns by {rows} rows as seen."
+
+Progress = Callable[[float, str], None]
+
+
+@dataclass(frozen=True)
+class BoardView:
+    """What one frame shows of the board, in plain lists."""
+
+    found: bool
+    reason: str | None
+    columns: int
+    rows: int
+    corners_px: list[list[float]]
+    outline_px: list[list[float]]
+    order_note: str
+
+
+@dataclass(frozen=True, eq=False)
+class Solved:
+    """A road pose with everything that is stored beside it."""
+
+    pose: RoadPose
+    document: dict[str, Any]
+    warnings: list[str]
+    expected: list[dict[str, Any]]
+    overlay: dict[str, Any]
+    distance_m: float | None
+    summary: str
+
+
+def board_view(gray: Gray, columns: int, rows: int) -> BoardView:
+    """Look for the board in one grey picture (H, W). Raises BadInput for an impossible board."""
+    corners = detect(gray, Board(columns, rows, 0.1))
+    if not corners.found:
+        return BoardView(False, corners.reason, columns, rows, [], [], _ORDER_NOTE)
+    seen = corners.board_as_seen
+    turned = (seen.columns, seen.rows) != (columns, rows)
+    note = _ORDER_NOTE + (_TRANSPOSED.format(columns=seen.columns, rows=seen.rows) if turned else "")
+    flat = corners.points_px.reshape(-1, 2).tolist()
+    return BoardView(True, None, seen.columns, seen.rows, flat, outline(corners), note)
+
+
+def outline(corners: Corners) -> list[list[float]]:
+    """The four outermost inner corners, clockwise from the top left, closed."""
+    grid = corners.points_px
+    ring = np.array([grid[0, 0], grid[0, -1], grid[-1, -1], grid[-1, 0], grid[0, 0]])
+    return [[float(x), float(y)] for x, y in ring]
+
+
+def frames_to_try(first: int, last: int, most: int = MOST_FRAMES) -> list[int]:
+    """Frame numbers spread evenly over the span, both ends included."""
+    count = min(most, last - first + 1)
+    return sorted({round(float(n)) for n in np.linspace(first, last, count)})
+
+
+def corners_in_span(
+    gray_of: Callable[[int], Gray], first: int, last: int, board: Board, progress: Progress
+) -> list[Corners]:
+    """Detect the board in frames of the span. Raises BadInput, saying why, where no frame shows it."""
+    wanted = frames_to_try(first, last)
+    found: list[Corners] = []
+    reasons: Counter[str] = Counter()
+    for index, n in enumerate(wanted):
+        progress(0.05 + 0.75 * index / len(wanted), f"looking for the board in frame {n}")
+        corners = detect(gray_of(n), board)
+        if corners.found:
+            found.append(corners)
+        else:
+            reasons[corners.reason or "the board was not found"] += 1
+    if not found:
+        reason = reasons.most_common(1)[0][0].rstrip(".")
+        raise BadInput(f"No frame from {first} to {last} shows the board: {reason[:1].lower()}{reason[1:]}.")
+    return found
+
+
+def solve(camera: Camera, found: Sequence[Corners], board: Board, reference: Reference) -> Solved:
+    """The road pose from detected corners, with its verdict and drawing.
+
+    Raises BadInput with the reason (board or camera moved, board seen edge-on, height that cannot be).
+    """
+    pose = pose_from_corners(camera, list(found), board, reference)
+    expected = [
+        {"distance_m": distance_m, "u_height_m": u_m, "U95_height_m": _NORMAL_95 * u_m}
+        for distance_m, u_m in expected_u(pose, EXPECTED_AT_M)
+    ]
+    distance_m = None if pose.board is None else pose.board.distance_m
+    return Solved(
+        pose=pose,
+        document=pose_to_dict(pose),
+        warnings=list(pose.warnings),
+        expected=expected,
+        overlay=overlay(pose, found[len(found) // 2]),
+        distance_m=distance_m,
+        summary=verdict(expected, distance_m, float(pose.centre_m[2])),
+    )
+
+
+def verdict(expected: Sequence[dict[str, Any]], distance_m: float | None, camera_height_m: float) -> str:
+    """In plain words: where the board stood, how high the camera is, how well heights will be known."""
+    board = "" if distance_m is None else f"The board stood {distance_m:.2f} m from the camera. "
+    figures = ", ".join(
+        f"{entry['distance_m']:.0f} m: ±{1000 * entry['U95_height_m']:.0f} mm" for entry in expected
+    )
+    return (
+        f"{board}The camera is {camera_height_m:.2f} m above the road. "
+        f"Expected 95 % uncertainty of a height of 1.2 m, clicked to 1 px, at {figures}."
+    )
+
+
+def overlay(pose: RoadPose, corners: Corners) -> dict[str, Any]:
+    """Road grid, axes below the board and lines of equal height, as pixel polylines for the browser."""
+    across_m = -float(pose.centre_m[1])
+    lines = iso_heights(pose, across_m, _ISO_HEIGHTS_M)
+    return {
+        "grid": [line.tolist() for line in road_grid(pose)],
+        "iso_heights": [{"height_m": height_m, "points": line.tolist()} for height_m, line in lines],
+        "axes": _axes_of_board(pose),
+        "corners_px": corners.points_px.reshape(-1, 2).tolist(),
+    }
+
+
+def _axes_of_board(pose: RoadPose) -> dict[str, Any] | None:
+    """The axes through the road's origin (below the board's reference corner), None where it is out of sight."""
+    origin_px = project(pose.camera, pose.translation_m.reshape(1, 3))[0]
+    axes = axes_at_contact(pose, origin_px, length_m=1.0, height_m=1.5)
+    return None if isinstance(axes, str) else drawn_axes(axes)
+
+
+def check_fits(camera: Camera, width_px: int, height_px: int, name: str) -> None:
+    """Refuse a calibration of another picture size: its pixels mean something else."""
+    if (camera.width_px, camera.height_px) != (width_px, height_px):
+        raise BadInput(
+            f"The calibration is for pictures of {camera.width_px} x {camera.height_px} px and {name} has "
+            f"{width_px} x {height_px} px; choose a calibration made at the recording's size."
+        )
