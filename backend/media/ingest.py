@@ -1,0 +1,199 @@
+"""Ingest: one sequential decode of a recording that fixes what "frame n" means from then on."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from contextlib import closing
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from av.container import InputContainer
+from av.video.stream import VideoStream
+from numpy.typing import NDArray
+
+from backend.errors import BadInput, Conflict
+from backend.media.decode import (
+    NO_PTS,
+    Damage,
+    VideoFacts,
+    decoded,
+    facts_of,
+    frame_pts,
+    open_container,
+    probe,
+    same_size,
+    video_stream,
+)
+from backend.media.picture import Layout, layout_of, luma_crc
+from backend.media.remux import WorkingCopy, make_copy, needs_copy
+from backend.media.report import IngestReport, report_of
+from backend.media.thumbnails import Thumbnail, ThumbnailWriter
+
+PROGRESS_EVERY_S = 0.25
+OTHER_SIZE_SHARE = 0.05
+Progress = Callable[[float], None]
+Cancelled = Callable[[], bool]
+
+
+class IngestCancelled(Conflict):
+    """Somebody asked for the ingest to stop; nothing of it is kept."""
+
+    code = "cancelled"
+
+
+@dataclass(frozen=True, eq=False)
+class FrameTable:
+    """Frame n is row n. `pts` in the stream's time base, `time_s` from the first frame, `crc32` of the
+    luma.
+
+    Shapes (N,); int64, float64, bool, uint32; not writeable.
+    """
+
+    pts: NDArray[np.int64]
+    time_s: NDArray[np.float64]
+    key: NDArray[np.bool_]
+    crc32: NDArray[np.uint32]
+
+    def __post_init__(self) -> None:
+        for array in (self.pts, self.time_s, self.key, self.crc32):
+            array.setflags(write=False)
+
+    def __len__(self) -> int:
+        return len(self.pts)
+
+
+@dataclass(frozen=True, eq=False)
+class Ingested:
+    """What an ingest found. `media_path` is the file that the frame table numbers: the original, or for
+    streams without an index the working copy written beside it (`is_working_copy`), which has to be kept
+    with it.
+    """
+
+    facts: VideoFacts
+    frames: FrameTable
+    report: IngestReport
+    thumbnails: tuple[Thumbnail, ...]
+    media_path: Path
+    is_working_copy: bool
+
+
+@dataclass
+class _Rows:
+    pts: list[int]
+    key: list[bool]
+    crc: list[int]
+
+
+def ingest(
+    path: Path,
+    on_progress: Progress,
+    is_cancelled: Cancelled,
+    thumb_dir: Path,
+    *,
+    work_dir: Path | None = None,
+    name: str | None = None,
+) -> Ingested:
+    """Decode the recording once, from the first frame to the last, and write down what it is.
+
+    `on_progress` gets a fraction 0..1 a few times a second; `is_cancelled` is asked at every frame.
+    Thumbnails are written to `thumb_dir` (emptied of older ones first), a working copy if one is needed
+    to `work_dir` (default: beside the file). `name` is what people call the file. May be called again
+    after being killed at any moment.
+
+    Raises BadInput (not a video, or nothing in it can be decoded) and IngestCancelled.
+    """
+    name = name or path.name
+    folder = work_dir or path.parent
+    copy: WorkingCopy | None = None
+    if needs_copy(probe(path, name).container):
+        copy = make_copy(path, folder, name, is_cancelled, keep_times=True)
+    result = _ingest_once(path, copy, name, on_progress, is_cancelled, thumb_dir)
+    if copy is None and bool(np.any(result.frames.pts == NO_PTS)):
+        copy = make_copy(path, folder, name, is_cancelled, keep_times=False)
+        result = _ingest_once(path, copy, name, on_progress, is_cancelled, thumb_dir)
+    on_progress(1.0)
+    return result
+
+
+def _ingest_once(
+    path: Path,
+    copy: WorkingCopy | None,
+    name: str,
+    on_progress: Progress,
+    is_cancelled: Cancelled,
+    thumb_dir: Path,
+) -> Ingested:
+    media_path = copy.path if copy else path
+    damage = Damage()
+    with closing(open_container(media_path, name)) as container:
+        stream = video_stream(container, name)
+        watch = _Watch(media_path.stat().st_size, on_progress, is_cancelled, name)
+        facts, rows, thumbs = _decode_all(container, stream, name, damage, watch, thumb_dir)
+    table = _table(rows, float(facts.time_base))
+    return Ingested(
+        facts=facts,
+        frames=table,
+        report=report_of(facts, table.pts, table.time_s, table.crc32, damage, copy),
+        thumbnails=thumbs.finish(),
+        media_path=media_path,
+        is_working_copy=copy is not None,
+    )
+
+
+@dataclass
+class _Watch:
+    """Progress and cancelling, by the share of the file's bytes that were read."""
+
+    size: int
+    on_progress: Progress
+    is_cancelled: Cancelled
+    name: str
+    next_s: float = 0.0
+
+    def look(self, position: int | None) -> None:
+        if self.is_cancelled():
+            raise IngestCancelled(f"The ingest of {self.name} was cancelled; nothing of it was kept.")
+        now = time.monotonic()
+        if position is not None and now >= self.next_s:
+            self.next_s = now + PROGRESS_EVERY_S
+            self.on_progress(min(0.99, position / max(self.size, 1)))
+
+
+def _decode_all(
+    container: InputContainer,
+    stream: VideoStream,
+    name: str,
+    damage: Damage,
+    watch: _Watch,
+    thumb_dir: Path,
+) -> tuple[VideoFacts, _Rows, ThumbnailWriter]:
+    layout: Layout | None = None
+    rows = _Rows([], [], [])
+    for frame in decoded(container, stream, damage):
+        if layout is None:
+            layout = layout_of(frame, stream.sample_aspect_ratio)
+            facts = facts_of(container, stream, frame)
+            thumbs = ThumbnailWriter(thumb_dir, layout, facts.duration_s)
+        watch.look(damage.position)
+        if not same_size(frame, layout):
+            damage.other_size += 1
+            continue
+        rows.pts.append(frame_pts(frame))
+        rows.key.append(bool(frame.key_frame))
+        rows.crc.append(luma_crc(frame))
+        thumbs.offer(len(rows.pts) - 1, frame)
+    if layout is None:
+        raise BadInput(f"{name} holds no picture that can be decoded; copy it again or convert it to MP4.")
+    if damage.other_size > OTHER_SIZE_SHARE * (len(rows.pts) + damage.other_size):
+        raise BadInput(f"{name} changes its picture size on the way; split it where the size changes.")
+    return facts, rows, thumbs
+
+
+def _table(rows: _Rows, tick_s: float) -> FrameTable:
+    pts = np.array(rows.pts, np.int64)
+    stamped = pts != NO_PTS
+    first = int(pts[stamped][0]) if stamped.any() else 0
+    time_s = np.where(stamped, (pts - first) * tick_s, 0.0)
+    return FrameTable(pts, time_s, np.array(rows.key, np.bool_), np.array(rows.crc, np.uint32))

@@ -1,0 +1,159 @@
+"""A warm decoder of one recording that finds frame n of the frame table again, or says that it cannot.
+
+A decoder after a seek says where it is by time stamp only, and time stamps may be missing, doubled or
+out of order. So every decoded frame is matched against the table by time stamp *and* checksum; what does
+not match (the leading frames of an open group, say) is never taken for a frame of the recording.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import av
+import numpy as np
+from av.container import InputContainer
+from av.video.stream import VideoStream
+from numpy.typing import NDArray
+
+from backend.errors import Damaged
+from backend.media.decode import NO_PTS, decoded, frame_pts, open_container, same_size, video_stream
+from backend.media.picture import Layout, layout_of, luma_crc
+
+SEEK_TRIES = 3
+STRAYS = 64
+Decoded = tuple[av.VideoFrame, Layout]
+
+
+@dataclass(frozen=True, eq=False)
+class RecordingMedia:
+    """A recording's file and its frame table as stored: arrays of shape (N,), int64, uint32 and bool."""
+
+    path: Path
+    pts: NDArray[np.int64]
+    crc: NDArray[np.uint32]
+    key: NDArray[np.bool_]
+
+    def __len__(self) -> int:
+        return len(self.pts)
+
+
+class Seeker:
+    """Not thread-safe: one thread at a time. `keep` is told every frame that was identified, with its n."""
+
+    def __init__(self, media: RecordingMedia) -> None:
+        self.keep: Callable[[int, av.VideoFrame, Layout], None] = lambda n, frame, layout: None
+        self._media = media
+        self._by_pts = np.argsort(media.pts, kind="stable")
+        self._sorted_pts = media.pts[self._by_pts]
+        self._keys = np.flatnonzero(media.key)
+        self._at: int | None = None
+        self._lost: set[int] = set()
+        self._container: InputContainer | None = None
+        self._open()
+
+    def _open(self) -> None:
+        self.close()
+        name = self._media.path.name
+        self._container = open_container(self._media.path, name)
+        self._stream: VideoStream = video_stream(self._container, name)
+        self._frames: Iterator[av.VideoFrame] = decoded(self._container, self._stream)
+        self._layout: Layout | None = None
+        self._at = None
+
+    def close(self) -> None:
+        if self._container is not None:
+            self._container.close()
+            self._container = None
+
+    def find(self, n: int, wanted: Callable[[], bool] = lambda: True) -> Decoded | None:
+        """Frame n, 0 <= n < N, identified by its checksum; None if it is no longer `wanted` on the way.
+
+        Decodes on from where it stands if no key frame lies nearer, else from the key frame before n,
+        then from earlier ones, at last from the start. Raises Damaged if the file does not give that
+        frame any more.
+        """
+        if n in self._lost:
+            raise self._damaged(n)
+        for start in self._starts(n):
+            if not self._go_to(start):
+                continue
+            found = self._roll(n, start, wanted)
+            if found is not None or not wanted():
+                return found
+        self._lost.add(n)
+        raise self._damaged(n)
+
+    def _damaged(self, n: int) -> Damaged:
+        return Damaged(
+            f"Frame {n} cannot be shown: the stored video no longer gives the picture whose checksum was "
+            "written down at ingest; restore the file from a backup or ingest it again as a new recording."
+        )
+
+    def _starts(self, n: int) -> Iterator[int | None]:
+        """Where to begin, best first: None: go on from here, -1: the start of the file, else a key frame."""
+        before = self._keys[: np.searchsorted(self._keys, n, side="right")]
+        nearest = int(before[-1]) if len(before) else 0
+        if self._at is not None and nearest - 1 <= self._at < n:
+            yield None
+        for key in before[::-1][:SEEK_TRIES]:
+            if self._media.pts[key] != NO_PTS:
+                yield int(key)
+        yield -1
+
+    def _go_to(self, start: int | None) -> bool:
+        if start is None:
+            return True
+        if start < 0:
+            self._open()
+            return True
+        assert self._container is not None
+        try:
+            self._container.seek(int(self._media.pts[start]), stream=self._stream)
+        except av.error.FFmpegError:
+            return False
+        self._frames = decoded(self._container, self._stream)
+        self._at = None
+        return True
+
+    def _roll(self, n: int, start: int | None, wanted: Callable[[], bool]) -> Decoded | None:
+        """Decode until frame n is identified; None if it was passed or nothing known came for too long."""
+        strays = 0
+        limit = len(self._media) if start == -1 else STRAYS + max(0, n - (start or 0))
+        while strays <= limit and wanted():
+            frame = next(self._frames, None)
+            if frame is None:
+                self._at = None
+                return None
+            m = self._identify(frame)
+            if m is None:
+                strays += 1
+                continue
+            self._at = m
+            assert self._layout is not None
+            self.keep(m, frame, self._layout)
+            if m == n:
+                return frame, self._layout
+            if m > n and start != -1:
+                return None
+        return None
+
+    def _identify(self, frame: av.VideoFrame) -> int | None:
+        """The n of a decoded frame, by time stamp and checksum; the one that follows is looked at first."""
+        self._layout = self._layout or self._first_layout(frame)
+        if not same_size(frame, self._layout):
+            return None
+        pts, crc = frame_pts(frame), luma_crc(frame)
+        after = 0 if self._at is None else self._at + 1
+        if after < len(self._media) and self._is(after, pts, crc):
+            return after
+        low, high = np.searchsorted(self._sorted_pts, [pts, pts + 1])
+        matches = [int(m) for m in self._by_pts[low:high] if self._media.crc[m] == crc]
+        return min(matches, key=lambda m: (m < after, abs(m - after)), default=None)
+
+    def _is(self, n: int, pts: int, crc: int) -> bool:
+        return int(self._media.pts[n]) == pts and int(self._media.crc[n]) == crc
+
+    def _first_layout(self, frame: av.VideoFrame) -> Layout:
+        return layout_of(frame, self._stream.sample_aspect_ratio)
