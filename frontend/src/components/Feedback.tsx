@@ -1,0 +1,125 @@
+/** What a screen says while it loads, when it is empty, when something is wrong, and how far work has come. */
+import type { ComponentChildren } from "preact";
+import { explain } from "../api";
+import type { Job } from "../types";
+import { Button } from "./Button";
+import { Icon } from "./Icon";
+
+export function Loading({ what }: { what: string }) {
+  return (
+    <div class="loading" role="status">
+      <span class="spinner" aria-hidden="true" />
+      Loading {what}…
+    </div>
+  );
+}
+
+/** Nothing here yet: says so, and what to do. */
+export function Empty({
+  title,
+  children,
+  actions,
+}: {
+  title: string;
+  children?: ComponentChildren;
+  actions?: ComponentChildren;
+}) {
+  return (
+    <div class="empty">
+      <h2>{title}</h2>
+      {children && <div class="stack stack--tight">{children}</div>}
+      {actions && <div class="row row--wrap">{actions}</div>}
+    </div>
+  );
+}
+
+interface NoticeProps {
+  kind?: "info" | "warning" | "problem";
+  title?: string;
+  children?: ComponentChildren;
+  actions?: ComponentChildren;
+}
+
+export function Notice({ kind = "info", title, children, actions }: NoticeProps) {
+  const icon = kind === "info" ? "info" : kind === "warning" ? "warning" : "stop";
+  return (
+    <div class={`notice notice--${kind}`} role={kind === "problem" ? "alert" : undefined}>
+      <span class="notice__icon">
+        <Icon name={icon} />
+      </span>
+      <div class="notice__body">
+        {title && <p class="notice__title">{title}</p>}
+        {children && <div>{children}</div>}
+      </div>
+      {actions}
+    </div>
+  );
+}
+
+/** An error in words, with a way to try again. */
+export function Problem({ error, again }: { error: unknown; again?: () => void }) {
+  if (!error) return null;
+  return (
+    <Notice
+      kind="problem"
+      actions={
+        again && (
+          <Button small icon="retry" onClick={again}>
+            Try again
+          </Button>
+        )
+      }
+    >
+      {explain(error)}
+    </Notice>
+  );
+}
+
+interface ProgressProps {
+  /** 0 to 1 */
+  value: number;
+  label: string;
+  /** Right of the bar's words: "41 %" unless given. */
+  figure?: ComponentChildren;
+  /** Work that rests: paused, queued. */
+  still?: boolean;
+}
+
+export function Progress({ value, label, figure, still }: ProgressProps) {
+  const percent = Math.round(Math.max(0, Math.min(1, value)) * 100);
+  return (
+    <div class={`progress${still ? " progress--still" : ""}`}>
+      <div class="progress__words">
+        <span>{label}</span>
+        <span class="nowrap">{figure ?? `${percent} %`}</span>
+      </div>
+      <div
+        class="progress__track"
+        role="progressbar"
+        aria-label={label}
+        aria-valuenow={percent}
+        aria-valuemin={0}
+        aria-valuemax={100}
+      >
+        <div class="progress__bar" style={{ width: `${percent}%` }} />
+      </div>
+    </div>
+  );
+}
+
+/** A job's progress with its own words. */
+export function JobProgress({ job, onCancel }: { job: Job; onCancel?: () => void }) {
+  const label = job.message || (job.state === "queued" ? "Waiting for its turn" : "Working");
+  return (
+    <div class="row">
+      <div class="grow">
+        <Progress value={job.progress} label={label} still={job.state === "queued"} />
+      </div>
+      {onCancel && (
+        <Button small onClick={onCancel}>
+          Cancel
+        </Button>
+      )}
+    </div>
+  );
+}

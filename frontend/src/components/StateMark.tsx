@@ -1,0 +1,128 @@
+/** States are told by shape and word, never by colour: a mark looks the same in any print and to any eye. */
+export type MarkShape =
+  | "empty"
+  | "half"
+  | "full"
+  | "check"
+  | "cross"
+  | "diamond"
+  | "back"
+  | "warning"
+  | "arrow"
+  | "dash"
+  | "wait";
+
+const MARKS = {
+  // vehicles
+  to_do: ["empty", "to do"],
+  partial: ["half", "partly measured"],
+  measured: ["full", "measured"],
+  // reviews
+  to_review: ["empty", "to review"],
+  accepted: ["check", "accepted"],
+  fixed: ["diamond", "fixed"],
+  rejected: ["cross", "rejected"],
+  reopened: ["back", "reopened"],
+  withdrawn: ["dash", "withdrawn"],
+  not_measurable: ["warning", "not measurable"],
+  // steps
+  done: ["check", "done"],
+  next: ["arrow", "next"],
+  waiting: ["dash", "waiting"],
+  // recordings and jobs
+  ingesting: ["wait", "being read"],
+  ready: ["check", "ready"],
+  failed: ["cross", "failed"],
+  queued: ["dash", "queued"],
+  running: ["wait", "running"],
+  cancelled: ["dash", "cancelled"],
+  // calibrations
+  trusted: ["check", "trusted"],
+  not_trusted: ["warning", "not to be trusted"],
+  used: ["check", "used"],
+  left_out: ["cross", "left out"],
+  // people
+  active: ["full", "active"],
+  inactive: ["empty", "switched off"],
+} as const satisfies Record<string, readonly [MarkShape, string]>;
+
+export type StateName = keyof typeof MARKS;
+
+/** The word of a state, for lists and titles. */
+export function stateWord(state: StateName): string {
+  return MARKS[state][1];
+}
+
+export function StateMark({
+  state,
+  word,
+  hideWord,
+}: {
+  state: StateName;
+  word?: string;
+  hideWord?: boolean;
+}) {
+  const [shape, usual] = MARKS[state];
+  const text = word ?? usual;
+  return (
+    <span class="mark" title={hideWord ? text : undefined}>
+      <Shape shape={shape} />
+      <span class={hideWord ? "visually-hidden" : undefined}>{text}</span>
+    </span>
+  );
+}
+
+export function Shape({ shape, size = 14 }: { shape: MarkShape; size?: number }) {
+  return (
+    <svg
+      width={size}
+      height={size}
+      viewBox="0 0 14 14"
+      fill="none"
+      stroke="currentColor"
+      stroke-width="1.5"
+      stroke-linecap="round"
+      stroke-linejoin="round"
+      aria-hidden="true"
+    >
+      {drawn(shape)}
+    </svg>
+  );
+}
+
+function drawn(shape: MarkShape) {
+  switch (shape) {
+    case "empty":
+      return <circle cx="7" cy="7" r="5" />;
+    case "half":
+      return (
+        <>
+          <circle cx="7" cy="7" r="5" />
+          <path d="M7 2a5 5 0 010 10z" fill="currentColor" />
+        </>
+      );
+    case "full":
+      return <circle cx="7" cy="7" r="5" fill="currentColor" />;
+    case "check":
+      return (
+        <>
+          <circle cx="7" cy="7" r="6" fill="currentColor" stroke="none" />
+          <path d="M4.2 7.3l2 2 3.6-4.2" stroke="var(--surface)" />
+        </>
+      );
+    case "cross":
+      return <path d="M3 3l8 8M11 3l-8 8" stroke-width="2" />;
+    case "diamond":
+      return <path d="M7 1.5L12.5 7 7 12.5 1.5 7z" fill="currentColor" />;
+    case "back":
+      return <path d="M5 2L2 5l3 3M2 5h6a3.5 3.5 0 010 7H5" />;
+    case "warning":
+      return <path d="M7 1.8l5.6 10.4H1.4zM7 5.6v3M7 10.4v.1" />;
+    case "arrow":
+      return <path d="M1.5 7h10M8 3.5L11.5 7 8 10.5" stroke-width="2" />;
+    case "dash":
+      return <path d="M3.5 7h7" />;
+    case "wait":
+      return <path d="M7 2a5 5 0 11-5 5" />;
+  }
+}

@@ -1,0 +1,185 @@
+/** Paths to screens. Links are plain `<a href>`; a click on one is taken here. */
+import { computed, signal } from "@preact/signals";
+import type { ComponentType } from "preact";
+
+export interface ScreenProps {
+  surveyId: number;
+}
+
+type Loader = () => Promise<{ default: ComponentType<ScreenProps> }>;
+
+export interface Route {
+  name: string;
+  /** "/surveys/:id/camera" */
+  pattern: string;
+  title: string;
+  /** "bench": the order of work beside it; "full": the whole window; "alone": a page by itself; "bare": without the top bar */
+  layout: "bench" | "full" | "alone" | "bare";
+  load: Loader;
+}
+
+const benchScreens = import.meta.glob<{ default: ComponentType<ScreenProps> }>([
+  "./pose/PoseScreen.tsx",
+  "./measure/MeasureScreen.tsx",
+  "./review/ReviewScreen.tsx",
+]);
+
+function benchScreen(path: string): Loader {
+  return () => benchScreens[path]?.() ?? Promise.reject(new Error(`no screen ${path}`));
+}
+
+export const ROUTES: readonly Route[] = [
+  {
+    name: "sign-in",
+    pattern: "/sign-in",
+    title: "Sign in",
+    layout: "bare",
+    load: () => import("./screens/signin/SignInScreen"),
+  },
+  {
+    name: "surveys",
+    pattern: "/",
+    title: "Surveys",
+    layout: "alone",
+    load: () => import("./screens/surveys/SurveysScreen"),
+  },
+  {
+    name: "survey",
+    pattern: "/surveys/:id",
+    title: "Overview",
+    layout: "bench",
+    load: () => import("./screens/survey/SurveyScreen"),
+  },
+  {
+    name: "camera",
+    pattern: "/surveys/:id/camera",
+    title: "Camera",
+    layout: "bench",
+    load: () => import("./screens/camera/CameraScreen"),
+  },
+  {
+    name: "recordings",
+    pattern: "/surveys/:id/recordings",
+    title: "Recordings",
+    layout: "bench",
+    load: () => import("./screens/recordings/RecordingsScreen"),
+  },
+  {
+    name: "pose",
+    pattern: "/surveys/:id/pose",
+    title: "Road pose",
+    layout: "full",
+    load: benchScreen("./pose/PoseScreen.tsx"),
+  },
+  {
+    name: "measure",
+    pattern: "/surveys/:id/measure",
+    title: "Measure",
+    layout: "full",
+    load: benchScreen("./measure/MeasureScreen.tsx"),
+  },
+  {
+    name: "review",
+    pattern: "/surveys/:id/review",
+    title: "Review",
+    layout: "full",
+    load: benchScreen("./review/ReviewScreen.tsx"),
+  },
+  {
+    name: "export",
+    pattern: "/surveys/:id/export",
+    title: "Export",
+    layout: "bench",
+    load: () => import("./screens/export/ExportScreen"),
+  },
+  {
+    name: "audit",
+    pattern: "/audit",
+    title: "Audit",
+    layout: "alone",
+    load: () => import("./screens/audit/AuditScreen"),
+  },
+  {
+    name: "people",
+    pattern: "/people",
+    title: "People",
+    layout: "alone",
+    load: () => import("./screens/people/PeopleScreen"),
+  },
+  {
+    name: "account",
+    pattern: "/account",
+    title: "Account",
+    layout: "alone",
+    load: () => import("./screens/account/AccountScreen"),
+  },
+];
+
+export interface Match {
+  route: Route;
+  surveyId: number;
+}
+
+/** The route of a path, or null. An id is a positive integer; a trailing slash does not matter. */
+export function match(pathname: string): Match | null {
+  const path = pathname.length > 1 ? pathname.replace(/\/+$/, "") : pathname;
+  for (const route of ROUTES) {
+    const pattern = new RegExp(`^${route.pattern.replace(":id", "([1-9][0-9]{0,15})")}$`);
+    const found = pattern.exec(path);
+    if (found) return { route, surveyId: Number(found[1] ?? 0) };
+  }
+  return null;
+}
+
+const here = signal(location.pathname + location.search);
+
+export const pathname = computed(() => here.value.split("?")[0] ?? "/");
+export const query = computed(() => new URLSearchParams(here.value.split("?")[1] ?? ""));
+export const current = computed(() => match(pathname.value));
+
+/** Goes to a path of this app; `replace` leaves no step to go back to. */
+export function navigate(to: string, options: { replace?: boolean } = {}): void {
+  if (to === location.pathname + location.search) return;
+  history[options.replace ? "replaceState" : "pushState"](null, "", to);
+  const samePage = to.split("?")[0] === pathname.value;
+  here.value = location.pathname + location.search;
+  if (!samePage) document.getElementById("main")?.scrollTo(0, 0);
+}
+
+/** Changes query parameters in place, for deep links; null removes one. */
+export function setQuery(changes: Record<string, string | number | null>): void {
+  const params = new URLSearchParams(location.search);
+  for (const [key, value] of Object.entries(changes)) {
+    if (value === null) params.delete(key);
+    else params.set(key, String(value));
+  }
+  const text = params.toString();
+  navigate(location.pathname + (text ? `?${text}` : ""), { replace: true });
+}
+
+window.addEventListener("popstate", () => {
+  here.value = location.pathname + location.search;
+});
+
+/** True for a click that should stay a click: a new tab, a download, another site, the API. */
+export function isOurs(anchor: HTMLAnchorElement, event: MouseEvent): boolean {
+  if (
+    event.defaultPrevented ||
+    event.button !== 0 ||
+    event.metaKey ||
+    event.ctrlKey ||
+    event.shiftKey ||
+    event.altKey
+  )
+    return false;
+  if (anchor.target || anchor.hasAttribute("download") || anchor.origin !== location.origin) return false;
+  if (anchor.hash && anchor.pathname === location.pathname) return false;
+  return match(anchor.pathname) !== null;
+}
+
+document.addEventListener("click", (event) => {
+  const anchor = event.target instanceof Element ? event.target.closest("a") : null;
+  if (!anchor || !isOurs(anchor, event)) return;
+  event.preventDefault();
+  navigate(anchor.pathname + anchor.search);
+});

@@ -1,0 +1,88 @@
+/** Lengths as people read them. The server speaks metres; feet are only shown. */
+import { stored } from "./state/stored";
+
+export type LengthUnit = "m" | "ft";
+export const METRES_PER_FOOT = 0.3048;
+
+/** Metres by default, feet on request, everywhere. */
+export const lengthUnit = stored<LengthUnit>("unit", "m", (v) => v === "m" || v === "ft");
+
+const NBSP = " ";
+const THIN = " ";
+
+function convert(metres: number, unit: LengthUnit): number {
+  return unit === "ft" ? metres / METRES_PER_FOOT : metres;
+}
+
+/** A number with a true minus sign and fixed decimals. */
+export function fixed(value: number, digits: number): string {
+  const text = value.toFixed(digits);
+  if (!text.startsWith("-")) return text;
+  return Number(text) === 0 ? text.slice(1) : `−${text.slice(1)}`;
+}
+
+/** "1.172 m"; a missing value is an en dash. */
+export function formatLength(metres: number | null, digits = 3, unit = lengthUnit.value): string {
+  if (metres === null) return "–";
+  return `${fixed(convert(metres, unit), digits)}${NBSP}${unit}`;
+}
+
+/** "1.172 ± 0.018 m", where the second number is the half-width of the 95 % interval. */
+export function formatHeight(
+  metres: number | null,
+  U95_m: number | null,
+  digits = 3,
+  unit = lengthUnit.value,
+): string {
+  if (metres === null) return "–";
+  if (U95_m === null) return formatLength(metres, digits, unit);
+  const value = fixed(convert(metres, unit), digits);
+  return `${value}${NBSP}±${NBSP}${convert(U95_m, unit).toFixed(digits)}${NBSP}${unit}`;
+}
+
+/** A small length: "18 mm", or "0.71 in" for those who read feet. */
+export function formatSmall(metres: number | null, unit = lengthUnit.value): string {
+  if (metres === null) return "–";
+  if (unit === "ft") return `${fixed((metres / METRES_PER_FOOT) * 12, 2)}${NBSP}in`;
+  const mm = metres * 1000;
+  return `${fixed(mm, Math.abs(mm) < 10 ? 1 : 0)}${NBSP}mm`;
+}
+
+/** What a person typed as a length in the shown unit, in metres; null when it is no number. Takes a comma for the point. */
+export function parseLength(text: string, unit = lengthUnit.value): number | null {
+  const value = parseNumber(text);
+  return value === null ? null : unit === "ft" ? value * METRES_PER_FOOT : value;
+}
+
+/** A typed number, comma or point, blanks allowed; null when it is none. */
+export function parseNumber(text: string): number | null {
+  const cleaned = text
+    .trim()
+    .replace(/[\s  ]/g, "")
+    .replace("−", "-")
+    .replace(",", ".");
+  if (!/^-?(\d+\.?\d*|\.\d+)(e-?\d+)?$/i.test(cleaned)) return null;
+  return Number(cleaned);
+}
+
+/** A count with thin spaces between thousands. */
+export function formatCount(value: number): string {
+  return String(Math.round(value)).replace(/\B(?=(\d{3})+(?!\d))/g, THIN);
+}
+
+/** "3 images", "1 image". */
+export function plural(count: number, one: string, many = `${one}s`): string {
+  return `${formatCount(count)}${NBSP}${count === 1 ? one : many}`;
+}
+
+/** "14.2 MB" (decimal). */
+export function formatBytes(bytes: number): string {
+  const names = ["B", "kB", "MB", "GB", "TB"];
+  let value = bytes;
+  let step = 0;
+  while (value >= 999.5 && step < names.length - 1) {
+    value /= 1000;
+    step++;
+  }
+  return `${value.toFixed(step === 0 || value >= 99.5 ? 0 : 1)}${NBSP}${names[step]}`;
+}
