@@ -16,6 +16,7 @@ from backend.errors import NotFound
 from backend.settings import Settings
 from backend.storage import people
 from backend.storage.records import Person
+from backend.work.people import Attempts
 from backend.work.secret import signing_secret
 from backend.work.services import Services, open_services
 
@@ -46,6 +47,7 @@ def create_app(settings: Settings | None = None, services: Services | None = Non
     app.state.sign_in = SignIn(
         signing_secret(settings), settings.secure_cookies, lambda id_: _person(services, id_)
     )
+    app.state.attempts = Attempts()
     failures.install(app)
     include_routes(app)
     pages.install(app, settings)

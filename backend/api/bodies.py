@@ -18,7 +18,7 @@ JobState = Literal["queued", "running", "done", "failed", "cancelled"]
 class In(BaseModel):
     """A body that comes in: unknown keys are refused, so that a misspelt one is never silently dropped."""
 
-    model_config = ConfigDict(extra="forbid", str_strip_whitespace=True)
+    model_config = ConfigDict(extra="forbid")
 
 
 class Out(BaseModel):

@@ -29,17 +29,29 @@ class SignIn:
 
     def person_of(self, request: Request) -> Person | None:
         """The active person whose cookie came with the request, None if there is none that holds."""
+        content = self._content(request)
+        if content is None:
+            return None
+        person = self._person(content[0])
+        if person is None or not person.active or person.session_key != content[1]:
+            return None
+        return person
+
+    def by_link(self, request: Request) -> bool:
+        """Whether the person came by a one-time link, so that no current password is asked for."""
+        content = self._content(request)
+        return content is not None and bool(content[2])
+
+    def _content(self, request: Request) -> tuple[int, int, int] | None:
+        """Person, session key and by-link flag of a cookie that we signed."""
         cookie = request.cookies.get(COOKIE)
         if cookie is None:
             return None
         try:
-            person_id, session_key = self._signer.loads(cookie, max_age=MAX_AGE_S)
+            person_id, session_key, by_link = self._signer.loads(cookie, max_age=MAX_AGE_S)
+            return int(person_id), int(session_key), int(by_link)
         except (BadSignature, ValueError, TypeError):
             return None
-        person = self._person(int(person_id))
-        if person is None or not person.active or person.session_key != session_key:
-            return None
-        return person
 
     def _person(self, person_id: int) -> Person | None:
         now = time.monotonic()
@@ -58,9 +70,9 @@ class SignIn:
         with self._lock:
             self._known.clear()
 
-    def remember(self, response: Response, person: Person) -> None:
+    def remember(self, response: Response, person: Person, *, by_link: bool) -> None:
         """Put the person's cookie on the answer."""
-        value = self._signer.dumps([person.id, person.session_key])
+        value = self._signer.dumps([person.id, person.session_key, int(by_link)])
         response.set_cookie(
             COOKIE,
             str(value),

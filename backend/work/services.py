@@ -10,6 +10,7 @@ from backend.media.frames import FrameServer
 from backend.media.store import MediaStore, open_store
 from backend.settings import Settings
 from backend.storage import database
+from backend.work.stills import Stills
 
 FRAME_MEMORY_BYTES = 256 * 1024**2
 FRAME_DISK_BYTES = 2 * 1024**3
@@ -24,6 +25,7 @@ class Services:
     sessions: database.SessionFactory
     media: MediaStore
     frames: FrameServer
+    stills: Stills
 
     def reading(self) -> AbstractContextManager[Session]:
         """A session that sees one state of the database and never commits."""
@@ -42,10 +44,15 @@ class Services:
 def open_services(settings: Settings) -> Services:
     """Open the database and the media store. Migrates nothing and starts nothing."""
     engine = database.make_engine(settings.database_url)
+    sessions = database.session_factory(engine)
+    cache = settings.data_dir / "cache"
+    store = open_store(settings.media_url, cache / "media")
+    server = FrameServer(cache, FRAME_MEMORY_BYTES, FRAME_DISK_BYTES)
     return Services(
         settings=settings,
         engine=engine,
-        sessions=database.session_factory(engine),
-        media=open_store(settings.media_url, settings.data_dir / "cache" / "media"),
-        frames=FrameServer(settings.data_dir / "cache", FRAME_MEMORY_BYTES, FRAME_DISK_BYTES),
+        sessions=sessions,
+        media=store,
+        frames=server,
+        stills=Stills(sessions, store, server),
     )

@@ -1,0 +1,123 @@
+"""Frames of stored recordings, without a database query for each: facts and frame table are kept in memory."""
+
+import threading
+import time
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from backend.errors import BadInput, Damaged, NotFound
+from backend.media.frames import FrameServer
+from backend.media.seeker import RecordingMedia
+from backend.media.store import MediaStore
+from backend.storage import database, frames, recordings
+from backend.storage.records import Recording
+
+# After this long the row is looked at again, in case another process ingested it anew or deleted it.
+BELIEVED_S = 5.0
+MOST = 32
+
+
+@dataclass(frozen=True, eq=False)
+class OpenRecording:
+    """A ready recording with its frame table in memory. `time_s` has shape (N,), seconds from the first frame."""
+
+    recording: Recording
+    media: RecordingMedia
+    time_s: npt.NDArray[np.float64]
+    looked_at_s: float
+
+
+@dataclass(frozen=True)
+class Still:
+    """One encoded picture of frame n with the identity of the frame."""
+
+    content: bytes
+    n: int
+    pts: int
+    crc: int
+
+
+class Stills:
+    """Thread-safe. Every method raises NotFound for a recording or frame that is not there, Damaged if the file
+    does not give the frame whose checksum is in the table, BadInput while the recording is not ready.
+    """
+
+    def __init__(self, sessions: database.SessionFactory, store: MediaStore, server: FrameServer) -> None:
+        self._sessions = sessions
+        self._store = store
+        self._server = server
+        self._open: dict[int, OpenRecording] = {}
+        self._lock = threading.Lock()
+
+    def open(self, recording_id: int) -> OpenRecording:
+        """The recording's facts and frame table, read from the database at most every few seconds."""
+        with self._lock:
+            known = self._open.get(recording_id)
+        if known is not None and time.monotonic() - known.looked_at_s < BELIEVED_S:
+            return known
+        fresh = self._read(recording_id, known)
+        with self._lock:
+            self._open.pop(recording_id, None)
+            self._open[recording_id] = fresh
+            while len(self._open) > MOST:
+                self._open.pop(next(iter(self._open)))
+        return fresh
+
+    def still(self, recording_id: int, n: int) -> Still:
+        """Frame n as JPEG, upright."""
+        opened = self._with_frame(recording_id, n)
+        content = self._server.still(opened.media, n)
+        return Still(content, n, int(opened.media.pts[n]), int(opened.media.crc[n]))
+
+    def crop(self, recording_id: int, n: int, x: int, y: int, w: int, h: int) -> Still:
+        """A rectangle of frame n as PNG; black where it reaches out of the picture."""
+        opened = self._with_frame(recording_id, n)
+        content = self._server.crop_png(opened.media, n, x, y, w, h)
+        return Still(content, n, int(opened.media.pts[n]), int(opened.media.crc[n]))
+
+    def gray(self, recording_id: int, n: int) -> npt.NDArray[np.uint8]:
+        """Frame n as luminance, (height_px, width_px), upright."""
+        return self._server.gray(self._with_frame(recording_id, n).media, n)
+
+    def crc(self, recording_id: int, n: int) -> int:
+        """The checksum of frame n as the table has it, for an answer without a picture."""
+        return int(self._with_frame(recording_id, n).media.crc[n])
+
+    def forget(self, recording_id: int) -> None:
+        """Read the recording afresh next time; called after an ingest or a change."""
+        with self._lock:
+            self._open.pop(recording_id, None)
+
+    def _with_frame(self, recording_id: int, n: int) -> OpenRecording:
+        opened = self.open(recording_id)
+        if not 0 <= n < len(opened.media):
+            raise NotFound(f"There is no frame {n}; this recording has frames 0 to {len(opened.media) - 1}.")
+        return opened
+
+    def _read(self, recording_id: int, known: OpenRecording | None) -> OpenRecording:
+        with database.reading(self._sessions) as session:
+            recording = recordings.get(session, recording_id)
+            if recording.state != "ready":
+                raise _not_ready(recording)
+            if known is not None and known.recording == recording:
+                return OpenRecording(recording, known.media, known.time_s, time.monotonic())
+            table = frames.table(session, recording_id)
+        if len(table) != recording.frame_count:
+            raise Damaged(f"The frame table of {recording.name} is not whole; ingest the recording again.")
+        media = RecordingMedia(self._store.local_path(file_key(recording)), table.pts, table.crc32, table.key)
+        return OpenRecording(recording, media, table.time_s, time.monotonic())
+
+
+def file_key(recording: Recording) -> str:
+    """The stored file that the frame table numbers: the upload, or the working copy of a stream without index."""
+    return str(recording.report.get("working_copy") or recording.media_key)
+
+
+def _not_ready(recording: Recording) -> BadInput:
+    if recording.state == "failed":
+        return BadInput(
+            f"{recording.name} could not be ingested, so it has no frames; see its error and try again."
+        )
+    return BadInput(f"{recording.name} is still being ingested; wait until it is ready.")
