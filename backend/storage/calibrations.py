@@ -7,10 +7,9 @@ from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from backend.storage import audit
-from backend.storage.chain import content_hash
 from backend.storage.columns import columns_of, now
 from backend.storage.records import Calibration, CalibrationSource, CalibrationSummary, JsonObject
-from backend.storage.rows import add_row, change_row, get_row, missing, who
+from backend.storage.rows import add_row, change_row, get_row, missing, stored_hash, who
 from backend.storage.tables import calibrations, cameras, people
 
 
@@ -47,8 +46,13 @@ def add(
     calibration_id = add_row(session, calibrations, content)
     if make_current:
         change_row(session, cameras, camera_id, {"current_calibration_id": calibration_id})
+    digest = stored_hash(session, calibrations, calibration_id)
     told = {key: content[key] for key in ("camera_id", "source", "recording_id", "trusted", "summary")}
-    after = {**told, "current": make_current, "content_sha256": content_hash(content)}
+    after = {
+        **told,
+        "current": make_current,
+        "content_sha256": stored_hash(session, calibrations, calibration_id),
+    }
     audit.record(session, actor, "create", "calibration", calibration_id, camera["survey_id"], None, after)
     return get(session, calibration_id)
 

@@ -37,8 +37,11 @@ class DatabaseAway(SightlineError):
     code = "database_away"
 
 
-def make_engine(url: str) -> Engine:
-    """An engine for `sqlite:///path` or `postgresql+psycopg://...`. Raises BadInput for any other URL."""
+def make_engine(url: str, *, must_exist: bool = False) -> Engine:
+    """An engine for `sqlite:///path` or `postgresql+psycopg://...`. Raises BadInput for any other URL.
+
+    `must_exist` refuses to make a SQLite file that is not there.
+    """
     try:
         parsed = make_url(url)
     except ArgumentError:
@@ -49,7 +52,10 @@ def make_engine(url: str) -> Engine:
         parsed = parsed.set(drivername="postgresql+psycopg")
     backend = parsed.get_backend_name()
     if backend == "sqlite":
-        return _sqlite_engine(str(parsed.database or ""), parsed.render_as_string(hide_password=False))
+        path = str(parsed.database or "")
+        if must_exist and not Path(path).is_file():
+            raise BadInput(f"There is no database {path}; check its name.")
+        return _sqlite_engine(path, parsed.render_as_string(hide_password=False))
     if backend == "postgresql":
         return create_engine(parsed, pool_pre_ping=True, pool_size=10, max_overflow=20)
     raise BadInput(f"A {backend} database is not supported; {_USE}")

@@ -61,7 +61,7 @@ def create(session: Session, *, name: str, email: str, role: Role, actor: int | 
 def update(
     session: Session, person_id: int, *, name: str, role: Role, active: bool, actor: int | None
 ) -> Person:
-    """Change name, role or access. Raises Conflict for the last admin; ends their sessions when it takes rights."""
+    """Change name, role or access. Raises Conflict for the last admin; switching off ends sessions."""
     before = get(session, person_id)
     name = _checked(name, role)
     if before.role == "admin" and before.active and not (role == "admin" and active):

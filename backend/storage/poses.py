@@ -8,10 +8,9 @@ from sqlalchemy.orm import Session
 
 from backend.errors import BadInput
 from backend.storage import audit
-from backend.storage.chain import content_hash
 from backend.storage.columns import columns_of, now
 from backend.storage.records import JsonObject, Pose, PoseSummary
-from backend.storage.rows import add_row, change_row, get_row, missing, who
+from backend.storage.rows import add_row, change_row, get_row, missing, stored_hash, who
 from backend.storage.tables import calibrations, cameras, people, recordings, road_poses
 
 _HEAVY = ("document", "warnings", "expected", "overlay")
@@ -57,7 +56,7 @@ def add(
     if attach:
         change_row(session, recordings, recording_id, {"pose_id": pose_id})
     told = {key: content[key] for key in content if key not in (*_HEAVY, "created_at", "created_by")}
-    after = {**told, "attached": attach, "content_sha256": content_hash(content)}
+    after = {**told, "attached": attach, "content_sha256": stored_hash(session, road_poses, pose_id)}
     audit.record(session, actor, "create", "pose", pose_id, recording["survey_id"], None, after)
     return get(session, pose_id)
 

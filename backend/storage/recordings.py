@@ -87,7 +87,7 @@ def ingested(
     if _measured(session, recording_id):
         if fingerprint != frames.fingerprint(frames.table(session, recording_id)):
             raise Conflict(
-                "The frames found now differ from those that were measured; upload the video as a new recording."
+                "The frames found now are not those that were measured; upload the video as a new one."
             )
     else:
         frames.replace(session, recording_id, found)

@@ -7,6 +7,7 @@ from sqlalchemy import ColumnElement, Table, insert, select, update
 from sqlalchemy.orm import Session
 
 from backend.errors import NotFound
+from backend.storage.chain import content_hash
 from backend.storage.records import Who
 from backend.storage.tables import people
 
@@ -54,3 +55,14 @@ def names(session: Session, ids: Iterable[int | None]) -> dict[int, str]:
 def name_of(session: Session, person_id: int | None) -> str:
     """A person's name for a sentence, "the system" for nobody."""
     return names(session, [person_id]).get(person_id or 0, "the system")
+
+
+def stored_hash(session: Session, table: Table, row_id: int) -> str:
+    """The hash of a row's content as the database gives it back; kept in the audit event that made it."""
+    row = session.execute(select(table).where(table.c.id == row_id)).mappings().one()
+    return row_hash(row)
+
+
+def row_hash(row: Mapping[Any, Any]) -> str:
+    """The hash of a row's content, without its id."""
+    return content_hash({str(key): value for key, value in row.items() if key != "id"})

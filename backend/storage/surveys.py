@@ -85,7 +85,7 @@ def update(
     if before["version"] != version:
         name_then, when = name_of(session, before["updated_by"]), before["updated_at"]
         raise Conflict(
-            f"{name_then} changed this survey at {when:%Y-%m-%d %H:%M:%S} UTC; look at it again and redo yours."
+            f"{name_then} changed this survey at {when:%Y-%m-%d %H:%M:%S} UTC; look again and redo yours."
         )
     content = _content(name, site, description, insets)
     stamps = {"version": version + 1, "updated_at": now(), "updated_by": actor}

@@ -1,0 +1,174 @@
+"""Measurements: append-only revisions of a series. Nothing changes a row; the database refuses it too."""
+
+from dataclasses import asdict
+from typing import Any
+
+from sqlalchemy import select
+from sqlalchemy.orm import Session
+
+from backend.errors import BadInput, Conflict
+from backend.storage import audit, frames
+from backend.storage.columns import now
+from backend.storage.measurement_query import fetch, is_current, revisions
+from backend.storage.records import Measurement, MeasurementHistory, MeasurementValues
+from backend.storage.reviews_query import of_series
+from backend.storage.rows import add_row, get_row, missing, stored_hash
+from backend.storage.tables import calibrations, road_poses
+from backend.storage.tables_of_work import measurement_series, measurements, vehicles
+
+_TOLD = ("target", "frame", "contact", "point", "height_m", "U95_height_m", "status", "reason", "pose_id")
+
+
+def add(
+    session: Session, vehicle_id: int, *, client_key: str, values: MeasurementValues, actor: int | None
+) -> Measurement:
+    """Store the first revision of a measurement; the same `client_key` again gives the same one back.
+
+    Raises NotFound for a deleted vehicle, Conflict for a key used on another vehicle or a frame that is not
+    the stored one.
+    """
+    known = select(measurement_series).where(measurement_series.c.client_key == client_key)
+    series = session.execute(known).mappings().one_or_none()
+    if series is not None:
+        if series["vehicle_id"] != vehicle_id:
+            raise Conflict("This measurement was stored for another vehicle already; click again.")
+        return get(session, series["id"])
+    vehicle = get_row(session, vehicles, vehicle_id, "vehicle", vehicles.c.deleted_at.is_(None))
+    place = {key: vehicle[key] for key in ("survey_id", "recording_id")}
+    series_id = add_row(
+        session, measurement_series, {**place, "vehicle_id": vehicle_id, "client_key": client_key}
+    )
+    _append(session, series_id, 1, {**place, "vehicle_id": vehicle_id}, values, False, None, "create", actor)
+    return get(session, series_id)
+
+
+def revise(
+    session: Session, series_id: int, *, seen_revision: int, values: MeasurementValues, actor: int | None
+) -> Measurement:
+    """A new revision with other content. Raises Conflict if `seen_revision` is not the current one."""
+    before = seen(session, series_id, seen_revision)
+    append_revision(session, before, values, withdrawn=False, action="revise", actor=actor)
+    return get(session, series_id)
+
+
+def withdraw(session: Session, series_id: int, *, seen_revision: int, actor: int | None) -> Measurement:
+    """A new revision that takes the measurement out of all lists and counts."""
+    before = seen(session, series_id, seen_revision)
+    if before.withdrawn:
+        raise Conflict("This measurement is withdrawn already; restore it to use it again.")
+    append_revision(session, before, values_of(before), withdrawn=True, action="withdraw", actor=actor)
+    return get(session, series_id)
+
+
+def restore(session: Session, series_id: int, *, seen_revision: int, actor: int | None) -> Measurement:
+    """A new revision that brings a withdrawn measurement back."""
+    before = seen(session, series_id, seen_revision)
+    if not before.withdrawn:
+        raise Conflict("This measurement is not withdrawn, so there is nothing to restore.")
+    append_revision(session, before, values_of(before), withdrawn=False, action="restore", actor=actor)
+    return get(session, series_id)
+
+
+def get(session: Session, series_id: int) -> Measurement:
+    """The current revision, withdrawn or not. Raises NotFound."""
+    found = fetch(session, revisions().where(measurements.c.series_id == series_id, is_current))
+    if not found:
+        raise missing("measurement", series_id)
+    return found[0]
+
+
+def history(session: Session, series_id: int) -> MeasurementHistory:
+    """Every revision and every review, oldest first. Raises NotFound."""
+    query = revisions().where(measurements.c.series_id == series_id).order_by(measurements.c.revision)
+    found = fetch(session, query)
+    if not found:
+        raise missing("measurement", series_id)
+    return MeasurementHistory(found, of_series(session, measurement_series.c.id == series_id))
+
+
+def list_for_survey(
+    session: Session, survey_id: int, *, every_revision: bool = False, include_withdrawn: bool = False
+) -> tuple[Measurement, ...]:
+    """A survey's measurements of vehicles that were not deleted; current ones unless told otherwise."""
+    query = revisions().join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
+    query = query.where(measurement_series.c.survey_id == survey_id, vehicles.c.deleted_at.is_(None))
+    if not every_revision:
+        query = query.where(is_current)
+    if not include_withdrawn and not every_revision:
+        query = query.where(~measurements.c.withdrawn)
+    return fetch(session, query.order_by(measurements.c.series_id, measurements.c.revision))
+
+
+def seen(session: Session, series_id: int, revision: int) -> Measurement:
+    """The current revision, if it is the one that the caller saw. Raises Conflict, naming who and when."""
+    current = get(session, series_id)
+    if current.revision != revision:
+        name = current.created_by.name if current.created_by else "The system"
+        raise Conflict(
+            f"{name} changed this measurement at {current.created_at:%Y-%m-%d %H:%M:%S} UTC; look again."
+        )
+    return current
+
+
+def values_of(one: Measurement) -> MeasurementValues:
+    """The content of a revision, to be written again."""
+    return MeasurementValues(**{name: getattr(one, name) for name in MeasurementValues.__slots__})
+
+
+def append_revision(
+    session: Session,
+    before: Measurement,
+    values: MeasurementValues,
+    *,
+    withdrawn: bool,
+    action: str,
+    actor: int | None,
+) -> int:
+    """Write the revision after `before` with its audit event; returns its number."""
+    place = {"survey_id": before.survey_id, "recording_id": before.recording_id}
+    place["vehicle_id"] = before.vehicle_id
+    then = {name: getattr(before, name) for name in _TOLD} | {"revision": before.revision}
+    number = before.revision + 1
+    _append(session, before.id, number, place, values, withdrawn, then, action, actor)
+    return number
+
+
+def _append(
+    session: Session,
+    series_id: int,
+    revision: int,
+    place: dict[str, Any],
+    values: MeasurementValues,
+    withdrawn: bool,
+    before: dict[str, Any] | None,
+    action: str,
+    actor: int | None,
+) -> None:
+    _check(session, place, values)
+    row = asdict(values)
+    (row["contact_x_px"], row["contact_y_px"]) = row.pop("contact")
+    (row["point_x_px"], row["point_y_px"]) = row.pop("point")
+    stamps = {"series_id": series_id, "revision": revision, "withdrawn": withdrawn}
+    row_id = add_row(session, measurements, {**row, **stamps, "created_at": now(), "created_by": actor})
+    after = {name: getattr(values, name) for name in _TOLD} | {
+        "revision": revision,
+        "revision_id": row_id,
+        "vehicle_id": place["vehicle_id"],
+        "withdrawn": withdrawn,
+        "content_sha256": stored_hash(session, measurements, row_id),
+    }
+    audit.record(session, actor, action, "measurement", series_id, place["survey_id"], before, after)
+
+
+def _check(session: Session, place: dict[str, Any], values: MeasurementValues) -> None:
+    frame = frames.get(session, place["recording_id"], values.frame)
+    if (frame.pts, frame.crc32) != (values.pts, values.frame_crc):
+        raise Conflict(f"Frame {values.frame} is not the picture that was clicked on; load it again.")
+    pose = get_row(session, road_poses, values.pose_id, "road pose")
+    if pose["survey_id"] != place["survey_id"]:
+        raise BadInput(f"Road pose {values.pose_id} belongs to another survey; choose one of this survey's.")
+    get_row(session, calibrations, values.calibration_id, "calibration")
+    if values.status == "ok" and values.height_m is None:
+        raise BadInput("A measurement without a height needs the reason why; compute it again.")
+    if values.status != "ok" and not values.reason:
+        raise BadInput("A measurement that has no height needs the reason why; compute it again.")

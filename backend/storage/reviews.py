@@ -1,0 +1,97 @@
+"""Reviews: append-only verdicts on measurements. Nobody reviews a revision of their own."""
+
+from typing import Any, Literal
+
+from sqlalchemy.orm import Session
+
+from backend.errors import BadInput, Conflict, NotAllowed
+from backend.storage import audit, measurements, vehicles
+from backend.storage.columns import now
+from backend.storage.measurement_query import fetch, is_current, revisions, verdict, waits
+from backend.storage.records import Measurement, MeasurementValues, QueueItem, Review, ReviewVerdict
+from backend.storage.reviews_query import of_series
+from backend.storage.rows import add_row, stored_hash
+from backend.storage.tables_of_work import measurement_series, reviews
+from backend.storage.tables_of_work import measurements as revision_rows
+from backend.storage.tables_of_work import vehicles as vehicle_rows
+
+QueueState = Literal["to_review", "accepted", "fixed", "rejected", "all"]
+
+
+def add(
+    session: Session,
+    series_id: int,
+    *,
+    seen_revision: int,
+    verdict: ReviewVerdict,
+    reason: str | None = None,
+    fixed: MeasurementValues | None = None,
+    actor: int,
+) -> Measurement:
+    """Give a verdict on the revision that was seen; "fixed" also writes a new revision with `fixed`.
+
+    Raises Conflict if there is a newer revision, NotAllowed for one's own, BadInput without the reason of a
+    rejection or the points of a fix.
+    """
+    before = measurements.seen(session, series_id, seen_revision)
+    _allowed(before, verdict, reason, fixed, actor)
+    result_revision = seen_revision
+    content: dict[str, Any] = {"series_id": series_id, "revision": seen_revision, "verdict": verdict}
+    content["reason"] = (reason or "").strip() or None
+    if fixed is not None:
+        result_revision = measurements.append_revision(
+            session, before, fixed, withdrawn=False, action="fix", actor=actor
+        )
+    stamps = {"result_revision": result_revision, "created_at": now(), "created_by": actor}
+    review_id = add_row(session, reviews, {**content, **stamps})
+    after = {**content, "result_revision": result_revision, "vehicle_id": before.vehicle_id}
+    after["content_sha256"] = stored_hash(session, reviews, review_id)
+    then = {"verdict": before.review.verdict}
+    audit.record(session, actor, "review", "review", review_id, before.survey_id, then, after)
+    return measurements.get(session, series_id)
+
+
+def queue(
+    session: Session, survey_id: int, *, state: QueueState = "to_review", actor: int | None
+) -> tuple[QueueItem, ...]:
+    """A survey's standing measurements by what was said of them; reopened ones are "to_review" again."""
+    query = (
+        revisions()
+        .join(vehicle_rows, vehicle_rows.c.id == measurement_series.c.vehicle_id)
+        .where(measurement_series.c.survey_id == survey_id, vehicle_rows.c.deleted_at.is_(None))
+        .where(is_current, ~revision_rows.c.withdrawn)
+    )
+    if state == "to_review":
+        query = query.where(waits)
+    elif state != "all":
+        query = query.where(verdict == state)
+    found = fetch(session, query.order_by(vehicle_rows.c.number, revision_rows.c.series_id))
+    by_id = {vehicle.id: vehicle for vehicle in vehicles.list_for_survey(session, survey_id)}
+    return tuple(
+        QueueItem(one, by_id[one.vehicle_id], one.created_by is not None and one.created_by.id == actor)
+        for one in found
+    )
+
+
+def list_for_survey(session: Session, survey_id: int) -> tuple[Review, ...]:
+    """Every review of a survey, oldest first, for the export."""
+    return of_series(session, measurement_series.c.survey_id == survey_id)
+
+
+def _allowed(
+    before: Measurement,
+    verdict: ReviewVerdict,
+    reason: str | None,
+    fixed: MeasurementValues | None,
+    actor: int,
+) -> None:
+    if before.created_by is not None and before.created_by.id == actor:
+        raise NotAllowed("Nobody reviews their own measurement; ask another reviewer.")
+    if before.withdrawn:
+        raise Conflict("This measurement is withdrawn; there is nothing to review.")
+    if verdict == "rejected" and not (reason or "").strip():
+        raise BadInput("A rejection needs a reason; say what is wrong so that it can be put right.")
+    if (verdict == "fixed") != (fixed is not None):
+        raise BadInput("A fix needs the new points, and only a fix has them; click them and send them along.")
+    if verdict == "reopened" and before.review.verdict in ("to_review", "reopened"):
+        raise Conflict("This measurement waits for a review already.")

@@ -1,0 +1,167 @@
+"""Finding out whether somebody changed the records behind the program's back.
+
+The chain is walked (ids without gap, each hash from the one before, the anchor and every export's head in
+place), then every row that is written once (revisions, reviews, calibrations, poses) and every frame table
+is hashed again and compared with what its audit event says.
+"""
+
+import json
+from collections.abc import Iterator
+from typing import Any
+
+from sqlalchemy import Table, inspect, select
+from sqlalchemy.orm import Session
+
+from backend.storage import frames
+from backend.storage.chain import GENESIS, chain_hash
+from backend.storage.database import DatabaseAway, lock_chain, make_engine, reading, session_factory
+from backend.storage.records import Verification
+from backend.storage.rows import row_hash
+from backend.storage.tables import calibrations, recordings, road_poses
+from backend.storage.tables_of_work import (
+    audit_anchor,
+    audit_events,
+    exports,
+    measurement_series,
+    measurements,
+    reviews,
+)
+
+Promises = dict[tuple[str, int], str]
+
+
+class _Problem(Exception):
+    """The first thing found wrong, as one sentence."""
+
+
+def verify(session: Session) -> Verification:
+    """Check the chain and everything that it vouches for; writers wait meanwhile on PostgreSQL."""
+    lock_chain(session)
+    state = _Walk()
+    try:
+        state.chain(session)
+        _anchors(session, state)
+        _rows(session, state)
+    except _Problem as problem:
+        return Verification(False, state.checked, state.head, str(problem))
+    return Verification(True, state.checked, state.head, None)
+
+
+def verify_database(url: str) -> Verification:
+    """The same for a database by its URL, without changing it. Raises BadInput, DatabaseAway."""
+    engine = make_engine(url, must_exist=True)
+    try:
+        with reading(session_factory(engine)) as session:
+            if not _has_tables(session):
+                raise DatabaseAway(
+                    "This database holds no survey records; give the address of the right one."
+                )
+            return verify(session)
+    finally:
+        engine.dispose()
+
+
+def _has_tables(session: Session) -> bool:
+    return inspect(session.connection()).has_table(audit_events.name)
+
+
+class _Walk:
+    """The state of a walk along the chain: what was checked and what the events promise."""
+
+    def __init__(self) -> None:
+        self.checked = 0
+        self.head = GENESIS
+        self.hashes: list[str] = [GENESIS]
+        self.promised: Promises = {}
+
+    def chain(self, session: Session) -> None:
+        """Every event in order: number, link and hash."""
+        query = select(audit_events).order_by(audit_events.c.id).execution_options(yield_per=1000)
+        for row in session.execute(query).mappings():
+            expected = self.checked + 1
+            if row["id"] != expected:
+                raise _Problem(f"Audit event {expected} is missing; restore the database from a backup.")
+            if row["previous_hash"] != self.head or row["hash"] != chain_hash(dict(row)):
+                raise _Problem(f"Audit event {row['id']} was changed after it was written; restore a backup.")
+            self.checked, self.head = row["id"], row["hash"]
+            self.hashes.append(row["hash"])
+            self._promise(row)
+
+    def _promise(self, row: Any) -> None:
+        after = _object(row["after"])
+        if "content_sha256" in after:
+            row_id = after["revision_id"] if row["entity"] == "measurement" else row["entity_id"]
+            self.promised[(row["entity"], row_id)] = after["content_sha256"]
+        if "frames_sha256" in after:
+            self.promised[("frames", row["entity_id"])] = after["frames_sha256"]
+        if (row["entity"], row["action"]) == ("measurement", "create"):
+            place = {"survey_id": row["survey_id"], "vehicle_id": after["vehicle_id"]}
+            self.promised[("series", row["entity_id"])] = str(sorted(place.items()))
+        if (row["entity"], row["action"]) == ("recording", "delete"):
+            self.promised.pop(("frames", row["entity_id"]), None)
+
+
+def _object(text: str | None) -> dict[str, Any]:
+    """The JSON object of an event's text, empty where there is none."""
+    return {} if text is None else dict(json.loads(text))
+
+
+def _anchors(session: Session, walk: _Walk) -> None:
+    """The anchor and every export remember how long the chain was: a cut tail is shorter."""
+    anchor = session.execute(select(audit_anchor)).mappings().one_or_none()
+    if anchor is None or (anchor["count"], anchor["hash"]) != (walk.checked, walk.head):
+        raise _Problem(
+            f"The audit chain ends at event {walk.checked}, which is not where it ended; restore a backup."
+        )
+    for row in session.execute(select(exports).order_by(exports.c.id)).mappings():
+        count = row["audit_count"]
+        if count > walk.checked or walk.hashes[count] != row["audit_head"]:
+            raise _Problem(
+                f"The audit chain is not the one that export {row['id']} carries; restore a backup."
+            )
+
+
+def _rows(session: Session, walk: _Walk) -> None:
+    """Every row that is written once is still what its event says, and none came or went by itself."""
+    kept: tuple[tuple[str, str, Table], ...] = (
+        ("measurement", "measurement revision", measurements),
+        ("review", "review", reviews),
+        ("calibration", "calibration", calibrations),
+        ("pose", "road pose", road_poses),
+    )
+    for entity, words, table in kept:
+        found = ((row["id"], row_hash(row)) for row in _all(session, table))
+        _compare(walk.promised, entity, words, found)
+    _compare(walk.promised, "series", "measurement", _series(session))
+    _compare(walk.promised, "frames", "frame table of recording", _frame_tables(session))
+
+
+def _compare(promised: Promises, entity: str, words: str, found: Iterator[tuple[int, str]]) -> None:
+    missing = {row_id for kind, row_id in promised if kind == entity}
+    for row_id, content in found:
+        if promised.get((entity, row_id)) != content:
+            raise _Problem(
+                f"The {words} {row_id} is not what was recorded when it was made; restore a backup."
+            )
+        missing.discard(row_id)
+    if missing:
+        raise _Problem(f"The {words} {min(missing)} was removed behind the program's back; restore a backup.")
+
+
+def _all(session: Session, table: Table) -> Iterator[Any]:
+    query = select(table).order_by(table.c.id).execution_options(yield_per=1000)
+    return iter(session.execute(query).mappings())
+
+
+def _series(session: Session) -> Iterator[tuple[int, str]]:
+    for row in _all(session, measurement_series):
+        place = {"survey_id": row["survey_id"], "vehicle_id": row["vehicle_id"]}
+        yield row["id"], str(sorted(place.items()))
+
+
+def _frame_tables(session: Session) -> Iterator[tuple[int, str]]:
+    query = select(recordings.c.id).where(
+        recordings.c.frame_count.is_not(None), recordings.c.deleted_at.is_(None)
+    )
+    for recording_id in session.execute(query.order_by(recordings.c.id)).scalars().all():
+        yield recording_id, frames.fingerprint(frames.table(session, recording_id))
