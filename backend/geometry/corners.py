@@ -159,11 +159,11 @@ def _flaw(gray: Gray, grid: Floats) -> str | None:
 
 
 def _cut(gray: Gray, grid: Floats) -> bool:
-    """Whether the outer squares leave the picture, judged half a square outside the inner corners."""
-    wide = np.concatenate(
-        [1.5 * grid[:, :1] - 0.5 * grid[:, 1:2], grid, 1.5 * grid[:, -1:] - 0.5 * grid[:, -2:-1]], 1
-    )
-    full = np.concatenate([1.5 * wide[:1] - 0.5 * wide[1:2], wide, 1.5 * wide[-1:] - 0.5 * wide[-2:-1]], 0)
+    """Whether the outer squares leave the picture: a quarter of each must show outside the inner corners."""
+    first, last = 1.25 * grid[:, :1] - 0.25 * grid[:, 1:2], 1.25 * grid[:, -1:] - 0.25 * grid[:, -2:-1]
+    wide = np.concatenate([first, grid, last], axis=1)
+    top, bottom = 1.25 * wide[:1] - 0.25 * wide[1:2], 1.25 * wide[-1:] - 0.25 * wide[-2:-1]
+    full = np.concatenate([top, wide, bottom], axis=0)
     x, y = full[..., 0], full[..., 1]
     height, width = gray.shape
     return bool(min(x.min(), y.min()) < 0 or x.max() > width - 1 or y.max() > height - 1)

@@ -15,6 +15,7 @@ from backend.geometry.arrays import Floats, exp_rotation, nearest_rotation, skew
 from backend.geometry.camera import Camera, project_with_jacobians, undistort
 
 _ROUNDS = 60
+_SAME_RAD = 1e-3  # two starts that end this close found the same minimum
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,4 +97,10 @@ def planar_roots(camera: Camera, flat_points: Floats, seen: Floats) -> list[Plan
             continue
         if (flat_points @ rotation[2] + translation[2] > 0).all():
             found.append(refine(camera, rotation, translation, flat_points, seen))
-    return sorted(found, key=lambda pose: pose.cost)
+    found.sort(key=lambda pose: pose.cost)
+    return [pose for i, pose in enumerate(found) if i == 0 or _turn_between(pose, found[0]) > _SAME_RAD]
+
+
+def _turn_between(a: PlanarPose, b: PlanarPose) -> float:
+    """Angle in radians between two rotations."""
+    return float(np.arccos(np.clip((np.trace(a.rotation.T @ b.rotation) - 1.0) / 2.0, -1.0, 1.0)))
