@@ -1,0 +1,133 @@
+/**
+ * Shapes above the frame, all given in image pixels. Lines ride on the viewport's transform with strokes that do not scale;
+ * marks and words keep their size on the screen. Colours: the three axes, white, and the accent for what is selected.
+ */
+import type { AxisLines, Px } from "../types";
+import { fromServer, type ImagePoint } from "./points";
+import type { Stage } from "./stage";
+
+export type LineKind =
+  | "longitudinal"
+  | "vertical"
+  | "transversal"
+  | "ladder"
+  | "ladder-major"
+  | "grid"
+  | "iso"
+  | "board"
+  | "guide";
+
+export function Line({ points, kind }: { points: readonly Px[]; kind: LineKind }) {
+  if (points.length < 2) return null;
+  const path = points.map(([x, y], i) => `${i === 0 ? "M" : "L"}${round(x)} ${round(y)}`).join("");
+  return (
+    <>
+      <path class="line line--halo" d={path} />
+      <path class={`line line--${kind}`} d={path} />
+    </>
+  );
+}
+
+/** Everything drawn in image coordinates goes inside. */
+export function InImage({ stage, children }: { stage: Stage; children: preact.ComponentChildren }) {
+  return <g transform={stage.viewport.value.svgTransform}>{children}</g>;
+}
+
+export function AxesLayer({ axes, stage }: { axes: AxisLines; stage: Stage }) {
+  return (
+    <g data-testid="axes">
+      <InImage stage={stage}>
+        <Line points={axes.transversal} kind="transversal" />
+        <Line points={axes.longitudinal} kind="longitudinal" />
+        <Line points={axes.vertical} kind="vertical" />
+      </InImage>
+    </g>
+  );
+}
+
+export interface Rung {
+  readonly height_m: number;
+  readonly points: readonly Px[];
+  readonly label: boolean;
+  readonly words: string;
+}
+
+/** Lines of equal height on the side plane through the contact. */
+export function LadderLayer({ rungs, stage }: { rungs: readonly Rung[]; stage: Stage }) {
+  return (
+    <g data-testid="ladder">
+      <InImage stage={stage}>
+        {rungs.map((rung) => (
+          <Line key={rung.height_m} points={rung.points} kind={rung.label ? "ladder-major" : "ladder"} />
+        ))}
+      </InImage>
+      {rungs.map((rung) => rung.label && <Word key={rung.height_m} stage={stage} at={rightmost(rung.points)} text={rung.words} />)}
+    </g>
+  );
+}
+
+/** A word beside an image point. */
+export function Word(props: { stage: Stage; at: ImagePoint | null; text: string; dx?: number; dy?: number; strong?: boolean }) {
+  if (!props.at) return null;
+  const [x, y] = props.stage.viewport.value.toScreen(props.at);
+  return (
+    <text class={`overlay-word${props.strong ? " overlay-word--strong" : ""}`} x={x + (props.dx ?? 5)} y={y + (props.dy ?? 4)}>
+      {props.text}
+    </text>
+  );
+}
+
+export interface MarkProps {
+  stage: Stage;
+  at: ImagePoint;
+  role: "contact" | "point";
+  selected?: boolean;
+  faint?: boolean;
+  /** Words beside the mark: "roof". */
+  text?: string;
+}
+
+/** A contact is a triangle standing on the road, a target a ring; the pixel itself stays free. */
+export function PointMark({ stage, at, role, selected, faint, text }: MarkProps) {
+  const [x, y] = stage.viewport.value.toScreen(at);
+  const shape =
+    role === "contact" ? "M0 3.5L8 15H-8ZM-5 0H-14M5 0H14" : "M8 0A8 8 0 11-8 0A8 8 0 118 0M-8 0H-14M8 0H14M0 -8V-14M0 8V14";
+  return (
+    <g
+      transform={`translate(${x} ${y})`}
+      class={`point-mark${selected ? " point-mark--selected" : ""}${faint ? " point-mark--faint" : ""}`}
+    >
+      <path class="point-mark__halo" d={shape} />
+      <path class="point-mark__line" d={shape} />
+      {text && (
+        <text class="overlay-word overlay-word--strong" x={role === "contact" ? 17 : 18} y={role === "contact" ? 18 : -6}>
+          {text}
+        </text>
+      )}
+    </g>
+  );
+}
+
+/** The keyboard's cursor: a full cross, so that it is found at once. */
+export function KeyboardCursor({ stage, at }: { stage: Stage; at: ImagePoint }) {
+  const view = stage.viewport.value;
+  const [x, y] = view.toScreen(at);
+  const { width, height } = view.screen;
+  const shape = `M0 ${y}H${x - 9}M${x + 9} ${y}H${width}M${x} 0V${y - 9}M${x} ${y + 9}V${height}`;
+  return (
+    <g class="point-mark" data-testid="keyboard-cursor">
+      <path class="point-mark__halo" d={shape} />
+      <path class="point-mark__line point-mark__line--thin" d={shape} />
+    </g>
+  );
+}
+
+function rightmost(points: readonly Px[]): ImagePoint | null {
+  let best: Px | null = null;
+  for (const point of points) if (!best || point[0] > best[0]) best = point;
+  return best && fromServer(best);
+}
+
+function round(value: number): number {
+  return Math.round(value * 100) / 100;
+}

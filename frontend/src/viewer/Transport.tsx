@@ -1,0 +1,98 @@
+/** Step buttons, play, the frame box, the time. */
+import { useRef } from "preact/hooks";
+import { Button } from "../components";
+import { type ActionId, hint, type KeyHandlers } from "../keys";
+import { formatFrameTime } from "../times";
+import type { Player } from "./player";
+import type { Stage } from "./stage";
+
+export function Transport({ player, stage }: { player: Player; stage: Stage }) {
+  const box = useRef<HTMLInputElement>(null);
+  const frame = player.frame.value;
+  const time = player.timeOf(frame);
+  const count = player.count.value;
+  const go = (): void => {
+    const wanted = Number.parseInt(box.current?.value ?? "", 10);
+    if (Number.isFinite(wanted)) player.go(wanted);
+    if (box.current) box.current.value = String(player.frame.value);
+  };
+  return (
+    <div class="transport">
+      <Step label="Ten frames back" action="framePreviousTen" text="−10" onClick={() => player.step(-10)} />
+      <Step label="Previous frame" action="framePrevious" text="−1" onClick={() => player.step(-1)} />
+      <Button
+        small
+        kind="quiet"
+        icon={player.playing.value ? "pause" : "play"}
+        label={player.playing.value ? "Stop" : "Play"}
+        title={`${player.playing.value ? "Stop" : "Play"}${hint("play")}`}
+        onClick={() => player.toggle()}
+      />
+      <Step label="Next frame" action="frameNext" text="+1" onClick={() => player.step(1)} />
+      <Step label="Ten frames on" action="frameNextTen" text="+10" onClick={() => player.step(10)} />
+      <label class="transport__frame">
+        <span class="small muted">frame</span>
+        <input
+          ref={box}
+          class="input input--num"
+          data-testid="frame-box"
+          inputMode="numeric"
+          value={frame}
+          title={`Go to a frame${hint("frameGo")}`}
+          onFocus={(event) => event.currentTarget.select()}
+          onBlur={go}
+          onKeyDown={(event) => {
+            if (event.key !== "Enter" && event.key !== "Escape") return;
+            if (event.key === "Escape" && box.current) box.current.value = String(frame);
+            go();
+            event.stopPropagation();
+            stage.focus();
+          }}
+        />
+        <span class="small muted nowrap">{count === null ? "" : `of ${count - 1}`}</span>
+      </label>
+      <span class="transport__time nowrap">{time === null ? "" : formatFrameTime(time)}</span>
+      {player.vfr.value && (
+        <span class="badge" title="The frame rate of this recording varies; times come from each frame's own stamp.">
+          VFR
+        </span>
+      )}
+    </div>
+  );
+}
+
+function Step(props: { label: string; action: ActionId; text: string; onClick(): void }) {
+  return (
+    <Button small kind="quiet" label={props.label} title={`${props.label}${hint(props.action)}`} onClick={props.onClick}>
+      {props.text}
+    </Button>
+  );
+}
+
+/** The keys of every screen that shows frames. Play waits for Space to come up again: until then it may be a pan. */
+export function frameKeys(player: Player, stage: Stage): KeyHandlers {
+  return {
+    frameNext: () => player.step(1),
+    framePrevious: () => player.step(-1),
+    frameNextTen: () => player.step(10),
+    framePreviousTen: () => player.step(-10),
+    secondNext: () => player.stepSeconds(1),
+    secondPrevious: () => player.stepSeconds(-1),
+    frameFirst: () => player.step(Number.NEGATIVE_INFINITY),
+    frameLast: () => player.step((player.count.value ?? 1) - 1 - player.frame.value),
+    frameGo: () => document.querySelector<HTMLInputElement>("[data-testid=frame-box]")?.focus(),
+    play: (_event, down) => {
+      if (!down && !stage.panned) player.toggle();
+      if (down) stage.panned = false;
+    },
+    loupe: (_event, down) => {
+      stage.loupe.value = down;
+    },
+    zoomIn: () => stage.zoom(1.25),
+    zoomOut: () => stage.zoom(0.8),
+    zoomFit: () => stage.fit(),
+  };
+}
+
+/** Keys of `frameKeys` that are told of key up. */
+export const HELD_KEYS: readonly ActionId[] = ["play", "loupe"];

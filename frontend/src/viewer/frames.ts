@@ -1,0 +1,46 @@
+/** Fetches stills and lossless crops of one recording; the server is the only decoder. */
+import { ApiError, toApiError } from "../api";
+
+/** Address of a frame; with its checksum it may be kept for ever. */
+export function frameUrl(recordingId: number, frame: number, crc?: number): string {
+  const version = crc === undefined ? "" : `?v=${crc}`;
+  return `/api/recordings/${recordingId}/frames/${frame}.jpg${version}`;
+}
+
+export interface Crop {
+  readonly x: number;
+  readonly y: number;
+  readonly w: number;
+  readonly h: number;
+}
+
+export function cropUrl(recordingId: number, frame: number, crop: Crop): string {
+  const { x, y, w, h } = crop;
+  return `/api/recordings/${recordingId}/frames/${frame}/crop.png?x=${x}&y=${y}&w=${w}&h=${h}`;
+}
+
+/** A picture, decoded; throws an ApiError with the server's sentence. */
+export async function fetchPicture(url: string, signal?: AbortSignal): Promise<ImageBitmap> {
+  const answer = await fetch(url, { signal, credentials: "same-origin" });
+  if (!answer.ok) throw toApiError(answer.status, await answer.json().catch(() => null));
+  return createImageBitmap(await answer.blob());
+}
+
+/** A frame, checked to be the one asked for: a wrong picture is an error, never shown. */
+export async function fetchFrame(url: string, frame: number, signal: AbortSignal): Promise<ImageBitmap> {
+  const answer = await fetch(url, { signal, credentials: "same-origin" });
+  if (!answer.ok) throw toApiError(answer.status, await answer.json().catch(() => null));
+  const served = answer.headers.get("Sightline-Frame");
+  if (served !== null && Number(served) !== frame) {
+    throw new ApiError(
+      `The server sent frame ${served} for frame ${frame}, so it is not shown; ingest the recording again.`,
+      500,
+      "wrong_frame",
+    );
+  }
+  return createImageBitmap(await answer.blob());
+}
+
+export function isAbort(error: unknown): boolean {
+  return error instanceof DOMException && error.name === "AbortError";
+}
