@@ -51,7 +51,7 @@ def add(
     after = {
         **told,
         "current": make_current,
-        "content_sha256": stored_hash(session, calibrations, calibration_id),
+        "content_sha256": digest,
     }
     audit.record(session, actor, "create", "calibration", calibration_id, camera["survey_id"], None, after)
     return get(session, calibration_id)

@@ -43,7 +43,7 @@ def unfinished(session: Session, survey_id: int | None = None) -> tuple[Upload, 
 
 
 def advance(session: Session, upload_id: int, *, from_offset: int, to_offset: int) -> Upload:
-    """Bytes `from_offset .. to_offset` are safe on disk; not an event. Raises Conflict if it stands elsewhere."""
+    """Bytes `from_offset .. to_offset` are on disk; not an event. Raises Conflict if it stands elsewhere."""
     done = session.execute(
         update(uploads)
         .where(uploads.c.id == upload_id, uploads.c.offset == from_offset, uploads.c.finished_at.is_(None))

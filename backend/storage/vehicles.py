@@ -111,10 +111,8 @@ def state_of(found: Sequence[Measurement]) -> VehicleState:
 def _current(session: Session, vehicle_id: int, version: int | None) -> dict[str, Any]:
     row = get_row(session, vehicles, vehicle_id, "vehicle", _ALIVE)
     if version is not None and row["version"] != version:
-        name, when = name_of(session, row["updated_by"]), row["updated_at"]
-        raise Conflict(
-            f"{name} changed vehicle {row['number']} at {when:%Y-%m-%d %H:%M:%S} UTC; look again and redo yours."
-        )
+        name, when = name_of(session, row["updated_by"]), f"{row['updated_at']:%Y-%m-%d %H:%M:%S} UTC"
+        raise Conflict(f"{name} changed vehicle {row['number']} at {when}; look again and redo yours.")
     return row
 
 

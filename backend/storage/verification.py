@@ -53,9 +53,7 @@ def verify_database(url: str) -> Verification:
     try:
         with reading(session_factory(engine)) as session:
             if not _has_tables(session):
-                raise DatabaseAway(
-                    "This database holds no survey records; give the address of the right one."
-                )
+                raise DatabaseAway("This database holds no surveys; give the address of the right one.")
             return verify(session)
     finally:
         engine.dispose()
@@ -116,9 +114,7 @@ def _anchors(session: Session, walk: _Walk) -> None:
     for row in session.execute(select(exports).order_by(exports.c.id)).mappings():
         count = row["audit_count"]
         if count > walk.checked or walk.hashes[count] != row["audit_head"]:
-            raise _Problem(
-                f"The audit chain is not the one that export {row['id']} carries; restore a backup."
-            )
+            raise _Problem(f"The audit chain is not the one in export {row['id']}; restore a backup.")
 
 
 def _rows(session: Session, walk: _Walk) -> None:
@@ -140,9 +136,7 @@ def _compare(promised: Promises, entity: str, words: str, found: Iterator[tuple[
     missing = {row_id for kind, row_id in promised if kind == entity}
     for row_id, content in found:
         if promised.get((entity, row_id)) != content:
-            raise _Problem(
-                f"The {words} {row_id} is not what was recorded when it was made; restore a backup."
-            )
+            raise _Problem(f"The {words} {row_id} is not what was written at first; restore a backup.")
         missing.discard(row_id)
     if missing:
         raise _Problem(f"The {words} {min(missing)} was removed behind the program's back; restore a backup.")
