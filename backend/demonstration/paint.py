@@ -1,0 +1,175 @@
+"""Paints the near side of a vehicle once: a texture with coverage over the local (l, z) plane, light baked in.
+
+A texture is premultiplied BGRA, float32 in 0..255; the light may be baked because a vehicle only slides along X.
+"""
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from backend.demonstration.camera import Array, Floats
+from backend.demonstration.light import Light, shade
+from backend.demonstration.shape import Shape
+
+FINE = 3
+
+
+@dataclass(frozen=True, eq=False)
+class Plate:
+    """A texture on a plane of constant inset: pixel (i, j) is l = left + (i + .5) / ppm, z = top - (j + .5) / ppm."""
+
+    rgba: Floats
+    ppm: float
+    left_m: float
+    top_m: float
+
+
+class Stencil:
+    """Coverage masks over a rectangle of the local plane, antialiased by drawing them three times finer."""
+
+    def __init__(self, left_m: float, right_m: float, bottom_m: float, top_m: float, ppm: float) -> None:
+        self.left_m, self.top_m, self.ppm = left_m, top_m, ppm
+        self.size = (int(np.ceil((right_m - left_m) * ppm)), int(np.ceil((top_m - bottom_m) * ppm)))
+        self.along = left_m + (np.arange(self.size[0]) + 0.5) / ppm
+        self.up = top_m - (np.arange(self.size[1]) + 0.5) / ppm
+
+    def grid(self) -> tuple[Array, Array]:
+        """(l, z) of every texture pixel."""
+        along, up = np.meshgrid(self.along, self.up)
+        return along, up
+
+    def fine(self) -> Floats:
+        return np.zeros((self.size[1] * FINE, self.size[0] * FINE), np.float32)
+
+    def to_fine(self, points: Array) -> NDArray[np.int32]:
+        """Local metres to fine pixels with 4 fractional bits."""
+        p = np.asarray(points, float)
+        scale = self.ppm * FINE
+        xy = np.stack([(p[:, 0] - self.left_m) * scale - 0.5, (self.top_m - p[:, 1]) * scale - 0.5], -1)
+        return np.round(xy * 16).astype(np.int32)
+
+    def shrink(self, fine: Floats) -> Floats:
+        return cv2.resize(fine, self.size, interpolation=cv2.INTER_AREA)  # type: ignore[return-value]
+
+    def area(self, *polygons: Array) -> Floats:
+        """Coverage of polygons (each (N, 2) in metres)."""
+        fine = self.fine()
+        for polygon in polygons:
+            cv2.fillPoly(fine, [self.to_fine(polygon)], 1.0, shift=4)
+        return self.shrink(fine)
+
+    def line(self, points: Array, width_m: float) -> Floats:
+        """Coverage of a polyline of a given width."""
+        fine = self.fine()
+        thick = max(1, round(width_m * self.ppm * FINE))
+        cv2.polylines(fine, [self.to_fine(points)], False, 1.0, thick, shift=4)
+        return self.shrink(fine)
+
+    def disc(self, centre: tuple[float, float], radius_m: float) -> Floats:
+        turn = np.linspace(0, 2 * np.pi, 72, endpoint=False)
+        ring = np.stack([centre[0] + radius_m * np.cos(turn), centre[1] + radius_m * np.sin(turn)], -1)
+        return self.area(ring)
+
+
+class Layer:
+    """A premultiplied picture that masks are laid onto."""
+
+    def __init__(self, size: tuple[int, int]) -> None:
+        self.colour = np.zeros((size[1], size[0], 3), np.float32)
+        self.alpha = np.zeros((size[1], size[0], 1), np.float32)
+
+    def lay(self, mask: Floats, colour: object, opacity: float = 1.0) -> None:
+        """Covers with a colour (BGR, or a picture of BGR) where the mask is."""
+        m = (mask * opacity)[..., None]
+        self.colour = self.colour * (1 - m) + np.asarray(colour, np.float32) * m
+        self.alpha = self.alpha * (1 - m) + m
+
+    def cut(self, mask: Floats) -> None:
+        """Takes away what the mask covers."""
+        keep = 1 - mask[..., None]
+        self.colour, self.alpha = self.colour * keep, self.alpha * keep
+
+    def tint(self, mask: Floats, gain: float) -> None:
+        """Darkens (gain < 1) or lightens what is there."""
+        self.colour = self.colour * (1 + (gain - 1) * mask[..., None])
+
+    def plate(self, stencil: Stencil) -> Plate:
+        rgba = np.concatenate([self.colour, self.alpha * 255], -1).astype(np.float32)
+        rgba.flags.writeable = False
+        return Plate(rgba, stencil.ppm, stencil.left_m, stencil.top_m)
+
+
+def side_normals(shape: Shape, along: Array, z: Array) -> Array:
+    """Outward unit normals (..., 3) of the near side in the road frame."""
+    step = 0.004
+    dl = (shape.inset(along + step, z) - shape.inset(along - step, z)) / (2 * step)
+    dz = (shape.inset(along, z + step) - shape.inset(along, z - step)) / (2 * step)
+    if shape.vehicle.style.smooth:
+        crease = 0.62 * shape.sz + 0.02 * (along - 1.5)
+        dz = (
+            dz
+            + 0.30 * np.exp(-(((z - crease) / 0.035) ** 2))
+            - 0.26 * np.exp(-(((z - crease - 0.075) / 0.03) ** 2))
+        )
+    n = np.stack([dl * shape.vehicle.direction, -np.ones_like(dl), dz], -1)
+    out: Array = n / np.linalg.norm(n, axis=-1, keepdims=True)
+    return out
+
+
+def side_view(shape: Shape, z: Array, eye_m: float, near_m: float) -> Array:
+    """Unit rays from the camera to the near side, by height alone."""
+    ray = np.stack([np.zeros_like(z), np.full_like(z, near_m), z - eye_m], -1)
+    out: Array = ray / np.linalg.norm(ray, axis=-1, keepdims=True)
+    return out
+
+
+def body_outline(shape: Shape) -> Array:
+    """The closed outline of the painted body, sill included."""
+    style = shape.vehicle.style
+    if not style.smooth:
+        return shape.outline
+    sill = style.sill_m * shape.sz
+    foot = np.array([[shape.length_m - 0.30, sill], [0.34, sill]])
+    return np.vstack([shape.outline, foot])
+
+
+def glass_area(shape: Shape, stencil: Stencil) -> Floats:
+    """Coverage of the side windows: the greenhouse, less the roof rail, the end pillars and the middle pillars."""
+    style = shape.vehicle.style
+    fine = stencil.fine()
+    cv2.fillPoly(fine, [stencil.to_fine(body_outline(shape))], 1.0, shift=4)
+    rail = 0.075 if style.smooth else 0.12
+    size = 2 * round(rail * stencil.ppm * FINE) + 1
+    fine = cv2.erode(fine, cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (size, size)), borderValue=0)
+    (l0, z0), (l1, z1) = (shape.at(*p) for p in style.glass_rear)
+    back, top = l0 + (0 - z0) * (l1 - l0) / max(z1 - z0, 1e-6), 4.0
+    lean = (l1 - l0) / max(z1 - z0, 1e-6)
+    cv2.fillPoly(
+        fine,
+        [stencil.to_fine(np.array([[-1, 0], [back, 0], [back + top * lean, top], [-1, top]]))],
+        0.0,
+        shift=4,
+    )
+    grid = np.linspace(-0.5, shape.length_m + 0.5, 40)
+    belt = np.stack([grid, shape.belt(grid)], -1)
+    cv2.fillPoly(
+        fine, [stencil.to_fine(np.vstack([belt, [[grid[-1], -1.0], [grid[0], -1.0]]]))], 0.0, shift=4
+    )
+    round_ = 2 * round(0.035 * stencil.ppm * FINE) + 1
+    fine = cv2.morphologyEx(
+        fine, cv2.MORPH_OPEN, cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (round_, round_))
+    )
+    return stencil.shrink(fine.astype(np.float32))
+
+
+def painted_body(shape: Shape, light: Light, stencil: Stencil, eye_m: float, near_m: float) -> Floats:
+    """The paint's colour at every texture pixel (h, w, 3)."""
+    along, z = stencil.grid()
+    normals = side_normals(shape, along, z)
+    base = np.broadcast_to(np.array(shape.vehicle.paint), (*along.shape, 3))
+    colour = shade(light, normals, base, side_view(shape, z, eye_m, near_m))
+    # light that reaches low panels comes over dark asphalt: a soft falloff toward the sill
+    fall = np.clip(0.62 + 0.55 * (z - 0.2), 0.55, 1.0)
+    return (colour * fall[..., None]).astype(np.float32)

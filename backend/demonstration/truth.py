@@ -1,0 +1,239 @@
+"""What is true of every pass: contact points and targets as road points and as distorted pixels, frame by frame."""
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from backend.demonstration.board import LAB_COLUMNS, LAB_COUNT, LAB_ROWS, LAB_SQUARE_M, board_corners_m
+from backend.demonstration.camera import Array, DemoCamera
+from backend.demonstration.compose import Place
+from backend.demonstration.insides import eye_point
+from backend.demonstration.models import catalogue
+from backend.demonstration.scene import Scene, Vehicle
+from backend.demonstration.shape import Shape, shape_of
+from backend.demonstration.sideart import tail_lamp_box
+
+MARGIN_PX = 6.0
+
+
+@dataclass(frozen=True)
+class Spot:
+    """A definite spot of a vehicle, local frame: l from the rear, inset behind the side plane, height, metres."""
+
+    name: str
+    along_m: float
+    inset_m: float
+    height_m: float
+
+
+@dataclass(frozen=True)
+class FramePixels:
+    """True distorted pixels of one frame: name of the spot -> (x, y)."""
+
+    frame: int
+    pixels: dict[str, tuple[float, float]]
+
+
+@dataclass(frozen=True)
+class PassTruth:
+    """One pass; `frames` hold only frames in which at least one contact and one target are in the picture."""
+
+    vehicle: Vehicle
+    spots: tuple[Spot, ...]
+    first_whole_frame: int | None
+    last_whole_frame: int | None
+    best_frame: int
+    distance_m: float
+    frames: tuple[FramePixels, ...]
+
+    def spot(self, name: str) -> Spot:
+        """The spot called contact_rear, contact_front, roof, driver_eye, taillight or headlight."""
+        return next(s for s in self.spots if s.name == name)
+
+
+@lru_cache(maxsize=64)
+def spots_of(vehicle: Vehicle) -> tuple[Spot, ...]:
+    """The spots that can be clicked, where the renderer draws them."""
+    shape = shape_of(vehicle)
+    rear, front = shape.axles
+    eye_l, eye_z = eye_point(shape)
+    return (
+        Spot("contact_rear", rear, 0.0, 0.0),
+        Spot("contact_front", front, 0.0, 0.0),
+        _roof(shape),
+        Spot("driver_eye", eye_l, vehicle.eye_inset_m, eye_z),
+        _tail(shape),
+        _head(shape),
+    )
+
+
+def _skin(shape: Shape, name: str, along: float, z: float) -> Spot:
+    return Spot(name, along, float(shape.inset(np.array(along), np.array(z))), z)
+
+
+def _roof(shape: Shape) -> Spot:
+    """The highest point of the near roof edge; the roof is level across, so this edge is the silhouette."""
+    top = shape.outline[:, 1].max()
+    crest = shape.outline[shape.outline[:, 1] > top - 1e-9, 0]
+    return _skin(shape, "roof", float(crest.mean()), float(top))
+
+
+def _tail(shape: Shape) -> Spot:
+    """The middle of the lamp's lower edge (lower limit of the lit area) on the near side."""
+    l0, l1, z0, _ = tail_lamp_box(shape)
+    return _skin(shape, "taillight", l0 + 0.45 * (l1 - l0), z0)
+
+
+def _head(shape: Shape) -> Spot:
+    style = shape.vehicle.style
+    middle = (style.head_lamp[1] + style.head_lamp[2]) / 2 * shape.sz
+    return _skin(shape, "headlight", shape.length_m - 0.08, middle)
+
+
+def place_of(vehicle: Vehicle, frame: int) -> Place:
+    """Where the vehicle's local frame lies at a frame."""
+    return Place(vehicle.rear_m(frame), vehicle.direction, vehicle.side_plane_m)
+
+
+def spot_pixel(camera: DemoCamera, vehicle: Vehicle, spot: Spot, frame: int) -> Array:
+    """True distorted pixel (2,) of a spot at a frame."""
+    road = place_of(vehicle, frame).road(
+        np.array(spot.along_m), np.array(spot.inset_m), np.array(spot.height_m)
+    )
+    return camera.project(road)
+
+
+def _inside(camera: DemoCamera, px: Array, margin: float = MARGIN_PX) -> Array:
+    limit = np.array([camera.width_px - 1, camera.height_px - 1]) - margin
+    ok: Array = ((px > margin) & (px < limit)).all(-1)
+    return ok
+
+
+def _whole(camera: DemoCamera, vehicle: Vehicle, frame: int) -> bool:
+    """Whether the near side, wheels to roof and rear to front, is in the picture."""
+    outline = shape_of(vehicle).outline
+    foot = outline * (1, 0)
+    points = np.vstack([outline, foot])
+    inset = shape_of(vehicle).inset(points[:, 0], points[:, 1])
+    road = place_of(vehicle, frame).road(points[:, 0], inset, points[:, 1])
+    return bool(_inside(camera, camera.project(road), 1.0).all())
+
+
+def _frame_pixels(camera: DemoCamera, vehicle: Vehicle, frame: int) -> FramePixels | None:
+    pixels = {}
+    for spot in spots_of(vehicle):
+        px = spot_pixel(camera, vehicle, spot, frame)
+        if _inside(camera, px):
+            pixels[spot.name] = (float(px[0]), float(px[1]))
+    contact = any(name.startswith("contact") for name in pixels)
+    target = any(not name.startswith("contact") for name in pixels)
+    return FramePixels(frame, pixels) if contact and target else None
+
+
+def _best(camera: DemoCamera, vehicle: Vehicle, frames: list[FramePixels]) -> int:
+    """Most spots in view, then nearest to the picture's middle."""
+
+    def score(one: FramePixels) -> tuple[int, float]:
+        wanted = ("contact_rear", "roof", "driver_eye", "taillight")
+        x = [p[0] for p in one.pixels.values()]
+        return sum(name in one.pixels for name in wanted), -abs(sum(x) / len(x) - camera.width_px / 2)
+
+    return max(frames, key=score).frame
+
+
+def pass_truth(scene: Scene, vehicle: Vehicle) -> PassTruth:
+    """Everything true of one pass."""
+    camera = scene.camera
+    span = range(vehicle.first_frame, vehicle.last_frame + 1)
+    frames = [f for n in span if (f := _frame_pixels(camera, vehicle, n)) is not None]
+    whole = [n for n in span if _whole(camera, vehicle, n)]
+    return PassTruth(
+        vehicle,
+        spots_of(vehicle),
+        whole[0] if whole else None,
+        whole[-1] if whole else None,
+        _best(camera, vehicle, frames),
+        vehicle.side_plane_m - camera.centre_m[1],
+        tuple(frames),
+    )
+
+
+@lru_cache(maxsize=4)
+def truth(scene: Scene) -> tuple[PassTruth, ...]:
+    """One `PassTruth` per vehicle, in order of passing."""
+    return tuple(pass_truth(scene, vehicle) for vehicle in scene.vehicles)
+
+
+def camera_document(camera: DemoCamera) -> dict[str, object]:
+    """Intrinsics in the names of `camera.json` and the pose as cam_from_road."""
+    return {
+        "model": "brown",
+        "width_px": camera.width_px,
+        "height_px": camera.height_px,
+        "fx_px": camera.fx_px,
+        "fy_px": camera.fy_px,
+        "cx_px": camera.cx_px,
+        "cy_px": camera.cy_px,
+        "distortion": list(camera.distortion),
+        "cam_from_road": {
+            "rotation": camera.rotation().tolist(),
+            "translation_m": camera.translation_m().tolist(),
+        },
+        "centre_m": list(camera.centre_m),
+    }
+
+
+def _pass_document(one: PassTruth) -> dict[str, object]:
+    v = one.vehicle
+    return {
+        "number": v.number,
+        "make": v.model.make,
+        "model": v.model.model,
+        "year": v.year,
+        "category": v.model.category,
+        "manufacturer_height_m": v.model.height_m,
+        "true_heights_m": {s.name: s.height_m for s in one.spots if not s.name.startswith("contact")},
+        "insets_m": {s.name: s.inset_m for s in one.spots if not s.name.startswith("contact")},
+        "wheelbase_m": v.model.wheelbase_m,
+        "lane": v.lane,
+        "direction": v.direction,
+        "driver_side": v.driver_side,
+        "distance_m": one.distance_m,
+        "side_plane_m": v.side_plane_m,
+        "speed_mps": v.speed_mps,
+        "first_frame": v.first_frame,
+        "last_frame": v.last_frame,
+        "first_whole_frame": one.first_whole_frame,
+        "last_whole_frame": one.last_whole_frame,
+        "best_frame": one.best_frame,
+        "frames": [
+            {"frame": f.frame, "pixels": {k: list(p) for k, p in f.pixels.items()}} for f in one.frames
+        ],
+    }
+
+
+def truth_document(scene: Scene) -> dict[str, object]:
+    """All truth of a scene as plain JSON values; pixels are distorted, (0, 0) the centre of the top-left pixel."""
+    board = scene.board
+    return {
+        "format": "sightline-demonstration-truth-1",
+        "scene": scene.name,
+        "lighting": scene.light.name,
+        "fps": scene.fps,
+        "frames": scene.frames,
+        "camera": camera_document(scene.camera),
+        "board": {
+            "columns": board.columns,
+            "rows": board.rows,
+            "square_m": board.square_m,
+            "reference": "top",
+            "reference_height_m": board.reference_height_m,
+            "first_frame": 0,
+            "last_frame": scene.board_frames - 1,
+            "corners_px": scene.camera.project(board_corners_m(board)).reshape(-1, 2).tolist(),
+        },
+        "lab": {"columns": LAB_COLUMNS, "rows": LAB_ROWS, "square_m": LAB_SQUARE_M, "images": LAB_COUNT},
+        "catalogue": catalogue(),
+        "passes": [_pass_document(one) for one in truth(scene)],
+    }
