@@ -1,0 +1,1 @@
+"""Pure statistics: errors against reference heights. Arrays in, frozen dataclasses out."""

@@ -1,0 +1,104 @@
+"""The error table against SciPy's and Python's own figures, the rounding rule, and interval coverage."""
+
+import json
+import statistics
+from decimal import ROUND_HALF_UP, Decimal
+from pathlib import Path
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy import stats
+
+from backend.commands.errors import errors
+from backend.errors import BadInput
+from backend.statistics.errors import FIGURES, error_group, error_table, round_to_cm
+
+
+def rows(n: int, seed: int = 1) -> tuple[np.ndarray, np.ndarray]:
+    rng = np.random.default_rng(seed)
+    reference = rng.normal(1.5, 0.1, n)
+    return reference + rng.normal(0.004, 0.02, n), reference
+
+
+@given(st.integers(0, 4000))
+def test_rounding_is_half_up_from_whole_millimetres(mm: int) -> None:
+    exact = Decimal(mm).scaleb(-1).quantize(Decimal(1), rounding=ROUND_HALF_UP)
+    assert round_to_cm(mm / 1000) == float(exact) / 100
+
+
+def test_figures_agree_with_other_implementations() -> None:
+    measured, reference = rows(60)
+    figures = error_group(measured - reference, reference).figures
+    e = [float(v) for v in measured - reference]
+    assert figures["bias_m"] == pytest.approx(statistics.fmean(e), abs=1e-15)
+    assert figures["mae_m"] == pytest.approx(statistics.fmean(map(abs, e)), abs=1e-15)
+    assert figures["mse_m2"] == pytest.approx(statistics.fmean(v * v for v in e), rel=1e-12)
+    assert figures["rmse_m"] == pytest.approx(statistics.fmean(v * v for v in e) ** 0.5, rel=1e-12)
+    assert figures["sd_m"] == pytest.approx(statistics.stdev(e), rel=1e-12)
+    assert figures["pearson_error_vs_height"] == pytest.approx(stats.pearsonr(e, reference).statistic)
+    assert figures["pearson_abs_error_vs_height"] == pytest.approx(
+        stats.pearsonr(np.abs(e), reference).statistic
+    )
+
+
+def test_overall_is_the_pool_of_rows_and_not_of_figures() -> None:
+    measured, reference = rows(30)
+    lighting = ["daytime"] * 18 + ["low_light"] * 7 + [""] * 5
+    table = error_table(measured, reference, lighting, "none")
+    assert [table[g].n for g in ("daytime", "low_light", "overall")] == [18, 7, 30]
+    assert table["overall"].figures["mae_m"] == pytest.approx(np.mean(np.abs(measured - reference)))
+
+
+def test_too_few_rows_have_a_reason_and_no_interval() -> None:
+    empty = error_group([], [])
+    assert empty.n == 0 and empty.reason and set(empty.figures.values()) == {None}
+    one = error_group([0.01], [1.5])
+    assert one.figures["mae_m"] == 0.01 and one.figures["sd_m"] is None
+    assert one.figures["pearson_error_vs_height"] is None
+    assert one.reason and set(one.ci95.values()) == {None}
+
+
+def test_intervals_hold_what_they_promise() -> None:
+    """Coverage of the 95 % interval of MAE and bias over 200 simulated surveys of 60 vehicles."""
+    rng = np.random.default_rng(7)
+    true_mae, inside = 0.02 * (2 / np.pi) ** 0.5, {"mae_m": 0, "bias_m": 0}
+    for _ in range(200):
+        group = error_group(rng.normal(0, 0.02, 60), rng.normal(1.5, 0.1, 60))
+        for name, truth in (("mae_m", true_mae), ("bias_m", 0.0)):
+            interval = group.ci95[name]
+            assert interval
+            inside[name] += interval.low <= truth <= interval.high
+    # 200 draws: two standard deviations of a 95 % share are 3 %, and BCa undercovers by about 1 % at n = 60.
+    assert all(0.90 <= count / 200 <= 0.99 for count in inside.values()), inside
+
+
+def heights_csv(folder: Path, text: str) -> Path:
+    path = folder / "heights.csv"
+    path.write_text(text, encoding="utf-8-sig")
+    return path
+
+
+def test_command_prints_the_contract(tmp_path: Path) -> None:
+    lines = ["id,lighting,reference_height_m,height_m,status"]
+    lines += [f"{i},daytime,1.5,{1.5 + 0.01 * (i % 3)},ok" for i in range(12)]
+    lines += ["x,low_light,1.5,,not_measurable", "y,,1.400,1.444,ok"]
+    done = CliRunner().invoke(errors, [str(heights_csv(tmp_path, "\r\n".join(lines))), "--json"])
+    assert done.exit_code == 0, done.output
+    said = json.loads(done.output)
+    assert said["rounding"] == "cm" and list(said["groups"]) == ["daytime", "low_light", "overall"]
+    day = said["groups"]["daytime"]
+    assert day["n"] == 12 and day["mae_m"] == pytest.approx(0.01) and set(day["ci95"]) == set(FIGURES)
+    assert said["groups"]["low_light"]["n"] == 0
+    assert said["groups"]["overall"]["n"] == 13
+
+
+@pytest.mark.parametrize(
+    ("text", "word"), [("id,height_m\n1,2\n", "reference_height_m"), ("", "height_m"), ("\x00\xff", "column")]
+)
+def test_a_file_without_the_columns_is_refused_in_one_sentence(tmp_path: Path, text: str, word: str) -> None:
+    done = CliRunner().invoke(errors, [str(heights_csv(tmp_path, text))])
+    assert isinstance(done.exception, BadInput)
+    assert word in done.exception.message and done.exception.message.count("\n") == 0
