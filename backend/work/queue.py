@@ -54,7 +54,7 @@ class JobQueue:
 
 def open_queue(settings: Settings) -> JobQueue:
     """SqliteHuey in the data folder, or PostgresHuey in the PostgreSQL database where that is the store."""
-    url = make_url(settings.database)
+    url = make_url(settings.database_url)
     if url.get_backend_name() == "postgresql":
         dsn = url.set(drivername="postgresql").render_as_string(hide_password=False)
         return JobQueue(_twice(lambda: PostgresHuey(NAME, dsn=dsn, results=False, utc=True)))
