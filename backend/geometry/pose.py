@@ -102,14 +102,14 @@ def _checked(
         )
     if len(roots) > 1 and roots[1].cost < _AMBIGUOUS * best.cost + 1e-12:
         warnings.append(
-            "Two poses fit the board almost equally well; turn the board by some 30 degrees or bring it closer."
+            "Two poses fit the board almost equally well; turn it by some 30 degrees or bring it closer."
         )
     if spacing_px(still.mean_px.reshape(board.rows, board.columns, 2)) < 8:
         warnings.append("The squares are small in the picture; bring the board closer.")
     roll = float(np.rad2deg(np.arctan2(abs(best.rotation[0, 1]), best.rotation[1, 1])))
     if roll > 28.0:
         warnings.append(
-            f"The board appears rolled by {roll:.0f} degrees; check that its columns and rows were not exchanged."
+            f"The board appears rolled by {roll:.0f} degrees; check that columns and rows were not exchanged."
         )
     if len(still.kept) == 1:
         warnings.append("Only one frame is used; whether the board stood still is not checked.")
