@@ -1,4 +1,4 @@
-"""What a click on a recording needs to become a height, in one query: the pose in force and the survey's insets."""
+"""What a click on a recording needs to become a height, in one query: pose in force, survey's insets."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass

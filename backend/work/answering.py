@@ -1,11 +1,12 @@
 """Heights and overlays for a click: the one way from points to numbers.
 
-What is shown while the pointer moves, what is stored, what an export contains and what a check recomputes all come
-from `answer`, so they cannot differ. Nothing here reads or writes.
+What is shown while the pointer moves, what is stored, what an export contains and what a check recomputes
+all come from `answer`, so they cannot differ. Nothing here reads or writes.
 """
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -37,7 +38,7 @@ class Clicks:
 
 @dataclass(frozen=True)
 class Answer:
-    """One height with its uncertainty and budget, or the reason why there is none (then every number is None)."""
+    """One height with its uncertainty and budget, or why there is none (then every number is None)."""
 
     status: str
     reason: str | None
@@ -68,11 +69,12 @@ class Ruler:
 
 
 class PoseShelf:
-    """Parsed poses by id. A stored pose never changes, so what was parsed once holds for good."""
+    """Parsed poses by id. A stored pose never changes, so what was parsed once holds. Thread-safe."""
 
     def __init__(self, most: int = _MOST_POSES) -> None:
         self._most = most
         self._poses: dict[int, RoadPose] = {}
+        self._lock = threading.Lock()
 
     def get(self, pose_id: int) -> RoadPose | None:
         return self._poses.get(pose_id)
@@ -80,9 +82,10 @@ class PoseShelf:
     def put(self, pose_id: int, document: Mapping[str, Any]) -> RoadPose:
         """Parse a pose.json document and keep it. Raises BadInput naming a key that is wrong."""
         pose = pose_from_dict(document, f"road pose {pose_id}")
-        if len(self._poses) >= self._most:
-            self._poses.pop(next(iter(self._poses)), None)
-        self._poses[pose_id] = pose
+        with self._lock:
+            if len(self._poses) >= self._most:
+                self._poses.pop(next(iter(self._poses)))
+            self._poses[pose_id] = pose
         return pose
 
 

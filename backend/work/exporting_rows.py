@@ -157,14 +157,17 @@ def click_rows(state: SurveyState) -> Rows:
 
 def vehicle_rows(state: SurveyState) -> Rows:
     fields = (
-        "id number recording_id first_frame last_frame best_frame make model year category manufacturer_height_m "
-        "u_manufacturer_height_m height_source lighting notes state deleted"
+        "id number recording_id first_frame last_frame best_frame make model year category "
+        "manufacturer_height_m u_manufacturer_height_m height_source lighting notes state"
     )
     return [{name: getattr(vehicle, name) for name in fields.split()} for vehicle in state.vehicles]
 
 
 def recording_rows(state: SurveyState) -> Rows:
-    fields = "id name sha256 size_bytes width_px height_px frame_count duration_s codec container lighting camera_id pose_id"
+    fields = (
+        "id name sha256 size_bytes width_px height_px frame_count duration_s codec container lighting "
+        "camera_id pose_id"
+    )
     return [
         {**{name: getattr(one, name) for name in fields.split()}, "variable_rate": one.vfr}
         for one in state.recordings
@@ -281,7 +284,7 @@ def _shown(state: SurveyState) -> list[AuditEvent]:
 
 
 def audit_rows(state: SurveyState) -> Rows:
-    """The chain from this survey's first event to its end; rows of other surveys and accounts as links only."""
+    """The chain from this survey's first event on; rows of other surveys and accounts as links only."""
     shown = _shown(state)
     first = shown[0].id if shown else 1
     return [

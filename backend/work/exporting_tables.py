@@ -1,6 +1,7 @@
 """What each CSV of an export holds: the name, type, unit and meaning of every column.
 
-This is the data dictionary of the package (`datapackage.json` is made from it); the rows come from `exporting.py`.
+This is the data dictionary of the package (`datapackage.json` is made from it); the rows come from
+`exporting_rows.py`.
 """
 
 from __future__ import annotations
@@ -74,7 +75,7 @@ _MEASURED = _WHERE + _CLICKED + (_id("calibration_id", "calibration behind that 
 
 MEASUREMENTS = Table(
     "measurements",
-    "The current revision of every measurement, with the last verdict on it. Withdrawn ones are kept and marked.",
+    "The current revision of every measurement, with the verdict on it. Withdrawn ones are kept and marked.",
     (
         _id("id", "measurement (a series of revisions)"),
         _id("revision", "number of the current revision, from 1"),
@@ -127,8 +128,8 @@ BUDGET = Table(
 
 CLICKS = Table(
     "clicks",
-    "The clicks of every current measurement, as `sightline height --clicks` reads them; those of each pose alone "
-    "are in clicks/pose-N.csv, to be used with poses/pose-N.json.",
+    "The clicks of every current measurement, as `sightline height --clicks` reads them; those of each pose "
+    "alone are in clicks/pose-N.csv, to be used with poses/pose-N.json.",
     (
         Column("id", "string", "measurement the clicks belong to", required=True),
         *_CLICKED[:5],
@@ -164,7 +165,6 @@ VEHICLES = Table(
         Column("lighting", "string", "light at the time of the pass", enum=LIGHTING),
         Column("notes", "string", "remarks"),
         Column("state", "string", "how far the work on it is", required=True),
-        Column("deleted", "boolean", "true where the record was taken out (it is kept)", required=True),
     ),
     primary=("id",),
     foreign=((("recording_id",), "recordings", ("id",)),),
@@ -194,7 +194,7 @@ RECORDINGS = Table(
 
 FRAMES = Table(
     "frames",
-    "The frames that were clicked on, so that each can be found again in the video file and proved unchanged.",
+    "The frames that were clicked on, so that each can be found again in the video and proved unchanged.",
     (
         _id("recording_id", "recording"),
         Column("frame", "integer", "the n-th decoded frame, from 0", required=True, minimum=0),
@@ -303,8 +303,8 @@ PEOPLE = Table(
 
 AUDIT = Table(
     "audit",
-    "Who did what, when, chained by hash: hash = SHA-256 of previous_hash and the canonical JSON of the row. The rows of "
-    "other surveys and of accounts are there as links of the chain only: withheld is true and the content is left out.",
+    "Who did what, when, chained by hash: hash = SHA-256 of previous_hash and the canonical JSON of the row. "
+    "Rows of other surveys and of accounts are links of the chain only: their content is withheld.",
     (
         _id("id", "audit event"),
         Column("at", "string", "when (ISO 8601, UTC), as it was hashed"),

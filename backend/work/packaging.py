@@ -60,7 +60,7 @@ class Column:
 
 @dataclass(frozen=True)
 class Table:
-    """One CSV file of the package: its name, meaning, columns and keys (`foreign`: columns -> table, columns)."""
+    """One CSV file of the package; `foreign` is (my columns, table, its columns)."""
 
     name: str
     meaning: str
@@ -110,7 +110,7 @@ def safe_text(text: str) -> str:
 
 
 def cell_text(column: Column, value: Cell) -> str:
-    """One cell as contract.md writes it: empty for missing, six decimals for lengths, full precision otherwise."""
+    """One cell: empty for missing, six decimals for lengths, full precision otherwise (contract.md)."""
     if value is None:
         return ""
     if isinstance(value, bool):

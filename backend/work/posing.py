@@ -13,16 +13,16 @@ from backend.errors import BadInput
 from backend.geometry.camera import Camera, project
 from backend.geometry.corners import Board, Corners, Gray, detect
 from backend.geometry.documents import pose_to_dict
+from backend.geometry.height import COVERAGE_95
 from backend.geometry.pose import expected_u, pose_from_corners
 from backend.geometry.road import axes_at_contact, iso_heights, road_grid
 from backend.geometry.road_pose import Reference, RoadPose
 from backend.work.answering import drawn_axes
 
-# Corner errors of neighbouring frames are correlated (metrology 0.3): more frames than this add time, not accuracy.
+# Corner errors of neighbouring frames are correlated (metrology 0.3): more frames add time, not accuracy.
 MOST_FRAMES = 15
 EXPECTED_AT_M = (2.0, 3.0, 5.0)
 _ISO_HEIGHTS_M = (0.5, 1.0, 1.5, 2.0)
-_NORMAL_95 = 1.959963984540054
 _ORDER_NOTE = "Corners are numbered from the top left as seen, along the rows to the right and then down."
 _TRANSPOSED = " The board stands the other way up than given: {columns} columns by {rows} rows as seen."
 
@@ -106,10 +106,7 @@ def solve(camera: Camera, found: Sequence[Corners], board: Board, reference: Ref
     Raises BadInput with the reason (board or camera moved, board seen edge-on, height that cannot be).
     """
     pose = pose_from_corners(camera, list(found), board, reference)
-    expected = [
-        {"distance_m": distance_m, "u_height_m": u_m, "U95_height_m": _NORMAL_95 * u_m}
-        for distance_m, u_m in expected_u(pose, EXPECTED_AT_M)
-    ]
+    expected = [_expected(*at) for at in expected_u(pose, EXPECTED_AT_M)]
     distance_m = None if pose.board is None else pose.board.distance_m
     return Solved(
         pose=pose,
@@ -122,16 +119,26 @@ def solve(camera: Camera, found: Sequence[Corners], board: Board, reference: Ref
     )
 
 
+def _expected(distance_m: float, u_m: float | None) -> dict[str, Any]:
+    reason = None if u_m is not None else "The picture does not show the road at this distance."
+    u95_m = None if u_m is None else COVERAGE_95 * u_m
+    return {"distance_m": distance_m, "u_height_m": u_m, "U95_height_m": u95_m, "reason": reason}
+
+
 def verdict(expected: Sequence[dict[str, Any]], distance_m: float | None, camera_height_m: float) -> str:
     """In plain words: where the board stood, how high the camera is, how well heights will be known."""
     board = "" if distance_m is None else f"The board stood {distance_m:.2f} m from the camera. "
-    figures = ", ".join(
-        f"{entry['distance_m']:.0f} m: ±{1000 * entry['U95_height_m']:.0f} mm" for entry in expected
-    )
+    figures = ", ".join(_figure(entry) for entry in expected)
     return (
         f"{board}The camera is {camera_height_m:.2f} m above the road. "
-        f"Expected 95 % uncertainty of a height of 1.2 m, clicked to 1 px, at {figures}."
+        f"A height of 1.2 m clicked to 1 px is expected to be known (95 %) to {figures}."
     )
+
+
+def _figure(entry: dict[str, Any]) -> str:
+    if entry["U95_height_m"] is None:
+        return f"nothing at {entry['distance_m']:.0f} m (out of sight)"
+    return f"±{1000 * entry['U95_height_m']:.0f} mm at {entry['distance_m']:.0f} m"
 
 
 def overlay(pose: RoadPose, corners: Corners) -> dict[str, Any]:
@@ -147,7 +154,7 @@ def overlay(pose: RoadPose, corners: Corners) -> dict[str, Any]:
 
 
 def _axes_of_board(pose: RoadPose) -> dict[str, Any] | None:
-    """The axes through the road's origin (below the board's reference corner), None where it is out of sight."""
+    """The axes through the road's origin (below the board), None where it is out of sight."""
     origin_px = project(pose.camera, pose.translation_m.reshape(1, 3))[0]
     axes = axes_at_contact(pose, origin_px, length_m=1.0, height_m=1.5)
     return None if isinstance(axes, str) else drawn_axes(axes)

@@ -1,0 +1,67 @@
+"""Exports: the CSV package for a standards body."""
+
+import re
+from datetime import datetime
+from urllib.parse import quote
+
+from fastapi import APIRouter
+from fastapi.responses import FileResponse
+
+from backend.api.bodies import JobBody, Out, WhoBody
+from backend.api.deps import PathId, Reading, Viewer, Wired, Writing
+from backend.storage import exports, surveys
+from backend.storage.records import Export
+from backend.work.exporting import request_export
+
+router = APIRouter()
+
+
+class ExportBody(Out):
+    id: int
+    created_at: datetime
+    created_by: WhoBody | None
+    size_bytes: int
+    sha256: str
+    url: str
+
+
+def body_of(made: Export) -> ExportBody:
+    who = None if made.created_by is None else WhoBody.model_validate(made.created_by)
+    return ExportBody(
+        id=made.id,
+        created_at=made.created_at,
+        created_by=who,
+        size_bytes=made.size_bytes,
+        sha256=made.sha256,
+        url=f"/api/exports/{made.id}.zip",
+    )
+
+
+@router.post("/surveys/{survey_id}/exports", status_code=202)
+def make_export(survey_id: PathId, who: Viewer, session: Writing) -> JobBody:
+    """Build the package in the background."""
+    return JobBody.model_validate(request_export(session, survey_id, actor=who.id))
+
+
+@router.get("/surveys/{survey_id}/exports")
+def list_exports(survey_id: PathId, who: Viewer, session: Reading) -> list[ExportBody]:
+    """The packages that were made of a survey, newest first."""
+    surveys.get(session, survey_id)
+    return [body_of(made) for made in exports.list_for_survey(session, survey_id)]
+
+
+@router.get("/exports/{export_id}.zip", response_class=FileResponse)
+def download_export(export_id: PathId, who: Viewer, services: Wired) -> FileResponse:
+    """One package as it was made."""
+    with services.reading() as session:
+        made = exports.get(session, export_id)
+        name = surveys.get(session, made.survey_id).name
+    path = services.media.local_path(made.media_key)
+    plain = re.sub(r"[^A-Za-z0-9]+", "-", name).strip("-").lower() or "survey"
+    filename = f"sightline-{plain}-{made.id}.zip"
+    headers = {
+        "Content-Disposition": f"attachment; filename={quote(filename)}",
+        "ETag": f'"{made.sha256}"',
+        "Cache-Control": "private, max-age=31536000, immutable",
+    }
+    return FileResponse(path, media_type="application/zip", headers=headers)

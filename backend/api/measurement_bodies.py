@@ -1,0 +1,178 @@
+"""Bodies of vehicles, measurements and reviews: what comes in and what goes out."""
+
+from datetime import datetime
+from typing import Annotated, Any
+from uuid import UUID
+
+from pydantic import Field
+
+from backend.api.bodies import Finite, FrameNumber, In, Out, Point, Text, WhoBody
+from backend.storage.records import (
+    Category,
+    Lighting,
+    MeasurementStatus,
+    ReviewVerdict,
+    Target,
+    VehicleState,
+    Verdict,
+)
+
+SigmaPx = Annotated[Finite, Field(gt=0, le=100, description="Standard uncertainty of each coordinate, px.")]
+InsetM = Annotated[
+    Finite, Field(ge=-10, le=10, description="How far the target lies behind the side plane, m.")
+]
+UInsetM = Annotated[Finite, Field(ge=0, le=10)]
+HeightM = Annotated[Finite, Field(gt=0, le=10)]
+Revision = Annotated[int, Field(ge=1, le=2**31 - 1, description="The revision that you saw.")]
+Word = Annotated[str, Field(max_length=200)]
+
+
+class ReviewBody(Out):
+    verdict: Verdict
+    reason: str | None
+    reviewer: WhoBody | None
+    at: datetime | None
+
+
+class MeasurementBody(Out):
+    """The current revision of a measurement."""
+
+    id: int = Field(description="The measurement (a series of revisions).")
+    revision: int
+    revision_id: int
+    vehicle_id: int
+    recording_id: int
+    target: Target
+    frame: int
+    pts: int
+    time_s: float
+    frame_crc: int
+    contact: list[float]
+    point: list[float]
+    sigma_px: float
+    pose_id: int
+    calibration_id: int
+    inset_m: float
+    u_inset_m: float
+    height_m: float | None
+    uncorrected_height_m: float | None
+    u_height_m: float | None
+    U95_height_m: float | None
+    distance_m: float | None
+    status: MeasurementStatus
+    reason: str | None
+    flags: list[str]
+    budget: list[dict[str, Any]]
+    code_version: str
+    created_by: WhoBody | None
+    created_at: datetime
+    withdrawn: bool
+    review: ReviewBody
+
+
+class Clicked(In):
+    """Two points on one frame."""
+
+    frame: FrameNumber
+    contact: Point
+    point: Point
+    sigma_px: SigmaPx | None = None
+    inset_m: InsetM | None = None
+    u_inset_m: UInsetM | None = None
+
+
+class NewMeasurement(Clicked):
+    client_key: UUID = Field(description="Made by the client; sending it twice stores it once.")
+    target: Target
+
+
+class ChangedMeasurement(Clicked):
+    revision: Revision
+    target: Target | None = None
+
+
+class AtRevision(In):
+    revision: Revision
+
+
+class VerdictGiven(Out):
+    id: int
+    revision: int
+    result_revision: int
+    verdict: ReviewVerdict
+    reason: str | None
+    reviewer: WhoBody | None
+    at: datetime
+
+
+class HistoryBody(Out):
+    """Everything ever stored about a measurement, oldest first."""
+
+    revisions: list[MeasurementBody]
+    reviews: list[VerdictGiven]
+
+
+class NewReview(In):
+    revision: Revision
+    verdict: ReviewVerdict
+    reason: Text | None = None
+    frame: FrameNumber | None = None
+    contact: Point | None = None
+    point: Point | None = None
+
+
+class VehicleFields(In):
+    """What people fill in of a vehicle record; keys left out stay as they are."""
+
+    first_frame: FrameNumber | None = None
+    last_frame: FrameNumber | None = None
+    best_frame: FrameNumber | None = None
+    make: Word | None = None
+    model: Word | None = None
+    year: Annotated[int, Field(ge=1885, le=2100)] | None = None
+    category: Category | None = None
+    manufacturer_height_m: HeightM | None = None
+    u_manufacturer_height_m: Annotated[Finite, Field(ge=0, le=10)] | None = None
+    height_source: Text | None = None
+    lighting: Lighting | None = None
+    notes: Text | None = None
+
+
+class NewVehicle(VehicleFields):
+    first_frame: FrameNumber
+    last_frame: FrameNumber
+
+
+class ChangedVehicle(VehicleFields):
+    version: Annotated[int, Field(ge=1, le=2**31 - 1, description="The version that you saw.")]
+
+
+class VehicleAlone(Out):
+    id: int
+    survey_id: int
+    recording_id: int
+    number: int
+    first_frame: int
+    last_frame: int
+    best_frame: int | None
+    make: str | None
+    model: str | None
+    year: int | None
+    category: Category | None
+    manufacturer_height_m: float | None
+    u_manufacturer_height_m: float | None
+    height_source: str | None
+    lighting: Lighting | None
+    notes: str
+    version: int
+    state: VehicleState
+
+
+class VehicleBody(VehicleAlone):
+    measurements: list[MeasurementBody]
+
+
+class QueueItemBody(Out):
+    measurement: MeasurementBody
+    vehicle: VehicleAlone
+    mine: bool = Field(description="Whether you made this revision: then somebody else has to review it.")

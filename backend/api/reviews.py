@@ -1,0 +1,49 @@
+"""Reviews: the queue, and a verdict on a measurement."""
+
+from typing import Annotated
+
+from fastapi import APIRouter, Query
+
+from backend.api.deps import PathId, Reading, Reviewer, Viewer, Writing
+from backend.api.measurement_bodies import MeasurementBody, NewReview, QueueItemBody
+from backend.storage import reviews, surveys
+from backend.storage.reviews import QueueState
+from backend.work.reviewing import review
+
+router = APIRouter()
+
+
+def _pair(point: list[float] | None) -> tuple[float, float] | None:
+    return None if point is None else (point[0], point[1])
+
+
+@router.get("/surveys/{survey_id}/review-queue")
+def review_queue(
+    survey_id: PathId,
+    who: Viewer,
+    session: Reading,
+    state: Annotated[QueueState, Query(description="What was said of them so far.")] = "to_review",
+) -> list[QueueItemBody]:
+    """The survey's standing measurements by verdict; `mine` are those that somebody else has to review."""
+    surveys.get(session, survey_id)
+    found = reviews.queue(session, survey_id, state=state, actor=who.id)
+    return [QueueItemBody.model_validate(item) for item in found]
+
+
+@router.post("/measurements/{measurement_id}/reviews", status_code=201)
+def review_measurement(
+    measurement_id: PathId, body: NewReview, who: Reviewer, session: Writing
+) -> MeasurementBody:
+    """Accept, reject (with a reason), fix (with points: a new revision) or reopen; never one's own work."""
+    judged = review(
+        session,
+        measurement_id,
+        revision=body.revision,
+        verdict=body.verdict,
+        reason=body.reason,
+        frame=body.frame,
+        contact=_pair(body.contact),
+        point=_pair(body.point),
+        actor=who.id,
+    )
+    return MeasurementBody.model_validate(judged)

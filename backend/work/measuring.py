@@ -1,0 +1,151 @@
+"""Measurements: from clicks on a stored recording to a stored height, and what is shown before the click.
+
+The preview and the stored number come from the same function (`answering.answer`) with the same pose, sigma
+and inset, so for the same points they are the same number.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any, cast
+from weakref import WeakKeyDictionary
+
+from sqlalchemy.orm import Session
+
+from backend.errors import BadInput, Conflict
+from backend.geometry.road_pose import RoadPose
+from backend.storage import click_context, frames, measurements, poses, vehicles
+from backend.storage.click_context import ClickContext
+from backend.storage.records import Measurement, MeasurementStatus, MeasurementValues, Target
+from backend.work.answering import Answer, Clicks, PoseShelf, Ruler, answer, clicks_of, inset_for, ruler
+from backend.work.code_version import code_version
+
+Point = tuple[float, float]
+
+# One shelf a database: pose 1 of one is not pose 1 of another.
+_shelves: WeakKeyDictionary[Any, PoseShelf] = WeakKeyDictionary()
+
+
+@dataclass(frozen=True)
+class Clicked:
+    """What a person clicked; None is filled in: sigma 1 px, the survey's inset for the target."""
+
+    target: Target
+    contact: Point
+    point: Point
+    sigma_px: float | None = None
+    inset_m: float | None = None
+    u_inset_m: float | None = None
+
+
+def road_pose(session: Session, pose_id: int) -> RoadPose:
+    """A stored road pose, parsed once. Raises NotFound."""
+    shelf = _shelves.setdefault(session.get_bind(), PoseShelf())
+    return shelf.get(pose_id) or shelf.put(pose_id, poses.get(session, pose_id).document)
+
+
+def height_at(session: Session, recording_id: int, clicked: Clicked) -> Answer:
+    """The height that these clicks would be stored with. Raises Conflict without a road pose."""
+    context = click_context.of_recording(session, recording_id)
+    pose_id, _ = pose_in_force(context)
+    return answer(road_pose(session, pose_id), filled_in(clicked, context))
+
+
+def ruler_at(
+    session: Session, recording_id: int, contact: Point, target: Target, inset_m: float | None
+) -> Ruler:
+    """Axes and ladder through a contact click. Raises Conflict without a road pose."""
+    context = click_context.of_recording(session, recording_id)
+    pose_id, _ = pose_in_force(context)
+    usual = inset_for(target, context.insets).inset_m
+    return ruler(road_pose(session, pose_id), contact, usual if inset_m is None else inset_m)
+
+
+def add(
+    session: Session, vehicle_id: int, client_key: str, frame: int, clicked: Clicked, *, actor: int
+) -> Measurement:
+    """Measure and store; the same `client_key` again gives back what was stored the first time.
+
+    Raises NotFound, Conflict without a road pose, BadInput for a frame outside the recording.
+    """
+    vehicle = vehicles.get(session, vehicle_id)
+    values = values_at(session, vehicle.recording_id, frame, clicked)
+    return measurements.add(session, vehicle_id, client_key=client_key, values=values, actor=actor)
+
+
+def revise(
+    session: Session, series_id: int, revision: int, frame: int, clicked: Clicked, *, actor: int
+) -> Measurement:
+    """Measure again and store a new revision. Raises Conflict if `revision` is not the current one."""
+    before = measurements.seen(session, series_id, revision)
+    values = values_at(session, before.recording_id, frame, clicked)
+    return measurements.revise(session, series_id, seen_revision=revision, values=values, actor=actor)
+
+
+def values_at(session: Session, recording_id: int, n: int, clicked: Clicked) -> MeasurementValues:
+    """Everything that is stored of a measurement, so that anybody can compute it again."""
+    context = click_context.of_recording(session, recording_id)
+    pose_id, calibration_id = pose_in_force(context)
+    clicks = filled_in(clicked, context)
+    found = answer(road_pose(session, pose_id), clicks)
+    frame = frames.get(session, recording_id, n)
+    return MeasurementValues(
+        target=clicks.target,
+        frame=n,
+        pts=frame.pts,
+        time_s=frame.time_s,
+        frame_crc=frame.crc32,
+        contact=clicks.contact,
+        point=clicks.point,
+        sigma_px=clicks.sigma_px,
+        pose_id=pose_id,
+        calibration_id=calibration_id,
+        inset_m=clicks.inset_m,
+        u_inset_m=clicks.u_inset_m,
+        height_m=found.height_m,
+        uncorrected_height_m=found.uncorrected_height_m,
+        u_height_m=found.u_height_m,
+        U95_height_m=found.U95_height_m,
+        distance_m=found.distance_m,
+        status=cast(MeasurementStatus, found.status),
+        reason=found.reason,
+        flags=found.flags,
+        budget=found.budget,
+        code_version=code_version(),
+    )
+
+
+def filled_in(clicked: Clicked, context: ClickContext) -> Clicks:
+    """The clicks with sigma and inset; what was left out comes from the survey."""
+    _check_point("contact", clicked.contact)
+    _check_point("target", clicked.point)
+    return clicks_of(
+        clicked.target,
+        clicked.contact,
+        clicked.point,
+        context.insets,
+        sigma_px=clicked.sigma_px,
+        inset_m=clicked.inset_m,
+        u_inset_m=clicked.u_inset_m,
+    )
+
+
+def _check_point(word: str, point: Point) -> None:
+    """Far outside any picture a number is a slip, not a click."""
+    if not all(abs(value) < 1e6 for value in point):
+        raise BadInput(f"The {word} point {point[0]:g}, {point[1]:g} is not in any picture; click again.")
+
+
+def pose_in_force(context: ClickContext) -> tuple[int, int]:
+    """(pose id, calibration id) of the recording. Raises Conflict with what to do where it has none."""
+    if context.pose_id is None or context.calibration_id is None:
+        raise Conflict(
+            f"{context.name} has no road pose yet; make or choose one on the road pose page first."
+        )
+    return context.pose_id, context.calibration_id
+
+
+def as_clicked(one: Measurement, contact: Point, point: Point) -> Clicked:
+    """Other points with everything else as in a stored revision."""
+    same = Clicked(one.target, one.contact, one.point, one.sigma_px, one.inset_m, one.u_inset_m)
+    return replace(same, contact=contact, point=point)

@@ -1,0 +1,27 @@
+"""Vehicle records: two people at one record, and the second one is told."""
+
+from __future__ import annotations
+
+from sqlalchemy.orm import Session
+
+from backend.errors import Conflict
+from backend.storage import vehicles
+from backend.storage.records import Vehicle, VehicleChanges
+
+
+class Overtaken(Conflict):
+    """Somebody changed the record in between; `current` is what it holds now (the answer carries it)."""
+
+    def __init__(self, message: str, current: object) -> None:
+        super().__init__(message)
+        self.current = current
+
+
+def update(
+    session: Session, vehicle_id: int, changes: VehicleChanges, *, version: int, actor: int
+) -> Vehicle:
+    """Change the fields given. Raises Overtaken, with the record as it is now, for an old version."""
+    try:
+        return vehicles.update(session, vehicle_id, changes, version=version, actor=actor)
+    except Conflict as error:
+        raise Overtaken(error.message, vehicles.get(session, vehicle_id)) from error
