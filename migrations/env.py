@@ -1,0 +1,28 @@
+"""Alembic's entry: runs on the connection that `storage.database.migrate` hands over, in its transaction."""
+
+from typing import Any
+
+from alembic import context
+
+from backend.storage import tables, tables_of_work
+from backend.storage.columns import metadata
+
+assert tables.metadata is tables_of_work.metadata is metadata
+
+
+def ours(_object: Any, name: str | None, kind: str, reflected: bool, _compared: Any) -> bool:
+    """Whether a table is the program's own; on PostgreSQL the queue keeps its tables in the same schema."""
+    return not (kind == "table" and reflected and name is not None and name.startswith("huey_"))
+
+
+connection = context.config.attributes["connection"]
+context.configure(
+    connection=connection,
+    target_metadata=metadata,
+    include_object=ours,
+    compare_type=True,
+    render_as_batch=connection.dialect.name == "sqlite",
+    transactional_ddl=True,
+)
+with context.begin_transaction():
+    context.run_migrations()
