@@ -1,0 +1,129 @@
+import { useState } from "preact/hooks";
+import { api } from "../../api";
+import { Button, Notice, Problem, TextField } from "../../components";
+import { navigate, query } from "../../router";
+import { me } from "../../state/session";
+import { toast } from "../../state/toasts";
+import type { Me } from "../../types";
+import "./account.css";
+
+const LEAST = 10;
+
+/** Who you are, and your password. */
+export default function AccountScreen() {
+  const person = me.value?.person;
+  if (!person) return null;
+  const welcome = query.value.get("welcome") !== null && me.value?.needs_password;
+  return (
+    <div class="page page--alone account">
+      <header class="page__head">
+        <div>
+          <h1>{welcome ? `Welcome, ${person.name}` : "Account"}</h1>
+          {welcome && (
+            <p class="page__lead">
+              You are signed in. Choose a password now, since your link has been used up; or go on and do it
+              later from the menu at the top right.
+            </p>
+          )}
+        </div>
+        {welcome && (
+          <Button
+            onClick={() => navigate(me.value?.demo_survey_id ? `/surveys/${me.value.demo_survey_id}` : "/")}
+          >
+            Later
+          </Button>
+        )}
+      </header>
+      <section class="panel panel__body">
+        <dl class="facts">
+          <dt>Name</dt>
+          <dd>{person.name}</dd>
+          <dt>E-mail</dt>
+          <dd>{person.email}</dd>
+          <dt>Role</dt>
+          <dd>{person.role}</dd>
+        </dl>
+      </section>
+      <PasswordForm hasPassword={person.has_password} />
+    </div>
+  );
+}
+
+function PasswordForm({ hasPassword }: { hasPassword: boolean }) {
+  const [current, setCurrent] = useState("");
+  const [next, setNext] = useState("");
+  const [again, setAgain] = useState("");
+  const [tried, setTried] = useState(false);
+  const [problem, setProblem] = useState<unknown>(null);
+  const [busy, setBusy] = useState(false);
+  const short = next.length < LEAST;
+  const differs = next !== again;
+  const submit = async (event: Event) => {
+    event.preventDefault();
+    setTried(true);
+    if (short || differs) return;
+    setBusy(true);
+    setProblem(null);
+    try {
+      me.value = await api.put<Me>("/session/password", { current: hasPassword ? current : null, new: next });
+      toast("Your password is set.");
+      setCurrent("");
+      setNext("");
+      setAgain("");
+      setTried(false);
+      if (query.value.get("welcome") !== null) navigate("/", { replace: true });
+    } catch (error) {
+      setProblem(error);
+    }
+    setBusy(false);
+  };
+  return (
+    <section class="panel">
+      <header class="panel__head">
+        <h2>{hasPassword ? "Change the password" : "Choose a password"}</h2>
+      </header>
+      <form class="panel__body stack" onSubmit={submit} noValidate>
+        {!hasPassword && !tried && (
+          <Notice>You have no password yet; without one you need a new link for each sign-in.</Notice>
+        )}
+        <input type="email" autoComplete="username" value={me.value?.person.email} readOnly hidden />
+        {hasPassword && (
+          <TextField
+            label="Present password"
+            type="password"
+            value={current}
+            onInput={setCurrent}
+            autoComplete="current-password"
+          />
+        )}
+        <TextField
+          label="New password"
+          type="password"
+          value={next}
+          onInput={setNext}
+          autoComplete="new-password"
+          hint={`At least ${LEAST} characters; a few words in a row are easy to keep in mind.`}
+          problem={
+            tried && short ? `That has ${next.length} characters; at least ${LEAST} are needed.` : null
+          }
+        />
+        <TextField
+          label="The same again"
+          type="password"
+          value={again}
+          onInput={setAgain}
+          autoComplete="new-password"
+          problem={
+            tried && !short && differs ? "The two are not the same; type the new password twice." : null
+          }
+        />
+        <Problem error={problem} />
+        <div>
+          <Button kind="primary" type="submit" busy={busy}>
+            Set the password
+          </Button>
+        </div>
+      </form>
+    </section>
+  );
+}

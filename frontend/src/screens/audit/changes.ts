@@ -1,0 +1,22 @@
+export interface Change {
+  name: string;
+  before: string | null;
+  after: string | null;
+}
+
+type Fields = Record<string, unknown> | null;
+
+/** What differs between the two states of a record, field by field; null stands for "was not there". */
+export function changesOf(before: Fields, after: Fields): Change[] {
+  const names = [...new Set([...Object.keys(before ?? {}), ...Object.keys(after ?? {})])];
+  return names
+    .map((name) => ({ name, before: shown(before?.[name]), after: shown(after?.[name]) }))
+    .filter((change) => change.before !== change.after);
+}
+
+function shown(value: unknown): string | null {
+  if (value === undefined || value === null) return null;
+  if (typeof value === "string") return value === "" ? null : value;
+  const text = JSON.stringify(value);
+  return text.length > 400 ? `${text.slice(0, 400)}…` : text;
+}

@@ -1,0 +1,168 @@
+import { useState } from "preact/hooks";
+import { api } from "../../api";
+import { Button, Empty, JobProgress, Loading, Notice, Problem } from "../../components";
+import type { ScreenProps } from "../../router";
+import { cancelJob, useJob } from "../../state/jobs";
+import { useResource } from "../../state/resource";
+import { survey } from "../../state/survey";
+import { toast } from "../../state/toasts";
+import { formatMoment } from "../../times";
+import type { ExportPackage, Job } from "../../types";
+import { formatBytes, plural } from "../../units";
+import "./export.css";
+
+const CONTENTS: [file: string, what: string][] = [
+  ["measurements.csv", "every revision: clicks, frame, height, its uncertainty and where that comes from"],
+  ["vehicles.csv", "make, model, year, manufacturer height and its source, lighting"],
+  ["poses.csv, calibrations.csv", "where the camera stood and what its lens does"],
+  ["reviews.csv", "who accepted, fixed or rejected what, and why"],
+  ["audit.csv", "each change with its hash; the chain can be checked"],
+  ["datapackage.json", "name, unit and meaning of every column (Frictionless Data)"],
+];
+
+/** One button writes the package that a standards body needs; every package made stays listed with its hash. */
+export default function ExportScreen({ surveyId }: ScreenProps) {
+  const packages = useResource(
+    (signal) => api.get<ExportPackage[]>(`/surveys/${surveyId}/exports`, { signal }),
+    [surveyId],
+  );
+  const [jobId, setJobId] = useState<number | null>(null);
+  const [starting, setStarting] = useState(false);
+  const [problem, setProblem] = useState<unknown>(null);
+  const [failed, setFailed] = useState<string | null>(null);
+  const job = useJob(
+    jobId,
+    (over) => {
+      setJobId(null);
+      if (over.state === "done") toast("The package is ready.");
+      setFailed(
+        over.state === "failed" ? (over.error ?? "The package could not be built; try again.") : null,
+      );
+      void packages.reload();
+    },
+    setProblem,
+  );
+  const build = async () => {
+    setStarting(true);
+    setProblem(null);
+    setFailed(null);
+    try {
+      setJobId((await api.post<Job>(`/surveys/${surveyId}/exports`)).id);
+    } catch (error) {
+      setProblem(error);
+    }
+    setStarting(false);
+  };
+  const counts = survey.value?.counts;
+  const open = counts ? counts.to_review + counts.rejected : 0;
+  return (
+    <div class="page">
+      <header class="page__head">
+        <div>
+          <h1>Export</h1>
+          <p class="page__lead">
+            A zip file with everything needed to check each height, and to compute it again.
+          </p>
+        </div>
+        <Button kind="primary" icon="package" busy={starting || jobId !== null} onClick={() => void build()}>
+          Build the package
+        </Button>
+      </header>
+      {counts && open > 0 && (
+        <Notice kind="warning">
+          {[
+            counts.to_review > 0 && `${plural(counts.to_review, "measurement")} not yet reviewed`,
+            counts.rejected > 0 && `${plural(counts.rejected, "measurement")} rejected and not clicked again`,
+          ]
+            .filter(Boolean)
+            .join(", ")}
+          . The package says so, row by row; <a href={`/surveys/${surveyId}/review`}>review first</a> if it is
+          to be final.
+        </Notice>
+      )}
+      {job && (
+        <div class="panel panel__body">
+          <JobProgress job={job} onCancel={() => void cancelJob(job.id).catch(setProblem)} />
+        </div>
+      )}
+      {failed && <Notice kind="problem">{failed}</Notice>}
+      <Problem error={problem} again={() => void build()} />
+      <section class="panel">
+        <header class="panel__head">
+          <h2>Packages</h2>
+        </header>
+        <Problem error={packages.error} again={packages.reload} />
+        {!packages.data && packages.loading && <Loading what="packages" />}
+        {packages.data?.length === 0 && (
+          <Empty title="No package yet">
+            <p>Press “Build the package”; it takes a few seconds, and you can go on working meanwhile.</p>
+          </Empty>
+        )}
+        {packages.data && packages.data.length > 0 && <Packages list={packages.data} />}
+      </section>
+      <section class="panel">
+        <header class="panel__head">
+          <h2>What is in a package</h2>
+        </header>
+        <table class="table">
+          <tbody>
+            {CONTENTS.map(([file, what]) => (
+              <tr key={file}>
+                <td class="nowrap">
+                  <code>{file}</code>
+                </td>
+                <td class="muted">{what}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </section>
+    </div>
+  );
+}
+
+function Packages({ list }: { list: ExportPackage[] }) {
+  const copy = async (sha256: string) => {
+    await navigator.clipboard.writeText(sha256);
+    toast("The SHA-256 is on the clipboard.");
+  };
+  return (
+    <div class="table-scroll">
+      <table class="table table--hover">
+        <thead>
+          <tr>
+            <th>made</th>
+            <th>by</th>
+            <th class="num">size</th>
+            <th>SHA-256</th>
+            <th />
+          </tr>
+        </thead>
+        <tbody>
+          {list.map((entry) => (
+            <tr key={entry.id}>
+              <td class="nowrap">{formatMoment(entry.created_at)}</td>
+              <td class="nowrap">{entry.created_by?.name ?? "–"}</td>
+              <td class="num">{formatBytes(entry.size_bytes)}</td>
+              <td class="export__hash">
+                <code title={entry.sha256}>{entry.sha256}</code>
+                <Button
+                  small
+                  kind="quiet"
+                  icon="copy"
+                  label="Copy the SHA-256"
+                  onClick={() => void copy(entry.sha256)}
+                />
+              </td>
+              <td class="num">
+                <Button small icon="download" href={entry.url} download>
+                  Download
+                </Button>
+              </td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}

@@ -1,0 +1,139 @@
+import { useRef, useState } from "preact/hooks";
+import { api } from "../../api";
+import { Empty, Icon, Loading, Problem } from "../../components";
+import type { ScreenProps } from "../../router";
+import { useEvery, useResource } from "../../state/resource";
+import { may } from "../../state/session";
+import { refreshSurvey } from "../../state/survey";
+import type { Camera, Recording, UnfinishedUpload } from "../../types";
+import { RecordingCard } from "./RecordingCard";
+import "./recordings.css";
+import { UnfinishedRow, UploadRow } from "./UploadRow";
+import { startUpload, uploads } from "./uploads";
+
+/** Video in: drop files, watch them arrive and be read, say which camera and which light. */
+export default function RecordingsScreen({ surveyId }: ScreenProps) {
+  const recordings = useResource(
+    (signal) => api.get<Recording[]>(`/surveys/${surveyId}/recordings`, { signal }),
+    [surveyId],
+  );
+  const cameras = useResource(
+    (signal) => api.get<Camera[]>(`/surveys/${surveyId}/cameras`, { signal }),
+    [surveyId],
+  );
+  const unfinished = useResource(
+    (signal) => api.get<UnfinishedUpload[]>(`/surveys/${surveyId}/uploads`, { signal }),
+    [surveyId],
+  );
+  const busy = recordings.data?.some((recording) => recording.state === "ingesting") ?? false;
+  const wasBusy = useRef(false);
+  useEvery(busy ? 1000 : null, async () => {
+    await recordings.reload();
+  });
+  if (wasBusy.current && !busy) void refreshSurvey();
+  wasBusy.current = busy;
+
+  const add = (files: File[]) => {
+    for (const file of files) {
+      void startUpload(surveyId, file, () => {
+        void recordings.reload();
+        void unfinished.reload();
+        void refreshSurvey();
+      });
+    }
+  };
+  const mine = uploads.value.filter((item) => item.surveyId === surveyId);
+  const left = (unfinished.data ?? []).filter((old) => !mine.some((item) => item.name === old.filename));
+  const canWork = may("operator");
+  return (
+    <div class="page">
+      <header class="page__head">
+        <div>
+          <h1>Recordings</h1>
+          <p class="page__lead">
+            Every frame is numbered by the server as it decodes the file, so frame n is the same picture for
+            everybody.
+          </p>
+        </div>
+      </header>
+      {canWork && <DropVideo add={add} />}
+      {(mine.length > 0 || left.length > 0) && (
+        <section class="panel uploads" aria-label="Uploads">
+          {mine.map((item) => (
+            <UploadRow key={item.key} item={item} />
+          ))}
+          {left.map((old) => (
+            <UnfinishedRow key={old.id} upload={old} gone={unfinished.reload} />
+          ))}
+        </section>
+      )}
+      <Problem error={recordings.error} again={recordings.reload} />
+      {!recordings.data && recordings.loading && <Loading what="recordings" />}
+      {recordings.data?.length === 0 && mine.length === 0 && (
+        <div class="panel">
+          <Empty title="No recordings yet">
+            <p>
+              {canWork
+                ? "Drop the day's video above: MP4, MOV, AVI, MKV and what else a camera writes. The clip in which the checkerboard stands on the road counts too: the road pose is found in it."
+                : "An operator can upload the day's video here."}
+            </p>
+          </Empty>
+        </div>
+      )}
+      <div class="stack">
+        {recordings.data?.map((recording) => (
+          <RecordingCard
+            key={recording.id}
+            recording={recording}
+            cameras={cameras.data ?? []}
+            changed={(next) =>
+              recordings.set((recordings.data ?? []).map((old) => (old.id === next.id ? next : old)))
+            }
+            reload={async () => {
+              await recordings.reload();
+              await refreshSurvey();
+            }}
+          />
+        ))}
+      </div>
+    </div>
+  );
+}
+
+function DropVideo({ add }: { add: (files: File[]) => void }) {
+  const [over, setOver] = useState(false);
+  return (
+    <label
+      class={`drop${over ? " drop--over" : ""}`}
+      onDragOver={(event) => {
+        event.preventDefault();
+        setOver(true);
+      }}
+      onDragLeave={() => setOver(false)}
+      onDrop={(event) => {
+        event.preventDefault();
+        setOver(false);
+        add([...(event.dataTransfer?.files ?? [])]);
+      }}
+    >
+      <Icon name="upload" size={24} />
+      <span class="grow">
+        <strong>Drop videos here, or click to choose</strong>
+        <span class="muted small drop__hint">
+          A broken connection does no harm: the upload goes on where it stopped, also after this page was
+          closed.
+        </span>
+      </span>
+      <input
+        type="file"
+        multiple
+        accept="video/*,.mp4,.mov,.avi,.mkv,.mts,.m2ts,.webm,.mpg,.mpeg,.wmv"
+        aria-label="Choose videos to upload"
+        onChange={(event) => {
+          add([...(event.currentTarget.files ?? [])]);
+          event.currentTarget.value = "";
+        }}
+      />
+    </label>
+  );
+}

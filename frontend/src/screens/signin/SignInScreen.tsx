@@ -1,0 +1,170 @@
+import { useEffect, useState } from "preact/hooks";
+import { ApiError, api, explain } from "../../api";
+import { Button, Notice, TextField } from "../../components";
+import { navigate, query } from "../../router";
+import { Mark } from "../../shell/TopBar";
+import { me, safeNext } from "../../state/session";
+import type { Me } from "../../types";
+import "./signin.css";
+
+/** Signs in with a one-time link (`/sign-in?token=...`) or with e-mail and password. */
+export default function SignInScreen() {
+  const token = query.value.get("token");
+  return (
+    <main class="signin" id="main">
+      <div class="signin__card">
+        <div class="signin__mark">
+          <Mark size={32} />
+          <span>Sightline</span>
+        </div>
+        {token ? <LinkSignIn token={token} /> : <PasswordSignIn />}
+      </div>
+      <SightDrawing />
+    </main>
+  );
+}
+
+function enter(answer: Me): void {
+  me.value = answer;
+  navigate(answer.needs_password ? "/account?welcome=1" : safeNext(query.value.get("next")), {
+    replace: true,
+  });
+}
+
+function LinkSignIn({ token }: { token: string }) {
+  const [problem, setProblem] = useState<unknown>(null);
+  const [busy, setBusy] = useState(false);
+  const go = async () => {
+    setBusy(true);
+    setProblem(null);
+    try {
+      enter(await api.post<Me>("/session/link", { token }, { allowSignedOut: true, quiet: true }));
+    } catch (error) {
+      setProblem(error);
+      setBusy(false);
+    }
+  };
+  const used = problem instanceof ApiError && problem.status === 401;
+  return (
+    <>
+      <h1>Your sign-in link</h1>
+      <p class="muted">
+        This link works once. It signs you in on this browser; afterwards you choose a password for the next
+        time.
+      </p>
+      {problem !== null && <Notice kind="problem">{explain(problem)}</Notice>}
+      {used ? (
+        <Button href="/sign-in">Sign in with a password</Button>
+      ) : (
+        <Button kind="primary" busy={busy} onClick={go}>
+          Sign in
+        </Button>
+      )}
+    </>
+  );
+}
+
+function PasswordSignIn() {
+  const [email, setEmail] = useState("");
+  const [password, setPassword] = useState("");
+  const [problem, setProblem] = useState<unknown>(null);
+  const [busy, setBusy] = useState(false);
+  useEffect(() => {
+    if (me.value) navigate("/", { replace: true });
+  }, []);
+  const submit = async (event: Event) => {
+    event.preventDefault();
+    setBusy(true);
+    setProblem(null);
+    try {
+      enter(await api.post<Me>("/session", { email, password }, { allowSignedOut: true, quiet: true }));
+    } catch (error) {
+      setProblem(error);
+      setBusy(false);
+    }
+  };
+  return (
+    <form class="stack" onSubmit={submit}>
+      <h1>Sign in</h1>
+      {problem !== null && <Notice kind="problem">{explain(problem)}</Notice>}
+      <TextField
+        label="E-mail"
+        type="email"
+        value={email}
+        onInput={setEmail}
+        autoComplete="username"
+        required
+      />
+      <TextField
+        label="Password"
+        type="password"
+        value={password}
+        onInput={setPassword}
+        autoComplete="current-password"
+        required
+      />
+      <Button kind="primary" type="submit" busy={busy}>
+        Sign in
+      </Button>
+      <p class="field__hint">
+        No password yet? Use the one-time link: the server prints it when it first starts, and an
+        administrator makes one for each new person.
+      </p>
+    </form>
+  );
+}
+
+/** What the product does in one drawing: lines of sight from the camera over a car's roof, the eye and the light to the side plane. */
+function SightDrawing() {
+  return (
+    <svg
+      class="signin__drawing"
+      viewBox="0 0 720 720"
+      fill="none"
+      aria-hidden="true"
+      preserveAspectRatio="xMidYMid slice"
+    >
+      <g stroke="var(--stage-line)" stroke-width="1">
+        {Array.from({ length: 9 }, (_, i) => (
+          <path key={`h${i}`} d={`M0 ${520 + i * i * 3.4}H720`} />
+        ))}
+        {Array.from({ length: 13 }, (_, i) => (
+          <path key={`v${i}`} d={`M${360 + (i - 6) * 60} 520L${360 + (i - 6) * 150} 738`} />
+        ))}
+      </g>
+      <g stroke="var(--stage-ink-2)" stroke-width="2" stroke-linejoin="round">
+        <path d="M214 520l4-46c2-14 8-20 22-24l62-12 54-52c8-8 16-11 28-11h108c14 0 22 4 30 15l34 50 34 12c12 4 16 10 17 22l4 46" />
+        <path d="M332 438l42-42c4-4 8-6 14-6h38v48zM440 390h46c8 0 14 3 19 10l24 38h-89z" />
+        <path d="M214 520h52M338 520h158M568 520h45" />
+        <circle cx="302" cy="520" r="34" />
+        <circle cx="302" cy="520" r="16" />
+        <circle cx="532" cy="520" r="34" />
+        <circle cx="532" cy="520" r="16" />
+        <path d="M586 462h24" />
+        <circle cx="404" cy="416" r="10" />
+      </g>
+      <g stroke="var(--accent)" stroke-width="1.5">
+        <path d="M40 150L430 374" stroke-dasharray="1 7" stroke-linecap="round" />
+        <path d="M40 150L404 416" stroke-dasharray="1 7" stroke-linecap="round" />
+        <path d="M40 150L302 554" stroke-dasharray="1 7" stroke-linecap="round" />
+        <path d="M656 554V374M646 374h20M646 416h20M646 462h20M646 554h20" />
+        {Array.from({ length: 17 }, (_, i) => (
+          <path key={i} d={`M656 ${554 - i * 11.25}h${i % 4 === 0 ? -10 : -5}`} />
+        ))}
+      </g>
+      <g fill="var(--accent)">
+        <circle cx="40" cy="150" r="5" />
+        <circle cx="430" cy="374" r="4" />
+        <circle cx="404" cy="416" r="4" />
+        <circle cx="302" cy="554" r="4" />
+        <circle cx="598" cy="462" r="4" />
+      </g>
+      <g fill="var(--stage-ink)" font-size="15" style="font-variant-numeric: tabular-nums">
+        <text x="566" y="368">
+          1.618 ± 0.013 m
+        </text>
+        <text x="520" y="330" fill="var(--stage-ink-2)" font-size="13" />
+      </g>
+    </svg>
+  );
+}

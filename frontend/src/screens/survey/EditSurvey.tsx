@@ -1,0 +1,149 @@
+import { useState } from "preact/hooks";
+import { api } from "../../api";
+import { Button, Dialog, Problem, TextField } from "../../components";
+import { refreshSurvey } from "../../state/survey";
+import type { Inset, Survey, Target } from "../../types";
+import { parseNumber } from "../../units";
+
+const TARGETS: { key: Target; label: string }[] = [
+  { key: "roof", label: "Roof" },
+  { key: "driver_eye", label: "Driver’s eye" },
+  { key: "taillight", label: "Taillight" },
+  { key: "headlight", label: "Headlight" },
+  { key: "other", label: "Other" },
+];
+
+type Typed = Record<Target, { inset: string; u: string }>;
+
+/** Name, site, description, and how far each target usually lies behind the side plane. */
+export function EditSurvey({ survey, close }: { survey: Survey; close: () => void }) {
+  const [name, setName] = useState(survey.name);
+  const [site, setSite] = useState(survey.site);
+  const [description, setDescription] = useState(survey.description);
+  const [insets, setInsets] = useState<Typed>(() => typedInsets(survey));
+  const [problem, setProblem] = useState<unknown>(null);
+  const [wrong, setWrong] = useState<string | null>(null);
+  const [busy, setBusy] = useState(false);
+  const submit = async (event: Event) => {
+    event.preventDefault();
+    const read = readInsets(insets, survey);
+    setWrong(typeof read === "string" ? read : null);
+    if (typeof read === "string") return;
+    setBusy(true);
+    setProblem(null);
+    try {
+      await api.put(`/surveys/${survey.id}`, {
+        name,
+        site,
+        description,
+        insets: read,
+        version: survey.version,
+      });
+      await refreshSurvey();
+      close();
+    } catch (error) {
+      setProblem(error);
+      setBusy(false);
+    }
+  };
+  const change = (key: Target, part: "inset" | "u", value: string) =>
+    setInsets({ ...insets, [key]: { ...insets[key], [part]: value } });
+  return (
+    <Dialog
+      title="Edit the survey"
+      onClose={close}
+      actions={
+        <>
+          <Button onClick={close}>Cancel</Button>
+          <Button
+            kind="primary"
+            busy={busy}
+            onClick={() => document.querySelector<HTMLFormElement>("#edit-survey")?.requestSubmit()}
+          >
+            Save
+          </Button>
+        </>
+      }
+    >
+      <form id="edit-survey" class="stack" onSubmit={submit} noValidate>
+        <TextField
+          label="Name"
+          value={name}
+          onInput={setName}
+          problem={name.trim() ? null : "A survey needs a name."}
+        />
+        <TextField label="Site" value={site} onInput={setSite} />
+        <TextField label="Description" value={description} onInput={setDescription} rows={3} />
+        <fieldset class="insets">
+          <legend>Insets</legend>
+          <p class="field__hint">
+            How far each target lies behind the plane through the tyres’ outer faces, away from the camera.
+            Used for every new measurement; the second figure is its standard uncertainty.
+          </p>
+          <table class="table">
+            <thead>
+              <tr>
+                <th>Target</th>
+                <th class="num">inset (m)</th>
+                <th class="num">± u (m)</th>
+              </tr>
+            </thead>
+            <tbody>
+              {TARGETS.map(({ key, label }) => (
+                <tr key={key}>
+                  <td>
+                    {label}
+                    {survey.insets[key]?.note && <div class="field__hint">{survey.insets[key].note}</div>}
+                  </td>
+                  <td>
+                    <TextField
+                      hideLabel
+                      numeric
+                      label={`${label}: inset in metres`}
+                      value={insets[key].inset}
+                      onInput={(v) => change(key, "inset", v)}
+                    />
+                  </td>
+                  <td>
+                    <TextField
+                      hideLabel
+                      numeric
+                      label={`${label}: uncertainty in metres`}
+                      value={insets[key].u}
+                      onInput={(v) => change(key, "u", v)}
+                    />
+                  </td>
+                </tr>
+              ))}
+            </tbody>
+          </table>
+          {wrong && <p class="field__problem">{wrong}</p>}
+        </fieldset>
+        <Problem error={problem} />
+        <button type="submit" hidden />
+      </form>
+    </Dialog>
+  );
+}
+
+function typedInsets(survey: Survey): Typed {
+  const typed = {} as Typed;
+  for (const { key } of TARGETS) {
+    const inset = survey.insets[key];
+    typed[key] = { inset: String(inset?.inset_m ?? 0), u: String(inset?.u_inset_m ?? 0) };
+  }
+  return typed;
+}
+
+function readInsets(typed: Typed, survey: Survey): Record<Target, Inset> | string {
+  const read = {} as Record<Target, Inset>;
+  for (const { key, label } of TARGETS) {
+    const inset_m = parseNumber(typed[key].inset);
+    const u_inset_m = parseNumber(typed[key].u);
+    if (inset_m === null || u_inset_m === null || u_inset_m < 0) {
+      return `${label}: give the inset and its uncertainty as numbers in metres, for example 0.12 and 0.05.`;
+    }
+    read[key] = { inset_m, u_inset_m, note: survey.insets[key]?.note ?? "" };
+  }
+  return read;
+}

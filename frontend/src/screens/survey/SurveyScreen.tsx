@@ -1,0 +1,124 @@
+import { useState } from "preact/hooks";
+import { api } from "../../api";
+import { Button, JobProgress, Loading, Shape } from "../../components";
+import type { ScreenProps } from "../../router";
+import { entryOfStep } from "../../shell/work";
+import { useEvery, useResource } from "../../state/resource";
+import { may } from "../../state/session";
+import { survey as openSurvey, refreshSurvey } from "../../state/survey";
+import type { Job, Step, Survey } from "../../types";
+import { formatCount } from "../../units";
+import { EditSurvey } from "./EditSurvey";
+import "./survey.css";
+
+/** What is there and what is missing, as the order of work; each step says what to do next. */
+export default function SurveyScreen({ surveyId }: ScreenProps) {
+  const [editing, setEditing] = useState(false);
+  const jobs = useResource(
+    (signal) => api.get<Job[]>(`/jobs?survey_id=${surveyId}&state=running`, { signal }),
+    [surveyId],
+  );
+  const running = jobs.data ?? [];
+  useEvery(running.length > 0 ? 1500 : 10_000, async () => {
+    await jobs.reload();
+    await refreshSurvey();
+  });
+  const survey = openSurvey.value;
+  if (!survey || survey.id !== surveyId) return <Loading what="the survey" />;
+  return (
+    <div class="page">
+      <header class="page__head">
+        <div>
+          <h1>
+            {survey.name} {survey.is_demo && <span class="badge title-badge">demonstration</span>}
+          </h1>
+          {survey.site && <p class="page__lead">{survey.site}</p>}
+          {survey.description && <p class="page__lead">{survey.description}</p>}
+        </div>
+        {may("operator") && <Button onClick={() => setEditing(true)}>Edit</Button>}
+      </header>
+      {running.map((job) => (
+        <div class="panel panel__body" key={job.id}>
+          <JobProgress job={job} />
+        </div>
+      ))}
+      <ol class="steps">
+        {survey.steps.map((step, index) => (
+          <StepRow key={step.key} step={step} index={index} survey={survey} />
+        ))}
+      </ol>
+      {editing && <EditSurvey survey={survey} close={() => setEditing(false)} />}
+    </div>
+  );
+}
+
+const TITLES: Record<Step["key"], string> = {
+  camera: "Calibrate the camera",
+  recordings: "Bring in the recordings",
+  pose: "Find the road",
+  vehicles: "Measure the vehicles",
+  review: "Review the measurements",
+  results: "Export the results",
+};
+
+const VERBS: Record<Step["key"], string> = {
+  camera: "Calibrate",
+  recordings: "Add recordings",
+  pose: "Find the road",
+  vehicles: "Measure",
+  review: "Review",
+  results: "Export",
+};
+
+function StepRow({ step, index, survey }: { step: Step; index: number; survey: Survey }) {
+  const entry = entryOfStep(step.key);
+  const href = `/surveys/${survey.id}${entry?.path ?? ""}`;
+  const word = { done: "done", next: "next", waiting: "waiting" }[step.state];
+  return (
+    <li class={`step step--${step.state}`}>
+      <span class="step__number" aria-hidden="true">
+        {step.state === "done" ? <Shape shape="check" size={24} /> : index + 1}
+      </span>
+      <div class="step__words">
+        <h2>
+          <a href={href}>{TITLES[step.key]}</a>
+          <span class="step__state">{word}</span>
+        </h2>
+        <p>{step.summary}</p>
+      </div>
+      <Counts step={step} survey={survey} />
+      <Button kind={step.state === "next" ? "primary" : "plain"} href={href}>
+        {step.state === "done" ? "Open" : VERBS[step.key]}
+      </Button>
+    </li>
+  );
+}
+
+function Counts({ step, survey }: { step: Step; survey: Survey }) {
+  const { counts } = survey;
+  const figures: [number, string][] = {
+    camera: [],
+    recordings: [[counts.recordings, "recordings"]],
+    pose: [],
+    vehicles: [
+      [counts.vehicles_measured, `of ${formatCount(counts.vehicles)} measured`],
+      [counts.measurements, "measurements"],
+    ],
+    review: [
+      [counts.to_review, "to review"],
+      [counts.accepted, "accepted"],
+      [counts.rejected, "rejected"],
+    ],
+    results: [],
+  }[step.key] as [number, string][];
+  return (
+    <dl class="step__counts">
+      {figures.map(([value, word]) => (
+        <div key={word}>
+          <dd>{formatCount(value)}</dd>
+          <dt>{word}</dt>
+        </div>
+      ))}
+    </dl>
+  );
+}

@@ -1,0 +1,172 @@
+import { useState } from "preact/hooks";
+import { api } from "../../api";
+import { Button, Empty, JobProgress, Loading, Problem, StateMark } from "../../components";
+import { useEvery, useResource } from "../../state/resource";
+import { may, me } from "../../state/session";
+import { formatDay } from "../../times";
+import type { Job, Survey } from "../../types";
+import { formatCount, plural } from "../../units";
+import { NewSurvey } from "./NewSurvey";
+import "./surveys.css";
+
+/** Home: every survey with its progress. While the demonstration survey is being made, its card shows how far it is. */
+export default function SurveysScreen() {
+  const [making, setMaking] = useState(false);
+  const surveys = useResource((signal) => api.get<Survey[]>("/surveys", { signal }), []);
+  const jobs = useResource((signal) => api.get<Job[]>("/jobs?state=running", { signal }), []);
+  const demoJob = jobs.data?.find((job) => job.kind.startsWith("demo")) ?? null;
+  useEvery(demoJob ? 1000 : null, async () => {
+    await Promise.all([jobs.reload(), surveys.reload()]);
+  });
+
+  if (surveys.error && !surveys.data) {
+    return (
+      <div class="page page--alone">
+        <Problem error={surveys.error} again={surveys.reload} />
+      </div>
+    );
+  }
+  if (!surveys.data) return <Loading what="surveys" />;
+  const demo = surveys.data.find((survey) => survey.is_demo) ?? null;
+  const shown = surveys.data.filter((survey) => !(demoJob && survey.is_demo));
+  const nothing = surveys.data.length === 0 && !demoJob;
+  const onlyDemo = surveys.data.every((survey) => survey.is_demo);
+  return (
+    <div class="page page--alone">
+      <header class="page__head">
+        <div>
+          <h1>Surveys</h1>
+          {!nothing && (
+            <p class="page__lead">
+              One survey is one campaign at one site: its camera, recordings, vehicles and people.
+            </p>
+          )}
+        </div>
+        {may("operator") && !nothing && (
+          <Button kind={onlyDemo ? "plain" : "primary"} icon="add" onClick={() => setMaking(true)}>
+            New survey
+          </Button>
+        )}
+      </header>
+      <Problem error={surveys.error} again={surveys.reload} />
+      {nothing && <NoSurvey make={() => setMaking(true)} />}
+      {(demoJob || shown.length > 0) && (
+        <ul class="cards">
+          {demoJob && (
+            <li>
+              <DemoCard job={demoJob} />
+            </li>
+          )}
+          {shown.map((survey) => (
+            <li key={survey.id}>
+              <SurveyCard survey={survey} />
+            </li>
+          ))}
+        </ul>
+      )}
+      {onlyDemo && demo && may("operator") && (
+        <p class="muted">
+          The demonstration survey is rendered from a known scene, so every height you measure in it can be
+          compared with the truth. Try the work there first; then make a survey of your own.
+        </p>
+      )}
+      {making && <NewSurvey close={() => setMaking(false)} />}
+    </div>
+  );
+}
+
+function NoSurvey({ make }: { make: () => void }) {
+  const demoId = me.value?.demo_survey_id ?? null;
+  return (
+    <div class="panel">
+      <Empty
+        title="No surveys yet"
+        actions={
+          <>
+            {demoId !== null && (
+              <Button kind="primary" href={`/surveys/${demoId}`}>
+                Open the demonstration survey
+              </Button>
+            )}
+            {may("operator") && (
+              <Button kind={demoId === null ? "primary" : "plain"} icon="add" onClick={make}>
+                New survey
+              </Button>
+            )}
+          </>
+        }
+      >
+        <p>
+          {may("operator")
+            ? "Make a survey for a site, then calibrate its camera, drop in the day's video, and measure. The demonstration survey has all of that in it already."
+            : "Nobody has made a survey yet. An operator can make the first one."}
+        </p>
+      </Empty>
+    </div>
+  );
+}
+
+function SurveyCard({ survey }: { survey: Survey }) {
+  const { counts } = survey;
+  const next = survey.steps.find((step) => step.state === "next");
+  const reviewed = counts.accepted + counts.rejected;
+  return (
+    <article class="card">
+      <header>
+        <h2>
+          <a href={`/surveys/${survey.id}`} class="card__link">
+            {survey.name}
+          </a>
+        </h2>
+        {survey.is_demo && <span class="badge">demonstration</span>}
+      </header>
+      <p class="muted clip">{survey.site || "No site given"}</p>
+      <div class="card__bars">
+        <Tally label="Vehicles measured" done={counts.vehicles_measured} of={counts.vehicles} />
+        <Tally label="Measurements reviewed" done={reviewed} of={reviewed + counts.to_review} />
+      </div>
+      <footer>
+        <span class="clip">
+          {next ? (
+            <StateMark state="next" word={next.summary} />
+          ) : (
+            <StateMark state="done" word="All steps done" />
+          )}
+        </span>
+        <span class="muted nowrap" title={survey.created_at}>
+          {plural(counts.recordings, "recording")} · {formatDay(survey.created_at)}
+        </span>
+      </footer>
+    </article>
+  );
+}
+
+function Tally({ label, done, of }: { label: string; done: number; of: number }) {
+  const share = of > 0 ? done / of : 0;
+  return (
+    <div class="tally">
+      <span class="tally__label">{label}</span>
+      <span class="tally__figure">
+        {formatCount(done)} <span class="muted">of {formatCount(of)}</span>
+      </span>
+      <span class="tally__track" aria-hidden="true">
+        <span style={{ width: `${share * 100}%` }} />
+      </span>
+    </div>
+  );
+}
+
+function DemoCard({ job }: { job: Job }) {
+  return (
+    <article class="card">
+      <header>
+        <h2>Demonstration survey</h2>
+        <span class="badge">being made</span>
+      </header>
+      <p class="muted">
+        Rendering a road, a checkerboard and some forty vehicles; this takes under a minute.
+      </p>
+      <JobProgress job={job} />
+    </article>
+  );
+}
