@@ -1,1 +1,1 @@
-"""The only place that knows HTTP: routes, bodies, session, who is asking. The contract is the OpenAPI document."""
+"""The only place that knows HTTP: routes, bodies, session, who is asking."""

@@ -6,9 +6,10 @@
     @router.post("/surveys", status_code=201)
     def add_survey(body: NewSurvey, who: Operator, session: Writing) -> SurveyBody: ...
 
-Put the person before the session: nobody who may not write ever waits for the write lock. A route that works long before it
-writes (corner detection in an image, say) takes `Wired` and opens `services.writing()` itself, at the end. Every route declares
-a role (`Viewer`, `Operator`, `Reviewer`, `Admin`) or is `OPEN`; a test walks all of them.
+Put the person before the session: nobody who may not write ever waits for the write lock. A route that works
+long before it writes (corner detection in an image, say) takes `Wired` and opens `services.writing()` itself,
+at the end. Every route declares a role (`Viewer`, `Operator`, `Reviewer`, `Admin`) or is `OPEN`; a test walks
+all of them.
 """
 
 from collections.abc import AsyncIterator, Iterator

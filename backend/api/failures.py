@@ -1,4 +1,4 @@
-"""One error handler: whatever goes wrong is answered with a status and one sentence, never with a traceback."""
+"""One error handler: whatever goes wrong is answered with a status and one sentence, never a traceback."""
 
 import errno
 import logging

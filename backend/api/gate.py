@@ -1,20 +1,23 @@
 """One writer at a time, queued on the event loop instead of in the thread pool."""
 
 import asyncio
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import AbstractContextManager, asynccontextmanager
+from typing import Any, TypeVar
 
 import anyio
 from sqlalchemy.orm import Session
+
+Result = TypeVar("Result")
 
 
 class WriteGate:
     """Opens and closes write transactions for routes that run in any thread of the pool.
 
-    Waiting on the event loop takes no thread: with the wait in the pool, forty waiting writers would leave none for
-    the one that holds the lock, and nothing would move again. Beginning and ending happen on one thread of their own,
-    because the store's lock must be given back by the thread that took it.
+    Waiting on the event loop takes no thread: with the wait in the pool, forty waiting writers would leave
+    none for the one that holds the lock, and nothing would move again. Beginning and ending happen on one
+    thread of their own, because the store's lock must be given back by the thread that took it.
     """
 
     def __init__(self) -> None:
@@ -33,7 +36,9 @@ class WriteGate:
                 raise
             await self._run(opened.__exit__, None, None, None)
 
-    async def _run(self, function, *arguments):  # type: ignore[no-untyped-def]
+    async def _run(self, function: Callable[..., Result], *arguments: Any) -> Result:
         # Shielded: a request that goes away must not leave a transaction open behind it.
         with anyio.CancelScope(shield=True):
-            return await asyncio.get_running_loop().run_in_executor(self._thread, function, *arguments)
+            loop = asyncio.get_running_loop()
+            result = await loop.run_in_executor(self._thread, function, *arguments)
+        return result

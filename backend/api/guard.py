@@ -1,4 +1,4 @@
-"""ASGI middleware in front of every route: requests from other sites are refused, answers carry security headers."""
+"""In front of every route: requests from other sites are refused, answers carry security headers."""
 
 from urllib.parse import urlsplit
 
@@ -40,8 +40,9 @@ SECURITY_HEADERS = {
 def foreign(headers: Headers) -> str | None:
     """Why an unsafe request may come from another site; None when it does not.
 
-    A page of another site cannot set our header without a preflight that we never grant; browsers that say where the
-    request comes from are believed too (OWASP, cross-site request forgery cheat sheet: custom request headers, fetch metadata).
+    A page of another site cannot set our header without a preflight that we never grant; browsers that say
+    where the request comes from are believed too (OWASP, cross-site request forgery prevention cheat sheet:
+    custom request headers, fetch metadata).
     """
     if headers.get(HEADER) != "1":
         return "Requests that change something need the header X-Sightline: 1; add it and send it again."
@@ -54,7 +55,7 @@ def foreign(headers: Headers) -> str | None:
 
 
 class Guard:
-    """Refuses cross-site writes before anything reads their body, and puts the security headers on every answer."""
+    """Refuses cross-site writes before anything reads their body; puts security headers on every answer."""
 
     def __init__(self, app: ASGIApp) -> None:
         self.app = app

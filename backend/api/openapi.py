@@ -1,4 +1,4 @@
-"""Writes the API's description, from which the front end's types are made: python -m backend.api.openapi FILE."""
+"""Writes the API's description, for the front end's types: python -m backend.api.openapi FILE."""
 
 import json
 import sys
@@ -14,9 +14,10 @@ from backend.api.routes import include_routes
 TITLE = "Sightline"
 VERSION = version("sightline")
 DESCRIPTION = (
-    "Heights of vehicles from roadside video, with their uncertainty and an audit trail. Sign in with POST /api/session; "
-    "every request that changes something carries the header `X-Sightline: 1`. Every error is "
-    '`{"error": {"code", "message"}}` with one sentence that says what is wrong and what to do.'
+    "Heights of vehicles from roadside video, with their uncertainty and an audit trail. "
+    "Sign in with POST /api/session; every request that changes something carries the header "
+    '`X-Sightline: 1`. Every error is `{"error": {"code", "message"}}` with one sentence that says '
+    "what is wrong and what to do."
 )
 
 

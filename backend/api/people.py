@@ -68,7 +68,7 @@ def change_person(
 ) -> PersonBody:
     """Change name, role or access; the last admin stays one."""
     with services.writing() as session:
-        person = people.update_person(
+        person = people.update(
             session, person_id, name=body.name, role=body.role, active=body.active, actor=who.id
         )
     request.app.state.sign_in.forget()

@@ -15,7 +15,7 @@ MIN_PASSWORD = 10
 MAX_PASSWORD = 1000
 FIRST_ADMIN = ("Admin", "admin@sightline.local")
 PER_ACCOUNT = parse("5 per 5 minutes")
-# One address may serve a whole office, so it gets more; but not enough to try a list of passwords on everybody.
+# One address may serve a whole office, so it gets more; not enough to try a list on everybody.
 PER_ADDRESS = parse("50 per 5 minutes")
 
 _hasher = PasswordHasher()
@@ -89,7 +89,7 @@ def matches(stored: str | None, password: str) -> bool:
 def change_password(
     services: Services, person: Person, current: str | None, new: str, by_link: bool
 ) -> Person:
-    """Set a password and end the person's other sessions. Whoever came by a one-time link need not know the old one.
+    """Set a password and end all other sessions. Whoever came by a one-time link need not know the old one.
 
     Raises:
         BadInput: the new one is too short or too long.
@@ -112,7 +112,7 @@ def link_path(token: str) -> str:
 
 
 def first_sign_in_link(services: Services) -> str | None:
-    """The path of a fresh one-time link for the admin who has neither used one nor set a password; None otherwise.
+    """The path of a fresh one-time link for an admin who never signed in; None otherwise.
 
     Makes that admin where there is no account at all. Each call ends the link made by the call before.
     """

@@ -10,7 +10,7 @@ BYTES = 32
 
 
 def signing_secret(settings: Settings) -> bytes:
-    """SIGHTLINE_SECRET where it is set (several machines share it), else the data folder's own file, made on first use."""
+    """SIGHTLINE_SECRET where it is set (several machines share it), else the data folder's own file."""
     if settings.secret is not None:
         return settings.secret.get_secret_value().encode()
     path = settings.data_dir / FILE

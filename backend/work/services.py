@@ -1,7 +1,10 @@
-"""What every shell needs to work: settings, database, media store and frame server, opened once a process."""
+"""What every shell needs: settings, database, queue, media store and frame server, opened once a process."""
 
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
+from pathlib import Path
+from threading import Lock
+from weakref import WeakKeyDictionary
 
 from sqlalchemy import Engine
 from sqlalchemy.orm import Session
@@ -10,10 +13,15 @@ from backend.media.frames import FrameServer
 from backend.media.store import MediaStore, open_store
 from backend.settings import Settings
 from backend.storage import database
+from backend.work.jobs import JobContext
+from backend.work.queue import JobQueue, attach, open_queue
 from backend.work.stills import Stills
 
 FRAME_MEMORY_BYTES = 256 * 1024**2
 FRAME_DISK_BYTES = 2 * 1024**3
+
+_of_workers: WeakKeyDictionary[database.SessionFactory, "Services"] = WeakKeyDictionary()
+_opening = Lock()
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,6 +31,7 @@ class Services:
     settings: Settings
     engine: Engine
     sessions: database.SessionFactory
+    queue: JobQueue | None
     media: MediaStore
     frames: FrameServer
     stills: Stills
@@ -35,24 +44,46 @@ class Services:
         """The write transaction of this thread; committed when the block ends, rolled back on any error."""
         return database.writing(self.sessions)
 
+    @property
+    def scratch(self) -> Path:
+        """A folder for files on their way to somewhere else, on the disk of the data folder."""
+        folder = self.settings.data_dir / "scratch"
+        folder.mkdir(parents=True, exist_ok=True)
+        return folder
+
     def close(self) -> None:
         """Give files and connections back."""
         self.frames.close()
+        if self.queue is not None:
+            self.queue.close()
         self.engine.dispose()
 
 
 def open_services(settings: Settings) -> Services:
-    """Open the database and the media store. Migrates nothing and starts nothing."""
+    """Open database, queue and media store. Migrates nothing and starts nothing."""
     engine = database.make_engine(settings.database_url)
     sessions = database.session_factory(engine)
+    queue = open_queue(settings)
+    attach(sessions, queue)
+    return _services(settings, engine, sessions, queue)
+
+
+def services_of(context: JobContext) -> Services:
+    """The services of a worker, on the sessions that it has; opened once for all its jobs."""
+    with _opening:
+        known = _of_workers.get(context.factory)
+        if known is None:
+            engine = database.engine_of(context.factory)
+            known = _services(context.settings, engine, context.factory, None)
+            _of_workers[context.factory] = known
+        return known
+
+
+def _services(
+    settings: Settings, engine: Engine, sessions: database.SessionFactory, queue: JobQueue | None
+) -> Services:
     cache = settings.data_dir / "cache"
     store = open_store(settings.media_url, cache / "media")
     server = FrameServer(cache, FRAME_MEMORY_BYTES, FRAME_DISK_BYTES)
-    return Services(
-        settings=settings,
-        engine=engine,
-        sessions=sessions,
-        media=store,
-        frames=server,
-        stills=Stills(sessions, store, server),
-    )
+    stills = Stills(sessions, store, server)
+    return Services(settings, engine, sessions, queue, store, server, stills)

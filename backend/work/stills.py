@@ -1,4 +1,4 @@
-"""Frames of stored recordings, without a database query for each: facts and frame table are kept in memory."""
+"""Frames of stored recordings without a query for each: facts and frame table are kept in memory."""
 
 import threading
 import time
@@ -21,7 +21,7 @@ MOST = 32
 
 @dataclass(frozen=True, eq=False)
 class OpenRecording:
-    """A ready recording with its frame table in memory. `time_s` has shape (N,), seconds from the first frame."""
+    """A ready recording with its frame table in memory. `time_s` (N,) counts from the first frame."""
 
     recording: Recording
     media: RecordingMedia
@@ -40,8 +40,8 @@ class Still:
 
 
 class Stills:
-    """Thread-safe. Every method raises NotFound for a recording or frame that is not there, Damaged if the file
-    does not give the frame whose checksum is in the table, BadInput while the recording is not ready.
+    """Thread-safe. Every method raises NotFound for a recording or frame that is not there, Damaged if the
+    file does not give the frame whose checksum is in the table, BadInput while the recording is not ready.
     """
 
     def __init__(self, sessions: database.SessionFactory, store: MediaStore, server: FrameServer) -> None:
@@ -111,7 +111,7 @@ class Stills:
 
 
 def file_key(recording: Recording) -> str:
-    """The stored file that the frame table numbers: the upload, or the working copy of a stream without index."""
+    """The stored file that the frame table numbers: the upload, or its working copy."""
     return str(recording.report.get("working_copy") or recording.media_key)
 
 

@@ -1,0 +1,160 @@
+"""Cameras of a survey and their calibration images."""
+
+from typing import Annotated
+
+from fastapi import APIRouter, Query, Request, Response, UploadFile
+from pydantic import Field
+
+from backend.api.bodies import Id, In, Name, Out, Text
+from backend.api.calibration_bodies import CalibrationSummaryBody
+from backend.api.deps import Operator, PathId, Reading, Viewer, Wired, Writing
+from backend.api.frames import CACHING, JPEG, has, unchanged
+from backend.api.uploads import clean_name
+from backend.errors import BadInput
+from backend.storage import cameras, surveys
+from backend.storage.records import CalibrationImage, Camera
+from backend.work import calibration_images
+
+router = APIRouter()
+
+MOST_IMAGE_BYTES = 64_000_000
+Corners = Annotated[int, Query(ge=2, le=100, description="Inner corners.")]
+
+
+class CameraBody(Out):
+    id: int
+    survey_id: int
+    name: str
+    notes: str
+    current_calibration_id: int | None
+    images: int
+    calibrations: list[CalibrationSummaryBody]
+
+
+class CalibrationImageBody(Out):
+    id: int
+    name: str
+    width_px: int
+    height_px: int
+    found: bool
+    reason: str | None
+    corners_px: list[list[float]] = Field(description="Row by row, from the top left as seen.")
+    columns: int
+    rows: int
+    sharpness: float | None
+    url: str
+
+
+class CameraDetail(Out):
+    id: int
+    survey_id: int
+    name: str
+    notes: str
+    current_calibration_id: int | None
+    images: list[CalibrationImageBody]
+    calibrations: list[CalibrationSummaryBody]
+
+
+class NewCamera(In):
+    name: Name
+    notes: Text = ""
+
+
+class BoardSize(In):
+    columns: int = Field(ge=2, le=100)
+    rows: int = Field(ge=2, le=100)
+
+
+class Choice(In):
+    calibration_id: Id
+
+
+@router.get("/surveys/{survey_id}/cameras")
+def list_cameras(survey_id: PathId, who: Viewer, session: Reading) -> list[CameraBody]:
+    """The cameras of a survey with their calibrations in short."""
+    surveys.get(session, survey_id)
+    return [CameraBody.model_validate(one) for one in cameras.list_for_survey(session, survey_id)]
+
+
+@router.post("/surveys/{survey_id}/cameras", status_code=201)
+def add_camera(survey_id: PathId, body: NewCamera, who: Operator, session: Writing) -> CameraBody:
+    """A new camera: a body and lens at one setting."""
+    made = cameras.create(session, survey_id, name=body.name, notes=body.notes, actor=who.id)
+    return CameraBody.model_validate(made)
+
+
+@router.get("/cameras/{camera_id}")
+def get_camera(camera_id: PathId, who: Viewer, session: Reading) -> CameraDetail:
+    """One camera with its images."""
+    return camera_detail(cameras.get(session, camera_id), cameras.images(session, camera_id))
+
+
+@router.post("/cameras/{camera_id}/images", status_code=201)
+def add_image(
+    camera_id: PathId,
+    file: UploadFile,
+    who: Operator,
+    services: Wired,
+    columns: Corners = 9,
+    rows: Corners = 6,
+) -> CalibrationImageBody:
+    """One picture of the board; the answer says at once whether the board was found in it."""
+    name = clean_name(file.filename or "picture")
+    content = whole_file(file, MOST_IMAGE_BYTES, name)
+    made = calibration_images.add_image(services, camera_id, name, content, columns, rows, who.id)
+    return image_body(made)
+
+
+@router.post("/cameras/{camera_id}/images/detect")
+def detect_again(
+    camera_id: PathId, body: BoardSize, who: Operator, services: Wired
+) -> list[CalibrationImageBody]:
+    """The board is of another size: look in every image again."""
+    images = calibration_images.detect_again(services, camera_id, body.columns, body.rows, who.id)
+    return [image_body(one) for one in images]
+
+
+@router.get("/calibration-images/{image_id}.jpg", response_class=Response, responses=JPEG)
+def calibration_image(image_id: PathId, who: Viewer, services: Wired, request: Request) -> Response:
+    """The picture at its own size, as JPEG."""
+    with services.reading() as session:
+        image = cameras.image(session, image_id)
+    etag = f'"{image.media_key.rpartition("/")[2][:32]}"'
+    if has(request, etag):
+        return unchanged(etag)
+    content = calibration_images.as_jpeg(services, image)
+    return Response(content, media_type="image/jpeg", headers={"ETag": etag, "Cache-Control": CACHING})
+
+
+@router.delete("/calibration-images/{image_id}", status_code=204)
+def remove_image(image_id: PathId, who: Operator, services: Wired) -> None:
+    """Take a picture out; calibrations made from it stay as they are."""
+    calibration_images.remove_image(services, image_id, who.id)
+
+
+@router.put("/cameras/{camera_id}/current-calibration")
+def choose_calibration(camera_id: PathId, body: Choice, who: Operator, session: Writing) -> CameraBody:
+    """Choose which calibration new road poses use."""
+    camera = cameras.choose_calibration(session, camera_id, body.calibration_id, actor=who.id)
+    return CameraBody.model_validate(camera)
+
+
+def whole_file(file: UploadFile, most_bytes: int, name: str) -> bytes:
+    """The content of a small uploaded file. Raises BadInput for one that is too large."""
+    content = file.file.read(most_bytes + 1)
+    if len(content) > most_bytes:
+        raise BadInput(f"{name} is larger than {most_bytes // 1_000_000} MB; make it smaller and try again.")
+    return content
+
+
+def image_body(image: CalibrationImage) -> CalibrationImageBody:
+    """An image as it goes out, with its address."""
+    names = CalibrationImageBody.model_fields.keys() - {"url"}
+    values = {name: getattr(image, name) for name in names}
+    return CalibrationImageBody.model_validate({**values, "url": f"/api/calibration-images/{image.id}.jpg"})
+
+
+def camera_detail(camera: Camera, images: tuple[CalibrationImage, ...]) -> CameraDetail:
+    """A camera with its images in place of their number."""
+    short = CameraBody.model_validate(camera).model_dump(exclude={"images"})
+    return CameraDetail(**short, images=[image_body(one) for one in images])

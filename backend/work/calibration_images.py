@@ -1,0 +1,116 @@
+"""Calibration images: looking for the board, keeping the file once, looking again for another board."""
+
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+
+from backend.geometry.corners import Board, Corners, detect
+from backend.media.images import jpeg, read_image, read_image_bgr
+from backend.media.store import key_of, sha256_of
+from backend.storage import cameras
+from backend.storage.records import CalibrationImage
+from backend.work.services import Services
+from backend.work.uploading import suffix_of
+
+# Only counts and proportions matter to detection; the side of a square is asked for when calibrating.
+ANY_SQUARE_M = 0.1
+JPEG_QUALITY = 92
+
+
+@dataclass(frozen=True)
+class Detection:
+    """What was found of a board in one picture; `columns` and `rows` as seen, corners row by row."""
+
+    found: bool
+    reason: str | None
+    corners_px: list[list[float]]
+    columns: int
+    rows: int
+    sharpness: float | None
+
+
+def look(gray: npt.NDArray[np.uint8], board: Board) -> Detection:
+    """Look for the board in a picture (H, W). Raises BadInput for a board that nobody can look for."""
+    return detection_of(detect(gray, board), board)
+
+
+def detection_of(corners: Corners, board: Board) -> Detection:
+    """A detection in plain lists."""
+    if not corners.found:
+        reason = corners.reason or "No board was found."
+        return Detection(False, reason, [], board.columns, board.rows, None)
+    seen = corners.board_as_seen
+    points: list[list[float]] = corners.points_px.reshape(-1, 2).tolist()
+    return Detection(True, None, points, seen.columns, seen.rows, float(corners.sharpness))
+
+
+def add_image(
+    services: Services, camera_id: int, name: str, content: bytes, columns: int, rows: int, actor: int
+) -> CalibrationImage:
+    """Store a picture with what was found in it. Raises BadInput, naming the file, for what is no picture."""
+    with services.reading() as session:
+        cameras.get(session, camera_id)
+    gray = read_image(content, name)
+    found = look(gray, Board(columns, rows, ANY_SQUARE_M))
+    key = keep(services, name, content)
+    height, width = gray.shape
+    with services.writing() as session:
+        return cameras.add_image(
+            session,
+            camera_id,
+            name=name,
+            media_key=key,
+            width_px=int(width),
+            height_px=int(height),
+            actor=actor,
+            **vars(found),
+        )
+
+
+def keep(services: Services, name: str, content: bytes) -> str:
+    """Put bytes into the media store; the key. Raises NoRoom."""
+    with tempfile.TemporaryDirectory(prefix="image-", dir=services.scratch) as folder:
+        path = Path(folder) / "content"
+        path.write_bytes(content)
+        key = key_of(sha256_of(path), suffix_of(name))
+        services.media.put_file(key, path)
+    return key
+
+
+def detect_again(
+    services: Services, camera_id: int, columns: int, rows: int, actor: int
+) -> tuple[CalibrationImage, ...]:
+    """Look in every image of the camera for a board of another size."""
+    board = Board(columns, rows, ANY_SQUARE_M)
+    with services.reading() as session:
+        cameras.get(session, camera_id)
+        images = cameras.images(session, camera_id)
+    found = [(image.id, look(gray_of(services, image), board)) for image in images]
+    with services.writing() as session:
+        known = {image.id for image in cameras.images(session, camera_id)}
+        for image_id, detection in found:
+            if image_id in known:
+                cameras.set_detection(session, image_id, actor=actor, **vars(detection))
+        return cameras.images(session, camera_id)
+
+
+def gray_of(services: Services, image: CalibrationImage) -> npt.NDArray[np.uint8]:
+    """The stored picture as luminance, (H, W)."""
+    return read_image(services.media.local_path(image.media_key), image.name)
+
+
+def as_jpeg(services: Services, image: CalibrationImage) -> bytes:
+    """The stored picture for a browser, at its own size."""
+    return jpeg(read_image_bgr(services.media.local_path(image.media_key), image.name), JPEG_QUALITY)
+
+
+def remove_image(services: Services, image_id: int, actor: int) -> None:
+    """Take an image out, and its file if no other image has the same content."""
+    with services.writing() as session:
+        gone = cameras.remove_image(session, image_id, actor=actor)
+        in_use = cameras.image_in_use(session, gone.media_key)
+    if not in_use:
+        services.media.delete(gone.media_key)

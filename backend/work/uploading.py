@@ -1,0 +1,166 @@
+"""From an upload to a recording: bytes are gathered, stored once, and an ingest is queued.
+
+A kill at any point loses nothing. The length of the part on disk is the truth about how far an upload is.
+Everything after the last byte can be done again: the media store keeps one file per content, and the
+recording, the end of the upload and the ingest job are one transaction.
+"""
+
+import logging
+import re
+from collections.abc import Iterable
+from pathlib import Path, PurePosixPath
+
+from sqlalchemy.orm import Session
+
+from backend.errors import Conflict, NotFound, SightlineError
+from backend.media import uploads as parts
+from backend.media.store import key_of
+from backend.storage import recordings, uploads
+from backend.storage.records import Recording, Upload
+from backend.work.ingesting import queue_ingest
+from backend.work.services import Services
+
+log = logging.getLogger(__name__)
+
+FOLDER = "uploads"
+GIVEN_UP_S = 7 * 24 * 3600.0
+_SUFFIX = re.compile(r"\.[A-Za-z0-9]{1,8}$")
+
+
+def folder(services: Services) -> Path:
+    """Where parts are gathered."""
+    return services.settings.data_dir / FOLDER
+
+
+def begin(services: Services, survey_id: int, filename: str, size_bytes: int, actor: int) -> Upload:
+    """Announce a file. Raises NotFound (survey), BadInput (empty), NoRoom, before a byte is sent."""
+    with services.writing() as session:
+        upload = uploads.create(
+            session, survey_id, filename=filename, size_bytes=size_bytes, media_key="", actor=actor
+        )
+        # Inside the transaction: no room for the part, no row either.
+        parts.create(folder(services), part_name(upload.id), size_bytes)
+    return upload
+
+
+def arrived(services: Services, upload: Upload) -> int:
+    """How many bytes are safely here. Raises NotFound when the part is gone."""
+    if upload.finished_at is not None:
+        return upload.size_bytes
+    return parts.offset(folder(services), part_name(upload.id))
+
+
+def take(services: Services, upload: Upload, at: int, chunks: Iterable[bytes]) -> int:
+    """Write chunks behind byte `at`; the new offset. What arrived stays, whatever breaks.
+
+    Raises Conflict (another offset, another writer, finished), BadInput (more than announced), NoRoom.
+    """
+    if upload.finished_at is not None:
+        raise Conflict("This upload is finished already; look for its recording in the list.")
+    try:
+        return parts.append(folder(services), part_name(upload.id), at, chunks)
+    finally:
+        _note_offset(services, upload.id)
+
+
+def _note_offset(services: Services, upload_id: int) -> None:
+    """Bring the row's offset up to the part's, for lists; the part stays the truth."""
+    try:
+        with services.writing() as session:
+            upload = uploads.get(session, upload_id)
+            now_at = parts.offset(folder(services), part_name(upload_id))
+            if upload.finished_at is None and now_at > upload.offset:
+                uploads.advance(session, upload_id, from_offset=upload.offset, to_offset=now_at)
+    except SightlineError as error:
+        log.info("the offset of upload %s was not noted: %s", upload_id, error.message)
+
+
+def complete(services: Services, upload_id: int) -> Recording:
+    """Make the recording of an upload whose bytes are all here; the same one if that was done.
+
+    Raises Conflict while bytes are missing, NoRoom.
+    """
+    done = _recording_of(services, upload_id)
+    if done is not None:
+        return done
+    whole = parts.finish(folder(services), part_name(upload_id))
+    with services.reading() as session:
+        filename = uploads.get(session, upload_id).filename
+    key = key_of(whole.sha256, suffix_of(filename))
+    services.media.put_file(key, whole.path)
+    try:
+        with services.writing() as session:
+            recording = _record(session, services, upload_id, key, whole)
+    except Conflict:
+        # Another request, or another try of this one, was faster: its recording is the answer.
+        done = _recording_of(services, upload_id)
+        if done is None:
+            raise
+        recording = done
+    parts.discard(folder(services), part_name(upload_id))
+    return recording
+
+
+def _record(
+    session: Session, services: Services, upload_id: int, key: str, whole: parts.FinishedUpload
+) -> Recording:
+    upload = uploads.get(session, upload_id)
+    actor = upload.created_by.id if upload.created_by else None
+    made = recordings.create(
+        session,
+        upload.survey_id,
+        name=upload.filename,
+        media_key=key,
+        sha256=whole.sha256,
+        size_bytes=whole.size,
+        actor=actor,
+    )
+    uploads.finish(session, upload_id, recording_id=made.id, actor=actor)
+    queue_ingest(session, made, actor)
+    return recordings.get(session, made.id)
+
+
+def _recording_of(services: Services, upload_id: int) -> Recording | None:
+    with services.reading() as session:
+        upload = uploads.get(session, upload_id)
+        if upload.recording_id is None:
+            return None
+        try:
+            return recordings.get(session, upload.recording_id)
+        except NotFound as gone:
+            raise Conflict(
+                "This upload became a recording that was deleted since; upload it again."
+            ) from gone
+
+
+def give_up(services: Services, upload_id: int, actor: int | None) -> None:
+    """Forget an unfinished upload and its bytes. Raises Conflict for a finished one."""
+    with services.writing() as session:
+        uploads.remove(session, upload_id, actor=actor)
+    parts.discard(folder(services), part_name(upload_id))
+
+
+def recover(services: Services) -> None:
+    """After a start: finish uploads that were complete when it was killed, give up abandoned ones."""
+    with services.reading() as session:
+        waiting = uploads.unfinished(session)
+    abandoned = set(parts.sweep(folder(services), GIVEN_UP_S))
+    for upload in waiting:
+        try:
+            if part_name(upload.id) in abandoned:
+                give_up(services, upload.id, None)
+            elif arrived(services, upload) == upload.size_bytes:
+                complete(services, upload.id)
+        except SightlineError as error:
+            log.warning("upload %s cannot be finished: %s", upload.id, error.message)
+
+
+def part_name(upload_id: int) -> str:
+    """The name of an upload's part in the folder of parts."""
+    return f"upload-{upload_id}"
+
+
+def suffix_of(filename: str) -> str:
+    """The file name's ending where it is an ordinary one, in lower case; else nothing."""
+    found = _SUFFIX.search(PurePosixPath(filename.replace("\\", "/")).name)
+    return found.group().lower() if found else ""
