@@ -1,0 +1,52 @@
+import { Button, StateMark } from "../../components";
+import type { CalibrationImage } from "../../types";
+import { CornerMarks } from "./CornerMarks";
+
+/** Each image with what was found in it drawn over. */
+export function ImageGrid({
+  images,
+  remove,
+}: {
+  images: CalibrationImage[];
+  remove: (image: CalibrationImage) => void;
+}) {
+  return (
+    <ul class="shots">
+      {images.map((image) => (
+        <li key={image.id} class="shot">
+          <div class="shot__picture" style={{ aspectRatio: `${image.width_px} / ${image.height_px}` }}>
+            <img src={image.url} alt={image.found ? "" : image.name} loading="lazy" />
+            {image.found && (
+              <CornerMarks
+                width={image.width_px}
+                height={image.height_px}
+                corners={image.corners_px}
+                columns={image.columns}
+                label={`${image.corners_px.length} corners found in ${image.name}`}
+              />
+            )}
+          </div>
+          <div class="shot__words">
+            <span class="clip" title={image.name}>
+              {image.name}
+            </span>
+            <Button
+              small
+              kind="quiet"
+              icon="close"
+              label={`Remove ${image.name}`}
+              onClick={() => remove(image)}
+            />
+          </div>
+          <p class="shot__state">
+            <StateMark
+              state={image.found ? "used" : "left_out"}
+              word={image.found ? `${image.columns} × ${image.rows} found` : "left out"}
+            />
+          </p>
+          {image.reason && <p class="small muted">{image.reason}</p>}
+        </li>
+      ))}
+    </ul>
+  );
+}

@@ -1,0 +1,53 @@
+import type { CalibrationImage, CameraDocument, CameraView } from "../../types";
+
+interface Props {
+  view: CameraView;
+  worst: boolean;
+  lens: CameraDocument;
+  image: CalibrationImage | null;
+}
+
+/** One view with its residuals as lines, drawn longer than they are so that they can be seen. */
+export function ViewPicture({ view, worst, lens, image }: Props) {
+  const corners = view.corners_px ?? [];
+  const residuals = view.residuals_px ?? [];
+  const longest = Math.max(...residuals.map(([x, y]) => Math.hypot(x, y)), 1e-6);
+  const times = niceFactor(lens.width_px / 28 / longest);
+  const dot = lens.width_px / 260;
+  const lines = corners
+    .map(([x, y], i) => {
+      const [dx, dy] = residuals[i] ?? [0, 0];
+      return `M${x + 0.5} ${y + 0.5}l${dx * times} ${dy * times}`;
+    })
+    .join("");
+  return (
+    <figure class="view-picture">
+      <div class="shot__picture" style={{ aspectRatio: `${lens.width_px} / ${lens.height_px}` }}>
+        {image && <img src={image.url} alt="" />}
+        <svg
+          class="corner-marks"
+          viewBox={`0 0 ${lens.width_px} ${lens.height_px}`}
+          role="img"
+          aria-label={`Residuals of ${view.file}, the longest ${longest.toFixed(2)} pixels`}
+        >
+          <path d={lines} class="corner-marks__halo" vector-effect="non-scaling-stroke" />
+          <path d={lines} class="corner-marks__line" vector-effect="non-scaling-stroke" />
+          {corners.map(([x, y], i) => (
+            <circle key={i} cx={x + 0.5} cy={y + 0.5} r={dot} class="corner-marks__dot" />
+          ))}
+        </svg>
+      </div>
+      <figcaption class="small muted">
+        {worst && <strong>Worst view. </strong>}
+        {view.file}: residuals drawn {times} times as long; the longest is {longest.toFixed(2)} px.
+      </figcaption>
+    </figure>
+  );
+}
+
+/** 1, 2 or 5 times a power of ten, not above the value and at least 1. */
+export function niceFactor(value: number): number {
+  const power = 10 ** Math.floor(Math.log10(Math.max(value, 1)));
+  const lead = value / power;
+  return Math.max(1, (lead >= 5 ? 5 : lead >= 2 ? 2 : 1) * power);
+}

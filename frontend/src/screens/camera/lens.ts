@@ -1,0 +1,86 @@
+/** Figures of a calibration made ready to be read. Pure. */
+import type { CameraDocument, CameraView } from "../../types";
+
+export interface Figure {
+  name: string;
+  value: number;
+  /** standard uncertainty, null when the calibration does not tell it */
+  u: number | null;
+  digits: number;
+  unit: string;
+}
+
+const BROWN = ["k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"];
+const FISHEYE = ["k1", "k2", "k3", "k4"];
+
+/** Focal lengths, principal point and distortion, each with its standard uncertainty where the covariance tells it. */
+export function figuresOf(camera: CameraDocument): Figure[] {
+  const sigma = (...names: string[]): number | null => {
+    const at = camera.parameters.findIndex((parameter) => names.includes(parameter));
+    const variance = at < 0 ? undefined : camera.covariance?.[at]?.[at];
+    return variance === undefined || variance < 0 ? null : Math.sqrt(variance);
+  };
+  const pixels = (["fx", "fy", "cx", "cy"] as const).map((name) => ({
+    name,
+    value: camera[`${name}_px`],
+    u: sigma(`${name}_px`, name),
+    digits: 2,
+    unit: "px",
+  }));
+  const names = camera.model === "fisheye" ? FISHEYE : BROWN;
+  const bends = camera.distortion.map((value, i) => {
+    const name = names[i] ?? `d${i + 1}`;
+    return { name, value, u: sigma(name), digits: 5, unit: "" };
+  });
+  return [...pixels, ...bends];
+}
+
+/** Angle of view across the picture, degrees; for the ordinary model without distortion, good to a degree or two. */
+export function angleOfView(camera: CameraDocument): number {
+  const half = camera.width_px / 2 / camera.fx_px;
+  return ((camera.model === "fisheye" ? 2 * half : 2 * Math.atan(half)) * 180) / Math.PI;
+}
+
+const ROWS = ["top", "middle", "bottom"] as const;
+const COLUMNS = ["left", "centre", "right"] as const;
+
+/** Parts of the picture (a ninth each) with fewer corners in them than a quarter of an even share: where to hold the board next. */
+export function thinParts(coverage: number[][]): string[] {
+  const rows = coverage.length;
+  const columns = coverage[0]?.length ?? 0;
+  if (rows === 0 || columns === 0) return [];
+  const sums = new Map<string, number>();
+  let total = 0;
+  coverage.forEach((line, r) => {
+    line.forEach((count, c) => {
+      const key = `${ROWS[Math.floor((r * 3) / rows)]} ${COLUMNS[Math.floor((c * 3) / columns)]}`;
+      sums.set(key, (sums.get(key) ?? 0) + count);
+      total += count;
+    });
+  });
+  if (total === 0) return [];
+  return [...sums]
+    .filter(([, count]) => count < total / 36)
+    .map(([key]) => key.replace("middle centre", "centre"));
+}
+
+/** Share of the cells that hold at least one corner. */
+export function coveredShare(coverage: number[][]): number {
+  const cells = coverage.flat();
+  return cells.length === 0 ? 0 : cells.filter((count) => count > 0).length / cells.length;
+}
+
+/** The used view that fits worst. */
+export function worstView(views: CameraView[]): CameraView | null {
+  const used = views.filter((view) => view.used && view.rms_px !== null);
+  return used.reduce<CameraView | null>(
+    (worst, view) => ((view.rms_px ?? 0) > (worst?.rms_px ?? -1) ? view : worst),
+    null,
+  );
+}
+
+/** "bottom left, bottom right and top right" */
+export function listed(words: string[]): string {
+  if (words.length < 2) return words.join("");
+  return `${words.slice(0, -1).join(", ")} and ${words.at(-1)}`;
+}
