@@ -33,8 +33,8 @@ class Settings(BaseSettings):
     #: signs the session cookies; without it the data folder keeps one of its own
     secret: SecretStr | None = None
     secure_cookies: bool = False
-    #: jobs run side by side by one worker
-    workers: int = Field(default=1, ge=1, le=64)
+    #: jobs done side by side by the worker that `serve` starts (0: it starts none) or by `sightline worker`
+    workers: int = Field(default=2, ge=0, le=64)
     #: how long a worker may be silent before its job is given to another one
     lease_s: float = Field(default=5.0, ge=0.5, le=600)
 

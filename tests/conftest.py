@@ -1,7 +1,7 @@
 """Databases for tests: SQLite, or PostgreSQL where SIGHTLINE_TEST_DATABASE_URL names a server.
 
-The database is made once a session by running the migrations; each test gets an empty one. On PostgreSQL every
-worker of pytest-xdist has a schema of its own, which is removed at the end.
+The database is made once a session by running the migrations; each test gets an empty one. On PostgreSQL
+every worker of pytest-xdist has a schema of its own, which is removed at the end.
 """
 
 import os

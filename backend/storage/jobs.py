@@ -156,13 +156,24 @@ def queued(session: Session) -> tuple[int, ...]:
 
 def requeue(session: Session, job: Job) -> Job:
     """Give an expired job to the next worker. Raises LeaseLost if it moved on meanwhile."""
-    change: dict[str, Any] = {"state": "queued", "worker": None, "lease_until": None}
+    change: dict[str, Any] = {"state": "queued", "worker": None, "lease_until": None, "progress": 0.0}
     change["message"] = "A worker stopped in the middle; this is tried again."
+    return _back(session, job, change, "requeue")
+
+
+def release(session: Session, job: Job) -> Job:
+    """Put a job back because its worker shuts down; that attempt does not count. Raises LeaseLost."""
+    change: dict[str, Any] = {"state": "queued", "worker": None, "lease_until": None, "progress": 0.0}
+    change |= {"attempts": job.attempts - 1, "message": "Waits for the next worker."}
+    return _back(session, job, change, "release")
+
+
+def _back(session: Session, job: Job, change: Mapping[str, Any], action: str) -> Job:
     done = session.execute(update(jobs).where(*_held(job)).values(change).returning(jobs.c.id))
     if done.first() is None:
         raise LeaseLost(f"Job {job.id} moved on meanwhile; nothing to do.")
     after = {"state": "queued", "attempts": job.attempts}
-    audit.record(session, None, "requeue", "job", job.id, job.survey_id, {"state": "running"}, after)
+    audit.record(session, None, action, "job", job.id, job.survey_id, {"state": "running"}, after)
     return get(session, job.id)
 
 

@@ -1,7 +1,7 @@
 """The queue that carries job ids to the workers: huey on SQLite or PostgreSQL.
 
-It only wakes somebody up. The job table owns the truth, so a queue that loses an id costs a second, not a job:
-the sweeper of every worker looks for jobs that wait or whose lease ran out.
+It only wakes somebody up. The job table owns the truth, so a queue that loses an id costs a second, not a
+job: the sweeper of every worker looks for jobs that wait or whose lease ran out.
 """
 
 import time
@@ -76,7 +76,7 @@ def push_after_commit(session: Session, job_id: int) -> None:
 
 
 def _twice(make: Callable[[], Any]) -> Any:
-    """Two processes that make the queue's tables at the same moment trip over each other; the second try works."""
+    """Two processes that make the queue's tables at one moment trip over each other; the second try works."""
     try:
         return make()
     except Exception:
