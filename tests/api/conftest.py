@@ -1,0 +1,242 @@
+"""Ground of the API's tests: the app on a migrated database, people of every role signed in, a tiny recording."""
+
+import base64
+import os
+import shutil
+import uuid
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import httpx
+import numpy as np
+import psycopg
+import pytest
+from fastapi import FastAPI
+from fastapi.testclient import TestClient
+from sqlalchemy import make_url
+
+from backend.app import create_app
+from backend.media.writer import write_mp4
+from backend.settings import Settings
+from backend.storage import database, people
+from backend.storage.records import Job, Role
+from backend.work.services import Services, open_services
+from tests.api.boards import board_clip
+from tests.api.working import run_jobs
+from tests.media.clips import painted
+
+POSTGRES = os.environ.get("SIGHTLINE_TEST_DATABASE_URL", "")
+ROLES: tuple[Role, ...] = ("viewer", "operator", "reviewer", "admin")
+FRAMES, FRAME_WIDTH, FRAME_HEIGHT = 12, 320, 240
+TUS = {"Tus-Resumable": "1.0.0"}
+
+
+def _postgres(statement: str) -> None:
+    url = make_url(POSTGRES).set(drivername="postgresql").render_as_string(hide_password=False)
+    with psycopg.connect(url, autocommit=True) as connection:
+        connection.execute(statement.encode())
+
+
+@pytest.fixture(scope="session")
+def migrated(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    """A migrated, empty database to copy: a file's path, or the name of a PostgreSQL database."""
+    if not POSTGRES:
+        path = tmp_path_factory.mktemp("migrated") / "empty.db"
+        engine = database.make_engine(f"sqlite:///{path}")
+        database.migrate(engine)
+        with engine.connect() as connection:
+            connection.exec_driver_sql("PRAGMA wal_checkpoint(TRUNCATE)")
+        engine.dispose()
+        yield str(path)
+        return
+    name = f"sightline_empty_{uuid.uuid4().hex[:12]}"
+    _postgres(f"CREATE DATABASE {name}")
+    engine = database.make_engine(_address(name))
+    database.migrate(engine)
+    engine.dispose()
+    yield name
+    _postgres(f"DROP DATABASE {name} WITH (FORCE)")
+
+
+def _address(name: str) -> str:
+    return make_url(POSTGRES).set(database=name).render_as_string(hide_password=False)
+
+
+@pytest.fixture
+def settings(tmp_path: Path, migrated: str) -> Iterator[Settings]:
+    """Settings of a data folder and a database of this test alone."""
+    data_dir = tmp_path / "data"
+    data_dir.mkdir()
+    pages = tmp_path / "pages"
+    common = {"data_dir": data_dir, "media_url": str(data_dir / "media"), "frontend_dir": pages}
+    if not POSTGRES:
+        shutil.copy(migrated, data_dir / "sightline.db")
+        yield Settings(**common, database_url=f"sqlite:///{data_dir / 'sightline.db'}")
+        return
+    name = f"sightline_api_{uuid.uuid4().hex[:12]}"
+    _postgres(f"CREATE DATABASE {name} TEMPLATE {migrated}")
+    yield Settings(**common, database_url=_address(name))
+    _postgres(f"DROP DATABASE {name} WITH (FORCE)")
+
+
+@pytest.fixture
+def services(settings: Settings) -> Iterator[Services]:
+    opened = open_services(settings)
+    yield opened
+    opened.close()
+
+
+@pytest.fixture
+def app(services: Services) -> FastAPI:
+    return create_app(services=services)
+
+
+@dataclass
+class Client:
+    """One person's browser: speaks to /api, with the header that changes need."""
+
+    http: TestClient
+
+    def get(self, path: str, **options: Any) -> httpx.Response:
+        return self.http.get(f"/api{path}", **options)
+
+    def post(self, path: str, json: Any = None, **options: Any) -> httpx.Response:
+        return self.http.post(f"/api{path}", json=json, **options)
+
+    def put(self, path: str, json: Any = None, **options: Any) -> httpx.Response:
+        return self.http.put(f"/api{path}", json=json, **options)
+
+    def delete(self, path: str, **options: Any) -> httpx.Response:
+        return self.http.delete(f"/api{path}", **options)
+
+    def made(self, path: str, json: Any = None) -> Any:
+        """The answer of a POST that must succeed."""
+        answer = self.post(path, json)
+        assert answer.status_code in (200, 201, 202), answer.text
+        return answer.json()
+
+    def seen(self, path: str) -> Any:
+        """The answer of a GET that must succeed."""
+        answer = self.get(path)
+        assert answer.status_code == 200, answer.text
+        return answer.json()
+
+
+def error_of(answer: httpx.Response) -> str:
+    """The sentence of an error; fails if the answer is not in the one shape of errors."""
+    body = answer.json()
+    assert set(body["error"]) == {"code", "message"}, body
+    sentence: str = body["error"]["message"]
+    assert sentence[:1].isupper() and sentence.endswith("."), sentence
+    assert "Traceback" not in sentence
+    return sentence
+
+
+@pytest.fixture
+def nobody(app: FastAPI) -> Client:
+    """A browser in which nobody is signed in."""
+    return Client(TestClient(app, headers={"X-Sightline": "1"}, raise_server_exceptions=False))
+
+
+@pytest.fixture
+def clients(app: FastAPI, services: Services) -> dict[str, Client]:
+    """A signed-in browser for each role."""
+    found: dict[str, Client] = {}
+    with services.writing() as session:
+        tokens = {}
+        for role in ROLES:
+            person = people.create(
+                session, name=role.title(), email=f"{role}@example.org", role=role, actor=None
+            )
+            tokens[role] = people.new_link(session, person.id, actor=None)
+    for role, token in tokens.items():
+        client = Client(TestClient(app, headers={"X-Sightline": "1"}, raise_server_exceptions=False))
+        client.made("/session/link", {"token": token})
+        found[role] = client
+    return found
+
+
+@pytest.fixture
+def viewer(clients: dict[str, Client]) -> Client:
+    return clients["viewer"]
+
+
+@pytest.fixture
+def operator(clients: dict[str, Client]) -> Client:
+    return clients["operator"]
+
+
+@pytest.fixture
+def reviewer(clients: dict[str, Client]) -> Client:
+    return clients["reviewer"]
+
+
+@pytest.fixture
+def admin(clients: dict[str, Client]) -> Client:
+    return clients["admin"]
+
+
+@pytest.fixture
+def work(services: Services) -> Callable[[], list[Job]]:
+    """Do all queued jobs, here and now; they are given back as they ended."""
+    return lambda: run_jobs(services)
+
+
+@pytest.fixture
+def survey_id(operator: Client) -> int:
+    return int(operator.made("/surveys", {"name": "Test road"})["id"])
+
+
+def announce(client: Client, survey_id: int, name: str, size: int) -> httpx.Response:
+    """Begin a tus upload."""
+    metadata = "filename " + base64.b64encode(name.encode()).decode()
+    headers = {**TUS, "Upload-Length": str(size), "Upload-Metadata": metadata}
+    return client.http.post(f"/api/surveys/{survey_id}/uploads", headers=headers)
+
+
+def send(client: Client, location: str, offset: int, content: bytes) -> httpx.Response:
+    """Continue a tus upload."""
+    headers = {**TUS, "Upload-Offset": str(offset), "Content-Type": "application/offset+octet-stream"}
+    return client.http.patch(location, content=content, headers=headers)
+
+
+def upload(client: Client, survey_id: int, path: Path, name: str | None = None) -> int:
+    """Upload a file whole; the id of its recording."""
+    content = path.read_bytes()
+    location = announce(client, survey_id, name or path.name, len(content)).headers["Location"]
+    answer = send(client, location, 0, content)
+    assert answer.status_code == 204, answer.text
+    return int(answer.headers["Sightline-Recording"])
+
+
+@pytest.fixture(scope="session")
+def clip(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Twelve small frames that carry their number."""
+    path = tmp_path_factory.mktemp("clip") / "road.mp4"
+    write_mp4(path, (painted(n, FRAME_WIDTH, FRAME_HEIGHT) for n in range(FRAMES)), 25, crf=14, gop=6)
+    return path
+
+
+@pytest.fixture(scope="session")
+def boards(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Twenty frames of a checkerboard in ten poses."""
+    return board_clip(tmp_path_factory.mktemp("boards") / "boards.mp4")
+
+
+@pytest.fixture
+def recording_id(operator: Client, survey_id: int, clip: Path, work: Callable[[], list[Job]]) -> int:
+    """A small recording, ingested."""
+    made = upload(operator, survey_id, clip)
+    assert [job.state for job in work()] == ["done"]
+    return made
+
+
+def number_of(content: bytes) -> int:
+    """The number painted into an encoded frame."""
+    import cv2
+
+    from tests.media.clips import read_number
+
+    return read_number(np.asarray(cv2.imdecode(np.frombuffer(content, np.uint8), cv2.IMREAD_COLOR), np.uint8))
