@@ -114,19 +114,28 @@ def _keep_working_copy(store: MediaStore, recording: Recording, found: Ingested)
 
 
 def _keep_thumbnails(store: MediaStore, recording: Recording, folder: Path, found: Ingested) -> None:
-    """Store all thumbnails as one file: hundreds of small ones would be as many requests to a store."""
+    key = thumbnails_key(recording)
+    store.delete(key)
+    store.put_file(key, pack_thumbnails(folder, found))
+
+
+def pack_thumbnails(folder: Path, found: Ingested) -> Path:
+    """All thumbnails as one file: hundreds of small ones would be hundreds of requests to a distant store."""
     packed = folder.with_suffix(".zip")
     with zipfile.ZipFile(packed, "w", zipfile.ZIP_STORED) as archive:
         for thumb in found.thumbnails:
             archive.write(folder / thumb.name, f"{thumb.n}.jpg")
-    key = thumbnails_key(recording)
-    store.delete(key)
-    store.put_file(key, packed)
+    return packed
 
 
 def thumbnails_key(recording: Recording) -> str:
     """Where the thumbnails of a recording's content are."""
-    return key_of(recording.sha256, ".thumbs.zip")
+    return thumbnails_key_of(recording.sha256)
+
+
+def thumbnails_key_of(sha256: str) -> str:
+    """Where the thumbnails of a video with this content are."""
+    return key_of(sha256, ".thumbs.zip")
 
 
 def thumbnail(services: Services, recording_id: int, n: int) -> bytes:
