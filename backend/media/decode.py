@@ -67,17 +67,21 @@ class VideoFacts:
 
 @dataclass
 class Damage:
-    """What a sequential decode had to skip, and the byte it has come to; filled while it runs."""
+    """What a sequential decode had to skip, and the byte it has come to; filled while it runs.
+
+    `patched`: numbers of the frames that the decoder itself calls damaged and has filled up with guesses.
+    """
 
     packets: int = 0
     reads: int = 0
     other_size: int = 0
+    patched: list[int] = field(default_factory=list)
     position: int | None = None
     kinds: set[str] = field(default_factory=set)
 
     @property
     def any(self) -> bool:
-        return bool(self.packets or self.reads or self.other_size)
+        return bool(self.packets or self.reads or self.other_size or self.patched)
 
 
 def open_container(path: Path, name: str | None = None) -> InputContainer:

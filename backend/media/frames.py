@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import threading
 from collections import OrderedDict
 from collections.abc import Callable
@@ -67,7 +66,7 @@ class FrameServer:
     def still(self, media: RecordingMedia, n: int, wanted: Wanted = always) -> bytes:
         """Frame n as JPEG, quality 95, 4:4:4, upright with square pixels."""
         _check(media, n)
-        key = f"{_identity(media)}/{n // 1000}/{n}-{int(media.crc[n]):08x}.jpg"
+        key = f"{media.identity}/{n // 1000}/{n}-{int(media.crc[n]):08x}.jpg"
         data = self._jpegs.get(key)
         if data is None:
             data = self._disk.get(key)
@@ -105,7 +104,12 @@ class FrameServer:
 
     def is_warm(self, media: RecordingMedia, n: int) -> bool:
         """Whether frame n can be answered without decoding."""
-        return (_identity(media), n, int(media.crc[n])) in self._frames
+        return (media.identity, n, int(media.crc[n])) in self._frames
+
+    @property
+    def memory_bytes(self) -> int:
+        """What the caches in memory hold now."""
+        return self._frames.held_bytes + self._jpegs.held_bytes
 
     def close(self) -> None:
         """Close all decoders; caches stay. The server opens them again when asked."""
@@ -117,7 +121,7 @@ class FrameServer:
 
     def _decoded(self, media: RecordingMedia, n: int, wanted: Wanted) -> Decoded:
         _check(media, n)
-        identity = _identity(media)
+        identity = media.identity
         key = (identity, n, int(media.crc[n]))
         while True:
             found = self._frames.get(key)
@@ -164,10 +168,6 @@ def _shut(desk: _Desk) -> None:
 def _check(media: RecordingMedia, n: int) -> None:
     if not 0 <= n < len(media):
         raise NotFound(f"There is no frame {n}; this recording has frames 0 to {len(media) - 1}.")
-
-
-def _identity(media: RecordingMedia) -> str:
-    return hashlib.sha256(str(media.path.resolve()).encode()).hexdigest()[:24]
 
 
 def _size(frame: av.VideoFrame) -> int:

@@ -13,7 +13,8 @@ from av.container import InputContainer
 from av.video.stream import VideoStream
 from numpy.typing import NDArray
 
-from backend.errors import BadInput, Conflict
+from backend.errors import BadInput
+from backend.media.cancelling import Cancelled, IngestCancelled, check_cancelled
 from backend.media.decode import (
     NO_PTS,
     Damage,
@@ -34,13 +35,7 @@ from backend.media.thumbnails import Thumbnail, ThumbnailWriter
 PROGRESS_EVERY_S = 0.25
 OTHER_SIZE_SHARE = 0.05
 Progress = Callable[[float], None]
-Cancelled = Callable[[], bool]
-
-
-class IngestCancelled(Conflict):
-    """Somebody asked for the ingest to stop; nothing of it is kept."""
-
-    code = "cancelled"
+__all__ = ["FrameTable", "IngestCancelled", "Ingested", "ingest"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,7 +43,9 @@ class FrameTable:
     """Frame n is row n. `pts` in the stream's time base, `time_s` from the first frame, `crc32` of the
     luma.
 
-    Shapes (N,); int64, float64, bool, uint32; not writeable.
+    `pts` is what the file says. Decoders show frames in order, so where the file's time stamps are not in
+    order (AVI writes those of the packets), `time_s` holds the same times, sorted. Shapes (N,), dtypes int64,
+    float64, bool and uint32; not writeable.
     """
 
     pts: NDArray[np.int64]
@@ -153,8 +150,7 @@ class _Watch:
     next_s: float = 0.0
 
     def look(self, position: int | None) -> None:
-        if self.is_cancelled():
-            raise IngestCancelled(f"The ingest of {self.name} was cancelled; nothing of it was kept.")
+        check_cancelled(self.is_cancelled, self.name)
         now = time.monotonic()
         if position is not None and now >= self.next_s:
             self.next_s = now + PROGRESS_EVERY_S
@@ -180,6 +176,8 @@ def _decode_all(
         if not same_size(frame, layout):
             damage.other_size += 1
             continue
+        if frame.is_corrupt:
+            damage.patched.append(len(rows.pts))
         rows.pts.append(frame_pts(frame))
         rows.key.append(bool(frame.key_frame))
         rows.crc.append(luma_crc(frame))
@@ -194,6 +192,6 @@ def _decode_all(
 def _table(rows: _Rows, tick_s: float) -> FrameTable:
     pts = np.array(rows.pts, np.int64)
     stamped = pts != NO_PTS
-    first = int(pts[stamped][0]) if stamped.any() else 0
-    time_s = np.where(stamped, (pts - first) * tick_s, 0.0)
+    ordered = np.sort(pts) if stamped.all() else np.arange(len(pts))
+    time_s = (ordered - ordered[0]) * tick_s
     return FrameTable(pts, time_s, np.array(rows.key, np.bool_), np.array(rows.crc, np.uint32))

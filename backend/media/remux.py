@@ -20,6 +20,7 @@ from av.container import InputContainer
 from av.video.stream import VideoStream
 
 from backend.errors import BadInput
+from backend.media.cancelling import Cancelled, check_cancelled
 from backend.media.decode import Damage, frame_pts, frames_of_packet, open_container, video_stream
 
 TICKS_HZ = 90_000
@@ -43,7 +44,7 @@ def needs_copy(container_name: str) -> bool:
 
 
 def make_copy(
-    path: Path, folder: Path, name: str, is_cancelled: Callable[[], bool], *, keep_times: bool
+    path: Path, folder: Path, name: str, is_cancelled: Cancelled, *, keep_times: bool
 ) -> WorkingCopy:
     """Write the working copy of `path` into `folder`; whole or not at all.
 
@@ -71,9 +72,7 @@ def make_copy(
         ) from error
 
 
-def _try_with_times(
-    path: Path, folder: Path, name: str, is_cancelled: Callable[[], bool]
-) -> WorkingCopy | None:
+def _try_with_times(path: Path, folder: Path, name: str, is_cancelled: Cancelled) -> WorkingCopy | None:
     last_dts: int | None = None
 
     def check(_: int, packet: _VideoPacket) -> bool:
@@ -94,7 +93,7 @@ def _write(
     folder: Path,
     name: str,
     prepare: Callable[[int, _VideoPacket], bool],
-    is_cancelled: Callable[[], bool],
+    is_cancelled: Cancelled,
 ) -> Path:
     """Copy packets; ValueError if `prepare` says no to one."""
     with closing(open_container(path, name)) as source:
@@ -108,8 +107,9 @@ def _write(
                 out = container.add_stream_from_template(stream)
                 out.time_base = Fraction(1, TICKS_HZ)
                 for i, packet in enumerate(_packets(source, stream)):
-                    if not prepare(i, packet) or is_cancelled():
-                        raise ValueError("time stamps are not in order, or no longer wanted")
+                    check_cancelled(is_cancelled, name)
+                    if not prepare(i, packet):
+                        raise ValueError("time stamps are not in order")
                     packet.stream = out
                     container.mux(packet)
             os.replace(part, target)
@@ -127,9 +127,7 @@ def _packets(source: InputContainer, stream: VideoStream) -> Iterator[_VideoPack
                 yield packet
 
 
-def _display_order(
-    path: Path, name: str, is_cancelled: Callable[[], bool]
-) -> tuple[list[int | None], Fraction]:
+def _display_order(path: Path, name: str, is_cancelled: Cancelled) -> tuple[list[int | None], Fraction]:
     """For each packet the place of its frame in the decoder's order (None: no frame), and the rate in Hz.
 
     Each packet carries its own number through the decoder as its time stamp; the decoder hands it on
@@ -149,8 +147,7 @@ def _display_order(
                 if 0 <= index < len(order):
                     order[index] = shown
                     shown += 1
-            if is_cancelled():
-                break
+            check_cancelled(is_cancelled, name)
     return order, rate
 
 

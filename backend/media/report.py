@@ -11,6 +11,7 @@ from backend.media.decode import Damage, VideoFacts
 from backend.media.remux import WorkingCopy
 
 RATE_TOLERANCE = 0.02
+ROUNDING = 1.001
 JITTER = 0.05
 
 
@@ -57,14 +58,14 @@ def report_of(
 def _varies(pts: NDArray[np.int64]) -> bool:
     """Whether time stamps leave the line through the first and the last by more than rounding.
 
-    Containers round to their tick, so a constant rate stays within 1.5 ticks of that line; five per cent
+    Containers round to their tick, so a constant rate stays within one tick of that line; five per cent
     of a frame more is granted to recorders with fine ticks and a slightly trembling clock.
     """
     if len(pts) < 3:
         return False
     line = np.linspace(float(pts[0]), float(pts[-1]), len(pts))
     step = float(pts[-1] - pts[0]) / (len(pts) - 1)
-    return bool(np.max(np.abs(pts - line)) > max(1.5, JITTER * step))
+    return bool(np.max(np.abs(pts - line)) > max(ROUNDING, JITTER * step))
 
 
 def _rate_hz(time_s: NDArray[np.float64]) -> float | None:
@@ -115,7 +116,10 @@ def _order_notes(duplicates: int, unordered: int) -> list[str]:
     if duplicates:
         notes.append(f"{duplicates} {_frames(duplicates)} the same picture as the one before.")
     if unordered:
-        notes.append(f"{unordered} {_frames(unordered)} a time stamp not later than the one before.")
+        notes.append(
+            f"{unordered} {_frames(unordered)} a time stamp not later than the one before; "
+            "the times were sorted."
+        )
     return notes
 
 
@@ -131,6 +135,12 @@ def _damage_notes(facts: VideoFacts, count: int, damage: Damage) -> list[str]:
     if damage.packets:
         packets = "packet is" if damage.packets == 1 else "packets are"
         notes.append(f"{damage.packets} {packets} damaged and were skipped; frames are missing there.")
+    if damage.patched:
+        pictures = "picture is" if len(damage.patched) == 1 else "pictures are"
+        notes.append(
+            f"{len(damage.patched)} {pictures} damaged and filled up by the decoder, the first at frame "
+            f"{damage.patched[0]}; do not measure there."
+        )
     if damage.other_size:
         notes.append(f"{damage.other_size} frames of another picture size were left out.")
     if claimed is not None and claimed != count:

@@ -7,8 +7,10 @@ not match (the leading frames of an open group, say) is never taken for a frame 
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 import av
@@ -37,6 +39,14 @@ class RecordingMedia:
 
     def __len__(self) -> int:
         return len(self.pts)
+
+    @cached_property
+    def identity(self) -> str:
+        """Names file and table together: another table of the same file shares no cache with this one."""
+        digest = hashlib.sha256(str(self.path.resolve()).encode())
+        for array in (self.pts, self.crc):
+            digest.update(np.ascontiguousarray(array).data)
+        return digest.hexdigest()[:24]
 
 
 class Seeker:

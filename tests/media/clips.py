@@ -1,0 +1,163 @@
+"""Synthetic clips whose every frame carries its number in black and white bars, as recorders write them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from contextlib import closing
+from dataclasses import dataclass
+from fractions import Fraction
+from pathlib import Path
+
+import av
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+BITS = 12
+TICKS = Fraction(1, 90_000)
+
+
+def painted(n: int, width: int = 320, height: int = 240) -> NDArray[np.uint8]:
+    """A moving, textured picture with the number n in two rows of bars (the second one inverted)."""
+    y, x = np.mgrid[0:height, 0:width]
+    gray = 110 + 40 * np.sin((x + 3 * n) / 17.0) + 30 * np.cos((y - 2 * n) / 23.0)
+    image = np.repeat(gray.astype(np.uint8)[:, :, None], 3, axis=2)
+    image[..., 2] = np.clip(image[..., 2].astype(int) + (n * 7) % 40, 0, 255).astype(np.uint8)
+    cell, bar = width // BITS, height // 8
+    for bit in range(BITS):
+        value = 235 if n >> bit & 1 else 20
+        image[0:bar, bit * cell : (bit + 1) * cell] = value
+        image[bar : 2 * bar, bit * cell : (bit + 1) * cell] = 255 - value
+    return image
+
+
+def read_number(image: NDArray[np.uint8]) -> int:
+    """The number painted into an upright BGR or luminance picture; fails if the bars contradict."""
+    gray = image if image.ndim == 2 else cv2.cvtColor(image, cv2.COLOR_BGR2GRAY)
+    height, width = gray.shape
+    cell, bar = width / BITS, height / 8
+    n = 0
+    for bit in range(BITS):
+        x = slice(int((bit + 0.3) * cell), int((bit + 0.7) * cell))
+        first = float(gray[int(0.3 * bar) : int(0.7 * bar), x].mean())
+        second = float(gray[int(1.3 * bar) : int(1.7 * bar), x].mean())
+        assert abs(first - second) > 80, f"bars cannot be read: {first:.0f} against {second:.0f} in bit {bit}"
+        n |= (first > second) << bit
+    return n
+
+
+@dataclass(frozen=True)
+class Spec:
+    """How to write a clip; `pts_of` gives the time stamp of frame n in 1/90000 s."""
+
+    name: str
+    codec: str = "libx264"
+    pix_fmt: str = "yuv420p"
+    options: tuple[tuple[str, str], ...] = (("preset", "veryfast"),)
+    gop: int = 24
+    b_frames: int = 0
+    rate: Fraction = Fraction(25)
+    pts_of: Callable[[int], int] | None = None
+    container: str | None = None
+    aspect: Fraction | None = None
+    rotation: int = 0
+    size: tuple[int, int] = (320, 240)
+    count: int = 80
+    muxer: tuple[tuple[str, str], ...] = ()
+
+
+def write(path: Path, spec: Spec, count: int | None = None) -> Path:
+    """Encode `count` painted frames (by default as many as the spec says)."""
+    with closing(av.open(str(path), "w", format=spec.container, options=dict(spec.muxer))) as out:
+        stream = out.add_stream(spec.codec, rate=spec.rate)
+        stream.width, stream.height = spec.size
+        stream.pix_fmt = spec.pix_fmt
+        stream.gop_size = spec.gop
+        stream.max_b_frames = spec.b_frames
+        stream.options = dict(spec.options)
+        if spec.aspect:
+            stream.codec_context.sample_aspect_ratio = spec.aspect
+        if spec.rotation:
+            stream.set_display_rotation(spec.rotation)
+        if spec.pts_of:
+            stream.codec_context.time_base = TICKS
+            stream.time_base = TICKS
+        for n in range(spec.count if count is None else count):
+            frame = av.VideoFrame.from_ndarray(painted(n, *spec.size), format="bgr24")
+            frame.pts = spec.pts_of(n) if spec.pts_of else n
+            frame.time_base = TICKS if spec.pts_of else 1 / spec.rate
+            out.mux(stream.encode(frame))
+        out.mux(stream.encode(None))
+    return path
+
+
+def uneven(n: int) -> int:
+    """Time stamps of a telephone: 20 to 60 ms apart, in order."""
+    return sum(1800 + (k * 7919) % 3600 for k in range(n))
+
+
+def cut_copy(source: Path, target: Path, from_s: float) -> Path:
+    """The file from `from_s` on without encoding: the muxer hides the frames before it with an edit list."""
+    with closing(av.open(str(source))) as read, closing(av.open(str(target), "w")) as out:
+        stream = read.streams.video[0]
+        copy = out.add_stream_from_template(stream)
+        shift = round(from_s / stream.time_base)
+        read.seek(shift, stream=stream)
+        for packet in read.demux(stream):
+            if packet.dts is None:
+                continue
+            packet.pts -= shift
+            packet.dts -= shift
+            packet.stream = copy
+            out.mux(packet)
+    return target
+
+
+X264_B = (("preset", "veryfast"), ("x264-params", "keyint=24:min-keyint=24:scenecut=0:bframes=3:b-adapt=0"))
+X264_OPEN = (
+    ("preset", "veryfast"),
+    ("x264-params", "keyint=24:min-keyint=24:scenecut=0:bframes=3:b-adapt=0:open-gop=1"),
+)
+SPECS = (
+    Spec("cfr.mp4"),
+    Spec("bframes.mp4", options=X264_B, b_frames=3),
+    Spec("vfr.mp4", pts_of=uneven, options=X264_B, b_frames=3),
+    Spec("vfr.mkv", pts_of=uneven, options=X264_B, b_frames=3),
+    Spec("one_key.mp4", gop=250),
+    Spec("every_key.mp4", gop=1),
+    Spec("ntsc.mov", rate=Fraction(30_000, 1001), options=X264_B, b_frames=3),
+    Spec("open_gop.mp4", options=X264_OPEN, b_frames=3),
+    Spec("open_gop.mkv", options=X264_OPEN, b_frames=3),
+    Spec("open_gop.ts", options=X264_OPEN, b_frames=3),
+    Spec("bframes.ts", options=X264_B, b_frames=3),
+    Spec("bframes.h264", options=X264_B, b_frames=3, container="h264"),
+    Spec("plain.h264", container="h264"),
+    Spec("mjpeg.avi", codec="mjpeg", pix_fmt="yuvj420p", options=()),
+    Spec("mpeg4.avi", codec="mpeg4", options=(("qscale", "3"),)),
+    Spec("mpeg4_b.avi", codec="mpeg4", options=(), b_frames=2),
+    Spec("mpeg4_b.mp4", codec="mpeg4", options=(), b_frames=2),
+    Spec("h264_b.avi", options=X264_B, b_frames=3),
+    Spec("hevc.mp4", codec="libx265", options=(("preset", "ultrafast"), ("x265-params", "log-level=none"))),
+    Spec(
+        "hevc.mkv",
+        codec="libx265",
+        options=(("preset", "ultrafast"), ("x265-params", "log-level=none")),
+        b_frames=3,
+    ),
+    Spec(
+        "hevc.ts",
+        codec="libx265",
+        options=(("preset", "ultrafast"), ("x265-params", "log-level=none:keyint=20")),
+    ),
+    Spec("ten_bit.mkv", pix_fmt="yuv420p10le", options=X264_B, b_frames=3),
+    Spec("full_range.mp4", pix_fmt="yuvj420p"),
+    Spec("cinepak.avi", codec="cinepak", pix_fmt="rgb24", options=(), size=(192, 144), count=32),
+    Spec("lossless.mkv", codec="ffv1", pix_fmt="yuv420p", options=()),
+    Spec("mpeg2.mpg", codec="mpeg2video", options=(), b_frames=2, container="mpeg"),
+    Spec("wide_pixels.mp4", aspect=Fraction(4, 3)),
+    Spec("tall_pixels.mkv", aspect=Fraction(8, 9), size=(360, 288)),
+    Spec("turned90.mp4", rotation=90),
+    Spec("turned180.mov", rotation=180),
+    Spec("turned270.mp4", rotation=-90, aspect=Fraction(4, 3)),
+    Spec("fragmented.mp4", muxer=(("movflags", "frag_keyframe+empty_moov"),), options=X264_B, b_frames=3),
+)

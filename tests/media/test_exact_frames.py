@@ -1,0 +1,127 @@
+"""Every frame carries its number in the picture: zero wrong frames, whatever wrote the file."""
+
+from __future__ import annotations
+
+import random
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from backend.errors import Damaged
+from backend.media.decode import frames_of
+from backend.media.frames import FrameServer
+from tests.media.clips import SPECS, Spec, cut_copy, read_number, write
+from tests.media.conftest import Clip, Ingest, media_of
+
+BACK = {0: None, 90: cv2.ROTATE_90_CLOCKWISE, 180: cv2.ROTATE_180, -90: cv2.ROTATE_90_COUNTERCLOCKWISE}
+
+
+def access_orders(count: int) -> dict[str, list[int]]:
+    """Random jumps, every frame forward, every frame backward, and steps to and fro across a key frame."""
+    mixed = list(range(count))
+    random.Random(7).shuffle(mixed)
+    return {
+        "random": mixed[:40],
+        "forward": list(range(count)),
+        "backward": list(range(count - 1, -1, -1)),
+        "to and fro": [n for k in range(20, 28) for n in (k, k + 2, k - 1)],
+    }
+
+
+def number_in(image: NDArray[np.uint8], spec: Spec) -> int:
+    code = BACK[spec.rotation]
+    return read_number(image if code is None else cv2.rotate(image, code))
+
+
+@pytest.mark.parametrize("spec", SPECS, ids=lambda s: s.name)
+def test_no_frame_is_wrong(spec: Spec, clip: Clip, tmp_path: Path, take_in: Ingest) -> None:
+    result = take_in(clip(spec))
+    media = media_of(result)
+    assert len(media) == spec.count
+    for order, numbers in access_orders(spec.count).items():
+        # a cache of four frames: nearly every request has to seek and decode
+        server = FrameServer(tmp_path / order, 4 * 200_000, 1_000_000)
+        wrong = [n for n in numbers if number_in(server.bgr(media, n), spec) != n]
+        assert wrong == [], order
+    assert np.all(np.diff(result.frames.time_s) > 0)
+
+
+@pytest.mark.parametrize("spec", SPECS, ids=lambda s: s.name)
+def test_clips_are_read_in_the_same_order(spec: Spec, clip: Clip) -> None:
+    read = [(n, number_in(gray, spec)) for n, _, gray in frames_of(clip(spec))]
+    assert read == [(n, n) for n in range(spec.count)]
+
+
+@pytest.mark.parametrize("source", ["bframes.mp4", "open_gop.mp4", "hevc.mp4"])
+def test_frames_hidden_by_an_edit_list_are_no_frames(
+    source: str, clip: Clip, tmp_path: Path, take_in: Ingest
+) -> None:
+    whole = clip(next(s for s in SPECS if s.name == source))
+    result = take_in(cut_copy(whole, tmp_path / "cut.mp4", 1.5))
+    media = media_of(result)
+    server = FrameServer(tmp_path / "cache", 4 * 200_000, 1_000_000)
+    first = read_number(server.bgr(media, 0))
+    assert first > 24, "the cut hides frames"
+    for numbers in access_orders(len(media)).values():
+        assert [read_number(server.bgr(media, n)) - first for n in numbers if n < len(media)] == [
+            n for n in numbers if n < len(media)
+        ]
+
+
+@pytest.mark.parametrize("rotation", [90, 180, -90])
+def test_rotation_is_the_one_other_players_show(rotation: int, tmp_path: Path, take_in: Ingest) -> None:
+    path = write(tmp_path / "turned.mp4", Spec("turned.mp4", rotation=rotation), 5)
+    result = take_in(path)
+    server = FrameServer(tmp_path / "cache", 8_000_000, 1_000_000)
+    ours = server.bgr(media_of(result), 0)
+    reader = cv2.VideoCapture(str(path))
+    theirs = reader.read()[1]
+    assert ours.shape == theirs.shape == (result.facts.height_px, result.facts.width_px, 3)
+    assert np.abs(ours.astype(int) - theirs.astype(int)).mean() < 3
+
+
+def test_square_pixels_are_told_and_served(tmp_path: Path, take_in: Ingest, server: FrameServer) -> None:
+    spec = next(s for s in SPECS if s.name == "wide_pixels.mp4")
+    result = take_in(write(tmp_path / spec.name, spec, 3))
+    facts = result.facts
+    assert (facts.coded_width_px, facts.coded_height_px) == (320, 240)
+    assert (facts.width_px, facts.height_px) == (427, 240)
+    assert server.gray(media_of(result), 2).shape == (240, 427)
+    assert any("4/3" in note for note in result.report.notes)
+
+
+def test_full_range_is_not_stretched_twice(tmp_path: Path, take_in: Ingest, server: FrameServer) -> None:
+    greys = []
+    for spec in (Spec("limited.mp4"), Spec("full.mp4", pix_fmt="yuvj420p")):
+        result = take_in(write(tmp_path / spec.name, spec, 2))
+        greys.append(server.gray(media_of(result), 1).astype(int))
+    assert np.abs(greys[0] - greys[1]).mean() < 3
+
+
+def test_a_frame_that_is_not_the_one_in_the_table_is_an_error(
+    tmp_path: Path, take_in: Ingest, server: FrameServer
+) -> None:
+    first = take_in(write(tmp_path / "a.mp4", Spec("a.mp4"), 30))
+    media = media_of(first)
+    crc = media.crc.copy()
+    crc[12] ^= 1
+    forged = type(media)(media.path, media.pts, crc, media.key)
+    with pytest.raises(Damaged, match="Frame 12 cannot be shown"):
+        server.still(forged, 12)
+    assert read_number(server.bgr(forged, 13)) == 13
+    with pytest.raises(Damaged):
+        server.still(forged, 12)
+
+
+def test_another_video_under_the_same_table_gives_errors_not_pictures(
+    tmp_path: Path, take_in: Ingest, server: FrameServer
+) -> None:
+    media = media_of(take_in(write(tmp_path / "a.mp4", Spec("a.mp4"), 30)))
+    other = write(tmp_path / "b.mp4", Spec("b.mp4", size=(320, 256)), 30)
+    swapped = type(media)(other, media.pts, media.crc, media.key)
+    for n in (0, 7, 29):
+        with pytest.raises(Damaged):
+            server.still(swapped, n)

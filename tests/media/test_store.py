@@ -1,0 +1,156 @@
+"""The media store, the same promises kept by a folder and by a real S3 protocol server."""
+
+from __future__ import annotations
+
+import errno
+import os
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from moto.server import ThreadedMotoServer
+
+from backend.errors import BadInput, NoRoom, NotFound, SightlineError
+from backend.media import store as store_module
+from backend.media.store import LocalStore, MediaStore, key_of, open_store, sha256_of
+
+DATA = os.urandom(300_000)
+
+
+@pytest.fixture(scope="module")
+def s3_endpoint() -> Iterator[str]:
+    server = ThreadedMotoServer(ip_address="127.0.0.1", port=0, verbose=False)
+    server.start()
+    host, port = server.get_host_and_port()
+    yield f"http://{host}:{port}"
+    server.stop()
+
+
+OpenS3 = Callable[..., MediaStore]
+
+
+@pytest.fixture
+def open_s3(s3_endpoint: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> OpenS3:
+    monkeypatch.setenv("AWS_ACCESS_KEY_ID", "test")
+    monkeypatch.setenv("AWS_SECRET_ACCESS_KEY", "test")
+
+    def run(cache: str = "cache", cache_bytes: int = 10_000_000) -> MediaStore:
+        url = f"s3://{tmp_path.name.replace('_', '-')[:50].lower()}x/media?endpoint={s3_endpoint}"
+        return open_store(url, tmp_path / cache, cache_bytes)
+
+    return run
+
+
+@pytest.fixture(params=["folder", "s3"])
+def store(request: pytest.FixtureRequest, tmp_path: Path) -> MediaStore:
+    if request.param == "folder":
+        return open_store(str(tmp_path / "media"))
+    made: MediaStore = request.getfixturevalue("open_s3")()
+    return made
+
+
+@pytest.fixture
+def video(tmp_path: Path) -> Path:
+    path = tmp_path / "day.mp4"
+    path.write_bytes(DATA)
+    return path
+
+
+def test_what_is_put_is_there_until_deleted(store: MediaStore, video: Path) -> None:
+    key = key_of(sha256_of(video), ".mp4")
+    assert not store.exists(key)
+    store.put_file(key, video)
+    store.put_file(key, video)
+    assert store.exists(key) and video.exists()
+    assert store.local_path(key).read_bytes() == DATA
+    assert sha256_of(store.local_path(key)) in key
+    with store.open(key) as file:
+        assert file.read(1000) == DATA[:1000]
+    store.delete(key)
+    store.delete(key)
+    assert not store.exists(key)
+
+
+def test_moving_takes_the_file_away(store: MediaStore, video: Path) -> None:
+    store.put_file("a/b", video, move=True)
+    assert not video.exists() and store.local_path("a/b").read_bytes() == DATA
+    video.write_bytes(DATA)
+    store.put_file("a/b", video, move=True)
+    assert not video.exists()
+
+
+def test_missing_files_are_told_in_a_sentence(store: MediaStore) -> None:
+    for ask in (store.local_path, store.open):
+        with pytest.raises(NotFound, match="missing from the store"):
+            ask("no/such")
+
+
+@pytest.mark.parametrize("key", ["../outside", "/etc/passwd", "a/../../b", "", "a//b", "a\\..\\b"])
+def test_keys_do_not_lead_out_of_the_folder(key: str, tmp_path: Path, video: Path) -> None:
+    store = LocalStore(tmp_path / "media")
+    for ask in (store.local_path, store.open, store.exists, store.delete):
+        with pytest.raises(NotFound):
+            ask(key)
+    with pytest.raises(NotFound):
+        store.put_file(key, video)
+
+
+def test_a_full_disk_is_seen_before_writing(
+    tmp_path: Path, video: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    store = LocalStore(tmp_path / "media")
+    usage = type("Usage", (), {"free": store_module.RESERVE_BYTES + 1000})
+    monkeypatch.setattr(store_module.shutil, "disk_usage", lambda _: usage)
+    assert store.free_bytes() == 1000
+    with pytest.raises(NoRoom, match="There is no room for this file"):
+        store.put_file("a/b", video)
+    assert not any(p.is_file() for p in (tmp_path / "media").rglob("*"))
+
+
+def test_a_disk_that_fills_up_while_writing_leaves_nothing(
+    tmp_path: Path, video: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_: object) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    store = LocalStore(tmp_path / "media")
+    monkeypatch.setattr(store_module.os, "fsync", full)
+    with pytest.raises(NoRoom, match="disk is full"):
+        store.put_file("a/b", video)
+    assert not any(p.is_file() for p in (tmp_path / "media").rglob("*"))
+
+
+def test_s3_cache_is_bounded_and_refilled(open_s3: OpenS3, tmp_path: Path, video: Path) -> None:
+    store = open_s3(cache_bytes=700_000)
+    for k in range(4):
+        store.put_file(f"a/{k}", video)
+        assert store.local_path(f"a/{k}").read_bytes() == DATA
+    held = [p for p in (tmp_path / "cache").rglob("*") if p.is_file()]
+    assert sum(p.stat().st_size for p in held) <= 700_000
+    assert store.local_path("a/0").read_bytes() == DATA
+
+
+def test_s3_is_shared_by_machines(open_s3: OpenS3, video: Path) -> None:
+    open_s3("one").put_file("a/b", video)
+    assert open_s3("two").local_path("a/b").read_bytes() == DATA
+
+
+def test_s3_that_does_not_answer_is_told_in_a_sentence(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("AWS_ACCESS_KEY_ID", "test")
+    monkeypatch.setenv("AWS_SECRET_ACCESS_KEY", "test")
+    monkeypatch.setenv("AWS_MAX_ATTEMPTS", "1")
+    with pytest.raises(SightlineError, match="did not answer"):
+        open_store("s3://bucket?endpoint=http://127.0.0.1:9", tmp_path)
+
+
+@pytest.mark.parametrize("url", ["", "ftp://x/y", "s3://?x=1", "s3:///prefix"])
+def test_addresses_that_name_no_store(url: str, tmp_path: Path) -> None:
+    with pytest.raises(BadInput):
+        open_store(url, tmp_path)
+
+
+def test_addresses_of_folders(tmp_path: Path, video: Path) -> None:
+    open_store(f"file://{tmp_path}/with%20space").put_file("a", video)
+    assert (tmp_path / "with space" / "a").read_bytes() == DATA
