@@ -115,7 +115,7 @@ def _accepted(gray: Gray, points: Floats, board: Board, name: str) -> Corners:
     """Refine, check and order what a detector returned."""
     grid = points.reshape(board.rows, board.columns, 2)
     grid = refine_subpixel(gray, grid)
-    reason = _flaw(gray, grid)
+    reason = flaw(gray, grid)
     if reason is not None:
         return not_found(board, reason)
     ordered, as_seen = canonical_order(grid, board)
@@ -140,7 +140,7 @@ def refine_subpixel(gray: Gray, grid: Floats) -> Floats:
     return np.where(lost[..., None], grid, out)
 
 
-def _flaw(gray: Gray, grid: Floats) -> str | None:
+def flaw(gray: Gray, grid: Floats) -> str | None:
     """Why a detection is not believed, or None: it must be a smooth grid of alternating squares in the
     picture.
     """

@@ -65,7 +65,6 @@ def pose_to_dict(pose: RoadPose) -> dict[str, Any]:
         "board": board,
         "frames_used": pose.frames_used,
         "rms_px": pose.rms_px,
-        "warnings": list(pose.warnings),
     }
 
 
@@ -218,7 +217,6 @@ def pose_from_dict(data: object, what: str = "pose.json") -> RoadPose:
     rotation = inner.array("rotation", (3, 3))
     if np.abs(rotation @ rotation.T - np.eye(3)).max() > 1e-4 or np.linalg.det(rotation) < 0:
         raise inner.fail("rotation", "a right-handed rotation matrix")
-    warnings = read.data.get("warnings") or []
     return RoadPose(
         camera,
         rotation,
@@ -227,5 +225,4 @@ def pose_from_dict(data: object, what: str = "pose.json") -> RoadPose:
         _board(read.data.get("board"), what),
         read.whole("frames_used", 0, default=0),
         read.optional("rms_px"),
-        tuple(map(str, warnings)) if isinstance(warnings, list) else (),
     )

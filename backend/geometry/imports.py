@@ -163,8 +163,8 @@ def _model_word(word: Any, file_name: str) -> Model | None:
     if text in _FISHEYE_WORDS:
         return "fisheye"
     raise BadInput(
-        f"{file_name}: the distortion model '{word}' is not supported; plumb_bob, rational_polynomial, radtan, "
-        "equidistant and fisheye are."
+        f"{file_name}: the distortion model '{word}' is not supported; plumb_bob, rational_polynomial, "
+        "radtan, equidistant and fisheye are."
     )
 
 
@@ -228,8 +228,8 @@ def _mrcal(data: Mapping[str, Any], file_name: str) -> _Found:
     wanted = {"LENSMODEL_PINHOLE": 0, "LENSMODEL_OPENCV4": 4, "LENSMODEL_OPENCV5": 5, "LENSMODEL_OPENCV8": 8}
     if word not in wanted:
         raise BadInput(
-            f"{file_name}: the lens model {word} is not supported; convert it with mrcal-convert-lensmodel to "
-            "LENSMODEL_OPENCV8."
+            f"{file_name}: the lens model {word} is not supported; convert it with "
+            "mrcal-convert-lensmodel to LENSMODEL_OPENCV8."
         )
     values = _numbers(data.get("intrinsics"), "intrinsics", file_name)
     if len(values) != 4 + wanted[word]:

@@ -1,0 +1,20 @@
+"""Following a board from frame to frame: a sub-pixel search from where it was, instead of a new detection."""
+
+import numpy as np
+
+from backend.geometry.arrays import frozen
+from backend.geometry.corners import Corners, Gray, flaw, not_found, refine_subpixel, spacing_px
+
+
+def track(gray: Gray, last: Corners) -> Corners:
+    """The board of the last frame in this one, where it moved by less than a third of a square; else not
+    found.
+    """
+    grid = refine_subpixel(gray, last.points_px)
+    moved = float(np.linalg.norm(grid - last.points_px, axis=2).max())
+    if moved > 0.3 * spacing_px(last.points_px):
+        return not_found(last.board_as_seen, "The board moved too far between two frames.")
+    reason = flaw(gray, grid)
+    if reason is not None:
+        return not_found(last.board_as_seen, reason)
+    return Corners(True, frozen(grid), last.board_as_seen, None, last.sharpness, "followed")
