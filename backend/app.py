@@ -1,5 +1,7 @@
 """create_app(): routers, one error handler, the guard, and the built front end."""
 
+import asyncio
+import logging
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 
@@ -16,9 +18,12 @@ from backend.errors import NotFound
 from backend.settings import Settings
 from backend.storage import people
 from backend.storage.records import Person
+from backend.work import uploading
 from backend.work.people import Attempts
 from backend.work.secret import signing_secret
 from backend.work.services import Services, open_services
+
+log = logging.getLogger(__name__)
 
 
 def create_app(settings: Settings | None = None, services: Services | None = None) -> FastAPI:
@@ -29,7 +34,10 @@ def create_app(settings: Settings | None = None, services: Services | None = Non
 
     @asynccontextmanager
     async def lifespan(_app: FastAPI) -> AsyncIterator[None]:
+        # Beside the first requests: finishing a large upload takes long, and nobody shall wait for it.
+        recovering = asyncio.create_task(asyncio.to_thread(_recover, services))
         yield
+        await recovering
         if own:
             services.close()
 
@@ -54,6 +62,13 @@ def create_app(settings: Settings | None = None, services: Services | None = Non
     app.add_middleware(GZipMiddleware, minimum_size=1000, compresslevel=5)
     app.add_middleware(Guard)
     return app
+
+
+def _recover(services: Services) -> None:
+    try:
+        uploading.recover(services)
+    except Exception:
+        log.exception("unfinished uploads were not looked through")
 
 
 def _person(services: Services, person_id: int) -> Person | None:

@@ -3,12 +3,17 @@
 from urllib.parse import urlsplit
 
 from starlette.datastructures import Headers, MutableHeaders
+from starlette.exceptions import HTTPException
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from backend.api.failures import answer
 
 SAFE_METHODS = {"GET", "HEAD", "OPTIONS"}
 HEADER = "x-sightline"
+UPLOADED = "application/offset+octet-stream"
+MOST_JSON_BYTES = 2_000_000
+MOST_FORM_BYTES = 72_000_000
+TOO_LARGE = "The request is too large"
 
 # 'unsafe-inline' for styles only: Swagger's pages and Preact's style attributes need it, scripts never do.
 POLICY = "; ".join(
@@ -54,8 +59,31 @@ def foreign(headers: Headers) -> str | None:
     return None
 
 
+def most_bytes(headers: Headers) -> int | None:
+    """How large a body of this kind may be; None where the route counts by itself (uploads)."""
+    kind = headers.get("content-type", "").partition(";")[0].strip().lower()
+    if kind == UPLOADED:
+        return None
+    return MOST_FORM_BYTES if kind == "multipart/form-data" else MOST_JSON_BYTES
+
+
+def counted(receive: Receive, most: int) -> Receive:
+    """The same messages, until more than `most` bytes have come: bodies need not say their length."""
+    taken = 0
+
+    async def receive_counted() -> Message:
+        nonlocal taken
+        message = await receive()
+        taken += len(message.get("body", b""))
+        if taken > most:
+            raise HTTPException(413, TOO_LARGE)
+        return message
+
+    return receive_counted
+
+
 class Guard:
-    """Refuses cross-site writes before anything reads their body; puts security headers on every answer."""
+    """Refuses cross-site writes and huge bodies before anything reads them; adds security headers."""
 
     def __init__(self, app: ASGIApp) -> None:
         self.app = app
@@ -75,8 +103,12 @@ class Guard:
             await send(message)
 
         if scope["method"] not in SAFE_METHODS and scope["path"].startswith("/api"):
-            reason = foreign(Headers(scope=scope))
+            headers = Headers(scope=scope)
+            reason = foreign(headers)
             if reason is not None:
                 await answer(403, "cross_site", reason)(scope, receive, send_with_headers)
                 return
+            most = most_bytes(headers)
+            if most is not None:
+                receive = counted(receive, most)
         await self.app(scope, receive, send_with_headers)

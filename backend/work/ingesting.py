@@ -18,6 +18,7 @@ from backend.storage import recordings
 from backend.storage.records import Facts, FrameTable, Job, Lighting, Recording
 from backend.work import jobs
 from backend.work.jobs import Cancelled, Finish, JobContext
+from backend.work.runner import STOPPED as CANCELLED
 from backend.work.services import Services, services_of
 
 KIND = "ingest"
@@ -50,7 +51,7 @@ def mark_failed(session: Session, job: Job, error: str) -> None:
     if job.recording_id is None:
         return
     try:
-        sentence = STOPPED if job.cancel_requested else error
+        sentence = STOPPED if error == CANCELLED else error
         recordings.ingest_failed(session, job.recording_id, sentence, actor=job.created_by)
     except NotFound:
         return  # deleted meanwhile

@@ -11,7 +11,7 @@ from backend.media.writer import write_mp4
 WIDTH, HEIGHT, FOCAL_PX = 640, 480, 600.0
 COLUMNS, ROWS, SQUARE_M = 9, 6, 0.025
 _CELL = 40
-# Turns of the board about x, y and z (rad) and its place (m): tilted in every direction, near and far, all over.
+# Turns of the board about x, y and z (rad) and its place (m): tilted every way, near and far, all over.
 POSES = tuple(
     ((rx, ry, rz), (x, y, z))
     for rx, ry, rz, x, y, z in (

@@ -1,9 +1,6 @@
-"""Ground of the API's tests: the app on a migrated database, people of every role signed in, a tiny recording."""
+"""Ground of the API's tests: the app, people of every role signed in, a tiny recording."""
 
 import base64
-import os
-import shutil
-import uuid
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,74 +8,38 @@ from typing import Any
 
 import httpx
 import numpy as np
-import psycopg
 import pytest
 from fastapi import FastAPI
 from fastapi.testclient import TestClient
-from sqlalchemy import make_url
+from pydantic import SecretStr
 
 from backend.app import create_app
 from backend.media.writer import write_mp4
 from backend.settings import Settings
-from backend.storage import database, people
+from backend.storage import people
 from backend.storage.records import Job, Role
 from backend.work.services import Services, open_services
 from tests.api.boards import board_clip
 from tests.api.working import run_jobs
 from tests.media.clips import painted
 
-POSTGRES = os.environ.get("SIGHTLINE_TEST_DATABASE_URL", "")
 ROLES: tuple[Role, ...] = ("viewer", "operator", "reviewer", "admin")
 FRAMES, FRAME_WIDTH, FRAME_HEIGHT = 12, 320, 240
 TUS = {"Tus-Resumable": "1.0.0"}
 
 
-def _postgres(statement: str) -> None:
-    url = make_url(POSTGRES).set(drivername="postgresql").render_as_string(hide_password=False)
-    with psycopg.connect(url, autocommit=True) as connection:
-        connection.execute(statement.encode())
-
-
-@pytest.fixture(scope="session")
-def migrated(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    """A migrated, empty database to copy: a file's path, or the name of a PostgreSQL database."""
-    if not POSTGRES:
-        path = tmp_path_factory.mktemp("migrated") / "empty.db"
-        engine = database.make_engine(f"sqlite:///{path}")
-        database.migrate(engine)
-        with engine.connect() as connection:
-            connection.exec_driver_sql("PRAGMA wal_checkpoint(TRUNCATE)")
-        engine.dispose()
-        yield str(path)
-        return
-    name = f"sightline_empty_{uuid.uuid4().hex[:12]}"
-    _postgres(f"CREATE DATABASE {name}")
-    engine = database.make_engine(_address(name))
-    database.migrate(engine)
-    engine.dispose()
-    yield name
-    _postgres(f"DROP DATABASE {name} WITH (FORCE)")
-
-
-def _address(name: str) -> str:
-    return make_url(POSTGRES).set(database=name).render_as_string(hide_password=False)
-
-
 @pytest.fixture
-def settings(tmp_path: Path, migrated: str) -> Iterator[Settings]:
+def settings(tmp_path: Path, database_url: str) -> Settings:
     """Settings of a data folder and a database of this test alone."""
     data_dir = tmp_path / "data"
     data_dir.mkdir()
-    pages = tmp_path / "pages"
-    common = {"data_dir": data_dir, "media_url": str(data_dir / "media"), "frontend_dir": pages}
-    if not POSTGRES:
-        shutil.copy(migrated, data_dir / "sightline.db")
-        yield Settings(**common, database_url=f"sqlite:///{data_dir / 'sightline.db'}")
-        return
-    name = f"sightline_api_{uuid.uuid4().hex[:12]}"
-    _postgres(f"CREATE DATABASE {name} TEMPLATE {migrated}")
-    yield Settings(**common, database_url=_address(name))
-    _postgres(f"DROP DATABASE {name} WITH (FORCE)")
+    return Settings(
+        data_dir=data_dir,
+        database_url=database_url,
+        media_url=str(data_dir / "media"),
+        frontend_dir=tmp_path / "pages",
+        secret=SecretStr("a secret for tests only"),
+    )
 
 
 @pytest.fixture
