@@ -49,11 +49,11 @@ def ground_colour(camera: DemoCamera, seed: int, low: bool, a: Floats, b: Floats
     cloud = noise_tile(seed + 1, ((18.0, 0.6), (60.0, 0.8)), size)
     fade = np.clip(1.6 / (1 + soft * 28), 0, 1)
     rough, patch = _sample(grain, x, y, TILE_PPM) * fade, _sample(cloud, x, y, TILE_PPM)
-    tone = 112 + 8.5 * rough + 4.2 * patch
+    tone = 127 + 8.5 * rough + 5.0 * patch
     tone -= 7 * np.exp(-(((y - 0.28) / 0.28) ** 2)) + 7 * np.exp(-(((y - 1.72) / 0.28) ** 2))
     tone -= 6 * np.exp(-(((y - 2.75) / 0.28) ** 2)) + 6 * np.exp(-(((y - 4.2) / 0.28) ** 2))
     tone -= 5 * np.exp(-(((y - 1.0) / 0.22) ** 2)) * (1 + 0.5 * patch)
-    colour = tone[..., None] * np.array([1.0, 1.0, 1.005], np.float32)
+    colour = tone[..., None] * np.array([0.985, 1.0, 1.012], np.float32)
     colour = _cracks(colour, x, y, soft, seed)
     colour = _markings(colour, x, y, soft, rough, patch)
     colour = _verges(colour, x, y, soft, seed, rough, patch)
@@ -110,9 +110,9 @@ def lamp_pool(camera: DemoCamera, a: Floats, b: Floats) -> Floats:
     x, y = camera.centre_m[0] + away * a, camera.centre_m[1] + away
     near = np.exp(-(((x - 1.6) / 3.4) ** 2) - ((y - 1.4) / 3.0) ** 2)
     second = np.exp(-(((x - 15.0) / 4.0) ** 2) - ((y - 4.0) / 3.5) ** 2)
-    gain = 0.16 + 0.50 * near + 0.30 * second
+    gain = 0.16 + 0.58 * near + 0.36 * second
     warm = np.array([0.72, 0.90, 1.06], np.float32)
-    cold = np.array([0.205, 0.165, 0.140], np.float32)
+    cold = np.array([0.235, 0.190, 0.162], np.float32)
     out: Array = cold + (gain - 0.16)[..., None] * warm
     return out.astype(np.float32)
 

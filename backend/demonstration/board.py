@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 
 from backend.demonstration.backdrop import backdrop, noise_tile
-from backend.demonstration.camera import Array, DemoCamera, Floats, Image
+from backend.demonstration.camera import Array, DemoCamera, Floats, Image, finer, pixel_grid
 from backend.demonstration.scene import RoadBoard, Scene
 from backend.demonstration.sensor import sensor
 
@@ -164,10 +164,8 @@ def lab_image(index: int, camera: DemoCamera | None = None) -> Image:
     """Lab picture `index` (0..LAB_COUNT-1): a 9x6 board of 30 mm on a clip board, (480, 640, 3) uint8 BGR."""
     camera = camera or DemoCamera()
     rotation, t = lab_poses()[index]
-    s = 4
-    u = (np.arange(camera.width_px * s) + 0.5) / s - 0.5
-    v = (np.arange(camera.height_px * s) + 0.5) / s - 0.5
-    rays = _lab_rays(camera, s) if (u.size, v.size) else None
+    s = 3
+    rays = _lab_rays(camera, s)
     inverse = rotation.T
     origin = -inverse @ t
     along = rays @ inverse.T.astype(np.float32)
@@ -175,7 +173,7 @@ def lab_image(index: int, camera: DemoCamera | None = None) -> Image:
     x = (np.float32(origin[0]) + reach * along[..., 0]) / np.float32(LAB_SQUARE_M)
     y = (np.float32(origin[1]) + reach * along[..., 1]) / np.float32(LAB_SQUARE_M)
     wall = _lab_wall(5, camera)
-    picture = np.asarray(cv2.resize(wall, (u.size, v.size), interpolation=cv2.INTER_LINEAR), np.float32)
+    picture = np.asarray(cv2.resize(wall, (camera.width_px * s, camera.height_px * s), interpolation=cv2.INTER_LINEAR), np.float32)
     light = (
         np.float32(1.02)
         - np.float32(0.22) * np.float32(abs(rotation[0, 2]))
@@ -195,9 +193,5 @@ def lab_image(index: int, camera: DemoCamera | None = None) -> Image:
 
 @lru_cache(maxsize=1)
 def _lab_rays(camera: DemoCamera, s: int) -> Floats:
-    u = (np.arange(camera.width_px * s) + 0.5) / s - 0.5
-    v = (np.arange(camera.height_px * s) + 0.5) / s - 0.5
-    coarse = camera.undistort(np.stack(np.meshgrid(u[::4], v[::4]), -1))
-    del coarse
-    flat = camera.undistort(np.stack(np.meshgrid(u, v), -1)).astype(np.float32)
+    flat = finer(camera.undistort(pixel_grid(camera, 2)), s)
     return np.concatenate([flat, np.ones((*flat.shape[:2], 1), np.float32)], -1)

@@ -15,7 +15,7 @@ from backend.demonstration.sideart import tail_lamp_box
 def _halo(radius: int) -> Floats:
     y, x = np.mgrid[-radius : radius + 1, -radius : radius + 1].astype(np.float32)
     r2 = (x * x + y * y) / radius**2
-    out = np.exp(-r2 * 9) * 0.55 + np.exp(-r2 * 3.2) * 0.25 * np.clip(1 - r2, 0, 1)
+    out = np.exp(-r2 * 9) * 0.42 + np.exp(-r2 * 3.2) * 0.25 * np.clip(1 - r2, 0, 1)
     out.flags.writeable = False
     return out.astype(np.float32)
 

@@ -3,8 +3,9 @@
 import cv2
 import numpy as np
 
+from backend.demonstration.camera import Floats
 from backend.demonstration.light import Light
-from backend.demonstration.paint import Layer, Plate, Stencil, body_outline, glass_area
+from backend.demonstration.paint import Layer, Plate, Stencil, body_outline, pane_area
 from backend.demonstration.shape import Shape
 
 
@@ -40,7 +41,7 @@ def driver_plate(shape: Shape, light: Light, ppm: float) -> Plate:
     eye_l, eye_z = eye_point(shape)
     stencil = Stencil(eye_l - 0.75, eye_l + 0.75, eye_z - 0.85, eye_z + 0.24, ppm)
     layer = Layer(stencil.size)
-    dim = 0.42 if light.low else 1.0
+    dim = 0.62 if light.low else 1.0
     rng = np.random.default_rng(vehicle.seed)
     skin = (
         np.array([(128, 158, 205), (112, 140, 190), (70, 96, 140), (136, 166, 214)][int(rng.integers(4))])
@@ -89,37 +90,31 @@ def eye_point(shape: Shape) -> tuple[float, float]:
     return shape.vehicle.style.eye_at_m * shape.sl, shape.vehicle.eye_height_m
 
 
+def _seat_parts(shape: Shape) -> tuple[list[np.ndarray], list[np.ndarray]]:
+    """Backs and head rests of the empty seats, polygons in the local plane."""
+    eye_l = eye_point(shape)[0]
+    shoulder = shape.vehicle.model.eye_height_m - 0.20
+    rows = (0.40,) if shape.vehicle.style.name in ("van", "lorry") else (0.40, 1.20)
+    back = [(-0.06, 0.3), (-0.06, shoulder), (0.02, shoulder + 0.03), (0.12, 0.62), (0.5, 0.5), (0.5, 0.3)]
+    rest = [(-0.05, shoulder + 0.04), (-0.04, shoulder + 0.15), (0.02, shoulder + 0.15), (0.03, shoulder + 0.04)]
+    shift = [np.array([eye_l - behind, 0.0]) for behind in rows]
+    return [np.array(back) + s for s in shift], [np.array(rest) + s for s in shift]
+
+
+def seats_area(shape: Shape, stencil: Stencil) -> Floats:
+    """Coverage of the empty seats."""
+    backs, rests = _seat_parts(shape)
+    return stencil.area(*backs, *rests)
+
+
 def seats_plate(shape: Shape, light: Light, ppm: float) -> Plate:
     """The empty seats beside and behind the driver, with head rests."""
-    style = shape.vehicle.style
     stencil = Stencil(0.0, shape.length_m, 0.3, shape.vehicle.roof_height_m, ppm)
     layer = Layer(stencil.size)
     dim = 0.34 if light.low else 1.0
-    eye_l, eye_z = eye_point(shape)
-    nominal = shape.vehicle.model.eye_height_m
-    back = [eye_l - 0.36] if style.name in ("van", "lorry") else [eye_l - 0.36, eye_l - 1.16]
-    for l in back:
-        shoulder = nominal - 0.16
-        seat = np.array(
-            [
-                [l - 0.06, 0.3],
-                [l - 0.06, shoulder],
-                [l + 0.02, shoulder + 0.03],
-                [l + 0.12, 0.62],
-                [l + 0.5, 0.5],
-                [l + 0.5, 0.3],
-            ]
-        )
-        layer.lay(stencil.area(seat), np.array([58.0, 56.0, 56.0]) * dim)
-        rest = np.array(
-            [
-                [l - 0.05, shoulder + 0.04],
-                [l - 0.05, shoulder + 0.17],
-                [l + 0.03, shoulder + 0.17],
-                [l + 0.04, shoulder + 0.04],
-            ]
-        )
-        layer.lay(stencil.area(rest), np.array([50.0, 48.0, 48.0]) * dim)
+    backs, rests = _seat_parts(shape)
+    layer.lay(stencil.area(*backs), np.array([58.0, 56.0, 56.0]) * dim)
+    layer.lay(stencil.area(*rests), np.array([50.0, 48.0, 48.0]) * dim)
     return layer.plate(stencil)
 
 
@@ -137,10 +132,7 @@ def far_side_plate(shape: Shape, light: Light, ppm: float) -> Plate:
             (30 * dim, 30 * dim, 30 * dim),
         )
     layer.lay(body, np.array([46.0, 45.0, 44.0]) * dim)
-    glass = glass_area(shape, stencil)
-    for pillar in shape.vehicle.style.pillars:
-        l, _ = shape.at(pillar, 0)
-        glass = glass * (1 - stencil.line(np.array([[l - 0.05, 0.6], [l + 0.05, 2.2]]), 0.10))
+    glass = pane_area(shape, stencil)
     layer.cut(glass * 0.86)
     soft = cv2.GaussianBlur(layer.alpha[..., 0], (0, 0), 1.0)
     layer.colour *= (0.9 + 0.1 * soft)[..., None]

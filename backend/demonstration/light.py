@@ -36,8 +36,8 @@ class Light:
 DAY = Light(
     "daytime",
     (-0.42, -0.55, 0.72),
-    0.62,
-    (0.50, 0.47, 0.45),
+    0.80,
+    (0.50, 0.46, 0.43),
     (225, 185, 140),
     (240, 235, 228),
     (70, 85, 78),
@@ -49,12 +49,12 @@ DAY = Light(
 LOW = Light(
     "low_light",
     (-0.30, -0.62, 0.72),
-    0.30,
-    (0.155, 0.118, 0.098),
-    (72, 42, 26),
-    (110, 78, 62),
-    (22, 18, 15),
-    (30, 34, 40),
+    0.40,
+    (0.190, 0.145, 0.120),
+    (80, 46, 28),
+    (128, 104, 98),
+    (24, 19, 16),
+    (34, 42, 50),
     1 / 400,
     5.0,
     0.85,
@@ -84,7 +84,7 @@ def shade(
     lit = base * (np.array(light.ambient) * dome[..., None] + light.key_gain * diffuse[..., None] * sun)
     cos = np.clip(-np.sum(view * normals, -1), 0, 1)
     bounce = view + 2 * cos[..., None] * normals
-    fresnel = gloss * (floor + (1 - floor) * (1 - cos) ** 5) + gloss * 0.10
+    fresnel = gloss * (floor + (1 - floor) * (1 - cos) ** 5) + gloss * 0.14
     half = key - view
     half /= np.linalg.norm(half, axis=-1, keepdims=True)
     spark = np.clip(np.sum(half * normals, -1), 0, 1) ** 60 * (95 if not light.low else 60) * gloss

@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from backend.demonstration.camera import Array, Floats
+from backend.demonstration.camera import Array, Floats, Image
 from backend.demonstration.light import Light, shade
 from backend.demonstration.shape import Shape
 
@@ -49,6 +49,9 @@ class Stencil:
         scale = self.ppm * FINE
         xy = np.stack([(p[:, 0] - self.left_m) * scale - 0.5, (self.top_m - p[:, 1]) * scale - 0.5], -1)
         return np.round(xy * 16).astype(np.int32)
+
+    def fine_bytes(self) -> Image:
+        return np.zeros((self.size[1] * FINE, self.size[0] * FINE), np.uint8)
 
     def shrink(self, fine: Floats) -> Floats:
         return cv2.resize(fine, self.size, interpolation=cv2.INTER_AREA)  # type: ignore[return-value]
@@ -136,32 +139,34 @@ def body_outline(shape: Shape) -> Array:
 
 
 def glass_area(shape: Shape, stencil: Stencil) -> Floats:
-    """Coverage of the side windows: the greenhouse, less the roof rail, the end pillars and the middle pillars."""
+    """Coverage of the side windows: the greenhouse, less the roof rail and what lies behind the rear pillar."""
     style = shape.vehicle.style
-    fine = stencil.fine()
-    cv2.fillPoly(fine, [stencil.to_fine(body_outline(shape))], 1.0, shift=4)
+    scale = stencil.ppm * FINE
+    inside = stencil.fine_bytes()
+    cv2.fillPoly(inside, [stencil.to_fine(body_outline(shape))], 1, shift=4)
     rail = 0.075 if style.smooth else 0.12
-    size = 2 * round(rail * stencil.ppm * FINE) + 1
-    fine = cv2.erode(fine, cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (size, size)), borderValue=0)
+    depth = cv2.distanceTransform(inside, cv2.DIST_L2, 3)
+    pane = (depth > rail * scale).astype(np.uint8)
     (l0, z0), (l1, z1) = (shape.at(*p) for p in style.glass_rear)
-    back, top = l0 + (0 - z0) * (l1 - l0) / max(z1 - z0, 1e-6), 4.0
     lean = (l1 - l0) / max(z1 - z0, 1e-6)
-    cv2.fillPoly(
-        fine,
-        [stencil.to_fine(np.array([[-1, 0], [back, 0], [back + top * lean, top], [-1, top]]))],
-        0.0,
-        shift=4,
-    )
+    back = l0 - z0 * lean
+    behind = np.array([[-1, 0], [back, 0], [back + 4 * lean, 4], [-1, 4]])
     grid = np.linspace(-0.5, shape.length_m + 0.5, 40)
-    belt = np.stack([grid, shape.belt(grid)], -1)
-    cv2.fillPoly(
-        fine, [stencil.to_fine(np.vstack([belt, [[grid[-1], -1.0], [grid[0], -1.0]]]))], 0.0, shift=4
-    )
-    round_ = 2 * round(0.035 * stencil.ppm * FINE) + 1
-    fine = cv2.morphologyEx(
-        fine, cv2.MORPH_OPEN, cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (round_, round_))
-    )
-    return stencil.shrink(fine.astype(np.float32))
+    below = np.vstack([np.stack([grid, shape.belt(grid)], -1), [[grid[-1], -1.0], [grid[0], -1.0]]])
+    for away in (behind, below):
+        cv2.fillPoly(pane, [stencil.to_fine(away)], 0, shift=4)
+    # blur and cut at the half: corners become round, straight edges stay
+    soft = cv2.GaussianBlur(pane.astype(np.float32), (0, 0), 0.016 * scale)
+    return stencil.shrink((soft > 0.5).astype(np.float32))
+
+
+def pane_area(shape: Shape, stencil: Stencil) -> Floats:
+    """Coverage of the glass one can see through: the windows less the pillars between them."""
+    panes = glass_area(shape, stencil)
+    for pillar in shape.vehicle.style.pillars:
+        l, _ = shape.at(pillar, 0)
+        panes = panes * (1 - stencil.line(np.array([[l - 0.05, 0.6], [l + 0.05, 2.2]]), 0.085))
+    return panes
 
 
 def painted_body(shape: Shape, light: Light, stencil: Stencil, eye_m: float, near_m: float) -> Floats:

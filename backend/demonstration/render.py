@@ -19,7 +19,7 @@ from backend.demonstration.shade_plates import shadow_plate, under_plate
 from backend.demonstration.shape import Shape, shape_of
 from backend.demonstration.sideart import side_plate
 
-TURNS = 24
+TURNS = 12
 
 
 @dataclass(frozen=True, eq=False)

@@ -29,13 +29,13 @@ def shadow_plate(shape: Shape, light: Light) -> Plate:
         cv2.fillPoly(fine, [stencil.to_fine(box)], 1.0, shift=4)
     cast = cv2.GaussianBlur(stencil.shrink(fine), (0, 0), 0.035 * ppm)
     core = stencil.area(
-        np.array([[0.1, 0.10], [length - 0.1, 0.10], [length - 0.1, w - 0.10], [0.1, w - 0.10]])
+        np.array([[0.1, 0.20], [length - 0.1, 0.20], [length - 0.1, w - 0.10], [0.1, w - 0.10]])
     )
-    core = cv2.GaussianBlur(core, (0, 0), 0.11 * ppm)
+    core = cv2.GaussianBlur(core, (0, 0), 0.09 * ppm)
     tread = [
-        np.array([[a - 0.13, 0.0], [a + 0.13, 0.0], [a + 0.13, 0.2], [a - 0.13, 0.2]]) for a in shape.axles
+        np.array([[a - 0.12, 0.03], [a + 0.12, 0.03], [a + 0.13, 0.2], [a - 0.13, 0.2]]) for a in shape.axles
     ]
-    foot = cv2.GaussianBlur(stencil.area(*tread), (0, 0), 0.012 * ppm)
+    foot = cv2.GaussianBlur(stencil.area(*tread), (0, 0), 0.010 * ppm)
     dark = 1 - (1 - reach * 0.62 * cast) * (1 - 0.80 * core) * (1 - 0.85 * foot)
     rgba = np.zeros((*dark.shape, 4), np.float32)
     rgba[..., 3] = dark * 255

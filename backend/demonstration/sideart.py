@@ -5,7 +5,15 @@ import numpy as np
 
 from backend.demonstration.camera import Floats
 from backend.demonstration.light import Light
-from backend.demonstration.paint import Layer, Plate, Stencil, body_outline, glass_area, painted_body
+from backend.demonstration.paint import (
+    Layer,
+    Plate,
+    Stencil,
+    body_outline,
+    glass_area,
+    pane_area,
+    painted_body,
+)
 from backend.demonstration.shape import Shape
 
 RUBBER = {False: (34.0, 33.0, 33.0), True: (17.0, 14.0, 13.0)}
@@ -174,34 +182,31 @@ def _windows(shape: Shape, light: Light, stencil: Stencil, layer: Layer) -> None
     rim = np.clip(cv2.GaussianBlur(glass, (0, 0), 0.012 * stencil.ppm) * 2.6, 0, 1)
     dim = 0.3 if light.low else 1.0
     layer.lay(np.asarray(rim, np.float32) * (layer.alpha[..., 0] > 0.5), (26 * dim, 25 * dim, 25 * dim))
-    panes = glass.copy()
-    for pillar in style.pillars:
-        l, _ = shape.at(pillar, 0)
-        panes *= 1 - stencil.line(np.array([[l - 0.05, 0.6], [l + 0.05, 2.2]]), 0.085)
+    panes = pane_area(shape, stencil)
     along, z = stencil.grid()
     belt = shape.belt(along)
     rise = np.clip((z - belt) / 0.42, 0, 1)
     sky = np.array(light.horizon) * 0.42 + np.array(light.zenith) * 0.58
-    mirror = (0.09 + 0.20 * rise**1.5)[..., None] * sky
-    streak = np.exp(-(((along - 0.35 * z) % 1.45 - 0.7) ** 2) / 0.012)[..., None] * sky * 0.06
+    bank = np.clip(0.5 + 0.5 * np.sin(3.1 * along - 1.4 * z + shape.vehicle.seed % 7), 0, 1)
+    mirror = (0.07 + 0.15 * rise**1.3 + 0.05 * bank * rise)[..., None] * sky
+    streak = np.exp(-((((along - 0.55 * z) % 1.6) - 0.7) ** 2) / 0.02)[..., None] * sky * 0.07
     layer.cut(panes)
-    see = 0.30
+    see = np.clip(0.50 - 0.10 * rise, 0, 1).astype(np.float32)
     m = panes[..., None]
-    layer.colour += m * (mirror + streak + np.array([16.0, 18.0, 14.0]) * dim * see).astype(np.float32)
-    layer.alpha += m * see
+    tint = np.array([20.0, 22.0, 18.0]) * dim
+    layer.colour += m * (mirror + streak + tint * see[..., None]).astype(np.float32)
+    layer.alpha += m * see[..., None]
+    sill = stencil.line(np.stack([stencil.along, shape.belt(stencil.along)], -1), 0.016)
+    trim = np.clip(cv2.GaussianBlur(glass, (0, 0), 0.03 * stencil.ppm) * 4, 0, 1) * sill
+    bright = style.name in ("saloon", "estate") and shape.vehicle.seed % 2 == 0
+    layer.lay(np.asarray(trim, np.float32), np.array([196.0, 198.0, 200.0] if bright else [24.0, 24.0, 24.0]) * dim, 0.85)
 
 
 def _lamps(shape: Shape, light: Light, stencil: Stencil, layer: Layer, body: Floats) -> None:
     lorry = shape.vehicle.style.name == "lorry"
     along, z = stencil.grid()
     lamp = stencil.area(tail_lamp_area(shape)) * (1.0 if lorry else body)
-    l0, l1, z0, z1 = tail_lamp_box(shape)
-    core = np.exp(-(((along - l0 - 0.45 * (l1 - l0)) / 0.07) ** 2) - ((z - (z0 + z1) / 2) / 0.06) ** 2)
-    red = np.array([58.0, 44.0, 214.0]) if not light.low else np.array([70.0, 62.0, 236.0])
-    layer.lay(np.asarray(lamp, np.float32), red + core[..., None] * np.array([95.0, 110.0, 60.0]))
-    if not lorry:
-        band = stencil.area(_rect(-0.05, z1 - 0.42 * (z1 - z0), 0.6 * (l1 - l0), z1 - 0.28 * (z1 - z0)))
-        layer.tint(band * lamp, 0.86)
+    _tail_lamp(shape, light, stencil, layer, np.asarray(lamp, np.float32))
     head = stencil.area(head_lamp_area(shape)) * body
     glow = np.array([238.0, 236.0, 228.0]) if not light.low else np.array([250.0, 252.0, 250.0])
     shell = np.array([170.0, 165.0, 160.0]) if not light.low else np.array([205.0, 215.0, 220.0])
@@ -209,3 +214,22 @@ def _lamps(shape: Shape, light: Light, stencil: Stencil, layer: Layer, body: Flo
     layer.lay(np.asarray(head, np.float32), shell * (1 - tip) + glow * tip)
     side = stencil.disc((shape.length_m - 0.95 * shape.sl, 0.72 * shape.sz), 0.022)
     layer.lay(side * body, (40, 150, 235) if not light.low else (60, 140, 250), 0.9)
+
+
+def _tail_lamp(shape: Shape, light: Light, stencil: Stencil, layer: Layer, lamp: Floats) -> None:
+    """Red lens, lit down to its lower edge; a dark rim above and ahead, a clear band, two bright cores."""
+    along, z = stencil.grid()
+    l0, l1, z0, z1 = tail_lamp_box(shape)
+    u, v = (along - l0) / (l1 - l0), (z - z0) / (z1 - z0)
+    red = np.array([44.0, 32.0, 186.0]) if not light.low else np.array([62.0, 52.0, 226.0])
+    layer.lay(lamp, red)
+    if shape.vehicle.style.name == "lorry":
+        return
+    rim = np.clip((u - 0.80) / 0.08, 0, 1) + np.clip((v - 0.90) / 0.05, 0, 1)
+    layer.lay(lamp * np.clip(rim, 0, 1).astype(np.float32), red * 0.42)
+    clear = np.clip(1 - np.abs(v - 0.72) / 0.10, 0, 1) * np.clip((0.62 - u) / 0.06, 0, 1)
+    shell = np.array([176.0, 176.0, 200.0]) * (0.42 if light.low else 1.0)
+    layer.lay(lamp * np.clip(clear * 2, 0, 1).astype(np.float32), shell)
+    bar = np.clip(1.6 - np.abs(v - 0.28) / 0.15, 0, 1) * np.clip((0.74 - u) / 0.08, 0, 1)
+    hot = np.array([92.0, 92.0, 252.0]) if not light.low else np.array([150.0, 158.0, 255.0])
+    layer.lay(lamp * (0.75 * bar).astype(np.float32), hot)

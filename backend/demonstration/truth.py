@@ -13,8 +13,10 @@ from backend.demonstration.models import catalogue
 from backend.demonstration.scene import Scene, Vehicle
 from backend.demonstration.shape import Shape, shape_of
 from backend.demonstration.sideart import tail_lamp_box
+from backend.demonstration.sight import eye_is_seen
 
 MARGIN_PX = 6.0
+TARGETS = ("roof", "driver_eye", "taillight")
 
 
 @dataclass(frozen=True)
@@ -29,10 +31,20 @@ class Spot:
 
 @dataclass(frozen=True)
 class FramePixels:
-    """True distorted pixels of one frame: name of the spot -> (x, y)."""
+    """True distorted pixels of one frame: name of the spot -> (x, y); `hidden` spots are covered by the car."""
 
     frame: int
     pixels: dict[str, tuple[float, float]]
+    hidden: tuple[str, ...] = ()
+
+    def shows(self, name: str) -> bool:
+        """Whether a spot is in the picture and can be seen."""
+        return name in self.pixels and name not in self.hidden
+
+    @property
+    def contact(self) -> str | None:
+        """The contact point to click: the rear wheel's where it is in the picture."""
+        return next((name for name in ("contact_rear", "contact_front") if name in self.pixels), None)
 
 
 @dataclass(frozen=True)
@@ -44,6 +56,7 @@ class PassTruth:
     first_whole_frame: int | None
     last_whole_frame: int | None
     best_frame: int
+    best_frames: dict[str, int]
     distance_m: float
     frames: tuple[FramePixels, ...]
 
@@ -96,12 +109,14 @@ def place_of(vehicle: Vehicle, frame: int) -> Place:
     return Place(vehicle.rear_m(frame), vehicle.direction, vehicle.side_plane_m)
 
 
+def spot_m(vehicle: Vehicle, spot: Spot, frame: int) -> Array:
+    """Road point (3,) of a spot at a frame."""
+    return place_of(vehicle, frame).road(np.array(spot.along_m), np.array(spot.inset_m), np.array(spot.height_m))
+
+
 def spot_pixel(camera: DemoCamera, vehicle: Vehicle, spot: Spot, frame: int) -> Array:
     """True distorted pixel (2,) of a spot at a frame."""
-    road = place_of(vehicle, frame).road(
-        np.array(spot.along_m), np.array(spot.inset_m), np.array(spot.height_m)
-    )
-    return camera.project(road)
+    return camera.project(spot_m(vehicle, spot, frame))
 
 
 def _inside(camera: DemoCamera, px: Array, margin: float = MARGIN_PX) -> Array:
@@ -121,25 +136,28 @@ def _whole(camera: DemoCamera, vehicle: Vehicle, frame: int) -> bool:
 
 
 def _frame_pixels(camera: DemoCamera, vehicle: Vehicle, frame: int) -> FramePixels | None:
-    pixels = {}
+    pixels, hidden = {}, []
     for spot in spots_of(vehicle):
         px = spot_pixel(camera, vehicle, spot, frame)
-        if _inside(camera, px):
-            pixels[spot.name] = (float(px[0]), float(px[1]))
+        if not _inside(camera, px):
+            continue
+        pixels[spot.name] = (float(px[0]), float(px[1]))
+        if spot.name == "driver_eye" and not eye_is_seen(camera, vehicle, spot_m(vehicle, spot, frame), frame):
+            hidden.append(spot.name)
     contact = any(name.startswith("contact") for name in pixels)
     target = any(not name.startswith("contact") for name in pixels)
-    return FramePixels(frame, pixels) if contact and target else None
+    return FramePixels(frame, pixels, tuple(hidden)) if contact and target else None
 
 
-def _best(camera: DemoCamera, vehicle: Vehicle, frames: list[FramePixels]) -> int:
-    """Most spots in view, then nearest to the picture's middle."""
+def _best(camera: DemoCamera, frames: list[FramePixels], wanted: tuple[str, ...]) -> int | None:
+    """Most of the wanted spots in sight with a contact, then nearest to the picture's middle; None if none is."""
 
     def score(one: FramePixels) -> tuple[int, float]:
-        wanted = ("contact_rear", "roof", "driver_eye", "taillight")
         x = [p[0] for p in one.pixels.values()]
-        return sum(name in one.pixels for name in wanted), -abs(sum(x) / len(x) - camera.width_px / 2)
+        return sum(one.shows(name) for name in wanted), -abs(sum(x) / len(x) - camera.width_px / 2)
 
-    return max(frames, key=score).frame
+    best = max((f for f in frames if f.contact), key=score)
+    return best.frame if score(best)[0] else None
 
 
 def pass_truth(scene: Scene, vehicle: Vehicle) -> PassTruth:
@@ -153,7 +171,8 @@ def pass_truth(scene: Scene, vehicle: Vehicle) -> PassTruth:
         spots_of(vehicle),
         whole[0] if whole else None,
         whole[-1] if whole else None,
-        _best(camera, vehicle, frames),
+        _best(camera, frames, (*TARGETS, "contact_rear")) or frames[0].frame,
+        {name: n for name in TARGETS if (n := _best(camera, frames, (name,))) is not None},
         vehicle.side_plane_m - camera.centre_m[1],
         tuple(frames),
     )
@@ -207,8 +226,10 @@ def _pass_document(one: PassTruth) -> dict[str, object]:
         "first_whole_frame": one.first_whole_frame,
         "last_whole_frame": one.last_whole_frame,
         "best_frame": one.best_frame,
+        "best_frames": one.best_frames,
         "frames": [
-            {"frame": f.frame, "pixels": {k: list(p) for k, p in f.pixels.items()}} for f in one.frames
+            {"frame": f.frame, "pixels": {k: list(p) for k, p in f.pixels.items()}, "hidden": list(f.hidden)}
+            for f in one.frames
         ],
     }
 
