@@ -17,7 +17,7 @@ from alembic.config import Config
 from alembic.runtime.migration import MigrationContext
 from alembic.script import ScriptDirectory
 from sqlalchemy import Engine, create_engine, event, make_url, text
-from sqlalchemy.exc import ArgumentError, OperationalError
+from sqlalchemy.exc import ArgumentError, DatabaseError, OperationalError
 from sqlalchemy.orm import Session, sessionmaker
 
 from backend.errors import BadInput, NoRoom, SightlineError
@@ -188,6 +188,10 @@ def explained() -> Iterator[None]:
         yield
     except OperationalError as error:
         raise explanation(error) from error
+    except DatabaseError as error:
+        if "not a database" in str(error.orig):
+            raise BadInput("This file is not a database of this program; give the right one.") from error
+        raise
 
 
 def explanation(error: OperationalError) -> SightlineError:

@@ -22,9 +22,7 @@ from backend.work.queue import JobQueue
 log = logging.getLogger("sightline.jobs")
 
 STOPPED = "Cancelled."
-GAVE_UP = (
-    "The worker stopped {attempts} times in the middle of this; look at the input or at the server's memory."
-)
+GAVE_UP = "The worker died {attempts} times in the middle of this; look at the input and at the memory."
 BROKE = "An error in the program stopped this ({name}); try again, and report it if it comes back."
 
 

@@ -134,9 +134,8 @@ class ChildWorker:
         self._guard.join(2)
 
     def _start(self) -> "subprocess.Popen[bytes]":
-        return subprocess.Popen(
-            [sys.executable, "-m", __name__], env=self._environment, stdin=subprocess.DEVNULL
-        )
+        command = [sys.executable, "-m", "backend.work.worker", str(os.getpid())]
+        return subprocess.Popen(command, env=self._environment, stdin=subprocess.DEVNULL)
 
     def _watch(self) -> None:
         pause = 0.5

@@ -1,0 +1,160 @@
+"""A small survey, made through the public write functions only."""
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from sqlalchemy.orm import Session
+
+from backend.storage import calibrations, cameras, measurements, people, poses, recordings, surveys, vehicles
+from backend.storage.records import (
+    Calibration,
+    Camera,
+    Facts,
+    FrameTable,
+    Measurement,
+    MeasurementValues,
+    Person,
+    Pose,
+    Recording,
+    Role,
+    Survey,
+    Target,
+    Vehicle,
+)
+
+KEY = "00000000-0000-4000-8000-{:012d}"
+
+
+def frame_table(count: int = 100) -> FrameTable:
+    """Frames 40 ms apart, a key frame every 12, with checksums beyond 31 bits."""
+    n = np.arange(count)
+    crc32 = ((n * 2654435761 + 4_000_000_000) % 2**32).astype(np.uint32)
+    return FrameTable(0, n.astype(np.int64) * 512, n * 0.04, n % 12 == 0, crc32)
+
+
+def facts(**changed: Any) -> Facts:
+    """What an ingest says of a small video."""
+    return replace(Facts(640, 480, 4.0, "h264", "mov,mp4", False, [], {"tool": "test"}, [0, 50]), **changed)
+
+
+def person(session: Session, name: str = "Olga", role: Role = "operator") -> Person:
+    """Somebody with this role."""
+    return people.create(session, name=name, email=f"{name.lower()}@example.org", role=role, actor=None)
+
+
+@dataclass(frozen=True, eq=False)
+class Sample:
+    """One of everything that a measurement needs."""
+
+    olga: Person
+    rene: Person
+    survey: Survey
+    camera: Camera
+    calibration: Calibration
+    recording: Recording
+    pose: Pose
+    vehicle: Vehicle
+
+
+def sample(session: Session) -> Sample:
+    """Two people, a survey with a calibrated camera, a posed recording and one vehicle."""
+    olga, rene = person(session), person(session, "René", "reviewer")
+    survey = surveys.create(session, name="Rouen south", site="lane 1", actor=olga.id)
+    camera = cameras.create(session, survey.id, name="Left", actor=olga.id)
+    calibration = add_calibration(session, camera.id, olga.id)
+    recording = add_recording(session, survey.id, olga.id)
+    pose = add_pose(session, recording.id, calibration.id, olga.id)
+    span = {"first_frame": 10, "last_frame": 40}
+    vehicle = vehicles.create(session, recording.id, {**span, "make": "Peugeot"}, actor=olga.id)  # type: ignore[typeddict-item]
+    recording = recordings.get(session, recording.id)
+    return Sample(olga, rene, survey, camera, calibration, recording, pose, vehicle)
+
+
+def add_calibration(session: Session, camera_id: int, actor: int | None) -> Calibration:
+    """A trusted calibration from images."""
+    return calibrations.add(
+        session,
+        camera_id,
+        source="images",
+        document={"format": "sightline-camera-1", "fx_px": 812.25, "distortion": [-0.1, 1e-9]},
+        trusted=True,
+        warnings=[],
+        coverage=[[0] * 16] * 12,
+        views=[{"file": "a.png", "used": True}],
+        summary="12 views, 0.21 px.",
+        actor=actor,
+    )
+
+
+def add_recording(session: Session, survey_id: int, actor: int | None, count: int = 100) -> Recording:
+    """An ingested recording."""
+    made = recordings.create(
+        session,
+        survey_id,
+        name="day.mp4",
+        media_key="ab/cdef.mp4",
+        sha256="ab" * 32,
+        size_bytes=5 * 2**31,
+        actor=actor,
+    )
+    return recordings.ingested(session, made.id, facts(), frame_table(count), actor=actor)
+
+
+def add_pose(session: Session, recording_id: int, calibration_id: int, actor: int | None) -> Pose:
+    """A road pose of that recording."""
+    return poses.add(
+        session,
+        recording_id,
+        calibration_id=calibration_id,
+        first_frame=0,
+        last_frame=9,
+        rms_px=0.2,
+        distance_m=6.5,
+        summary="Good to 12 mm at 2 m.",
+        document={"format": "sightline-pose-1", "rms_px": 0.2},
+        warnings=[],
+        expected=[{"distance_m": 2, "u_height_m": 0.006}],
+        overlay={"grid": []},
+        actor=actor,
+    )
+
+
+def values(one: Sample, **changed: Any) -> MeasurementValues:
+    """The content of a measurement on frame 20."""
+    found = frame_table()
+    return replace(
+        MeasurementValues(
+            target="roof",
+            frame=20,
+            pts=int(found.pts[20]),
+            time_s=float(found.time_s[20]),
+            frame_crc=int(found.crc32[20]),
+            contact=(301.5, 400.0),
+            point=(310.25, 180.125),
+            sigma_px=1,
+            pose_id=one.pose.id,
+            calibration_id=one.calibration.id,
+            inset_m=0.3,
+            u_inset_m=0.1,
+            height_m=1.6180339887,
+            uncorrected_height_m=1.7,
+            u_height_m=0.0066,
+            U95_height_m=0.013,
+            distance_m=7.25,
+            status="ok",
+            reason=None,
+            flags=[],
+            budget=[{"source": "clicks", "u_m": 0.004}],
+            code_version="0.1.0",
+        ),
+        **changed,
+    )
+
+
+def measure(session: Session, one: Sample, target: Target = "roof", key: int = 1) -> Measurement:
+    """A measurement of the sample's vehicle, by Olga."""
+    content = values(one, target=target)
+    return measurements.add(
+        session, one.vehicle.id, client_key=KEY.format(key), values=content, actor=one.olga.id
+    )

@@ -1,0 +1,72 @@
+"""The migrations make exactly the tables that the code knows, on an empty database, with one head."""
+
+from typing import Any
+
+import pytest
+from alembic.autogenerate import compare_metadata
+from alembic.migration import MigrationContext
+from alembic.script import ScriptDirectory
+from sqlalchemy import CheckConstraint, Engine, inspect, text
+
+from backend.errors import BadInput
+from backend.storage import database, tables_of_work
+from backend.storage.columns import metadata
+
+
+def ours(_object: Any, name: str | None, kind: str, reflected: bool, _compared: Any) -> bool:
+    return not (kind == "table" and reflected and str(name).startswith("huey_"))
+
+
+def test_the_tables_are_those_of_the_code(engine: Engine) -> None:
+    assert tables_of_work.metadata is metadata
+    with engine.connect() as connection:
+        options = {"compare_type": True, "include_object": ours}
+        context = MigrationContext.configure(connection, opts=options)
+        assert compare_metadata(context, metadata) == []
+
+
+def test_the_checks_are_those_of_the_code(engine: Engine) -> None:
+    found = inspect(engine)
+    for table in metadata.sorted_tables:
+        declared = {str(c.name) for c in table.constraints if isinstance(c, CheckConstraint)}
+        assert {c["name"] for c in found.get_check_constraints(table.name)} == declared, table.name
+
+
+def test_every_constraint_is_named(engine: Engine) -> None:
+    found = inspect(engine)
+    for table in metadata.sorted_tables:
+        keys = found.get_foreign_keys(table.name)
+        named = [*keys, *found.get_unique_constraints(table.name), *found.get_check_constraints(table.name)]
+        assert all(one["name"] for one in named), table.name
+        assert found.get_pk_constraint(table.name)["name"] == f"pk_{table.name}"
+        assert len(keys) == len(table.foreign_key_constraints), table.name
+
+
+def test_there_is_one_head_and_names_say_what_is_done(engine: Engine) -> None:
+    scripts = ScriptDirectory.from_config(database.alembic_config(engine))
+    assert len(scripts.get_heads()) == 1
+    assert all(script.doc and len(script.revision) > 8 for script in scripts.walk_revisions())
+
+
+def test_migrating_again_changes_nothing(engine: Engine) -> None:
+    database.migrate(engine)
+    with engine.connect() as connection:
+        assert connection.execute(text("SELECT count(*) FROM alembic_version")).scalar_one() == 1
+
+
+def test_a_newer_database_is_left_alone(engine: Engine) -> None:
+    with engine.begin() as connection:
+        then = connection.execute(text("SELECT version_num FROM alembic_version")).scalar_one()
+        connection.execute(text("UPDATE alembic_version SET version_num = '9999_future'"))
+    try:
+        with pytest.raises(BadInput, match="newer version"):
+            database.migrate(engine)
+    finally:
+        with engine.begin() as connection:
+            connection.execute(text("UPDATE alembic_version SET version_num = :then"), {"then": then})
+
+
+def test_missing_migrations_are_named(engine: Engine, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("SIGHTLINE_MIGRATIONS", "/nowhere")
+    with pytest.raises(BadInput, match="SIGHTLINE_MIGRATIONS"):
+        database.migrate(engine)

@@ -1,0 +1,179 @@
+"""What is written once stays: the database refuses changes, and verify finds those made behind its back."""
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from sqlalchemy import Engine, text
+from sqlalchemy.exc import DBAPIError
+
+from backend.errors import SightlineError
+from backend.storage import audit, database, exports, people, recordings, reviews, vehicles, verification
+from backend.storage.verification import verify_database
+from tests.storage import samples
+
+WRITTEN_ONCE = ("audit_events", "measurement_series", "measurements", "reviews", "calibrations", "road_poses")
+
+
+@pytest.fixture
+def filled(factory: database.SessionFactory) -> database.SessionFactory:
+    """A database with one of everything."""
+    with database.writing(factory) as session:
+        one = samples.sample(session)
+        made = samples.measure(session, one)
+        reviews.add(session, made.id, seen_revision=1, verdict="accepted", actor=one.rene.id)
+        samples.measure(session, one, "taillight", 2)
+        vehicles.create(session, one.recording.id, {"first_frame": 50, "last_frame": 60}, actor=None)
+    return factory
+
+
+@pytest.mark.parametrize("table", WRITTEN_ONCE)
+@pytest.mark.parametrize("statement", ["UPDATE {} SET id = id", "DELETE FROM {}", "TRUNCATE {} CASCADE"])
+def test_the_database_refuses(filled: database.SessionFactory, table: str, statement: str) -> None:
+    engine = database.engine_of(filled)
+    if statement.startswith("TRUNCATE") and engine.dialect.name == "sqlite":
+        statement = "DELETE FROM {} WHERE 1"  # what SQLite has in its place
+    with pytest.raises(DBAPIError, match="written once"), engine.begin() as connection:
+        connection.execute(text(statement.format(table)))
+    with database.reading(filled) as session:
+        assert audit.verify(session).ok
+
+
+def _tamper(engine: Engine, *statements: str) -> None:
+    """Change rows as somebody with the owner's rights over the database would."""
+    with engine.begin() as connection:
+        if engine.dialect.name == "postgresql":
+            connection.execute(text("SET LOCAL session_replication_role = replica"))
+        else:
+            connection.execute(text("PRAGMA defer_foreign_keys = ON"))
+            triggers = connection.execute(text("SELECT name FROM sqlite_master WHERE type = 'trigger'"))
+            for (name,) in triggers.all():
+                connection.execute(text(f"DROP TRIGGER {name}"))
+        for statement in statements:
+            connection.execute(text(statement))
+
+
+TAMPERED: dict[str, tuple[tuple[str, ...], str]] = {
+    "an event's content": (
+        ('UPDATE audit_events SET after = \'{"name":"other"}\' WHERE id = 3',),
+        "Audit event 3 was changed",
+    ),
+    "an event's actor": (("UPDATE audit_events SET actor_id = 2 WHERE id = 4",), "Audit event 4 was changed"),
+    "an event's time": (("UPDATE audit_events SET at = '2020' WHERE id = 5",), "Audit event 5 was changed"),
+    "an event removed": (("DELETE FROM audit_events WHERE id = 3",), "Audit event 3 is missing"),
+    "the first event removed": (("DELETE FROM audit_events WHERE id = 1",), "Audit event 1 is missing"),
+    "the tail cut off": (("DELETE FROM audit_events WHERE id > 8",), "ends at event 8"),
+    "all events removed": (("DELETE FROM audit_events",), "ends at event 0"),
+    "the anchor removed": (("DELETE FROM audit_anchor",), "not where it ended"),
+    "a height": (("UPDATE measurements SET height_m = 1.5 WHERE id = 1",), "measurement revision 1 is not"),
+    "a click": (
+        ("UPDATE measurements SET point_x_px = point_x_px + 1e-9 WHERE id = 2",),
+        "measurement revision 2 is not",
+    ),
+    "a revision removed": (("DELETE FROM measurements WHERE id = 2",), "measurement revision 2 was removed"),
+    "a revision slipped in": (
+        (
+            "CREATE TABLE aside AS SELECT * FROM measurements WHERE id = 1",
+            "UPDATE aside SET id = 9, revision = 2",
+            "INSERT INTO measurements SELECT * FROM aside",
+            "DROP TABLE aside",
+        ),
+        "measurement revision 9 is not",
+    ),
+    "another vehicle": (
+        ("UPDATE measurement_series SET vehicle_id = 2 WHERE id = 1",),
+        "measurement 1 is not",
+    ),
+    "a verdict": (
+        ("UPDATE reviews SET verdict = 'rejected', reason = 'x' WHERE id = 1",),
+        "review 1 is not",
+    ),
+    "a review removed": (("DELETE FROM reviews WHERE id = 1",), "review 1 was removed"),
+    "a calibration": (("UPDATE calibrations SET document = '{}' WHERE id = 1",), "calibration 1 is not"),
+    "a pose": (("UPDATE road_poses SET rms_px = 0.1 WHERE id = 1",), "road pose 1 is not"),
+    "a frame's checksum": (("UPDATE frames SET crc32 = 1 WHERE n = 7",), "frame table of recording 1 is not"),
+    "a frame removed": (("DELETE FROM frames WHERE n = 99",), "frame table of recording 1 is not"),
+}
+
+
+@pytest.mark.parametrize("what", TAMPERED)
+def test_verify_finds(filled: database.SessionFactory, what: str) -> None:
+    statements, words = TAMPERED[what]
+    engine = database.engine_of(filled)
+    _tamper(engine, *statements)
+    found = verify_database(engine.url.render_as_string(hide_password=False))
+    assert not found.ok
+    assert found.problem is not None and words in found.problem, found.problem
+    assert found.problem.count(".") <= 2 and found.problem.endswith(".")
+
+
+def test_a_tail_cut_with_its_anchor_moved_is_found_by_an_export(filled: database.SessionFactory) -> None:
+    with database.writing(filled) as session:
+        head = audit.head(session)
+        exports.add(
+            session, 1, media_key="z", size_bytes=1, sha256="0" * 64, head=head, actor=1
+        )  # carries the head as it was before itself
+    with database.reading(filled) as session:
+        cut = audit.for_export(session)[1]
+    _tamper(
+        database.engine_of(filled),
+        "DELETE FROM measurements",
+        "DELETE FROM audit_events WHERE id > 2",
+        f"UPDATE audit_anchor SET count = 2, hash = '{cut.hash}'",
+    )
+    with database.reading(filled) as session:
+        found = audit.verify(session)
+    assert not found.ok and "export 1" in str(found.problem)
+
+
+def test_a_sound_database_verifies_with_its_head(filled: database.SessionFactory, database_url: str) -> None:
+    with database.reading(filled) as session:
+        head = audit.head(session)
+        inside = audit.verify(session)
+    assert inside == verify_database(database_url)
+    assert (inside.ok, inside.checked, inside.head_hash, inside.problem) == (
+        True,
+        head.count,
+        head.hash,
+        None,
+    )
+
+
+def test_a_deleted_recording_takes_its_frames_along(filled: database.SessionFactory) -> None:
+    with database.writing(filled) as session:
+        made = samples.add_recording(session, 1, None)
+        recordings.remove(session, made.id, actor=None)
+        assert audit.verify(session).ok
+
+
+def test_an_empty_chain_is_sound(factory: database.SessionFactory) -> None:
+    with database.reading(factory) as session:
+        assert audit.verify(session) == verification.Verification(True, 0, "0" * 64, None)
+
+
+def test_verify_says_what_is_no_database(tmp_path: Any) -> None:
+    def refused(make: Callable[[], Any]) -> str:
+        with pytest.raises(SightlineError) as caught:
+            make()
+        return caught.value.message
+
+    assert "no database" in refused(lambda: verify_database(f"sqlite:///{tmp_path}/none.db"))
+    empty, text_file = tmp_path / "empty.db", tmp_path / "text.db"
+    empty.touch()
+    text_file.write_text("this is a letter, not a database\n" * 100)
+    assert "holds no surveys" in refused(lambda: verify_database(f"sqlite:///{empty}"))
+    assert "not a database" in refused(lambda: verify_database(f"sqlite:///{text_file}"))
+    assert "not supported" in refused(lambda: verify_database("mysql://x/y"))
+    assert not (tmp_path / "none.db").exists()
+
+
+def test_events_name_their_actor_and_turn_the_page(filled: database.SessionFactory) -> None:
+    with database.reading(filled) as session:
+        newest = audit.listing(session, limit=2)
+        older = audit.listing(session, limit=2, before_id=newest[-1].id)
+        of_reviews = audit.listing(session, entity="review", survey_id=1)
+        rene = people.by_email(session, "René@Example.org")
+    assert [event.id for event in newest + older] == sorted((e.id for e in newest + older), reverse=True)
+    assert newest[0].previous_hash == newest[1].hash
+    assert rene is not None and of_reviews[0].actor is not None and of_reviews[0].actor.id == rene.id
+    assert of_reviews[0].after is not None and of_reviews[0].after["verdict"] == "accepted"
