@@ -50,11 +50,7 @@ describe("the measuring flow", () => {
   });
 
   it("stores nothing once all targets are there", () => {
-    const flow = run(
-      open,
-      { type: "click", frame: 40, point: at(1, 2) },
-      { type: "stored", missing: [] },
-    );
+    const flow = run(open, { type: "click", frame: 40, point: at(1, 2) }, { type: "stored", missing: [] });
     expect(flow.target).toBeNull();
     expect(awaiting(flow, 40)).toBeNull();
     expect(step(flow, { type: "click", frame: 40, point: at(5, 5) }).effect).toBeNull();
@@ -69,14 +65,14 @@ describe("the measuring flow", () => {
     const contact: FlowEvent = { type: "click", frame: 40, point: at(1, 2) };
     let flow = run(open, contact, { type: "new-contact" });
     flow = step(flow, { type: "select", selection: { key: null, role: "contact" } }).flow;
-    const escape: FlowEvent = { type: "escape", frame: 40, used: false };
-    flow = step(flow, escape).flow;
+    const esc: FlowEvent = { type: "escape", frame: 40, used: false };
+    flow = step(flow, esc).flow;
     expect(flow.selection).toBeNull();
-    flow = step(flow, escape).flow;
+    flow = step(flow, esc).flow;
     expect(flow.renew).toBe(false);
-    flow = step(flow, escape).flow;
+    flow = step(flow, esc).flow;
     expect(flow.contacts.has(40)).toBe(false);
-    expect(step(flow, escape).flow.target).toBeNull();
+    expect(step(flow, esc).flow.target).toBeNull();
   });
 
   it("keeps a contact that measurements stand on", () => {

@@ -117,7 +117,7 @@ export function step(flow: Flow, event: FlowEvent): Outcome {
     case "stored":
       return only({ ...flow, target: event.missing[0] ?? null });
     case "escape":
-      return only(escape(flow, event.frame, event.used));
+      return only(takeBackOne(flow, event.frame, event.used));
   }
 }
 
@@ -143,7 +143,7 @@ function click(flow: Flow, frame: number, point: ImagePoint): Outcome {
 }
 
 /** Esc takes back one thing at a time: selection, wish for a new contact, an unused contact, the target. */
-function escape(flow: Flow, frame: number, used: boolean): Flow {
+function takeBackOne(flow: Flow, frame: number, used: boolean): Flow {
   if (flow.selection) return { ...flow, selection: null };
   if (flow.renew) return { ...flow, renew: false };
   if (flow.contacts.has(frame) && !used) {

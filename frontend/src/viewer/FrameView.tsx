@@ -114,11 +114,12 @@ export function FrameView(props: FrameViewProps) {
     stage.dragging.value = false;
     if (!now || now.pan) return;
     const at = position(event);
-    if (now.moved && now.handle) return dragTo(now, at, "end");
-    if (now.moved) return;
-    if (now.handle && !latest.current.placing) return latest.current.onPick?.(now.handle.id);
-    const point = stage.viewport.value.toImage(now.start);
-    if (stage.viewport.value.contains(point)) latest.current.onPlace?.(point);
+    if (now.moved) dragTo(now, at, "end");
+    else if (now.handle && !latest.current.placing) latest.current.onPick?.(now.handle.id);
+    else {
+      const point = stage.viewport.value.toImage(now.start);
+      if (stage.viewport.value.contains(point)) latest.current.onPlace?.(point);
+    }
   };
 
   const cancel = (): void => {
@@ -143,6 +144,7 @@ export function FrameView(props: FrameViewProps) {
   }, [stage]);
 
   return (
+    // biome-ignore lint/a11y/noNoninteractiveTabindex: role "application" takes the keys and clicks itself
     <div
       ref={host}
       class={`frame-view${props.placing ? " frame-view--placing" : ""}`}
@@ -159,7 +161,7 @@ export function FrameView(props: FrameViewProps) {
       onPointerLeave={() => press.current === null && hover(null)}
       onContextMenu={(event) => event.preventDefault()}
     >
-      <canvas ref={canvas} aria-hidden="true" />
+      <canvas ref={canvas} />
       <svg class="frame-overlay" aria-hidden="true">
         <title>Axes and points over the frame</title>
         {props.children}

@@ -61,17 +61,33 @@ export function LadderLayer({ rungs, stage }: { rungs: readonly Rung[]; stage: S
           <Line key={rung.height_m} points={rung.points} kind={rung.label ? "ladder-major" : "ladder"} />
         ))}
       </InImage>
-      {rungs.map((rung) => rung.label && <Word key={rung.height_m} stage={stage} at={rightmost(rung.points)} text={rung.words} />)}
+      {rungs.map(
+        (rung) =>
+          rung.label && (
+            <Word key={rung.height_m} stage={stage} at={rightmost(rung.points)} text={rung.words} />
+          ),
+      )}
     </g>
   );
 }
 
 /** A word beside an image point. */
-export function Word(props: { stage: Stage; at: ImagePoint | null; text: string; dx?: number; dy?: number; strong?: boolean }) {
+export function Word(props: {
+  stage: Stage;
+  at: ImagePoint | null;
+  text: string;
+  dx?: number;
+  dy?: number;
+  strong?: boolean;
+}) {
   if (!props.at) return null;
   const [x, y] = props.stage.viewport.value.toScreen(props.at);
   return (
-    <text class={`overlay-word${props.strong ? " overlay-word--strong" : ""}`} x={x + (props.dx ?? 5)} y={y + (props.dy ?? 4)}>
+    <text
+      class={`overlay-word${props.strong ? " overlay-word--strong" : ""}`}
+      x={x + (props.dx ?? 5)}
+      y={y + (props.dy ?? 4)}
+    >
       {props.text}
     </text>
   );
@@ -91,7 +107,9 @@ export interface MarkProps {
 export function PointMark({ stage, at, role, selected, faint, text }: MarkProps) {
   const [x, y] = stage.viewport.value.toScreen(at);
   const shape =
-    role === "contact" ? "M0 3.5L8 15H-8ZM-5 0H-14M5 0H14" : "M8 0A8 8 0 11-8 0A8 8 0 118 0M-8 0H-14M8 0H14M0 -8V-14M0 8V14";
+    role === "contact"
+      ? "M0 3.5L8 15H-8ZM-5 0H-14M5 0H14"
+      : "M8 0A8 8 0 11-8 0A8 8 0 118 0M-8 0H-14M8 0H14M0 -8V-14M0 8V14";
   return (
     <g
       transform={`translate(${x} ${y})`}
@@ -100,7 +118,11 @@ export function PointMark({ stage, at, role, selected, faint, text }: MarkProps)
       <path class="point-mark__halo" d={shape} />
       <path class="point-mark__line" d={shape} />
       {text && (
-        <text class="overlay-word overlay-word--strong" x={role === "contact" ? 17 : 18} y={role === "contact" ? 18 : -6}>
+        <text
+          class="overlay-word overlay-word--strong"
+          x={role === "contact" ? 17 : 18}
+          y={role === "contact" ? 18 : -6}
+        >
           {text}
         </text>
       )}

@@ -88,7 +88,10 @@ export function Timeline({ player, spans }: { player: Player; spans: readonly Sp
       ))}
       <div class="timeline__needle" style={{ left: place(player.frame.value + 0.5) }} />
       {ghost.value !== null && (
-        <div class="timeline__ghost" style={{ left: `clamp(70px, ${place(ghost.value)}, calc(100% - 70px))` }}>
+        <div
+          class="timeline__ghost"
+          style={{ left: `clamp(70px, ${place(ghost.value)}, calc(100% - 70px))` }}
+        >
           {describe(player, ghost.value)}
         </div>
       )}

@@ -53,7 +53,10 @@ export function Transport({ player, stage }: { player: Player; stage: Stage }) {
       </label>
       <span class="transport__time nowrap">{time === null ? "" : formatFrameTime(time)}</span>
       {player.vfr.value && (
-        <span class="badge" title="The frame rate of this recording varies; times come from each frame's own stamp.">
+        <span
+          class="badge"
+          title="The frame rate of this recording varies; times come from each frame's own stamp."
+        >
           VFR
         </span>
       )}
@@ -63,7 +66,13 @@ export function Transport({ player, stage }: { player: Player; stage: Stage }) {
 
 function Step(props: { label: string; action: ActionId; text: string; onClick(): void }) {
   return (
-    <Button small kind="quiet" label={props.label} title={`${props.label}${hint(props.action)}`} onClick={props.onClick}>
+    <Button
+      small
+      kind="quiet"
+      label={props.label}
+      title={`${props.label}${hint(props.action)}`}
+      onClick={props.onClick}
+    >
       {props.text}
     </Button>
   );

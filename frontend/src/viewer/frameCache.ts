@@ -127,13 +127,7 @@ function sizeOf(picture: Picture): number {
 }
 
 /** Frames worth having next: mostly ahead in the direction of travel, a few behind. */
-export function neighbours(
-  frame: number,
-  direction: 1 | -1,
-  count: number,
-  ahead = 8,
-  behind = 2,
-): number[] {
+export function neighbours(frame: number, direction: 1 | -1, count: number, ahead = 8, behind = 2): number[] {
   const wanted: number[] = [];
   for (let step = 1; step <= ahead; step += 1) wanted.push(frame + direction * step);
   for (let step = 1; step <= behind; step += 1) wanted.push(frame - direction * step);

@@ -42,8 +42,7 @@ export class Player {
     firstFrame: number,
   ) {
     this.cache = new FrameCache<ImageBitmap>(
-      (frame, abort) =>
-        fetchFrame(frameUrl(recordingId, frame, this.checksums.get(frame)), frame, abort),
+      (frame, abort) => fetchFrame(frameUrl(recordingId, frame, this.checksums.get(frame)), frame, abort),
       CACHE_BYTES,
       () => this.rangesSoon(),
     );
@@ -89,8 +88,8 @@ export class Player {
   stepSeconds(seconds: number): void {
     this.stop();
     const now = this.timeOf(this.frame.value);
-    if (now === null) return this.go(this.frame.value + Math.sign(seconds) * 25);
-    this.go(this.frameAt(now + seconds));
+    // before the frame table is here, a second is 25 frames
+    this.go(now === null ? this.frame.value + Math.sign(seconds) * 25 : this.frameAt(now + seconds));
   }
 
   /** The frame shown at a time. */

@@ -21,6 +21,11 @@ export function fromServer(pair: readonly number[]): ImagePoint {
   return imagePoint(pair[0] ?? 0, pair[1] ?? 0);
 }
 
+/** An image point as the plain pair that the server and polylines speak. */
+export function pair(point: ImagePoint): [number, number] {
+  return [point[0], point[1]];
+}
+
 export function samePoint(a: readonly number[] | null, b: readonly number[] | null): boolean {
   return a !== null && b !== null && a[0] === b[0] && a[1] === b[1];
 }

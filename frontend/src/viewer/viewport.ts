@@ -40,17 +40,11 @@ export class Viewport {
   }
 
   toScreen(point: ImagePoint): ScreenPoint {
-    return screenPoint(
-      this.left + (point[0] + 0.5) * this.scale,
-      this.top + (point[1] + 0.5) * this.scale,
-    );
+    return screenPoint(this.left + (point[0] + 0.5) * this.scale, this.top + (point[1] + 0.5) * this.scale);
   }
 
   toImage(point: ScreenPoint): ImagePoint {
-    return imagePoint(
-      (point[0] - this.left) / this.scale - 0.5,
-      (point[1] - this.top) / this.scale - 0.5,
-    );
+    return imagePoint((point[0] - this.left) / this.scale - 0.5, (point[1] - this.top) / this.scale - 0.5);
   }
 
   /** SVG transform that puts image coordinates (pixel centres) on the screen. */
@@ -67,11 +61,7 @@ export class Viewport {
   zoomAt(at: ScreenPoint, factor: number): Viewport {
     const scale = clamp(this.scale * factor, this.minScale, MAX_SCALE);
     const ratio = scale / this.scale;
-    return this.placed(
-      scale,
-      at[0] - (at[0] - this.left) * ratio,
-      at[1] - (at[1] - this.top) * ratio,
-    );
+    return this.placed(scale, at[0] - (at[0] - this.left) * ratio, at[1] - (at[1] - this.top) * ratio);
   }
 
   panBy(dx: number, dy: number): Viewport {

@@ -1,0 +1,132 @@
+/** Make or model, completed from the catalogue: type a few letters, arrows and Enter take a row with its dimensions. */
+import { useEffect, useId, useMemo, useRef, useState } from "preact/hooks";
+import { api } from "../api";
+import { Field } from "../components";
+import type { CatalogueRow } from "../types";
+import { formatLength } from "../units";
+import { Latest } from "./latest";
+
+interface CatalogueFieldProps {
+  label: string;
+  value: string;
+  /** What to look for when this is typed. */
+  query(text: string): string;
+  disabled?: boolean;
+  onChoose(row: CatalogueRow): void;
+  onCommit(text: string): void;
+}
+
+export function CatalogueField(props: CatalogueFieldProps) {
+  const [text, setText] = useState(props.value);
+  const [rows, setRows] = useState<readonly CatalogueRow[] | null>(null);
+  const [active, setActive] = useState(-1);
+  const typing = useRef(false);
+  const listId = useId();
+  const asker = useMemo(
+    () =>
+      new Latest<string, CatalogueRow[]>(
+        (q) => api.get<CatalogueRow[]>(`/catalogue?q=${encodeURIComponent(q)}`),
+        (found) => {
+          if (!typing.current) return;
+          setRows(found);
+          setActive(-1);
+        },
+      ),
+    [],
+  );
+  useEffect(() => setText(props.value), [props.value]);
+
+  const close = (): void => {
+    typing.current = false;
+    asker.cancel();
+    setRows(null);
+    setActive(-1);
+  };
+  const choose = (row: CatalogueRow): void => {
+    close();
+    props.onChoose(row);
+  };
+  const commit = (): void => {
+    close();
+    if (text.trim() !== props.value) props.onCommit(text.trim());
+  };
+  const search = (typed: string): void => {
+    typing.current = true;
+    const q = props.query(typed).trim();
+    if (q.length > 0) asker.want(q);
+    else setRows(null);
+  };
+  const onKeyDown = (event: KeyboardEvent): void => {
+    const count = rows?.length ?? 0;
+    const chosen = rows?.[active];
+    if (event.key === "ArrowDown" && !rows) search(text);
+    else if (event.key === "ArrowDown" && count > 0) setActive((active + 1) % count);
+    else if (event.key === "ArrowUp" && count > 0) setActive((active - 1 + count) % count);
+    else if (event.key === "Enter" && !event.ctrlKey && chosen) choose(chosen);
+    else if (event.key === "Enter" && !event.ctrlKey) commit();
+    else if (event.key === "Escape" && rows) close();
+    else if (event.key === "Escape") setText(props.value);
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  };
+  const open = rows !== null && rows.length > 0;
+  return (
+    <div class="combo">
+      <Field label={props.label}>
+        {(wiring) => (
+          <input
+            {...wiring}
+            class="input"
+            role="combobox"
+            aria-expanded={open}
+            aria-controls={listId}
+            aria-autocomplete="list"
+            aria-activedescendant={active >= 0 ? `${listId}-${active}` : undefined}
+            autoComplete="off"
+            value={text}
+            disabled={props.disabled}
+            onInput={(event) => {
+              setText(event.currentTarget.value);
+              search(event.currentTarget.value);
+            }}
+            onKeyDown={onKeyDown}
+            onBlur={commit}
+          />
+        )}
+      </Field>
+      <div
+        class="combo__list"
+        id={listId}
+        role="listbox"
+        aria-label={`${props.label} in the catalogue`}
+        hidden={!open}
+      >
+        {rows?.map((row, i) => (
+          // biome-ignore lint/a11y/useKeyWithClickEvents: the input above holds the focus and its keys
+          // biome-ignore lint/a11y/useFocusableInteractive: aria-activedescendant points here
+          <div
+            key={row.id}
+            id={`${listId}-${i}`}
+            role="option"
+            class="combo__row"
+            aria-selected={i === active}
+            onPointerDown={(event) => event.preventDefault()}
+            onClick={() => choose(row)}
+          >
+            <span class="clip">
+              <strong>{row.make}</strong> {row.model} <span class="muted">{years(row)}</span>
+            </span>
+            <span class="nowrap">{formatLength(row.height_m)}</span>
+          </div>
+        ))}
+      </div>
+    </div>
+  );
+}
+
+function years({ year_from, year_to }: CatalogueRow): string {
+  if (year_from === null && year_to === null) return "";
+  if (year_from === year_to) return String(year_from);
+  return `${year_from ?? ""}–${year_to ?? ""}`;
+}

@@ -1,0 +1,213 @@
+/** The right side: the vehicle record, saved by itself, and its measurements. */
+import { Button, SelectField, StateMark, TextField } from "../components";
+import { canWork } from "../state/session";
+import type { CatalogueRow, Category, Lighting, Vehicle } from "../types";
+import { lengthUnit, METRES_PER_FOOT, parseLength } from "../units";
+import { CatalogueField } from "./CatalogueField";
+import { CommitField } from "./CommitField";
+import { VehicleConflict } from "./Conflicts";
+import { MeasurementList } from "./MeasurementList";
+import type { MeasureModel } from "./model";
+
+const CATEGORIES: readonly { value: Category | ""; label: string }[] = [
+  { value: "", label: "–" },
+  { value: "hatchback", label: "Hatchback" },
+  { value: "saloon", label: "Saloon" },
+  { value: "estate", label: "Estate" },
+  { value: "suv", label: "SUV" },
+  { value: "van", label: "Van" },
+  { value: "lorry", label: "Lorry" },
+  { value: "other", label: "Other" },
+];
+
+const LIGHTINGS: readonly { value: Lighting | ""; label: string }[] = [
+  { value: "", label: "–" },
+  { value: "daytime", label: "Daytime" },
+  { value: "low_light", label: "Low light" },
+];
+
+export function VehiclePanel({ model }: { model: MeasureModel }) {
+  const vehicle = model.vehicle.value;
+  if (!vehicle) {
+    return (
+      <aside class="measure__vehicle" aria-label="Vehicle">
+        <p class="measure__none muted">
+          Choose a pass on the left. Its vehicle and measurements appear here.
+        </p>
+      </aside>
+    );
+  }
+  return (
+    <aside class="measure__vehicle" aria-label="Vehicle" key={vehicle.id}>
+      <header class="vehicle__head">
+        <h2>Vehicle {String(vehicle.number).padStart(2, "0")}</h2>
+        <StateMark state={vehicle.state} />
+        <span class="grow" />
+        <DraftWord model={model} id={vehicle.id} />
+        {canWork.value && (
+          <Button
+            small
+            kind="quiet"
+            icon="trash"
+            label={`Delete the pass of vehicle ${vehicle.number}`}
+            onClick={() => void model.removePass()}
+          />
+        )}
+      </header>
+      <VehicleConflict model={model} id={vehicle.id} />
+      <MeasurementList model={model} />
+      <Facts model={model} vehicle={vehicle} />
+    </aside>
+  );
+}
+
+function DraftWord({ model, id }: { model: MeasureModel; id: number }) {
+  const draft = model.vehicles.drafts.value.get(id);
+  if (!draft || draft.state === "conflict") return null;
+  if (draft.state === "failed") {
+    return (
+      <Button
+        small
+        icon="warning"
+        title={draft.problem ?? undefined}
+        onClick={() => void model.vehicles.flush(id)}
+      >
+        Save again
+      </Button>
+    );
+  }
+  return <span class="small muted">saving…</span>;
+}
+
+function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
+  const unit = lengthUnit.value;
+  const locked = !canWork.value;
+  const draft = model.vehicles.drafts.value.get(vehicle.id);
+  const take = (row: CatalogueRow): void => model.edit(fromCatalogue(row));
+  return (
+    <section class="facts-form" aria-label="Vehicle record">
+      <h3>Vehicle record</h3>
+      {draft?.state === "failed" && (
+        <p class="small" role="alert">
+          {draft.problem}
+        </p>
+      )}
+      <div class="facts-form__grid">
+        <CatalogueField
+          label="Make"
+          value={vehicle.make ?? ""}
+          query={(text) => text}
+          disabled={locked}
+          onChoose={take}
+          onCommit={(text) => model.edit({ make: text || null })}
+        />
+        <CatalogueField
+          label="Model"
+          value={vehicle.model ?? ""}
+          query={(text) => `${vehicle.make ?? ""} ${text}`.trim()}
+          disabled={locked}
+          onChoose={take}
+          onCommit={(text) => model.edit({ model: text || null })}
+        />
+        <CommitField
+          label="Year"
+          value={vehicle.year === null ? "" : String(vehicle.year)}
+          numeric
+          disabled={locked}
+          check={(text) => (text === "" || /^(18|19|20)\d\d$/.test(text) ? null : "A year has four digits.")}
+          onCommit={(text) => model.edit({ year: text === "" ? null : Number(text) })}
+        />
+        <SelectField
+          label="Category"
+          value={vehicle.category ?? ""}
+          options={CATEGORIES}
+          disabled={locked}
+          onChange={(category) => model.edit({ category: category === "" ? null : category })}
+        />
+        <CommitField
+          label="Manufacturer height"
+          value={lengthText(vehicle.manufacturer_height_m, unit)}
+          numeric
+          unit={unit}
+          disabled={locked}
+          check={checkLength}
+          onCommit={(text) => model.edit({ manufacturer_height_m: parseLength(text) })}
+        />
+        <CommitField
+          label="± standard uncertainty"
+          value={lengthText(vehicle.u_manufacturer_height_m, unit)}
+          numeric
+          unit={unit}
+          disabled={locked}
+          check={checkLength}
+          onCommit={(text) => model.edit({ u_manufacturer_height_m: parseLength(text) })}
+        />
+        <div class="facts-form__wide">
+          <CommitField
+            label="Source of the height"
+            value={vehicle.height_source ?? ""}
+            disabled={locked}
+            onCommit={(text) => model.edit({ height_source: text || null })}
+          />
+        </div>
+        <SelectField
+          label="Lighting"
+          value={vehicle.lighting ?? ""}
+          options={LIGHTINGS}
+          disabled={locked}
+          onChange={(lighting) => model.edit({ lighting: lighting === "" ? null : lighting })}
+        />
+        <div class="facts-form__wide">
+          <TextFieldOnChange
+            label="Notes"
+            value={vehicle.notes}
+            disabled={locked}
+            onCommit={(notes) => model.edit({ notes })}
+          />
+        </div>
+      </div>
+    </section>
+  );
+}
+
+function TextFieldOnChange(props: {
+  label: string;
+  value: string;
+  disabled: boolean;
+  onCommit(text: string): void;
+}) {
+  return (
+    <TextField
+      label={props.label}
+      value={props.value}
+      rows={2}
+      disabled={props.disabled}
+      onInput={() => {}}
+      onChange={(text) => {
+        if (text !== props.value) props.onCommit(text);
+      }}
+    />
+  );
+}
+
+function fromCatalogue(row: CatalogueRow) {
+  return {
+    make: row.make,
+    model: row.model,
+    ...(row.category ? { category: row.category } : {}),
+    ...(row.height_m === null ? {} : { manufacturer_height_m: row.height_m, height_source: row.source }),
+    ...(row.year_from !== null && row.year_from === row.year_to ? { year: row.year_from } : {}),
+  };
+}
+
+/** A length in the shown unit as a person would type it. */
+export function lengthText(metres: number | null, unit: "m" | "ft"): string {
+  if (metres === null) return "";
+  return String(Number((unit === "ft" ? metres / METRES_PER_FOOT : metres).toFixed(4)));
+}
+
+function checkLength(text: string): string | null {
+  if (text.trim() === "") return null;
+  const value = parseLength(text);
+  return value === null || value < 0 || value > 10 ? "A length, such as 1.624." : null;
+}

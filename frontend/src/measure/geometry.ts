@@ -1,0 +1,117 @@
+/** Asks the server for geometry while points move. Nothing is computed here. */
+import { signal } from "@preact/signals";
+import { api, explain } from "../api";
+import type { AxesAnswer, HeightAnswer, Target } from "../types";
+import { type ImagePoint, samePoint } from "../viewer/points";
+import { Latest } from "./latest";
+import type { Inset } from "./values";
+
+export interface AxesWish {
+  readonly recordingId: number;
+  readonly contact: ImagePoint;
+  readonly target: Target;
+  readonly inset: Inset | null;
+}
+
+export interface HeightWish extends AxesWish {
+  readonly point: ImagePoint;
+  readonly frame: number;
+}
+
+export interface Live {
+  readonly wish: HeightWish;
+  readonly answer: HeightAnswer | null;
+  readonly problem: string | null;
+}
+
+export class Geometry {
+  /** Axes and ladder through the contact in use; old ones stay until new ones are here. */
+  readonly axes = signal<AxesAnswer | null>(null);
+  readonly problem = signal<string | null>(null);
+  /** The height under the pointer, for the newest answer that came. */
+  readonly live = signal<Live | null>(null);
+  private wished: AxesWish | null = null;
+
+  private readonly axesAsker = new Latest<AxesWish, AxesAnswer>(
+    askAxes,
+    (answer) => {
+      this.axes.value = answer;
+      this.problem.value = answer.ok ? null : answer.reason;
+    },
+    (error) => this.failed(error),
+  );
+
+  private readonly heightAsker = new Latest<HeightWish, HeightAnswer>(
+    askHeight,
+    (answer, wish) => {
+      this.live.value = { wish, answer, problem: null };
+    },
+    (error) => {
+      const wish = this.live.value?.wish;
+      if (wish) this.live.value = { wish, answer: null, problem: explain(error) };
+    },
+  );
+
+  showAxes(wish: AxesWish | null): void {
+    if (wish === null) {
+      this.wished = null;
+      this.axesAsker.cancel();
+      this.axes.value = null;
+      this.problem.value = null;
+    } else if (!sameAxes(wish, this.wished)) {
+      this.wished = wish;
+      this.axesAsker.want(wish);
+    }
+  }
+
+  wantHeight(wish: HeightWish): void {
+    this.heightAsker.want(wish);
+  }
+
+  forgetHeight(): void {
+    this.heightAsker.cancel();
+    this.live.value = null;
+  }
+
+  /** The live answer if it is for exactly this click: then it can be shown while the server stores. */
+  answerFor(contact: ImagePoint, point: ImagePoint, target: Target): HeightAnswer | null {
+    const live = this.live.value;
+    if (!live || live.wish.target !== target) return null;
+    return samePoint(live.wish.point, point) && samePoint(live.wish.contact, contact) ? live.answer : null;
+  }
+
+  private failed(error: unknown): void {
+    this.axes.value = null;
+    this.problem.value = explain(error);
+    this.wished = null;
+  }
+}
+
+const LIVE = { quiet: true, retry: false } as const;
+
+function askAxes({ recordingId, contact, target, inset }: AxesWish): Promise<AxesAnswer> {
+  const body = { contact: [...contact], target, ...(inset ?? {}) };
+  return api.post<AxesAnswer>(`/recordings/${recordingId}/geometry/axes`, body, LIVE);
+}
+
+export function askHeight({
+  recordingId,
+  contact,
+  point,
+  target,
+  frame,
+  inset,
+}: HeightWish): Promise<HeightAnswer> {
+  const body = { contact: [...contact], point: [...point], target, frame, ...(inset ?? {}) };
+  return api.post<HeightAnswer>(`/recordings/${recordingId}/geometry/height`, body, LIVE);
+}
+
+function sameAxes(a: AxesWish, b: AxesWish | null): boolean {
+  return (
+    b !== null &&
+    a.recordingId === b.recordingId &&
+    a.target === b.target &&
+    samePoint(a.contact, b.contact) &&
+    a.inset?.inset_m === b.inset?.inset_m
+  );
+}

@@ -1,0 +1,120 @@
+/**
+ * What is not yet on the server, kept in local storage so that a closed lid or a crash loses nothing.
+ * One item per measurement: what it is to become. A tab looks after its own items; items of a tab that is gone are adopted.
+ */
+import type { Values } from "./values";
+
+export interface OutboxItem {
+  readonly key: string;
+  readonly vehicleId: number;
+  /** The measurement on the server and the revision last seen of it; null while it was never stored. */
+  readonly seriesId: number | null;
+  readonly revision: number | null;
+  readonly values: Values;
+  readonly tab: string;
+  /** Milliseconds since 1970 at which its tab was last alive. */
+  readonly touched: number;
+}
+
+/** A tab that has not touched its items for so long is gone. */
+export const ORPHANED_AFTER_MS = 45_000;
+const TOUCH_EVERY_MS = 10_000;
+
+type Store = Pick<Storage, "getItem" | "setItem" | "removeItem" | "key" | "length">;
+
+export class Outbox {
+  private timer: ReturnType<typeof setInterval> | undefined;
+
+  constructor(
+    private readonly prefix: string,
+    private readonly tab: string,
+    private readonly store: Store = localStorage,
+    private readonly now: () => number = Date.now,
+  ) {}
+
+  put(item: Omit<OutboxItem, "tab" | "touched">): void {
+    this.write({ ...item, tab: this.tab, touched: this.now() });
+    this.timer ??= setInterval(() => this.touch(), TOUCH_EVERY_MS);
+  }
+
+  done(key: string): void {
+    try {
+      this.store.removeItem(this.prefix + key);
+    } catch {
+      // nothing was kept, so nothing is to be removed
+    }
+  }
+
+  /** Items left by this tab before a reload, or by a tab that is gone; they are this tab's from now on. */
+  adopt(): OutboxItem[] {
+    const orphans = this.all().filter(
+      (item) => item.tab === this.tab || this.now() - item.touched > ORPHANED_AFTER_MS,
+    );
+    for (const item of orphans) this.put(item);
+    return orphans;
+  }
+
+  /** Everything kept, whichever tab it belongs to. */
+  all(): OutboxItem[] {
+    const found: OutboxItem[] = [];
+    try {
+      for (let i = 0; i < this.store.length; i += 1) {
+        const name = this.store.key(i);
+        if (!name?.startsWith(this.prefix)) continue;
+        const item = parse(this.store.getItem(name));
+        if (item) found.push(item);
+      }
+    } catch {
+      return found;
+    }
+    return found;
+  }
+
+  close(): void {
+    clearInterval(this.timer);
+    this.timer = undefined;
+  }
+
+  private touch(): void {
+    const mine = this.all().filter((item) => item.tab === this.tab);
+    for (const item of mine) this.write({ ...item, touched: this.now() });
+    if (mine.length === 0) this.close();
+  }
+
+  private write(item: OutboxItem): void {
+    try {
+      this.store.setItem(this.prefix + item.key, JSON.stringify(item));
+    } catch {
+      // a full or forbidden store: the measurement still goes out from memory, and leaving the page warns
+    }
+  }
+}
+
+function parse(text: string | null): OutboxItem | null {
+  try {
+    const item = JSON.parse(text ?? "null") as OutboxItem | null;
+    return item && typeof item.key === "string" && item.values ? item : null;
+  } catch {
+    return null;
+  }
+}
+
+/** A name for this tab that survives a reload of it. */
+export function tabName(): string {
+  try {
+    const kept = sessionStorage.getItem("sightline.tab") ?? newKey();
+    sessionStorage.setItem("sightline.tab", kept);
+    return kept;
+  } catch {
+    return newKey();
+  }
+}
+
+/** A random UUID, also where `crypto.randomUUID` is kept back (plain http on a local network). */
+export function newKey(): string {
+  const bytes = crypto.getRandomValues(new Uint8Array(16));
+  bytes[6] = ((bytes[6] ?? 0) & 0x0f) | 0x40;
+  bytes[8] = ((bytes[8] ?? 0) & 0x3f) | 0x80;
+  const hex = [...bytes].map((byte) => byte.toString(16).padStart(2, "0")).join("");
+  return [hex.slice(0, 8), hex.slice(8, 12), hex.slice(12, 16), hex.slice(16, 20), hex.slice(20)].join("-");
+}

@@ -1,0 +1,360 @@
+/** Points under the operator's hand: stored by a click, dragged, nudged, withdrawn; each of them a step that can be undone. */
+import { signal } from "@preact/signals";
+import { toast } from "../state/toasts";
+import type { HeightAnswer, Target } from "../types";
+import { type ImagePoint, imagePoint, samePoint } from "../viewer/points";
+import { type Effect, REQUIRED, type Role, type Selection, TARGET_WORDS } from "./flow";
+import { askHeight, type HeightWish } from "./geometry";
+import { Latest } from "./latest";
+import type { MeasureModel } from "./model";
+import type { Entry } from "./records";
+import type { Inset, Values } from "./values";
+
+/** A run of nudges becomes one revision and one undo step when it has been quiet for so long. */
+const BURST_MS = 600;
+
+interface Burst {
+  readonly selection: Selection;
+  readonly before: ReadonlyMap<string, Values>;
+  readonly frame: number;
+  readonly contactBefore: ImagePoint | null;
+  timer: ReturnType<typeof setTimeout> | undefined;
+}
+
+type Preview = { key: string; wish: HeightWish };
+
+export class Points {
+  /** The cursor for placing points by keyboard; null while it is off. */
+  readonly cursor = signal<ImagePoint | null>(null);
+  private burst: Burst | null = null;
+  private readonly previews = new Latest<readonly Preview[], [string, HeightAnswer][]>(
+    (wishes) =>
+      Promise.all(
+        wishes.map(async ({ key, wish }) => [key, await askHeight(wish)] as [string, HeightAnswer]),
+      ),
+    (answers) => {
+      for (const [key, preview] of answers) {
+        if (this.model.records.find(key)?.state === "moving") this.model.records.show(key, {}, preview);
+      }
+    },
+  );
+
+  constructor(private readonly model: MeasureModel) {}
+
+  /** A click on the frame, or Enter at the keyboard's cursor. */
+  place(point: ImagePoint): void {
+    const frame = this.model.seenFrame.value;
+    if (frame < 0) return;
+    this.endBurst();
+    this.model.dispatch({ type: "click", frame, point });
+    if (this.model.awaiting.value !== "point") this.model.geometry.forgetHeight();
+  }
+
+  hover(point: ImagePoint | null): void {
+    const { contact, awaiting, player, flow, seenFrame, geometry } = this.model;
+    const target = flow.value.target;
+    if (!point || awaiting.value !== "point" || !contact.value || !player.value || !target) {
+      if (geometry.live.value) geometry.forgetHeight();
+      return;
+    }
+    const { recordingId } = player.value;
+    const inset = this.model.insetOf(target);
+    geometry.wantHeight({
+      recordingId,
+      frame: seenFrame.value,
+      contact: contact.value,
+      point,
+      target,
+      inset,
+    });
+  }
+
+  carryOut(effect: Effect): void {
+    if (effect.type === "contact") this.placedContact(effect);
+    else this.store(effect);
+  }
+
+  /** The operator picked a point on the picture. */
+  pick(selection: Selection): void {
+    this.endBurst();
+    this.model.dispatch({ type: "select", selection });
+  }
+
+  selectNext(): void {
+    const all = this.selectable();
+    if (all.length === 0) return;
+    const now = this.model.flow.value.selection;
+    const at = all.findIndex((one) => one.key === now?.key && one.role === now?.role);
+    const next = all[(at + 1) % all.length];
+    if (next) this.pick(next);
+  }
+
+  /** Points on the frame that is seen; a contact that several measurements share is one point. */
+  selectable(): Selection[] {
+    const here = this.entriesHere();
+    const points: Selection[] = here.map((entry) => ({ key: entry.key, role: "point" }));
+    const contacts: Selection[] = [];
+    const seen: ImagePoint[] = [];
+    for (const entry of here) {
+      if (seen.some((one) => samePoint(one, entry.values.contact))) continue;
+      seen.push(entry.values.contact);
+      contacts.push({ key: entry.key, role: "contact" });
+    }
+    const contact = this.model.contact.value;
+    if (contact && !seen.some((one) => samePoint(one, contact)))
+      contacts.push({ key: null, role: "contact" });
+    return [...points.reverse(), ...contacts];
+  }
+
+  positionOf(selection: Selection): ImagePoint | null {
+    if (selection.key === null) return this.model.contact.value;
+    const values = this.model.records.find(selection.key)?.values;
+    return values ? values[selection.role] : null;
+  }
+
+  entriesHere(): Entry[] {
+    const frame = this.model.seenFrame.value;
+    return this.model.entries.value.filter(
+      (entry) => entry.values.frame === frame && !entry.values.withdrawn,
+    );
+  }
+
+  /** One step of a drag; the end of it stores. */
+  drag(selection: Selection, point: ImagePoint, phase: "move" | "end" | "cancel"): void {
+    if (phase === "move") {
+      if (!this.burst) this.begin(selection);
+      this.moveTo(point);
+    } else if (this.burst) {
+      if (phase === "end") this.moveTo(point);
+      else this.moveTo(this.startOf(this.burst) ?? point);
+      this.endBurst();
+    }
+  }
+
+  /** Moves the selected point, or the keyboard's cursor. False if there is nothing to move. */
+  nudge(dx: number, dy: number): boolean {
+    const cursor = this.cursor.value;
+    if (cursor) {
+      this.moveCursor(imagePoint(cursor[0] + dx, cursor[1] + dy));
+      return true;
+    }
+    const selection = this.model.flow.value.selection;
+    const at = selection && this.positionOf(selection);
+    if (!selection || !at) return false;
+    if (!this.burst) this.begin(selection);
+    this.moveTo(imagePoint(at[0] + dx, at[1] + dy));
+    if (this.burst) {
+      clearTimeout(this.burst.timer);
+      this.burst.timer = setTimeout(() => this.endBurst(), BURST_MS);
+    }
+    return true;
+  }
+
+  /** Stores what has been dragged or nudged, as one revision each and one undo step. */
+  endBurst(): void {
+    const burst = this.burst;
+    if (!burst) return;
+    this.burst = null;
+    clearTimeout(burst.timer);
+    const { records } = this.model;
+    const after = new Map<string, Values>();
+    for (const key of burst.before.keys()) {
+      const entry = records.find(key);
+      if (!entry) continue;
+      after.set(key, entry.values);
+      records.change(key, {});
+    }
+    const contactAfter = this.model.flow.value.contacts.get(burst.frame) ?? null;
+    const apply = (values: ReadonlyMap<string, Values>, contact: ImagePoint | null): void => {
+      this.model.dispatch({ type: "set-contact", frame: burst.frame, point: contact });
+      for (const [key, one] of values)
+        records.change(key, { contact: one.contact, point: one.point }, { preview: null });
+      for (const key of values.keys()) void this.rest(key);
+    };
+    this.model.undo.push({
+      label: "move of a point",
+      undo: () => apply(burst.before, burst.contactBefore),
+      redo: () => apply(after, contactAfter),
+    });
+  }
+
+  /** Del: withdraws the selected measurement, or takes away a contact that nothing stands on. */
+  removeSelected(): void {
+    const selection = this.model.flow.value.selection;
+    if (!selection) return;
+    this.endBurst();
+    if (selection.key === null) {
+      this.model.dispatch({ type: "escape", frame: this.model.seenFrame.value, used: false });
+      this.model.dispatch({ type: "set-contact", frame: this.model.seenFrame.value, point: null });
+    } else this.withdraw(selection.key);
+  }
+
+  withdraw(key: string): void {
+    const entry = this.model.records.find(key);
+    if (!entry) return;
+    const target = entry.values.target;
+    this.setWithdrawn(key, true, target);
+    this.model.undo.push({
+      label: `withdrawal of ${TARGET_WORDS[target].toLowerCase()}`,
+      undo: () => this.setWithdrawn(key, false, null),
+      redo: () => this.setWithdrawn(key, true, target),
+    });
+  }
+
+  /** Another inset: a new revision, and a step that can be undone. */
+  setInset(key: string, inset: Inset): void {
+    const before = this.model.records.find(key)?.values.inset ?? null;
+    const set = (to: Inset | null) => (): void => {
+      this.model.records.change(key, { inset: to }, { preview: null });
+      void this.rest(key);
+    };
+    set(inset)();
+    this.model.undo.push({ label: "inset", undo: set(before), redo: set(inset) });
+  }
+
+  toggleCursor(): void {
+    if (this.cursor.value) {
+      this.cursor.value = null;
+      this.model.stage.pointer.value = null;
+      this.model.geometry.forgetHeight();
+      return;
+    }
+    this.moveCursor(this.model.stage.pointer.value ?? this.model.contact.value ?? this.model.stage.centre());
+    this.model.stage.focus();
+  }
+
+  missing(): Target[] {
+    const have = new Set(
+      this.model.entries.value
+        .filter((e) => !e.values.withdrawn && e.saved?.review.verdict !== "rejected")
+        .map((e) => e.values.target),
+    );
+    return REQUIRED.filter((target) => !have.has(target));
+  }
+
+  private moveCursor(point: ImagePoint): void {
+    const { stage } = this.model;
+    const { width, height } = stage.viewport.value.image;
+    const at = imagePoint(
+      Math.min(Math.max(point[0], 0), width - 1),
+      Math.min(Math.max(point[1], 0), height - 1),
+    );
+    this.cursor.value = at;
+    stage.viewport.value = stage.viewport.value.revealing(at);
+    stage.pointer.value = at;
+    this.hover(at);
+  }
+
+  private placedContact(effect: Extract<Effect, { type: "contact" }>): void {
+    const { frame, before, point } = effect;
+    const set = (to: ImagePoint | null) => () =>
+      this.model.dispatch({ type: "set-contact", frame, point: to });
+    this.model.undo.push({ label: "contact point", undo: set(before), redo: set(point) });
+  }
+
+  /** A measurement of this target is revised; "other" always makes a new one. */
+  private store(effect: Extract<Effect, { type: "store" }>): void {
+    const { vehicleId, target, frame, contact, point } = effect;
+    const { records, geometry } = this.model;
+    const preview = geometry.answerFor(contact, point, target);
+    const inset = this.model.insetOf(target);
+    const old = target === "other" ? undefined : this.standing(target);
+    if (old) this.replace(old, { frame, contact, point, ...(inset ? { inset } : {}) }, preview);
+    else {
+      const key = records.create(
+        vehicleId,
+        { target, frame, contact, point, inset, withdrawn: false },
+        preview,
+      );
+      this.model.undo.push({
+        label: TARGET_WORDS[target].toLowerCase(),
+        undo: () => this.setWithdrawn(key, true, target),
+        redo: () => this.setWithdrawn(key, false, null),
+      });
+    }
+    this.model.dispatch({ type: "stored", missing: this.missing() });
+  }
+
+  private replace(old: Entry, change: Partial<Values>, preview: HeightAnswer | null): void {
+    const { records } = this.model;
+    const before = old.values;
+    records.change(old.key, change, { preview });
+    toast(`${TARGET_WORDS[before.target]} is measured afresh; the click before stays in its history.`);
+    const set = (values: Partial<Values>) => (): void => {
+      records.change(old.key, values, { preview: null });
+      void this.rest(old.key);
+    };
+    this.model.undo.push({
+      label: `new ${TARGET_WORDS[before.target].toLowerCase()}`,
+      undo: set(before),
+      redo: set(change),
+    });
+  }
+
+  /** What is wanted is set at once; the server follows in order, so that undo works without a connection too. */
+  private setWithdrawn(key: string, withdrawn: boolean, target: Target | null): void {
+    this.model.records.change(key, { withdrawn }, { preview: null });
+    void this.rest(key);
+    this.model.dispatch({ type: "choose", target: withdrawn ? target : (this.missing()[0] ?? null) });
+  }
+
+  private standing(target: Target): Entry | undefined {
+    return this.model.entries.value.findLast(
+      (entry) => entry.values.target === target && !entry.values.withdrawn && entry.state !== "conflict",
+    );
+  }
+
+  /** Waits for the server; an undo that was refused says why. */
+  private async rest(key: string): Promise<void> {
+    const entry = await this.model.records.settled(key);
+    if (entry?.state === "failed" || entry?.state === "conflict")
+      toast(entry.problem ?? "This could not be taken back.", { kind: "problem" });
+  }
+
+  private begin(selection: Selection): void {
+    const frame = this.model.seenFrame.value;
+    const group = this.groupOf(selection);
+    this.burst = {
+      selection,
+      before: new Map(group.map((entry) => [entry.key, entry.values])),
+      frame,
+      contactBefore: this.model.contact.value,
+      timer: undefined,
+    };
+  }
+
+  /** Measurements that move with a point: all that share a contact, or the one. */
+  private groupOf({ key, role }: Selection): Entry[] {
+    const entry = key === null ? undefined : this.model.records.find(key);
+    if (!entry) return [];
+    if (role === "point") return [entry];
+    return this.entriesHere().filter((other) => samePoint(other.values.contact, entry.values.contact));
+  }
+
+  private startOf(burst: Burst): ImagePoint | null {
+    const { key, role } = burst.selection;
+    return key === null ? burst.contactBefore : (burst.before.get(key)?.[role] ?? null);
+  }
+
+  private moveTo(point: ImagePoint): void {
+    const burst = this.burst;
+    if (!burst) return;
+    const role: Role = burst.selection.role;
+    for (const key of burst.before.keys()) this.model.records.show(key, { [role]: point });
+    const start = this.startOf(burst);
+    if (role === "contact" && (start === null || samePoint(start, burst.contactBefore))) {
+      this.model.dispatch({ type: "set-contact", frame: burst.frame, point });
+    }
+    this.preview([...burst.before.keys()]);
+  }
+
+  private preview(keys: readonly string[]): void {
+    const recordingId = this.model.player.value?.recordingId;
+    if (recordingId === undefined || !this.model.hasPose.value) return;
+    const wishes = keys.flatMap((key): Preview[] => {
+      const values = this.model.records.find(key)?.values;
+      return values ? [{ key, wish: { recordingId, ...values } }] : [];
+    });
+    if (wishes.length > 0) this.previews.want(wishes);
+  }
+}
