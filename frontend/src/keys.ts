@@ -28,7 +28,7 @@ export const ACTIONS = {
   loupe: { label: "Loupe, while held", scope: "frames", keys: ["Z"] },
   loupeToggle: { label: "Loupe on and off", scope: "frames", keys: ["L"] },
   linesToggle: { label: "Hide and show the lines", scope: "frames", keys: ["H"] },
-  cursor: { label: "Place points by keyboard: cursor on and off", scope: "frames", keys: ["K"] },
+  cursor: { label: "Place points by keyboard: cursor on and off", scope: "frames", keys: ["M"] },
   place: { label: "Place the point at the cursor", scope: "frames", keys: ["Enter"] },
   zoomIn: { label: "Zoom in", scope: "frames", keys: ["+", "="] },
   zoomOut: { label: "Zoom out", scope: "frames", keys: ["-"] },

@@ -1,80 +1,31 @@
-/** What the server sends and takes, as its HTTP description says it. Lengths in metres, points in pixels, times ISO 8601 UTC. */
+/** What the server sends and takes. Names come from its description (`schema.d.ts`, made by `npm run types`); here they get the
+ *  short names that the screens use, and pairs of numbers become points. Lengths in metres, times ISO 8601 UTC. */
+import type { components } from "./schema";
 
-export type Role = "viewer" | "operator" | "reviewer" | "admin";
+type Schemas = components["schemas"];
+
+/** A point in the picture, pixels; (0, 0) is the centre of the top-left pixel. */
 export type Px = [x: number, y: number];
-export type Target = "roof" | "driver_eye" | "taillight" | "headlight" | "other";
-export type Lighting = "daytime" | "low_light";
-export type Category = "hatchback" | "saloon" | "estate" | "suv" | "van" | "lorry" | "other";
 
-export interface Person {
-  id: number;
-  name: string;
-  email: string;
-  role: Role;
-  active: boolean;
-  created_at: string;
-  last_seen_at: string | null;
-  has_password: boolean;
-}
+type With<T, Changed> = Omit<T, keyof Changed> & Changed;
 
-export interface Me {
-  person: Person;
-  version: string;
-  needs_password: boolean;
-  demo_survey_id: number | null;
-}
+export type Role = Schemas["PersonBody"]["role"];
+export type Target = Schemas["MeasurementBody"]["target"];
+export type Verdict = Schemas["ReviewBody"]["verdict"];
+export type JobState = Schemas["JobBody"]["state"];
+export type StepKey = Schemas["StepBody"]["key"];
+export type Lighting = NonNullable<Schemas["VehicleBody"]["lighting"]>;
+export type Category = NonNullable<Schemas["VehicleBody"]["category"]>;
 
-export interface NamedPerson {
-  id: number;
-  name: string;
-}
+export type Person = Schemas["PersonBody"];
+export type NamedPerson = Schemas["WhoBody"];
+export type Me = Schemas["Me"];
 
-export interface Inset {
-  inset_m: number;
-  u_inset_m: number;
-  note: string;
-}
+export type Inset = Schemas["InsetBody"];
+export type Step = Schemas["StepBody"];
+export type Survey = Schemas["SurveyBody"];
 
-export type StepKey = "camera" | "recordings" | "pose" | "vehicles" | "review" | "results";
-
-export interface Step {
-  key: StepKey;
-  state: "done" | "next" | "waiting";
-  summary: string;
-}
-
-export interface Survey {
-  id: number;
-  name: string;
-  site: string;
-  description: string;
-  is_demo: boolean;
-  version: number;
-  created_at: string;
-  insets: Record<Target, Inset>;
-  counts: {
-    recordings: number;
-    vehicles: number;
-    vehicles_measured: number;
-    measurements: number;
-    to_review: number;
-    accepted: number;
-    rejected: number;
-  };
-  steps: Step[];
-}
-
-export interface CameraView {
-  file: string;
-  image_id?: number | null;
-  frame?: number | null;
-  used: boolean;
-  reason: string | null;
-  rms_px: number | null;
-  corners_px?: Px[];
-  residuals_px?: Px[];
-}
-
+/** `camera.json` of the contract; the description leaves it open. */
 export interface CameraDocument {
   format: "sightline-camera-1";
   name: string;
@@ -89,306 +40,61 @@ export interface CameraDocument {
   rms_px: number | null;
   parameters: string[];
   covariance: number[][] | null;
-  views: CameraView[];
 }
 
-export interface CalibrationSummary {
-  id: number;
-  created_at: string;
-  created_by: NamedPerson | null;
-  source: "images" | "clip" | "import";
-  trusted: boolean;
-  summary: string;
-}
+export type CameraView = With<Schemas["ViewBody"], { corners_px: Px[]; residuals_px: Px[] }>;
+export type CalibrationSummary = Schemas["CalibrationSummaryBody"];
+export type Calibration = With<Schemas["CalibrationBody"], { document: CameraDocument; views: CameraView[] }>;
+export type CalibrationImage = With<Schemas["CalibrationImageBody"], { corners_px: Px[] }>;
+export type Camera = Schemas["CameraBody"];
+export type CameraDetail = With<Schemas["CameraDetail"], { images: CalibrationImage[] }>;
 
-export interface Calibration extends CalibrationSummary {
-  camera_id: number;
-  document: CameraDocument;
-  warnings: string[];
-  /** 12 rows of 16 columns: how many corners fell into each part of the picture. */
-  coverage: number[][];
-  views: CameraView[];
-}
+export type Job = With<Schemas["JobBody"], { result: Record<string, number> | null }>;
+export type Recording = With<Schemas["RecordingBody"], { job: Job | null }>;
+export type FrameTable = Schemas["FrameRows"];
+export type UnfinishedUpload = Schemas["UploadBody"];
 
-export interface CalibrationImage {
-  id: number;
-  name: string;
-  width_px: number;
-  height_px: number;
-  found: boolean;
-  reason: string | null;
-  /** row by row */
-  corners_px: Px[];
-  columns: number;
-  rows: number;
-  sharpness: number | null;
-  url: string;
-}
-
-export interface Camera {
-  id: number;
-  survey_id: number;
-  name: string;
-  notes: string;
-  current_calibration_id: number | null;
-  images: number;
-  calibrations: CalibrationSummary[];
-}
-
-export interface CameraDetail extends Omit<Camera, "images"> {
-  images: CalibrationImage[];
-}
-
-export type JobState = "queued" | "running" | "done" | "failed" | "cancelled";
-
-export interface Job {
-  id: number;
-  kind: string;
-  state: JobState;
-  progress: number;
-  message: string;
-  error: string | null;
-  result: Record<string, number> | null;
-  survey_id: number | null;
-  recording_id: number | null;
-  created_at: string;
-  finished_at: string | null;
-}
-
-export interface Recording {
-  id: number;
-  survey_id: number;
-  name: string;
-  state: "ingesting" | "ready" | "failed";
-  error: string | null;
-  job: Job | null;
-  sha256: string | null;
-  size_bytes: number;
-  width_px: number | null;
-  height_px: number | null;
-  frame_count: number | null;
-  duration_s: number | null;
-  codec: string | null;
-  container: string | null;
-  vfr: boolean;
-  notes: string[];
-  camera_id: number | null;
-  pose_id: number | null;
-  lighting: Lighting | null;
-  lighting_proposed: Lighting | null;
-  created_at: string;
-  thumbs: { frame: number; url: string }[];
-}
-
-export interface FrameTable {
-  first: number;
-  pts: number[];
-  time_s: number[];
-  crc: number[];
-  key: boolean[];
-}
-
-export interface BoardFinding {
-  found: boolean;
-  reason: string | null;
-  columns: number;
-  rows: number;
-  corners_px: Px[];
-  outline_px: Px[];
-  order_note: string;
-}
-
-export interface PoseSummary {
-  id: number;
-  recording_id: number;
-  calibration_id: number;
-  created_at: string;
-  first_frame: number;
-  last_frame: number;
-  rms_px: number;
-  distance_m: number | null;
-  summary: string;
-}
-
-export interface PoseOverlay {
-  grid: Px[][];
-  iso_heights: { height_m: number; points: Px[] }[];
-  axes: AxisLines;
-  corners_px: Px[];
-}
-
+export type BoardFinding = With<Schemas["BoardBody"], { corners_px: Px[]; outline_px: Px[] }>;
 export interface AxisLines {
   longitudinal: Px[];
   vertical: Px[];
   transversal: Px[];
   origin_px: Px;
 }
-
-export interface Pose extends PoseSummary {
-  document: Record<string, unknown>;
-  warnings: string[];
-  expected: { distance_m: number; u_height_m: number | null; U95_height_m: number | null }[];
-  overlay: PoseOverlay;
-}
-
-export interface AxesAnswer {
-  ok: boolean;
-  reason: string | null;
+export type PoseSummary = Schemas["PoseSummaryBody"];
+export interface PoseOverlay {
+  grid: Px[][];
+  iso_heights: { height_m: number; points: Px[] }[];
   axes: AxisLines | null;
-  ladder: { height_m: number; points: Px[]; label: boolean }[];
-  x_m: number | null;
-  y_m: number | null;
-  distance_m: number | null;
+  corners_px: Px[];
 }
+export type Pose = With<Schemas["PoseBody"], { overlay: PoseOverlay }>;
 
-export interface BudgetEntry {
-  source: string;
-  u_m: number;
-}
+export type AxesAnswer = With<
+  Schemas["AxesAnswer"],
+  { axes: AxisLines | null; ladder: { height_m: number; points: Px[]; label: boolean }[] }
+>;
+export type BudgetEntry = Schemas["BudgetEntryBody"];
+export type HeightAnswer = Schemas["HeightAnswer"];
 
-export interface HeightAnswer {
-  status: "ok" | "not_measurable";
-  reason: string | null;
-  height_m: number | null;
-  u_height_m: number | null;
-  U95_height_m: number | null;
-  uncorrected_height_m: number | null;
-  inset_m: number;
-  u_inset_m: number;
-  x_m: number | null;
-  y_m: number | null;
-  distance_m: number | null;
-  budget: BudgetEntry[];
-  flags: string[];
-}
+export type Measurement = With<Schemas["MeasurementBody"], { contact: Px; point: Px; budget: BudgetEntry[] }>;
+export type Vehicle = With<Schemas["VehicleBody"], { measurements: Measurement[] }>;
+export type VehicleFields = Pick<
+  Vehicle,
+  | "make"
+  | "model"
+  | "year"
+  | "category"
+  | "manufacturer_height_m"
+  | "u_manufacturer_height_m"
+  | "height_source"
+  | "lighting"
+  | "notes"
+>;
+export type CatalogueRow = Schemas["EntryBody"];
+export type History = With<Schemas["HistoryBody"], { revisions: Measurement[] }>;
+export type ReviewItem = With<Schemas["QueueItemBody"], { measurement: Measurement }>;
 
-export type Verdict = "to_review" | "accepted" | "fixed" | "rejected" | "reopened";
-
-export interface Measurement {
-  id: number;
-  revision: number;
-  revision_id: number;
-  vehicle_id: number;
-  recording_id: number;
-  target: Target;
-  frame: number;
-  pts: number;
-  time_s: number;
-  frame_crc: number;
-  contact: Px;
-  point: Px;
-  sigma_px: number;
-  pose_id: number;
-  calibration_id: number;
-  inset_m: number;
-  u_inset_m: number;
-  height_m: number | null;
-  uncorrected_height_m: number | null;
-  u_height_m: number | null;
-  U95_height_m: number | null;
-  distance_m: number | null;
-  status: "ok" | "not_measurable";
-  reason: string | null;
-  flags: string[];
-  budget: BudgetEntry[];
-  code_version: string;
-  created_by: NamedPerson;
-  created_at: string;
-  withdrawn: boolean;
-  review: { verdict: Verdict; reason: string | null; reviewer: NamedPerson | null; at: string | null };
-}
-
-export interface VehicleFields {
-  make: string | null;
-  model: string | null;
-  year: number | null;
-  category: Category | null;
-  manufacturer_height_m: number | null;
-  u_manufacturer_height_m: number | null;
-  height_source: string | null;
-  lighting: Lighting | null;
-  notes: string;
-}
-
-export interface Vehicle extends VehicleFields {
-  id: number;
-  survey_id: number;
-  recording_id: number;
-  number: number;
-  first_frame: number;
-  last_frame: number;
-  best_frame: number | null;
-  version: number;
-  state: "to_do" | "partial" | "measured" | "rejected" | "accepted";
-  measurements: Measurement[];
-}
-
-export interface CatalogueRow {
-  id: number;
-  make: string;
-  model: string;
-  year_from: number | null;
-  year_to: number | null;
-  category: Category | null;
-  height_m: number | null;
-  length_m: number | null;
-  width_m: number | null;
-  wheelbase_m: number | null;
-  source: string;
-}
-
-export interface History {
-  revisions: Measurement[];
-  reviews: {
-    id: number;
-    revision: number;
-    verdict: Verdict;
-    reason: string | null;
-    reviewer: NamedPerson | null;
-    at: string;
-  }[];
-}
-
-export interface ReviewItem {
-  measurement: Measurement;
-  vehicle: Omit<Vehicle, "measurements">;
-  mine: boolean;
-}
-
-export interface ExportPackage {
-  id: number;
-  created_at: string;
-  created_by: NamedPerson | null;
-  size_bytes: number;
-  sha256: string;
-  url: string;
-}
-
-export interface AuditEvent {
-  id: number;
-  at: string;
-  actor: NamedPerson | null;
-  action: string;
-  entity: string;
-  entity_id: number | string;
-  survey_id: number | null;
-  before: Record<string, unknown> | null;
-  after: Record<string, unknown> | null;
-  hash: string;
-  previous_hash: string | null;
-}
-
-export interface AuditCheck {
-  ok: boolean;
-  checked: number;
-  head_hash: string | null;
-  problem: string | null;
-}
-
-export interface UnfinishedUpload {
-  id: number | string;
-  filename: string;
-  size_bytes: number;
-  offset_bytes: number;
-  created_at: string;
-}
+export type ExportPackage = Schemas["ExportBody"];
+export type AuditEvent = Schemas["AuditEventBody"];
+export type AuditCheck = Schemas["VerificationBody"];

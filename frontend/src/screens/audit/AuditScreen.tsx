@@ -24,7 +24,8 @@ const ENTITIES = [
   "review",
   "export",
   "person",
-  "session",
+  "sign_in_link",
+  "job",
 ];
 
 /** Who did what, when, from what to what; newest first. The chain of hashes can be checked here. */

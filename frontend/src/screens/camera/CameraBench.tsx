@@ -8,7 +8,7 @@ import { toast } from "../../state/toasts";
 import type { Calibration, CalibrationImage, CameraDetail, Job } from "../../types";
 import { plural } from "../../units";
 import { BoardDrawing } from "./BoardDrawing";
-import { problemsOf, readBoard, type TypedBoard } from "./board";
+import { type Board, problemsOf, readBoard, type TypedBoard } from "./board";
 import { CalibrateForm, type Recipe } from "./CalibrateForm";
 import { CalibrationPanel } from "./CalibrationPanel";
 import { History } from "./History";
@@ -48,6 +48,7 @@ export function CameraBench({ camera, surveyId, reload, set }: Props) {
       const made = over.result?.["calibration_id"];
       if (made) setShownId(made);
       void reload().then(refreshSurvey);
+      if (made) document.getElementById("main")?.scrollTo({ top: 0, behavior: "smooth" });
     },
     (error) => {
       setJobId(null);
@@ -126,6 +127,7 @@ export function CameraBench({ camera, surveyId, reload, set }: Props) {
       const made = await api.file<Calibration>(`/cameras/${camera.id}/calibrations/import`, file);
       toast(`${file.name} was read.`);
       setShownId(made.id);
+      document.getElementById("main")?.scrollTo({ top: 0, behavior: "smooth" });
       await reload();
       await refreshSurvey();
     } catch (error) {
@@ -145,9 +147,7 @@ export function CameraBench({ camera, surveyId, reload, set }: Props) {
   };
 
   const found = camera.images.filter((image) => image.found).length;
-  const stale =
-    read !== null &&
-    camera.images.some((image) => image.columns !== read.columns || image.rows !== read.rows);
+  const stale = read !== null && camera.images.some((image) => !sameBoard(image, read));
   const waiting = sending.filter((entry) => entry.problem === null).length;
   return (
     <>
@@ -215,6 +215,12 @@ export function CameraBench({ camera, surveyId, reload, set }: Props) {
   );
 }
 
+/** A board lying on its side is the same board: the detector names columns and rows as it sees them. */
+function sameBoard(image: CalibrationImage, board: Board): boolean {
+  const flat = image.columns === board.columns && image.rows === board.rows;
+  return flat || (image.columns === board.rows && image.rows === board.columns);
+}
+
 function advice(found: number): string {
   if (found < 3)
     return "At least three are needed; twelve to twenty from different sides give a good calibration.";
@@ -224,7 +230,7 @@ function advice(found: number): string {
 }
 
 function firstBoard(camera: CameraDetail): TypedBoard {
-  const image = camera.images[0];
+  const image = camera.images.find((one) => !one.found) ?? camera.images[0];
   let square = "";
   try {
     square = localStorage.getItem("sightline.square_mm") ?? "";

@@ -5,6 +5,7 @@ import type { ScreenProps } from "../../router";
 import { useEvery, useResource } from "../../state/resource";
 import { may } from "../../state/session";
 import { refreshSurvey } from "../../state/survey";
+import { toastProblem } from "../../state/toasts";
 import type { Camera, Recording, UnfinishedUpload } from "../../types";
 import { RecordingCard } from "./RecordingCard";
 import "./recordings.css";
@@ -33,10 +34,16 @@ export default function RecordingsScreen({ surveyId }: ScreenProps) {
   if (wasBusy.current && !busy) void refreshSurvey();
   wasBusy.current = busy;
 
+  /** Where there is one camera, it is the one; the card shows it, and it can be changed there. */
+  const pickOnlyCamera = async (recordingId: number | null) => {
+    const [only, another] = cameras.data ?? [];
+    if (recordingId === null || !only || another) return;
+    await api.put(`/recordings/${recordingId}`, { camera_id: only.id }).catch(toastProblem);
+  };
   const add = (files: File[]) => {
     for (const file of files) {
-      void startUpload(surveyId, file, () => {
-        void recordings.reload();
+      void startUpload(surveyId, file, (recordingId) => {
+        void pickOnlyCamera(recordingId).then(recordings.reload);
         void unfinished.reload();
         void refreshSurvey();
       });

@@ -72,7 +72,7 @@ export function UnfinishedRow({ upload, gone }: { upload: UnfinishedUpload; gone
   const discard = async () => {
     const yes = await ask({
       title: "Throw away the part that arrived?",
-      body: `${formatBytes(upload.offset_bytes)} of ${upload.filename} are on the server.`,
+      body: `${formatBytes(upload.offset)} of ${upload.filename} are on the server.`,
       action: "Throw it away",
     });
     if (!yes) return;
@@ -88,9 +88,9 @@ export function UnfinishedRow({ upload, gone }: { upload: UnfinishedUpload; gone
       <div class="row">
         <div class="grow">
           <Progress
-            value={upload.size_bytes ? upload.offset_bytes / upload.size_bytes : 0}
+            value={upload.size_bytes ? upload.offset / upload.size_bytes : 0}
             label={`${upload.filename}: not finished; drop the same file again and it goes on from here`}
-            figure={`${formatBytes(upload.offset_bytes)} of ${formatBytes(upload.size_bytes)}`}
+            figure={`${formatBytes(upload.offset)} of ${formatBytes(upload.size_bytes)}`}
             still
           />
         </div>

@@ -119,17 +119,17 @@ function SightDrawing() {
   return (
     <svg
       class="signin__drawing"
-      viewBox="0 0 720 720"
+      viewBox="-24 20 744 700"
       fill="none"
       aria-hidden="true"
-      preserveAspectRatio="xMidYMid slice"
+      preserveAspectRatio="xMidYMid meet"
     >
       <g stroke="var(--stage-line)" stroke-width="1">
-        {Array.from({ length: 9 }, (_, i) => (
-          <path key={`h${i}`} d={`M0 ${520 + i * i * 3.4}H720`} />
+        {Array.from({ length: 14 }, (_, i) => (
+          <path key={`h${i}`} d={`M-400 ${520 + i * i * 3.4}H1120`} />
         ))}
-        {Array.from({ length: 13 }, (_, i) => (
-          <path key={`v${i}`} d={`M${360 + (i - 6) * 60} 520L${360 + (i - 6) * 150} 738`} />
+        {Array.from({ length: 25 }, (_, i) => (
+          <path key={`v${i}`} d={`M${360 + (i - 12) * 60} 520L${360 + (i - 12) * 330} 1174`} />
         ))}
       </g>
       <g stroke="var(--stage-ink-2)" stroke-width="2" stroke-linejoin="round">
@@ -160,10 +160,9 @@ function SightDrawing() {
         <circle cx="598" cy="462" r="4" />
       </g>
       <g fill="var(--stage-ink)" font-size="15" style="font-variant-numeric: tabular-nums">
-        <text x="566" y="368">
+        <text x="700" y="358" text-anchor="end">
           1.618 ± 0.013 m
         </text>
-        <text x="520" y="330" fill="var(--stage-ink-2)" font-size="13" />
       </g>
     </svg>
   );

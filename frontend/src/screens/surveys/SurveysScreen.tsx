@@ -120,22 +120,22 @@ function SurveyCard({ survey }: { survey: Survey }) {
         </h2>
         {survey.is_demo && <span class="badge">demonstration</span>}
       </header>
-      <p class="muted clip">{survey.site || "No site given"}</p>
+      <p class="muted clip">
+        {survey.site && `${survey.site} · `}
+        <span title={survey.created_at}>
+          {plural(counts.recordings, "recording")} · {formatDay(survey.created_at)}
+        </span>
+      </p>
       <div class="card__bars">
         <Tally label="Vehicles measured" done={counts.vehicles_measured} of={counts.vehicles} />
         <Tally label="Measurements reviewed" done={reviewed} of={reviewed + counts.to_review} />
       </div>
       <footer>
-        <span class="clip">
-          {next ? (
-            <StateMark state="next" word={next.summary} />
-          ) : (
-            <StateMark state="done" word="All steps done" />
-          )}
-        </span>
-        <span class="muted nowrap" title={survey.created_at}>
-          {plural(counts.recordings, "recording")} · {formatDay(survey.created_at)}
-        </span>
+        {next ? (
+          <StateMark state="next" word={next.summary} />
+        ) : (
+          <StateMark state="done" word="All steps done" />
+        )}
       </footer>
     </article>
   );
