@@ -35,6 +35,15 @@ def wheel_plate(shape: Shape, light: Light, ppm: float, turn: float, spin_blur: 
     return layer.plate(stencil)
 
 
+def tyre_plate(shape: Shape, light: Light, ppm: float) -> Plate:
+    """The tyre's inner shoulder, seen behind the wheel when looking obliquely: a plain dark disc."""
+    r = shape.radius_m
+    stencil = Stencil(-r - 0.03, r + 0.03, -r - 0.03, r + 0.03, ppm)
+    layer = Layer(stencil.size)
+    layer.lay(stencil.disc((0, 0), r), np.array([30.0, 29.0, 29.0]) * (0.30 if light.low else 1.0))
+    return layer.plate(stencil)
+
+
 def driver_plate(shape: Shape, light: Light, ppm: float) -> Plate:
     """The driver, in profile: the eye is a dark spot whose centre is at the true eye height."""
     vehicle = shape.vehicle

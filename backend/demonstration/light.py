@@ -63,7 +63,7 @@ LOW = Light(
 
 def _mirror(light: Light, up: Array) -> Array:
     """Colour seen in a mirror direction of elevation sine `up` (N,): ground, tree line, sky."""
-    stops = np.array([-1.0, -0.25, -0.06, 0.03, 0.12, 0.16, 0.5, 1.0])
+    stops = np.array([-1.0, -0.25, -0.05, 0.0, 0.07, 0.12, 0.5, 1.0])
     g, t = np.array(light.ground), np.array(light.treeline)
     h, z = np.array(light.horizon), np.array(light.zenith)
     table = np.array([g * 0.55, g * 0.9, g * 1.1, t, t, h, (h + z) / 2, z])
@@ -84,7 +84,7 @@ def shade(
     lit = base * (np.array(light.ambient) * dome[..., None] + light.key_gain * diffuse[..., None] * sun)
     cos = np.clip(-np.sum(view * normals, -1), 0, 1)
     bounce = view + 2 * cos[..., None] * normals
-    fresnel = gloss * (floor + (1 - floor) * (1 - cos) ** 5) + gloss * 0.14
+    fresnel = gloss * (floor + (1 - floor) * (1 - cos) ** 5) + gloss * 0.20
     half = key - view
     half /= np.linalg.norm(half, axis=-1, keepdims=True)
     spark = np.clip(np.sum(half * normals, -1), 0, 1) ** 60 * (95 if not light.low else 60) * gloss

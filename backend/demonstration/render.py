@@ -10,7 +10,7 @@ from backend.demonstration.board import board_backdrop
 from backend.demonstration.camera import Floats, Image
 from backend.demonstration.compose import Place, Relief, lay_ground, lay_plate, lay_relief
 from backend.demonstration.glow import add_glow, beam_plate
-from backend.demonstration.insides import driver_plate, far_side_plate, mirror_plate, seats_plate, wheel_plate
+from backend.demonstration.insides import driver_plate, far_side_plate, mirror_plate, seats_plate, tyre_plate, wheel_plate
 from backend.demonstration.mesh import Facets, build_facets, lay_facets
 from backend.demonstration.paint import Plate
 from backend.demonstration.scene import FADE_FRAMES, Scene, Vehicle
@@ -36,6 +36,7 @@ class Kit:
     mirror: Plate
     shadow: Plate
     beam: Plate | None
+    tyre: Plate
     wheels: tuple[Plate, ...]
 
 
@@ -71,6 +72,7 @@ def vehicle_kit(scene: Scene, vehicle: Vehicle) -> Kit:
         mirror_plate(shape, light, ppm),
         shadow_plate(shape, light),
         beam_plate(shape) if light.low else None,
+        tyre_plate(shape, light, ppm / 2),
         tuple(wheel_plate(shape, light, ppm, 2 * np.pi * k / TURNS / 5, spin) for k in range(TURNS)),
     )
 
@@ -110,7 +112,8 @@ def draw_vehicle(frame: Floats, scene: Scene, vehicle: Vehicle, n: int) -> None:
     lay_facets(frame, camera, kit.facets, scene.light, place)
     for axle in shape.axles:
         wheel = _wheel(kit, place.rear_m, axle)
-        lay_plate(frame, camera, wheel, place, 0.14, (axle, shape.radius_m))
+        lay_plate(frame, camera, kit.tyre, place, 0.17, (axle, shape.radius_m))
+        lay_plate(frame, camera, kit.tyre, place, 0.08, (axle, shape.radius_m))
         lay_plate(frame, camera, wheel, place, 0.0, (axle, shape.radius_m))
     lay_relief(frame, camera, kit.relief, place)
     lay_plate(frame, camera, kit.mirror, place, -0.06)

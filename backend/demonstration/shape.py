@@ -44,7 +44,7 @@ class Shape:
             return np.where(cab, 0.05 + 0.035 * np.clip(z - self.belt(along), 0, None), 0.02)
         belt = self.belt(along)
         above = np.clip(z - belt + 0.05, 0, None)
-        out = 0.012 + 0.10 * np.clip(0.52 * self.sz - z, 0, None) ** 1.5 + 0.05 * np.clip(z - 0.62, 0, None)
+        out = 0.012 + 0.10 * np.clip(0.52 * self.sz - z, 0, None) ** 1.5 + 0.085 * np.clip(z - 0.60 * self.sz, 0, 0.4)
         # the greenhouse leans in: a parabola of 10 cm eases into the straight slope, so the shoulder catches the sky
         out = out + style.tumble * np.where(above < 0.10, above**2 / 0.20, above - 0.05)
         out = out + 0.032 * np.clip(1 - (self.top(along) - z) / 0.10, 0, 1) ** 2

@@ -116,7 +116,9 @@ def _livery(shape: Shape, stencil: Stencil, layer: Layer, body: Floats, dim: flo
     """A firm's name and a stripe; drawn mirrored for vehicles whose front is at the left."""
     seed = shape.vehicle.seed
     lorry = shape.vehicle.style.name == "lorry"
-    ink = np.array([(150, 60, 20), (30, 90, 20), (40, 40, 150), (20, 110, 190)][seed % 4], float) * dim
+    dark = not lorry and sum(shape.vehicle.paint) < 420
+    inks = ((236, 236, 234), (120, 220, 240)) if dark else ((150, 60, 20), (30, 90, 20), (40, 40, 150), (20, 90, 170))
+    ink = np.array(inks[seed % len(inks)], float) * dim
     box = (0.5, 1.25, 5.0, 3.0) if lorry else (0.5, 1.15, 2.65, 1.6)
     l0, z0 = shape.at(box[0], box[1])
     l1, z1 = shape.at(box[2], box[3])
