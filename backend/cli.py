@@ -21,6 +21,7 @@ COMMANDS = {
     "pose": "backend.commands.geometry:pose",
     "height": "backend.commands.geometry:height",
     "plan": "backend.commands.geometry:plan",
+    "errors": "backend.commands.errors:errors",
     "export": "backend.commands.export:export",
     "verify": "backend.commands.verify:verify",
 }

@@ -107,10 +107,10 @@ def _about(state: SurveyState) -> str:
     said = state.survey.description.strip()
     about = (
         "Heights of vehicles measured from roadside video with Sightline. Lengths are in metres with six "
-        "decimals; u_ is a standard uncertainty (k = 1), U95_ the half-width of the 95 % interval; pixels have "
-        "(0, 0) at the centre of the top-left pixel. `sightline verify` checks this folder; `sightline height "
-        "--pose poses/pose-N.json --clicks clicks/pose-N.csv` computes its heights again. An apostrophe stands "
-        "before any text that a spreadsheet would run as a formula."
+        "decimals; u_ is a standard uncertainty (k = 1), U95_ the half-width of the 95 % interval; pixels "
+        "have (0, 0) at the centre of the top-left pixel. `sightline verify` checks this folder; `sightline "
+        "height --pose poses/pose-N.json --clicks clicks/pose-N.csv` computes its heights again. An "
+        "apostrophe stands before any text that a spreadsheet would run as a formula."
     )
     return f"{said}\n\n{about}" if said else about
 

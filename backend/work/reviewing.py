@@ -24,9 +24,9 @@ def review(
 ) -> Measurement:
     """Give a verdict on the revision that was seen.
 
-    A fix keeps target, sigma and inset of that revision and takes the reviewer's points. Raises NotAllowed for
-    one's own work, Conflict for a revision that is not current, BadInput for a rejection without a reason or a
-    fix without points.
+    A fix keeps target, sigma and inset of that revision and takes the reviewer's points. Raises NotAllowed
+    for one's own work, Conflict for a revision that is not current, BadInput for a rejection without a reason
+    or a fix without points.
     """
     before = measurements.seen(session, series_id, revision)
     fixed = None

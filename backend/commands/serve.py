@@ -1,0 +1,119 @@
+"""`sightline serve`: the server, with its own worker beside it."""
+
+from __future__ import annotations
+
+import socket
+from contextlib import ExitStack
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from backend.commands.options import data_dir_option, settings_of
+from backend.errors import BadInput
+
+if TYPE_CHECKING:
+    from backend.settings import Settings
+    from backend.work.services import Services
+
+
+@click.command()
+@click.option("--host", help="Address to listen on (SIGHTLINE_HOST; default 127.0.0.1).")
+@click.option("--port", type=click.IntRange(0, 65535), help="Port (SIGHTLINE_PORT; default 8000).")
+@click.option("--workers", type=click.IntRange(0, 64), help="Jobs side by side; 0: others do them.")
+@click.option("--demo", "with_demo", is_flag=True, help="Also make the demonstration survey, once.")
+@data_dir_option
+def serve(
+    host: str | None, port: int | None, workers: int | None, with_demo: bool, data_dir: Path | None
+) -> None:
+    """Migrate the database and serve the app; prints the address and, at first, a one-time sign-in link."""
+    run(host, port, workers, with_demo, data_dir)
+
+
+def run(
+    host: str | None, port: int | None, workers: int | None, with_demo: bool, data_dir: Path | None
+) -> None:
+    """Serve until stopped (SIGINT, SIGTERM). Raises BadInput when the port is taken."""
+    settings = settings_of(data_dir=data_dir, host=host, port=port, workers=workers or None)
+    with ExitStack() as stack:
+        listener = stack.enter_context(listen(settings.host, settings.port))
+        serve_on(listener, settings, stack, own_worker=workers != 0, with_demo=with_demo)
+
+
+def listen(host: str, port: int) -> socket.socket:
+    """The socket, taken before anything else happens: two servers on one port are noticed at once."""
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    listener = socket.socket(family)
+    listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    try:
+        listener.bind((host, port))
+        # Listening already: whoever connects while we start waits a moment instead of being refused.
+        listener.listen(2048)
+    except OSError as error:
+        listener.close()
+        why = (error.strerror or str(error)).lower()
+        raise BadInput(
+            f"Port {port} on {host} cannot be used ({why}); choose another with --port."
+        ) from error
+    return listener
+
+
+def serve_on(
+    listener: socket.socket, settings: Settings, stack: ExitStack, *, own_worker: bool, with_demo: bool
+) -> None:
+    """Open everything, say where we are, and answer until stopped."""
+    from backend.storage import database
+    from backend.work.people import first_sign_in_link
+    from backend.work.services import open_services
+
+    settings.data_dir.mkdir(parents=True, exist_ok=True)
+    engine = database.make_engine(settings.database_url)
+    database.migrate(engine)
+    engine.dispose()
+    services = open_services(settings)
+    stack.callback(services.close)
+    link = first_sign_in_link(services)
+    if with_demo:
+        request_demonstration(services)
+    if own_worker:
+        from backend.work.worker import start_child_worker
+
+        child = start_child_worker(settings)
+        if child is not None:
+            stack.callback(child.stop)
+    answer(listener, services, link)
+
+
+def request_demonstration(services: Services) -> None:
+    """Queue the demonstration survey unless it is there."""
+    from backend.work.demo_request import ensure_requested
+
+    with services.writing() as session:
+        job = ensure_requested(session)
+    if job is not None:
+        click.echo("The demonstration survey is being made; it appears on the home page within a minute.")
+
+
+def answer(listener: socket.socket, services: Services, link: str | None) -> None:
+    """Run the web server until it is told to stop."""
+    import uvicorn
+
+    from backend.app import create_app
+    from backend.work.uploading import recover
+
+    recover(services)
+    config = uvicorn.Config(
+        create_app(services=services),
+        log_level="warning",
+        access_log=False,
+        proxy_headers=True,
+        server_header=False,
+        timeout_graceful_shutdown=3,
+    )
+    host, port = listener.getsockname()[:2]
+    shown = "localhost" if host in ("127.0.0.1", "::1", "0.0.0.0", "::") else host
+    address = f"http://{shown}:{port}"
+    click.echo(f"Sightline is at {address} (stop with Ctrl+C).")
+    if link is not None:
+        click.echo(f"Sign in for the first time, once, with {address}{link}")
+    uvicorn.Server(config).run(sockets=[listener])
