@@ -90,7 +90,7 @@ def error_of(answer: httpx.Response) -> str:
     body = answer.json()
     assert set(body["error"]) == {"code", "message"}, body
     sentence: str = body["error"]["message"]
-    assert sentence[:1].isupper() and sentence.endswith("."), sentence
+    assert sentence[:1].strip() and sentence.endswith("."), sentence
     assert "Traceback" not in sentence
     return sentence
 
