@@ -90,13 +90,18 @@ def _migrate(url: str) -> None:
 
 
 def _empty(url: str) -> None:
-    """Empty every table of the schema, the ones that refuse it too (as superuser, triggers switched off)."""
+    """Empty every table of the schema, the ones that refuse it too (as superuser, triggers switched off).
+
+    Deleting a few rows is much quicker than TRUNCATE, which makes new files.
+    """
     engine = create_engine(url)
     with engine.begin() as connection:
-        names = [f'"{name}"' for name in inspect(connection).get_table_names() if name != "alembic_version"]
-        connection.execute(text("SET LOCAL session_replication_role = replica"))
-        connection.execute(text(f"TRUNCATE {', '.join(names)} RESTART IDENTITY CASCADE"))
-        connection.execute(
-            text("INSERT INTO audit_anchor (id, count, hash) VALUES (1, 0, :hash)"), {"hash": "0" * 64}
-        )
+        found = inspect(connection)
+        names = [name for name in found.get_table_names() if name != "alembic_version"]
+        sequences = found.get_sequence_names()
+        statements = ["SET LOCAL session_replication_role = replica"]
+        statements += [f'DELETE FROM "{name}"' for name in names]
+        statements += [f"SELECT setval('\"{name}\"', 1, false)" for name in sequences]
+        statements.append(f"INSERT INTO audit_anchor (id, count, hash) VALUES (1, 0, '{'0' * 64}')")
+        connection.execute(text("; ".join(statements)))
     engine.dispose()
