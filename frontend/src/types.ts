@@ -17,6 +17,13 @@ export type StepKey = Schemas["StepBody"]["key"];
 export type Lighting = NonNullable<Schemas["VehicleBody"]["lighting"]>;
 export type Category = NonNullable<Schemas["VehicleBody"]["category"]>;
 
+export const ROLE_NAMES: Record<Role, string> = {
+  viewer: "Viewer",
+  operator: "Operator",
+  reviewer: "Reviewer",
+  admin: "Administrator",
+};
+
 export type Person = Schemas["PersonBody"];
 export type NamedPerson = Schemas["WhoBody"];
 export type Me = Schemas["Me"];

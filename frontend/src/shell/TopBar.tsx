@@ -9,6 +9,7 @@ import { type ThemeChoice, theme, themeChoice } from "../state/theme";
 import { toastProblem } from "../state/toasts";
 import { topTools } from "../state/topbar";
 import { formatClock } from "../times";
+import { ROLE_NAMES } from "../types";
 import { type LengthUnit, lengthUnit } from "../units";
 import { WORK } from "./work";
 
@@ -136,7 +137,7 @@ function PersonMenu() {
       <div class="menu__head">
         <strong class="clip">{person.name}</strong>
         <span class="muted small">
-          {person.role} · Sightline {me.value?.version}
+          {ROLE_NAMES[person.role]} · Sightline {me.value?.version}
         </span>
       </div>
       <div class="menu__sep" />

@@ -4,7 +4,7 @@ import { Button, Notice, Problem, TextField } from "../../components";
 import { navigate, query } from "../../router";
 import { me } from "../../state/session";
 import { toast } from "../../state/toasts";
-import type { Me } from "../../types";
+import { type Me, ROLE_NAMES } from "../../types";
 import "./account.css";
 
 const LEAST = 10;
@@ -41,7 +41,7 @@ export default function AccountScreen() {
           <dt>E-mail</dt>
           <dd>{person.email}</dd>
           <dt>Role</dt>
-          <dd>{person.role}</dd>
+          <dd>{ROLE_NAMES[person.role]}</dd>
         </dl>
       </section>
       <PasswordForm hasPassword={person.has_password} />

@@ -153,7 +153,8 @@ function EventRow({ event }: { event: AuditEvent }) {
       </td>
       <td class="nowrap">{event.actor?.name ?? <span class="muted">the system</span>}</td>
       <td>
-        {event.action} <span class="muted">{`${event.entity} ${event.entity_id}`.replaceAll("_", " ")}</span>
+        {event.action.replaceAll("_", " ")}{" "}
+        <span class="muted">{`${event.entity} ${event.entity_id}`.replaceAll("_", " ")}</span>
       </td>
       <td class="audit__changes">
         {changes.length > 0 && (

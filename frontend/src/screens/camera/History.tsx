@@ -28,7 +28,9 @@ export function History({ camera, shownId, show }: Props) {
               <th>from</th>
               <th>verdict</th>
               <th>summary</th>
-              <th />
+              <th>
+                <span class="visually-hidden">show</span>
+              </th>
             </tr>
           </thead>
           <tbody>

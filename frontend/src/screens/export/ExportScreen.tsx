@@ -135,7 +135,9 @@ function Packages({ list }: { list: ExportPackage[] }) {
             <th>by</th>
             <th class="num">size</th>
             <th>SHA-256</th>
-            <th />
+            <th>
+              <span class="visually-hidden">download</span>
+            </th>
           </tr>
         </thead>
         <tbody>

@@ -97,7 +97,9 @@ export default function PeopleScreen() {
                 <th>role</th>
                 <th>state</th>
                 <th>last seen</th>
-                <th />
+                <th>
+                  <span class="visually-hidden">actions</span>
+                </th>
               </tr>
             </thead>
             <tbody>

@@ -114,8 +114,16 @@ export function RecordingCard({ recording, cameras, changed, reload }: Props) {
         )}
         <Problem error={problem} />
         <footer class="recording__foot">
-          <CameraPick recording={recording} cameras={cameras} pick={(camera_id) => void put({ camera_id })} />
-          <LightPick recording={recording} pick={(lighting) => void put({ lighting })} />
+          {recording.state !== "failed" && (
+            <>
+              <CameraPick
+                recording={recording}
+                cameras={cameras}
+                pick={(camera_id) => void put({ camera_id })}
+              />
+              <LightPick recording={recording} pick={(lighting) => void put({ lighting })} />
+            </>
+          )}
           <span class="grow" />
           {recording.state === "ready" && (
             <Button
@@ -262,11 +270,9 @@ function LightPick({ recording, pick }: { recording: Recording; pick: (lighting:
   const value = recording.lighting ?? recording.lighting_proposed;
   return (
     <div class="field">
-      <span class="field__label">
-        Lighting{proposed && <span class="muted"> (proposed; click to confirm)</span>}
-      </span>
+      <span class="field__label">Lighting{proposed && <span class="muted"> (proposed)</span>}</span>
       <Segments<Lighting | "none">
-        label={`Lighting of ${recording.name}`}
+        label={`Lighting of ${recording.name}${proposed ? ", proposed by the machine" : ""}`}
         value={recording.lighting ?? "none"}
         disabled={!may("operator")}
         options={[

@@ -147,9 +147,9 @@ function SightDrawing() {
         <path d="M40 150L430 374" stroke-dasharray="1 7" stroke-linecap="round" />
         <path d="M40 150L404 416" stroke-dasharray="1 7" stroke-linecap="round" />
         <path d="M40 150L302 554" stroke-dasharray="1 7" stroke-linecap="round" />
-        <path d="M656 554V374M646 374h20M646 416h20M646 462h20M646 554h20" />
+        <path d="M656 554V374" />
         {Array.from({ length: 17 }, (_, i) => (
-          <path key={i} d={`M656 ${554 - i * 11.25}h${i % 4 === 0 ? -10 : -5}`} />
+          <path key={i} d={`M656 ${554 - i * 11.25}h${i % 4 === 0 ? 12 : 6}`} />
         ))}
       </g>
       <g fill="var(--accent)">

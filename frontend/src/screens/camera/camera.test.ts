@@ -1,0 +1,146 @@
+import { describe, expect, it } from "vitest";
+import type { CameraDocument, CameraView } from "../../types";
+import { problemsOf, readBoard } from "./board";
+import { readSpan } from "./CalibrateForm";
+import { angleOfView, coveredShare, figuresOf, listed, thinParts, worstView } from "./lens";
+import { niceFactor } from "./ViewPicture";
+
+const lens: CameraDocument = {
+  format: "sightline-camera-1",
+  name: "test",
+  width_px: 640,
+  height_px: 480,
+  model: "brown",
+  fx_px: 320,
+  fy_px: 321,
+  cx_px: 319,
+  cy_px: 241,
+  distortion: [-0.28, 0.02, 0.001, -0.0001, 0.16],
+  rms_px: 0.2,
+  parameters: ["fx_px", "fy_px", "cx_px", "cy_px", "k1"],
+  covariance: [
+    [4, 0, 0, 0, 0],
+    [0, 9, 0, 0, 0],
+    [0, 0, 1, 0, 0],
+    [0, 0, 0, 1, 0],
+    [0, 0, 0, 0, 0.0001],
+  ],
+};
+
+describe("the board as typed", () => {
+  it("is read in metres", () => {
+    expect(readBoard({ columns: "9", rows: "6", square: "24,5" })).toEqual({
+      columns: 9,
+      rows: 6,
+      square_m: 0.0245,
+    });
+  });
+
+  it.each([
+    [{ columns: "9.5", rows: "6", square: "25" }, "columns"],
+    [{ columns: "9", rows: "2", square: "25" }, "rows"],
+    [{ columns: "9", rows: "6", square: "0" }, "square"],
+    [{ columns: "9", rows: "6", square: "" }, "square"],
+  ] as const)("%j has something wrong with its %s", (typed, part) => {
+    expect(problemsOf(typed)[part]).toMatch(/\w/);
+    expect(readBoard(typed)).toBeNull();
+  });
+});
+
+describe("figures", () => {
+  it("carry the root of their variance", () => {
+    const figures = figuresOf(lens);
+    expect(figures.map((figure) => figure.name)).toEqual([
+      "fx",
+      "fy",
+      "cx",
+      "cy",
+      "k1",
+      "k2",
+      "p1",
+      "p2",
+      "k3",
+    ]);
+    expect(figures[0]).toMatchObject({ value: 320, u: 2 });
+    expect(figures[4]?.u).toBeCloseTo(0.01, 12);
+    expect(figures[5]?.u).toBeNull();
+  });
+
+  it("have no uncertainty without a covariance", () => {
+    expect(figuresOf({ ...lens, covariance: null }).every((figure) => figure.u === null)).toBe(true);
+  });
+
+  it("tell the angle of view", () => {
+    expect(angleOfView(lens)).toBeCloseTo(90, 9);
+    expect(angleOfView({ ...lens, model: "fisheye" })).toBeCloseTo(114.59, 2);
+  });
+});
+
+describe("coverage", () => {
+  const even = Array.from({ length: 12 }, () => Array.from({ length: 16 }, () => 5));
+
+  it("names the parts that are thin", () => {
+    const noCorner = even.map((line, r) => line.map((count, c) => (r >= 8 && c >= 11 ? 0 : count)));
+    expect(thinParts(noCorner)).toEqual(["bottom right"]);
+    expect(thinParts(even)).toEqual([]);
+    expect(thinParts([])).toEqual([]);
+  });
+
+  it("tells the share of cells with a corner", () => {
+    expect(coveredShare(even)).toBe(1);
+    expect(
+      coveredShare([
+        [1, 0],
+        [0, 0],
+      ]),
+    ).toBe(0.25);
+  });
+
+  it("lists words as people do", () => {
+    expect(listed(["a"])).toBe("a");
+    expect(listed(["a", "b", "c"])).toBe("a, b and c");
+  });
+});
+
+describe("views", () => {
+  const view = (file: string, used: boolean, rms_px: number | null): CameraView => ({
+    file,
+    image_id: null,
+    frame: null,
+    used,
+    reason: null,
+    rms_px,
+    corners_px: [],
+    residuals_px: [],
+  });
+
+  it("the worst is the used one with the largest residual", () => {
+    expect(worstView([view("a", true, 0.2), view("b", true, 0.4), view("c", false, 9)])?.file).toBe("b");
+    expect(worstView([view("c", false, null)])).toBeNull();
+  });
+
+  it.each([
+    [0.3, 1],
+    [7, 5],
+    [23, 20],
+    [99, 50],
+    [100, 100],
+  ])("residuals are drawn a round number of times longer: %d gives %d", (value, factor) => {
+    expect(niceFactor(value)).toBe(factor);
+  });
+});
+
+describe("frames to calibrate from", () => {
+  it("are all of them unless said otherwise", () => {
+    expect(readSpan("", "", "10", 283)).toEqual({ every: 10, first_frame: 0, last_frame: 282 });
+  });
+
+  it.each([
+    ["5", "4", "1", /before/],
+    ["0", "283", "1", /frame 282/],
+    ["0", "10", "0", /whole number/],
+    ["a", "", "1", /whole numbers/],
+  ])("%s to %s by %s is refused in words", (first, last, every, words) => {
+    expect(readSpan(first, last, every, 283)).toMatch(words);
+  });
+});

@@ -1,0 +1,22 @@
+import { describe, expect, it } from "vitest";
+import { formatAgo, formatDuration, formatFrameTime } from "./times";
+
+describe("times", () => {
+  it("shows a position in a recording to the millisecond", () => {
+    expect(formatFrameTime(42.8)).toBe("42.800 s");
+    expect(formatFrameTime(182.8)).toBe("3:02.800");
+  });
+
+  it("shows lengths of time in words", () => {
+    expect(formatDuration(4.26)).toBe("4.3 s");
+    expect(formatDuration(200)).toBe("3 min 20 s");
+    expect(formatDuration(3840)).toBe("1 h 04 min");
+  });
+
+  it("says how long ago in short, then when", () => {
+    const now = new Date("2026-11-21T12:00:00Z");
+    expect(formatAgo("2026-11-21T11:59:30Z", now)).toBe("just now");
+    expect(formatAgo("2026-11-21T11:56:00Z", now)).toBe("4 min ago");
+    expect(formatAgo("2026-11-01T11:56:00Z", now)).toMatch(/1 Nov 2026/);
+  });
+});
