@@ -106,7 +106,7 @@ function Marks({ model, selections }: { model: MeasureModel; selections: readonl
               key={idOf(one)}
               stage={stage}
               at={at}
-              role={one.role}
+              kind={one.role}
               selected={isSelected(one)}
               faint={one.role === "contact" && renew}
               text={

@@ -7,9 +7,10 @@ import { formatMoment } from "../times";
 import type { BudgetEntry, History } from "../types";
 import { fixed, formatHeight, formatLength, formatSmall, lengthUnit, parseLength } from "../units";
 import { CommitField } from "./CommitField";
+import { lengthProblem, lengthText } from "./lengths";
 import type { MeasureModel } from "./model";
 import type { Entry } from "./records";
-import { lengthText } from "./VehiclePanel";
+
 import type { Inset } from "./values";
 
 export function MeasurementDetail({ model, entry }: { model: MeasureModel; entry: Entry }) {
@@ -55,8 +56,7 @@ function InsetEditor({ model, entry }: { model: MeasureModel; entry: Entry }) {
   const now: Inset | null = entry.values.inset ?? usual;
   if (!now) return null;
   const set = (change: Partial<Inset>): void => model.points.setInset(entry.key, { ...now, ...change });
-  const check = (text: string): string | null =>
-    parseLength(text) === null ? "A length, such as 0.60." : null;
+  const check = (text: string) => lengthProblem(text, { empty: false });
   const own = usual && (usual.inset_m !== now.inset_m || usual.u_inset_m !== now.u_inset_m);
   return (
     <div>

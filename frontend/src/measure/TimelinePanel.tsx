@@ -26,7 +26,7 @@ export function TimelinePanel({ model, player }: { model: MeasureModel; player: 
   }
   return (
     <section class="measure__time" aria-label="Timeline">
-      <div class="measure__tools">
+      <div class="frame-tools">
         <Transport player={player} stage={model.stage} />
         <span class="grow" />
         {model.recordings.value.length > 1 && <RecordingChoice model={model} player={player} />}

@@ -2,10 +2,11 @@
 import { Button, SelectField, StateMark, TextField } from "../components";
 import { canWork } from "../state/session";
 import type { CatalogueRow, Category, Lighting, Vehicle } from "../types";
-import { lengthUnit, METRES_PER_FOOT, parseLength } from "../units";
+import { lengthUnit, parseLength } from "../units";
 import { CatalogueField } from "./CatalogueField";
 import { CommitField } from "./CommitField";
 import { VehicleConflict } from "./Conflicts";
+import { lengthProblem, lengthText } from "./lengths";
 import { MeasurementList } from "./MeasurementList";
 import type { MeasureModel } from "./model";
 
@@ -130,7 +131,7 @@ function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
           numeric
           unit={unit}
           disabled={locked}
-          check={checkLength}
+          check={(text) => lengthProblem(text, { empty: true })}
           onCommit={(text) => model.edit({ manufacturer_height_m: parseLength(text) })}
         />
         <CommitField
@@ -139,7 +140,7 @@ function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
           numeric
           unit={unit}
           disabled={locked}
-          check={checkLength}
+          check={(text) => lengthProblem(text, { empty: true })}
           onCommit={(text) => model.edit({ u_manufacturer_height_m: parseLength(text) })}
         />
         <div class="facts-form__wide">
@@ -198,16 +199,4 @@ function fromCatalogue(row: CatalogueRow) {
     ...(row.height_m === null ? {} : { manufacturer_height_m: row.height_m, height_source: row.source }),
     ...(row.year_from !== null && row.year_from === row.year_to ? { year: row.year_from } : {}),
   };
-}
-
-/** A length in the shown unit as a person would type it. */
-export function lengthText(metres: number | null, unit: "m" | "ft"): string {
-  if (metres === null) return "";
-  return String(Number((unit === "ft" ? metres / METRES_PER_FOOT : metres).toFixed(4)));
-}
-
-function checkLength(text: string): string | null {
-  if (text.trim() === "") return null;
-  const value = parseLength(text);
-  return value === null || value < 0 || value > 10 ? "A length, such as 1.624." : null;
 }

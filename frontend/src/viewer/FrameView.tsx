@@ -144,11 +144,11 @@ export function FrameView(props: FrameViewProps) {
   }, [stage]);
 
   return (
-    // biome-ignore lint/a11y/noNoninteractiveTabindex: role "application" takes the keys and clicks itself
     <div
       ref={host}
       class={`frame-view${props.placing ? " frame-view--placing" : ""}`}
       data-testid="frame-view"
+      // biome-ignore lint/a11y/noNoninteractiveTabindex: role "application" takes the keys and clicks itself
       tabIndex={0}
       role="application"
       aria-roledescription="frame"

@@ -96,7 +96,7 @@ export function Word(props: {
 export interface MarkProps {
   stage: Stage;
   at: ImagePoint;
-  role: "contact" | "point";
+  kind: "contact" | "point";
   selected?: boolean;
   faint?: boolean;
   /** Words beside the mark: "roof". */
@@ -104,10 +104,10 @@ export interface MarkProps {
 }
 
 /** A contact is a triangle standing on the road, a target a ring; the pixel itself stays free. */
-export function PointMark({ stage, at, role, selected, faint, text }: MarkProps) {
+export function PointMark({ stage, at, kind, selected, faint, text }: MarkProps) {
   const [x, y] = stage.viewport.value.toScreen(at);
   const shape =
-    role === "contact"
+    kind === "contact"
       ? "M0 3.5L8 15H-8ZM-5 0H-14M5 0H14"
       : "M8 0A8 8 0 11-8 0A8 8 0 118 0M-8 0H-14M8 0H14M0 -8V-14M0 8V14";
   return (
@@ -120,8 +120,8 @@ export function PointMark({ stage, at, role, selected, faint, text }: MarkProps)
       {text && (
         <text
           class="overlay-word overlay-word--strong"
-          x={role === "contact" ? 17 : 18}
-          y={role === "contact" ? 18 : -6}
+          x={kind === "contact" ? 17 : 18}
+          y={kind === "contact" ? 18 : -6}
         >
           {text}
         </text>

@@ -1,0 +1,176 @@
+/** The questions about the board, in the order of work, in words and with a drawing. */
+import { Button, JobProgress, Notice, Segments, SelectField, TextField } from "../components";
+import { hint } from "../keys";
+import { canWork } from "../state/session";
+import { lengthUnit, plural } from "../units";
+import { BoardDrawing } from "./BoardDrawing";
+import type { PoseModel } from "./model";
+
+export function PoseForm({ model }: { model: PoseModel }) {
+  const form = model.form.value;
+  const show = (problem: string | null): string | null => (model.tried.value ? problem : null);
+  const problems = model.problems.value;
+  const unit = lengthUnit.value;
+  const locked = !canWork.value;
+  return (
+    <form
+      class="pose-form"
+      onSubmit={(event) => {
+        event.preventDefault();
+        void model.run();
+      }}
+    >
+      <fieldset disabled={locked}>
+        <legend>Recording and lens</legend>
+        <SelectField
+          label="Recording"
+          value={String(model.recording.value?.id ?? "")}
+          options={model.recordings.value.map((one) => ({
+            value: String(one.id),
+            label: one.name,
+            disabled: one.state !== "ready",
+          }))}
+          onChange={(id) => void model.openRecording(Number(id))}
+        />
+        <SelectField
+          label="Calibration"
+          value={String(form.calibrationId ?? "")}
+          problem={show(problems.calibration)}
+          options={[
+            ...(form.calibrationId === null ? [{ value: "", label: "none yet" }] : []),
+            ...model.calibrations.value.map((one) => ({
+              value: String(one.id),
+              label: `${one.camera}, ${one.id}${one.current ? ", current" : ""}${one.trusted ? "" : ", not to be trusted"}`,
+            })),
+          ]}
+          onChange={(id) => model.set({ calibrationId: id === "" ? null : Number(id) })}
+        />
+      </fieldset>
+      <fieldset disabled={locked}>
+        <legend>The board</legend>
+        <div class="pose-form__three">
+          <TextField
+            label="Inner corners across"
+            numeric
+            value={String(form.columns || "")}
+            onInput={(text) => model.set({ columns: count(text) })}
+          />
+          <TextField
+            label="and down"
+            numeric
+            value={String(form.rows || "")}
+            onInput={(text) => model.set({ rows: count(text) })}
+            problem={problems.board}
+          />
+          <TextField
+            label="Square"
+            numeric
+            unit={unit}
+            value={form.square}
+            onInput={(square) => model.set({ square })}
+            problem={show(problems.square)}
+          />
+        </div>
+        <p class="field__hint">
+          Inner corners are where four squares meet: a board of 10 by 7 squares has 9 by 6.
+        </p>
+      </fieldset>
+      <fieldset disabled={locked}>
+        <legend>Frames in which it stands still</legend>
+        <div class="row row--wrap">
+          <Button
+            small
+            title={`The first frame${hint("passBegin")}`}
+            onClick={() => model.mark("first")}
+            disabled={locked}
+          >
+            Begins here
+          </Button>
+          <Button
+            small
+            title={`The last frame${hint("passEnd")}`}
+            onClick={() => model.mark("last")}
+            disabled={locked}
+          >
+            Ends here
+          </Button>
+          <span class="nowrap" data-testid="pose-span">
+            {span(form.first, form.last)}
+          </span>
+        </div>
+        {show(problems.span) && <p class="field__problem">{problems.span}</p>}
+      </fieldset>
+      <fieldset disabled={locked}>
+        <legend>How high it stands</legend>
+        <Segments
+          label="Reference row"
+          value={form.reference}
+          options={[
+            { value: "bottom", label: "lowest row of corners" },
+            { value: "top", label: "uppermost row" },
+          ]}
+          onChange={(reference) => model.set({ reference })}
+          disabled={locked}
+        />
+        <BoardDrawing reference={form.reference} columns={form.columns} rows={form.rows} />
+        <TextField
+          label={`From the road up to the ${form.reference === "top" ? "uppermost" : "lowest"} row of inner corners`}
+          numeric
+          unit={unit}
+          value={form.referenceHeight}
+          onInput={(referenceHeight) => model.set({ referenceHeight })}
+          problem={show(problems.referenceHeight)}
+        />
+        <details>
+          <summary>How sure these are</summary>
+          <div class="pose-form__two">
+            <TextField
+              label="± of the tape"
+              numeric
+              unit={unit}
+              value={form.uReferenceHeight}
+              onInput={(uReferenceHeight) => model.set({ uReferenceHeight })}
+            />
+            <TextField
+              label="± of the lean"
+              numeric
+              unit="°"
+              value={form.uLean}
+              onInput={(uLean) => model.set({ uLean })}
+              problem={problems.uncertainty}
+            />
+          </div>
+          <p class="field__hint">
+            Standard uncertainties. 3 mm is a steel tape read with care on asphalt; 0.3° is a board set with a
+            good spirit level. Both go into every height's budget under their own names.
+          </p>
+        </details>
+      </fieldset>
+      <footer class="pose-form__foot">
+        {model.job.value?.state === "failed" && <Notice kind="problem">{model.job.value.error}</Notice>}
+        {model.job.value?.state === "cancelled" && <Notice>Stopped; nothing was changed.</Notice>}
+        {model.running.value && model.job.value ? (
+          <JobProgress job={model.job.value} onCancel={() => model.cancel()} />
+        ) : (
+          <span data-testid="pose-run">
+            <Button kind="primary" type="submit" disabled={locked}>
+              Find the road pose
+            </Button>
+          </span>
+        )}
+        {locked && <p class="small muted">You may look; an operator finds the pose.</p>}
+      </footer>
+    </form>
+  );
+}
+
+function count(text: string): number {
+  const value = Number.parseInt(text, 10);
+  return Number.isFinite(value) ? Math.min(Math.max(value, 0), 60) : 0;
+}
+
+function span(first: number | null, last: number | null): string {
+  if (first === null) return "not marked yet";
+  if (last === null) return `from ${first}, end not marked`;
+  return `${first} to ${last}, ${plural(last - first + 1, "frame")}`;
+}
