@@ -70,7 +70,7 @@ def list_uploads(survey_id: PathId, who: Viewer, session: Reading) -> list[Uploa
     return [UploadBody.model_validate(one) for one in uploads.unfinished(session, survey_id)]
 
 
-@router.post("/surveys/{survey_id}/uploads", status_code=201, dependencies=[SPEAKS])
+@router.post("/surveys/{survey_id}/uploads", status_code=201, response_class=Response, dependencies=[SPEAKS])
 def create_upload(
     survey_id: PathId,
     who: Operator,
@@ -86,7 +86,7 @@ def create_upload(
     return Response(status_code=201, headers=headers)
 
 
-@router.head("/uploads/{upload_id}", dependencies=[SPEAKS])
+@router.head("/uploads/{upload_id}", response_class=Response, dependencies=[SPEAKS])
 def upload_offset(upload_id: PathId, who: Operator, services: Wired) -> Response:
     """How far the upload has come. One that was complete when the server was killed is finished now."""
     upload = _upload(services, upload_id)

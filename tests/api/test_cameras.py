@@ -1,4 +1,4 @@
-"""Cameras: images with their detection, calibrations from images, from a clip, and from other tools' files."""
+"""Cameras: images with their detection; calibrations from images, a clip, and other tools' files."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -81,7 +81,7 @@ def test_what_is_no_picture_is_refused_by_name(operator: Client, camera_id: int,
 
 def test_another_board_is_looked_for_again(operator: Client, camera_id: int) -> None:
     content = picture_bytes(view(POSES[0]))
-    assert drop(operator, camera_id, content, columns=5).json()["found"] is False
+    assert drop(operator, camera_id, content, columns=12).json()["found"] is False
     (image,) = operator.made(f"/cameras/{camera_id}/images/detect", {"columns": COLUMNS, "rows": ROWS})
     assert image["found"] is True
     wrong = operator.post(f"/cameras/{camera_id}/images/detect", {"columns": 2, "rows": 6})
