@@ -80,7 +80,12 @@ describe("dispatch", () => {
   it("asks the newest layer first, and the next one when it declines", () => {
     const calls: string[] = [];
     listen(() => ({ cancel: () => void calls.push("old") }));
-    listen(() => ({ cancel: () => (calls.push("new"), false) }));
+    listen(() => ({
+      cancel: () => {
+        calls.push("new");
+        return false;
+      },
+    }));
     press({ key: "Escape" });
     expect(calls).toEqual(["new", "old"]);
   });

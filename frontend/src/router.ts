@@ -18,16 +18,6 @@ export interface Route {
   load: Loader;
 }
 
-const benchScreens = import.meta.glob<{ default: ComponentType<ScreenProps> }>([
-  "./pose/PoseScreen.tsx",
-  "./measure/MeasureScreen.tsx",
-  "./review/ReviewScreen.tsx",
-]);
-
-function benchScreen(path: string): Loader {
-  return () => benchScreens[path]?.() ?? Promise.reject(new Error(`no screen ${path}`));
-}
-
 export const ROUTES: readonly Route[] = [
   {
     name: "sign-in",
@@ -69,21 +59,21 @@ export const ROUTES: readonly Route[] = [
     pattern: "/surveys/:id/pose",
     title: "Road pose",
     layout: "full",
-    load: benchScreen("./pose/PoseScreen.tsx"),
+    load: () => import("./pose/PoseScreen"),
   },
   {
     name: "measure",
     pattern: "/surveys/:id/measure",
     title: "Measure",
     layout: "full",
-    load: benchScreen("./measure/MeasureScreen.tsx"),
+    load: () => import("./measure/MeasureScreen"),
   },
   {
     name: "review",
     pattern: "/surveys/:id/review",
     title: "Review",
     layout: "full",
-    load: benchScreen("./review/ReviewScreen.tsx"),
+    load: () => import("./review/ReviewScreen"),
   },
   {
     name: "export",

@@ -1,7 +1,6 @@
 import { useState } from "preact/hooks";
 import { api } from "../../api";
 import { Button, Notice, Problem, TextField } from "../../components";
-import { navigate, query } from "../../router";
 import { me } from "../../state/session";
 import { toast } from "../../state/toasts";
 import { type Me, ROLE_NAMES } from "../../types";
@@ -13,26 +12,10 @@ const LEAST = 10;
 export default function AccountScreen() {
   const person = me.value?.person;
   if (!person) return null;
-  const welcome = query.value.get("welcome") !== null && me.value?.needs_password;
   return (
     <div class="page page--alone account">
       <header class="page__head">
-        <div>
-          <h1>{welcome ? `Welcome, ${person.name}` : "Account"}</h1>
-          {welcome && (
-            <p class="page__lead">
-              You are signed in. Choose a password now, since your link has been used up; or go on and do it
-              later from the menu at the top right.
-            </p>
-          )}
-        </div>
-        {welcome && (
-          <Button
-            onClick={() => navigate(me.value?.demo_survey_id ? `/surveys/${me.value.demo_survey_id}` : "/")}
-          >
-            Later
-          </Button>
-        )}
+        <h1>Account</h1>
       </header>
       <section class="panel panel__body">
         <dl class="facts">
@@ -71,7 +54,6 @@ function PasswordForm({ hasPassword }: { hasPassword: boolean }) {
       setNext("");
       setAgain("");
       setTried(false);
-      if (query.value.get("welcome") !== null) navigate("/", { replace: true });
     } catch (error) {
       setProblem(error);
     }

@@ -1,6 +1,6 @@
 import { useEffect, useState } from "preact/hooks";
 import { ApiError, api, explain } from "../../api";
-import { Button, Notice, TextField } from "../../components";
+import { Button, Loading, Notice, TextField } from "../../components";
 import { navigate, query } from "../../router";
 import { Mark } from "../../shell/TopBar";
 import { me, safeNext } from "../../state/session";
@@ -31,33 +31,29 @@ function enter(answer: Me): void {
   });
 }
 
+/** The link signs in by itself; only what goes wrong needs a word. */
 function LinkSignIn({ token }: { token: string }) {
   const [problem, setProblem] = useState<unknown>(null);
-  const [busy, setBusy] = useState(false);
   const go = async () => {
-    setBusy(true);
     setProblem(null);
     try {
       enter(await api.post<Me>("/session/link", { token }, { allowSignedOut: true, quiet: true }));
     } catch (error) {
       setProblem(error);
-      setBusy(false);
     }
   };
+  useEffect(() => void go(), []);
+  if (problem === null) return <Loading what="your account" />;
   const used = problem instanceof ApiError && problem.status === 401;
   return (
     <>
       <h1>Your sign-in link</h1>
-      <p class="muted">
-        This link works once. It signs you in on this browser; afterwards you choose a password for the next
-        time.
-      </p>
-      {problem !== null && <Notice kind="problem">{explain(problem)}</Notice>}
+      <Notice kind="problem">{explain(problem)}</Notice>
       {used ? (
         <Button href="/sign-in">Sign in with a password</Button>
       ) : (
-        <Button kind="primary" busy={busy} onClick={go}>
-          Sign in
+        <Button kind="primary" onClick={() => void go()}>
+          Try again
         </Button>
       )}
     </>

@@ -1,6 +1,6 @@
 import { useState } from "preact/hooks";
 import { api } from "../../api";
-import { Button, Empty, JobProgress, Loading, Problem, StateMark } from "../../components";
+import { Button, Empty, JobProgress, Loading, Notice, Problem, StateMark } from "../../components";
 import { useEvery, useResource } from "../../state/resource";
 import { may, me } from "../../state/session";
 import { formatDay } from "../../times";
@@ -48,6 +48,17 @@ export default function SurveysScreen() {
           </Button>
         )}
       </header>
+      {me.value?.needs_password && (
+        <Notice
+          actions={
+            <Button small href="/account">
+              Choose a password
+            </Button>
+          }
+        >
+          Your sign-in link is used up now; choose a password to be able to come back.
+        </Notice>
+      )}
       <Problem error={surveys.error} again={surveys.reload} />
       {nothing && <NoSurvey make={() => setMaking(true)} />}
       {(demoJob || shown.length > 0) && (
