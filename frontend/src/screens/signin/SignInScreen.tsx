@@ -26,9 +26,7 @@ export default function SignInScreen() {
 
 function enter(answer: Me): void {
   me.value = answer;
-  navigate(answer.needs_password ? "/account?welcome=1" : safeNext(query.value.get("next")), {
-    replace: true,
-  });
+  navigate(safeNext(query.value.get("next")), { replace: true });
 }
 
 /** The link signs in by itself; only what goes wrong needs a word. */
