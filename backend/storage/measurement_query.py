@@ -42,21 +42,26 @@ def with_verdict(*columns: Any) -> Select[Any]:
     )
 
 
+# In the order of Measurement's fields, so that a row becomes a record without looking up names: a survey has
+# thousands of them.
+_m = measurements.c
+_FIELDS = (
+    (_m.series_id, _m.revision, _m.id, series.c.survey_id, series.c.vehicle_id, series.c.recording_id),
+    (_m.target, _m.frame, _m.pts, _m.time_s, _m.frame_crc),
+    (_m.contact_x_px, _m.contact_y_px, _m.point_x_px, _m.point_y_px),
+    (_m.sigma_px, _m.pose_id, _m.calibration_id, _m.inset_m, _m.u_inset_m),
+    (_m.height_m, _m.uncorrected_height_m, _m.u_height_m, _m.U95_height_m, _m.distance_m),
+    (_m.status, _m.reason, _m.flags, _m.budget, _m.code_version),
+    (_m.created_by, _maker.c.name, _m.created_at, _m.withdrawn),
+    (reviews.c.verdict, reviews.c.reason, reviews.c.created_by, _reviewer.c.name, reviews.c.created_at),
+)
+_POINTS, _MAKER, _REVIEW = 11, 30, 34
+
+
 def revisions() -> Select[Any]:
     """Whole revisions, for `measurement`; add the conditions and the order."""
     return (
-        with_verdict(
-            measurements,
-            series.c.survey_id,
-            series.c.recording_id,
-            series.c.vehicle_id,
-            _maker.c.name.label("maker_name"),
-            reviews.c.verdict.label("review_verdict"),
-            reviews.c.reason.label("review_reason"),
-            reviews.c.created_at.label("review_at"),
-            reviews.c.created_by.label("reviewer_id"),
-            _reviewer.c.name.label("reviewer_name"),
-        )
+        with_verdict(*(column for group in _FIELDS for column in group))
         .outerjoin(_maker, _maker.c.id == measurements.c.created_by)
         .outerjoin(_reviewer, _reviewer.c.id == reviews.c.created_by)
     )
@@ -64,7 +69,7 @@ def revisions() -> Select[Any]:
 
 def fetch(session: Session, query: Select[Any]) -> tuple[Measurement, ...]:
     """Run a `revisions()` query."""
-    return tuple(measurement(row) for row in session.execute(query))
+    return tuple([measurement(row) for row in session.execute(query).all()])
 
 
 def of_vehicles(session: Session, conditions: Iterable[ColumnElement[bool]]) -> dict[int, list[Measurement]]:
@@ -78,44 +83,19 @@ def of_vehicles(session: Session, conditions: Iterable[ColumnElement[bool]]) -> 
 
 def measurement(row: Row[Any]) -> Measurement:
     """The record of a row of `revisions()`."""
-    return Measurement(
-        id=row.series_id,
-        revision=row.revision,
-        revision_id=row.id,
-        survey_id=row.survey_id,
-        vehicle_id=row.vehicle_id,
-        recording_id=row.recording_id,
-        target=row.target,
-        frame=row.frame,
-        pts=row.pts,
-        time_s=row.time_s,
-        frame_crc=row.frame_crc,
-        contact=(row.contact_x_px, row.contact_y_px),
-        point=(row.point_x_px, row.point_y_px),
-        sigma_px=row.sigma_px,
-        pose_id=row.pose_id,
-        calibration_id=row.calibration_id,
-        inset_m=row.inset_m,
-        u_inset_m=row.u_inset_m,
-        height_m=row.height_m,
-        uncorrected_height_m=row.uncorrected_height_m,
-        u_height_m=row.u_height_m,
-        U95_height_m=row.U95_height_m,
-        distance_m=row.distance_m,
-        status=row.status,
-        reason=row.reason,
-        flags=row.flags,
-        budget=row.budget,
-        code_version=row.code_version,
-        created_by=who(row.created_by, row.maker_name),
-        created_at=row.created_at,
-        withdrawn=row.withdrawn,
-        review=_review(row),
-    )
+    values = tuple(row)
+    contact_x, contact_y, point_x, point_y = values[_POINTS : _POINTS + 4]
+    maker, maker_name, created_at, withdrawn = values[_MAKER:_REVIEW]
+    points = ((contact_x, contact_y), (point_x, point_y))
+    made = (who(maker, maker_name), created_at, withdrawn, _review(*values[_REVIEW:]))
+    fields: tuple[Any, ...] = (*values[:_POINTS], *points, *values[_POINTS + 4 : _MAKER], *made)
+    return Measurement(*fields)
 
 
-def _review(row: Row[Any]) -> ReviewState:
-    if row.review_verdict is None:
-        return ReviewState("to_review")
-    reviewer = who(row.reviewer_id, row.reviewer_name)
-    return ReviewState(row.review_verdict, row.review_reason, reviewer, row.review_at)
+def _review(verdict: Any, reason: Any, reviewer: Any, name: Any, at: Any) -> ReviewState:
+    if verdict is None:
+        return _NOT_YET
+    return ReviewState(verdict, reason, who(reviewer, name), at)
+
+
+_NOT_YET = ReviewState("to_review")

@@ -1,6 +1,7 @@
 """Small helpers that every aggregate uses."""
 
 from collections.abc import Iterable, Mapping
+from functools import lru_cache
 from typing import Any
 
 from sqlalchemy import ColumnElement, Table, insert, select, update
@@ -38,6 +39,7 @@ def missing(word: str, row_id: int | None = None) -> NotFound:
     return NotFound(f"There is no {word}{number}; it may have been removed, so go back and choose another.")
 
 
+@lru_cache(maxsize=1024)
 def who(person_id: int | None, name: str | None) -> Who | None:
     """A person's id and name, where there is one."""
     return None if person_id is None else Who(person_id, name or "")
