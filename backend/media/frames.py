@@ -52,7 +52,7 @@ class FrameServer:
     caller give up: the answer is then NotWanted.
 
     All methods raise NotFound for an n outside the table, Damaged if the file does not give the frame whose
-    checksum is in the table, and BadInput if the file cannot be opened.
+    checksum is in the table, or is missing.
     """
 
     def __init__(self, cache_dir: Path, memory_bytes: int, disk_bytes: int, *, max_open: int = 4) -> None:

@@ -23,13 +23,13 @@ from backend.media.decode import (
     facts_of,
     frame_pts,
     open_container,
-    probe,
     same_size,
     video_stream,
 )
 from backend.media.picture import Layout, layout_of, luma_crc
 from backend.media.remux import WorkingCopy, make_copy, needs_copy
 from backend.media.report import IngestReport, report_of
+from backend.media.store import no_room_told
 from backend.media.thumbnails import Thumbnail, ThumbnailWriter
 
 PROGRESS_EVERY_S = 0.25
@@ -99,35 +99,36 @@ def ingest(
     to `work_dir` (default: beside the file). `name` is what people call the file. May be called again
     after being killed at any moment.
 
-    Raises BadInput (not a video, or nothing in it can be decoded) and IngestCancelled.
+    Raises BadInput (not a video, or nothing in it can be decoded), NoRoom and IngestCancelled.
     """
     name = name or path.name
     folder = work_dir or path.parent
     copy: WorkingCopy | None = None
-    if needs_copy(probe(path, name).container):
+    container = open_container(path, name)
+    if needs_copy(container.format.name):
+        container.close()
         copy = make_copy(path, folder, name, is_cancelled, keep_times=True)
-    result = _ingest_once(path, copy, name, on_progress, is_cancelled, thumb_dir)
+        container = open_container(copy.path, name)
+    watch = _Watch(on_progress, is_cancelled, name)
+    result = _ingest_open(container, path, copy, watch, thumb_dir)
     if copy is None and bool(np.any(result.frames.pts == NO_PTS)):
         copy = make_copy(path, folder, name, is_cancelled, keep_times=False)
-        result = _ingest_once(path, copy, name, on_progress, is_cancelled, thumb_dir)
+        result = _ingest_open(open_container(copy.path, name), path, copy, watch, thumb_dir)
     on_progress(1.0)
     return result
 
 
-def _ingest_once(
-    path: Path,
-    copy: WorkingCopy | None,
-    name: str,
-    on_progress: Progress,
-    is_cancelled: Cancelled,
-    thumb_dir: Path,
+def _ingest_open(
+    container: InputContainer, path: Path, copy: WorkingCopy | None, watch: _Watch, thumb_dir: Path
 ) -> Ingested:
-    media_path = copy.path if copy else path
+    """Decode an open container to its end and close it."""
     damage = Damage()
-    with closing(open_container(media_path, name)) as container:
-        stream = video_stream(container, name)
-        watch = _Watch(media_path.stat().st_size, on_progress, is_cancelled, name)
-        facts, rows, thumbs = _decode_all(container, stream, name, damage, watch, thumb_dir)
+    media_path = copy.path if copy else path
+    watch.size = media_path.stat().st_size
+    with closing(container):
+        stream = video_stream(container, watch.name)
+        with no_room_told(f"what {watch.name} needs"):
+            facts, rows, thumbs = _decode_all(container, stream, damage, watch, thumb_dir)
     table = _table(rows, float(facts.time_base))
     return Ingested(
         facts=facts,
@@ -143,10 +144,10 @@ def _ingest_once(
 class _Watch:
     """Progress and cancelling, by the share of the file's bytes that were read."""
 
-    size: int
     on_progress: Progress
     is_cancelled: Cancelled
     name: str
+    size: int = 0
     next_s: float = 0.0
 
     def look(self, position: int | None) -> None:
@@ -160,7 +161,6 @@ class _Watch:
 def _decode_all(
     container: InputContainer,
     stream: VideoStream,
-    name: str,
     damage: Damage,
     watch: _Watch,
     thumb_dir: Path,
@@ -183,9 +183,11 @@ def _decode_all(
         rows.crc.append(luma_crc(frame))
         thumbs.offer(len(rows.pts) - 1, frame)
     if layout is None:
-        raise BadInput(f"{name} holds no picture that can be decoded; copy it again or convert it to MP4.")
+        raise BadInput(
+            f"{watch.name} holds no picture that can be decoded; copy it again or convert it to MP4."
+        )
     if damage.other_size > OTHER_SIZE_SHARE * (len(rows.pts) + damage.other_size):
-        raise BadInput(f"{name} changes its picture size on the way; split it where the size changes.")
+        raise BadInput(f"{watch.name} changes its picture size on the way; split it where the size changes.")
     return facts, rows, thumbs
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 import struct
 import threading
 import zlib
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
@@ -18,7 +18,7 @@ import av
 import cv2
 import numpy as np
 from av.sidedata.sidedata import Type as SideDataType
-from av.video.reformatter import VideoReformatter
+from av.video.reformatter import Interpolation, VideoReformatter
 from numpy.typing import NDArray
 
 Gray = NDArray[np.uint8]
@@ -99,14 +99,28 @@ def upright_gray(frame: av.VideoFrame, layout: Layout) -> Gray:
     return _turned(_converted(frame, "gray"), layout)
 
 
-def _converted(frame: av.VideoFrame, pixel_format: str) -> NDArray[np.uint8]:
+def upright_small(frame: av.VideoFrame, layout: Layout, width_px: int) -> Bgr:
+    """Like `upright`, shrunk to `width_px` before colours are converted: for thumbnails."""
+    height_px = max(1, round(layout.height_px * width_px / layout.width_px))
+    size = (height_px, width_px) if layout.transpose else (width_px, height_px)
+    return _turned(
+        _converted(frame, "bgr24", size),
+        replace(layout, coded_width_px=size[0], coded_height_px=size[1], sample_aspect=Fraction(1)),
+    )
+
+
+def _converted(
+    frame: av.VideoFrame, pixel_format: str, size: tuple[int, int] | None = None
+) -> NDArray[np.uint8]:
     """Pixels in another format. The converter belongs to the thread: frames in a cache are read by
     several at once, and the converter that PyAV hangs on a frame must not be.
     """
     converter = getattr(_OF_THREAD, "converter", None)
     if converter is None:
         converter = _OF_THREAD.converter = VideoReformatter()
-    converted = converter.reformat(frame, format=pixel_format, threads=1)
+    width, height = size or (frame.width, frame.height)
+    how = Interpolation.AREA if size else None
+    converted = converter.reformat(frame, width, height, pixel_format, interpolation=how, threads=1)
     return np.asarray(converted.to_ndarray(), np.uint8)
 
 

@@ -6,6 +6,7 @@ an error in every reader tried. Nothing is encoded anew, so the pictures are the
 
 from __future__ import annotations
 
+import errno
 import itertools
 import os
 from collections.abc import Callable, Iterator
@@ -19,9 +20,10 @@ import av
 from av.container import InputContainer
 from av.video.stream import VideoStream
 
-from backend.errors import BadInput
+from backend.errors import BadInput, NoRoom
 from backend.media.cancelling import Cancelled, check_cancelled
 from backend.media.decode import Damage, frame_pts, frames_of_packet, open_container, video_stream
+from backend.media.store import check_room
 
 TICKS_HZ = 90_000
 _NO_INDEX = {"mpegts", "mpeg", "h264", "hevc"}
@@ -53,6 +55,7 @@ def make_copy(
     BadInput.
     """
     folder.mkdir(parents=True, exist_ok=True)
+    check_room(folder, path.stat().st_size, f"the working copy of {name}")
     if keep_times and (copy := _try_with_times(path, folder, name, is_cancelled)):
         return copy
     order, rate = _display_order(path, name, is_cancelled)
@@ -67,6 +70,8 @@ def make_copy(
     try:
         return WorkingCopy(_write(path, folder, name, number, is_cancelled), float(rate))
     except (av.error.FFmpegError, ValueError) as error:
+        if isinstance(error, OSError) and error.errno == errno.ENOSPC:
+            raise NoRoom(f"The disk is full, {name} was not taken in; make room and try again.") from error
         raise BadInput(
             f"{name} cannot be made addressable frame by frame; convert it to MP4 with H.264 and try again."
         ) from error

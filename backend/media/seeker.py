@@ -19,7 +19,7 @@ from av.container import InputContainer
 from av.video.stream import VideoStream
 from numpy.typing import NDArray
 
-from backend.errors import Damaged
+from backend.errors import BadInput, Damaged
 from backend.media.decode import NO_PTS, decoded, frame_pts, open_container, same_size, video_stream
 from backend.media.picture import Layout, layout_of, luma_crc
 
@@ -61,13 +61,18 @@ class Seeker:
         self._at: int | None = None
         self._lost: set[int] = set()
         self._container: InputContainer | None = None
-        self._open()
 
     def _open(self) -> None:
+        """Open the file, at the first request and for a decode from the start."""
         self.close()
         name = self._media.path.name
-        self._container = open_container(self._media.path, name)
-        self._stream: VideoStream = video_stream(self._container, name)
+        try:
+            self._container = open_container(self._media.path, name)
+            self._stream: VideoStream = video_stream(self._container, name)
+        except BadInput as error:
+            raise Damaged(
+                f"The stored video {name} is missing or can no longer be opened; restore it from a backup."
+            ) from error
         self._frames: Iterator[av.VideoFrame] = decoded(self._container, self._stream)
         self._layout: Layout | None = None
         self._at = None
@@ -86,6 +91,8 @@ class Seeker:
         """
         if n in self._lost:
             raise self._damaged(n)
+        if self._container is None:
+            self._open()
         for start in self._starts(n):
             if not self._go_to(start):
                 continue

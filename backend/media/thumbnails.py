@@ -10,7 +10,8 @@ import av
 import cv2
 import numpy as np
 
-from backend.media.picture import Layout, mean_luminance, upright
+from backend.media.images import jpeg
+from backend.media.picture import Layout, mean_luminance, upright_small
 
 WIDTH_PX = 160
 MOST = 400
@@ -61,13 +62,10 @@ class ThumbnailWriter:
         return tuple(self._kept)
 
     def _keep(self, n: int, frame: av.VideoFrame) -> None:
-        image = upright(frame, self._layout)
-        height = max(1, round(image.shape[0] * WIDTH_PX / image.shape[1]))
-        small = cv2.resize(image, (WIDTH_PX, height), interpolation=cv2.INTER_AREA)
-        _, data = cv2.imencode(".jpg", small, [cv2.IMWRITE_JPEG_QUALITY, QUALITY])
+        small = upright_small(frame, self._layout, WIDTH_PX)
         name = f"{n:08d}.jpg"
         part = self._folder / f"{name}.part"
-        part.write_bytes(data.tobytes())
+        part.write_bytes(jpeg(small, QUALITY))
         os.replace(part, self._folder / name)
         gray = np.asarray(cv2.cvtColor(small, cv2.COLOR_BGR2GRAY), np.uint8)
         self._kept.append(Thumbnail(n, name, mean_luminance(gray)))

@@ -151,7 +151,7 @@ SPECS = (
     ),
     Spec("ten_bit.mkv", pix_fmt="yuv420p10le", options=X264_B, b_frames=3),
     Spec("full_range.mp4", pix_fmt="yuvj420p"),
-    Spec("cinepak.avi", codec="cinepak", pix_fmt="rgb24", options=(), size=(192, 144), count=32),
+    Spec("cinepak.avi", codec="cinepak", pix_fmt="rgb24", options=(), size=(144, 96), count=24),
     Spec("lossless.mkv", codec="ffv1", pix_fmt="yuv420p", options=()),
     Spec("mpeg2.mpg", codec="mpeg2video", options=(), b_frames=2, container="mpeg"),
     Spec("wide_pixels.mp4", aspect=Fraction(4, 3)),

@@ -27,7 +27,7 @@ def access_orders(count: int) -> dict[str, list[int]]:
         "random": mixed[:40],
         "forward": list(range(count)),
         "backward": list(range(count - 1, -1, -1)),
-        "to and fro": [n for k in range(20, 28) for n in (k, k + 2, k - 1)],
+        "to and fro": [n for k in range(count // 3, count // 3 + 6) for n in (k, k + 2, k - 1)],
     }
 
 

@@ -98,6 +98,14 @@ def test_another_frame_table_never_gets_the_cached_still(media: RecordingMedia, 
         server.still(RecordingMedia(media.path, media.pts, crc, media.key), 5)
 
 
+def test_a_missing_file_is_told_as_damage(media: RecordingMedia, tmp_path: Path, server: FrameServer) -> None:
+    for path in (tmp_path / "gone.mp4", tmp_path / "empty.mp4"):
+        if path.name == "empty.mp4":
+            path.touch()
+        with pytest.raises(Damaged, match="missing or can no longer be opened"):
+            server.still(RecordingMedia(path, media.pts, media.crc, media.key), 0)
+
+
 def test_memory_is_bounded(media: RecordingMedia, tmp_path: Path) -> None:
     server = FrameServer(tmp_path / "c", 1_000_000, 300_000)
     for n in range(80):

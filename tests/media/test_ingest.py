@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import signal
 import subprocess
 import sys
@@ -13,6 +14,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from backend.errors import NoRoom
+from backend.media import store, thumbnails
 from backend.media.images import read_image
 from backend.media.ingest import IngestCancelled, ingest
 from backend.media.thumbnails import MOST
@@ -133,3 +136,19 @@ def test_a_killed_ingest_can_be_done_again(tmp_path: Path, clip: Clip) -> None:
     result = ingest(path, lambda _: None, lambda: False, tmp_path / "t", work_dir=tmp_path / "w")
     assert len(result.frames) == 80
     assert {p.name for p in (tmp_path / "t").glob("*.jpg")} == {t.name for t in result.thumbnails}
+
+
+def test_a_full_disk_is_told_and_leaves_no_working_copy(
+    clip: Clip, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_: object) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(thumbnails.os, "replace", full)
+    with pytest.raises(NoRoom, match="disk is full"):
+        ingest(clip(Spec("cfr.mp4")), lambda _: None, lambda: False, tmp_path / "t")
+    monkeypatch.undo()
+    monkeypatch.setattr(store.shutil, "disk_usage", lambda _: type("Usage", (), {"free": 10}))
+    with pytest.raises(NoRoom, match="working copy"):
+        ingest(clip(Spec("a.ts")), lambda _: None, lambda: False, tmp_path / "t", work_dir=tmp_path / "w")
+    assert list((tmp_path / "w").iterdir()) == []

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import random
 from pathlib import Path
 
@@ -35,7 +36,8 @@ KNOWN = {  # frames, upright size, variable rate
 
 def sequential(path: Path, wanted: set[int]) -> dict[int, Gray]:
     """Frames by a plain decode from the start, by another reader than the frame server."""
-    return {n: gray for n, _, gray in frames_of(path) if n in wanted}
+    head = itertools.islice(frames_of(path), max(wanted) + 1)
+    return {n: gray for n, _, gray in head if n in wanted}
 
 
 @pytest.mark.parametrize("name", KNOWN)
@@ -69,9 +71,7 @@ def test_the_rotated_copy_shows_the_same_scene_as_opencv_turns_it(
     assert np.abs(ours.astype(int) - theirs.astype(int)).mean() < 3
 
 
-def test_the_same_frames_in_three_containers_have_the_same_checksums(
-    shared_data: Path, take_in: Ingest
-) -> None:
+def test_the_same_frames_in_five_files_have_the_same_checksums(shared_data: Path, take_in: Ingest) -> None:
     tables = [
         take_in(shared_data / "video" / f"cars_truck_roadside{end}").frames.crc32.tolist()
         for end in (".mp4", ".avi", ".mkv", "_raw.h264", "_rotate90.mov")
@@ -80,7 +80,7 @@ def test_the_same_frames_in_three_containers_have_the_same_checksums(
 
 
 def test_the_drawing_named_mp4_is_refused(shared_data: Path, take_in: Ingest) -> None:
-    with pytest.raises(BadInput, match="webp_named_as.mp4 is a WebP picture"):
+    with pytest.raises(BadInput, match=r"^webp_named_as\.mp4 is a WebP picture"):
         take_in(shared_data / "video" / "odd" / "webp_named_as.mp4")
 
 

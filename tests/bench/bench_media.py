@@ -1,0 +1,147 @@
+"""How fast frames come out: `python tests/bench/bench_media.py [seconds of video]`, medians in ms.
+
+Our server beside OpenCV's set(POS_FRAMES) and a bare PyAV seek in the same run; on a busy machine trust the
+ratios, not the milliseconds. Clips are rendered first, with a key frame every 250 frames unless said.
+"""
+
+from __future__ import annotations
+
+import random
+import statistics
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import closing
+from pathlib import Path
+
+import av
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from backend.media.frames import FrameServer, RecordingMedia
+from backend.media.ingest import ingest
+from backend.media.picture import luma_crc
+from backend.media.writer import write_mp4
+
+SIZES = ((640, 480), (1920, 1080))
+RATE = 25
+GOP = 250
+
+
+def scene(count: int, width: int, height: int) -> Iterator[NDArray[np.uint8]]:
+    """A textured, slightly noisy road that moves: about as hard to code as a real recording."""
+    rng = np.random.default_rng(1)
+    base = cv2.resize(rng.integers(60, 190, (height // 8, width // 4, 3), np.uint8), (width * 2, height))
+    noise = rng.integers(0, 40, (height + 64, width + 64, 3), np.uint8)
+    for n in range(count):
+        shift = (3 * n) % width
+        y, x = (17 * n) % 61, (29 * n) % 59
+        yield cv2.add(base[:, shift : shift + width], noise[y : y + height, x : x + width])
+
+
+def median_ms(action: Callable[[int], object], numbers: Sequence[int]) -> float:
+    """Median wall time of one call, in ms."""
+    times = []
+    for n in numbers:
+        start = time.perf_counter()
+        action(n)
+        times.append(1000 * (time.perf_counter() - start))
+    return statistics.median(times)
+
+
+def measured(action: Callable[[], object]) -> tuple[float, float]:
+    """Wall and processor time in s, the better of two runs each."""
+    runs = []
+    for _ in range(2):
+        wall, processor = time.perf_counter(), time.process_time()
+        action()
+        runs.append((time.perf_counter() - wall, time.process_time() - processor))
+    return min(w for w, _ in runs), min(p for _, p in runs)
+
+
+def plain_decode(path: Path) -> int:
+    """Nothing but decoding, with as many threads as ingest uses."""
+    with closing(av.open(str(path))) as container:
+        stream = container.streams.video[0]
+        stream.codec_context.thread_type = "AUTO"
+        stream.codec_context.thread_count = 4
+        return sum(1 for _ in container.decode(stream))
+
+
+def bare_seek(path: Path, media: RecordingMedia) -> Callable[[int], object]:
+    """The least that PyAV needs to show frame n, checked by its checksum, without any window or cache."""
+    container = av.open(str(path))
+    stream = container.streams.video[0]
+    stream.codec_context.thread_type = "AUTO"
+
+    def show(n: int) -> object:
+        container.seek(int(media.pts[n]), stream=stream)
+        for frame in container.decode(stream):
+            if frame.pts == media.pts[n]:
+                assert luma_crc(frame) == media.crc[n]
+                return frame.to_ndarray(format="bgr24")
+        raise AssertionError(n)
+
+    return show
+
+
+def opencv_seek(path: Path) -> Callable[[int], object]:
+    reader = cv2.VideoCapture(str(path))
+
+    def show(n: int) -> object:
+        reader.set(cv2.CAP_PROP_POS_FRAMES, n)
+        return reader.read()
+
+    return show
+
+
+def bench(width: int, height: int, duration_s: int, folder: Path) -> None:
+    path = folder / f"{width}x{height}.mp4"
+    write_mp4(path, scene(duration_s * RATE, width, height), RATE, crf=23, gop=GOP)
+    found = ingest(path, lambda _: None, lambda: False, folder / "thumbs")
+    plain = measured(lambda: plain_decode(path))
+    ours = measured(lambda: ingest(path, lambda _: None, lambda: False, folder / "thumbs"))
+    count = len(found.frames)
+    print(f"{width}x{height}, {count} frames, key every {GOP}, {path.stat().st_size / 1e6:.1f} MB")
+    for what, mine, theirs in (("wall", ours[0], plain[0]), ("processor", ours[1], plain[1])):
+        print(f"  ingest {mine:.2f} s {what}, plain decode {theirs:.2f} s, ratio {mine / theirs:.2f}")
+    media = RecordingMedia(path, found.frames.pts, found.frames.crc32, found.frames.key)
+    jumps = random.Random(3).sample(range(count), 9)
+    steps = list(range(count // 2, count // 2 + 15))
+
+    def fresh(name: str) -> FrameServer:
+        return FrameServer(folder / f"{width}-{name}", 256_000_000, 512_000_000)
+
+    rows: list[tuple[str, float]] = []
+    server = fresh("jump")
+    rows.append(("still, cold jump", median_ms(lambda n: server.still(media, n), jumps)))
+    server = fresh("step")
+    server.still(media, steps[0] - 1)
+    rows.append(("still, next frame not cached", median_ms(lambda n: server.still(media, n), steps)))
+    rows.append(("still, cached", median_ms(lambda n: server.still(media, n), steps)))
+    back = list(range(steps[0] - 2, steps[0] - 17, -1))
+    rows.append(("still, back step in the window", median_ms(lambda n: server.still(media, n), back)))
+    rows.append(("pixels, back step in the window", median_ms(lambda n: server.bgr(media, n), back)))
+    rows.append(
+        ("loupe crop 64x64 PNG", median_ms(lambda n: server.crop_png(media, n, 100, 100, 64, 64, 4), back))
+    )
+    rows.append(("bare PyAV seek, jump", median_ms(bare_seek(path, media), jumps[:5])))
+    rows.append(("bare PyAV seek, back step", median_ms(bare_seek(path, media), back[:5])))
+    rows.append(("OpenCV set(POS_FRAMES), jump", median_ms(opencv_seek(path), jumps[:5])))
+    rows.append(("OpenCV set(POS_FRAMES), back step", median_ms(opencv_seek(path), back[:5])))
+    for name, value in rows:
+        print(f"  {name:34s} {value:8.1f} ms")
+
+
+def main() -> None:
+    """Render, measure, print."""
+    duration_s = int(sys.argv[1]) if len(sys.argv) > 1 else 8
+    with tempfile.TemporaryDirectory() as folder:
+        for width, height in SIZES:
+            bench(width, height, duration_s, Path(folder))
+
+
+if __name__ == "__main__":
+    main()
