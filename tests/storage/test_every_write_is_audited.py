@@ -213,7 +213,17 @@ NO_EVENT = {
     "measurements.append_revision": "writes an event; part of revise, withdraw, restore and reviews.add",
     "audit.record": "is the event",
 }
-HELPERS = {"rows", "database", "columns", "chain", "tables", "tables_of_work", "records", "verification"}
+HELPERS = {
+    "rows",
+    "database",
+    "columns",
+    "chain",
+    "tables",
+    "tables_of_work",
+    "records",
+    "words",
+    "verification",
+}
 WRITING = re.compile(
     r"(?<![.\w])(insert|update|sql_update|delete|add_row|change_row|_append|_end|_back|_state)\("
     r"|append_revision\("
