@@ -81,7 +81,6 @@ function Lines({ model }: { model: MeasureModel }) {
 function Marks({ model, selections }: { model: MeasureModel; selections: readonly Selection[] }) {
   const { stage, points } = model;
   const selected = model.flow.value.selection;
-  const contact = model.contact.value;
   const here = points.entriesHere();
   const renew = model.flow.value.renew;
   const isSelected = (one: Selection): boolean => {
@@ -90,11 +89,13 @@ function Marks({ model, selections }: { model: MeasureModel; selections: readonl
   };
   return (
     <>
-      {contact && (
+      {selected && (
         <InImage stage={stage}>
-          {here.map(({ key, values }) => (
-            <Line key={key} points={[pair(values.contact), pair(values.point)]} kind="guide" />
-          ))}
+          {here
+            .filter(({ key }) => key === selected.key)
+            .map(({ key, values }) => (
+              <Line key={key} points={[pair(values.contact), pair(values.point)]} kind="guide" />
+            ))}
         </InImage>
       )}
       {selections.map((one) => {

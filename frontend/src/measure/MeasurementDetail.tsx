@@ -4,7 +4,7 @@ import { api } from "../api";
 import { Button, Problem, StateMark } from "../components";
 import { canWork } from "../state/session";
 import { formatMoment } from "../times";
-import type { BudgetEntry, History } from "../types";
+import type { BudgetEntry, History, Measurement } from "../types";
 import { fixed, formatHeight, formatLength, formatSmall, lengthUnit, parseLength } from "../units";
 import { CommitField } from "./CommitField";
 import { lengthProblem, lengthText } from "./lengths";
@@ -125,6 +125,11 @@ function Budget({ entries, total_m }: { entries: readonly BudgetEntry[]; total_m
   );
 }
 
+function revisionWords(m: Measurement): string {
+  if (m.withdrawn) return "withdrawn";
+  return m.status === "ok" ? formatHeight(m.height_m, m.U95_height_m) : "not measurable";
+}
+
 /** Every revision with its value and every verdict, newest first. */
 export function Revisions({ id, revision }: { id: number; revision: number }) {
   const [history, setHistory] = useState<History | null>(null);
@@ -148,16 +153,10 @@ export function Revisions({ id, revision }: { id: number; revision: number }) {
           <li key={m.revision}>
             <span class="revisions__line">
               <span class="muted">{m.revision}</span>
-              <span class="grow">
-                {m.withdrawn
-                  ? "withdrawn"
-                  : m.status === "ok"
-                    ? formatHeight(m.height_m, m.U95_height_m)
-                    : "not measurable"}
-              </span>
-              <span class="muted clip" title={formatMoment(m.created_at)}>
-                {m.created_by?.name ?? ""}, {formatMoment(m.created_at)}
-              </span>
+              <span class="grow">{revisionWords(m)}</span>
+            </span>
+            <span class="revisions__who muted">
+              {m.created_by?.name ?? "unknown"}, {formatMoment(m.created_at)}
             </span>
             {history.reviews
               .filter((review) => review.revision === m.revision)

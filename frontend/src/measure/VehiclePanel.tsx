@@ -135,7 +135,7 @@ function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
           onCommit={(text) => model.edit({ manufacturer_height_m: parseLength(text) })}
         />
         <CommitField
-          label="± standard uncertainty"
+          label="± u of it"
           value={lengthText(vehicle.u_manufacturer_height_m, unit)}
           numeric
           unit={unit}

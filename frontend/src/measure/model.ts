@@ -137,7 +137,7 @@ export class MeasureModel {
     this.leave();
     const entries = this.records.of(vehicle.id).filter((entry) => !entry.values.withdrawn);
     const contacts = new Map(entries.map((entry) => [entry.values.frame, entry.values.contact]));
-    const target = firstMissing(new Set(entries.map((entry) => entry.values.target)));
+    const target = firstMissing(this.points.targetsOf(vehicle.id));
     batch(() => {
       this.step({ type: "open", vehicleId: vehicle.id, target, contacts });
       this.chosenInsets.value = new Map();

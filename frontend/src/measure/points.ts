@@ -122,7 +122,10 @@ export class Points {
   /** One step of a drag; the end of it stores. */
   drag(selection: Selection, point: ImagePoint, phase: "move" | "end" | "cancel"): void {
     if (phase === "move") {
-      if (!this.burst) this.begin(selection);
+      if (!this.burst) {
+        this.model.dispatch({ type: "select", selection });
+        this.begin(selection);
+      }
       this.moveTo(point);
     } else if (this.burst) {
       if (phase === "end") this.moveTo(point);
@@ -223,12 +226,16 @@ export class Points {
     this.model.stage.focus();
   }
 
+  /** Targets that a vehicle has; a rejected one counts as missing. */
+  targetsOf(vehicleId: number | null): Set<Target> {
+    const standing = this.model.records
+      .of(vehicleId)
+      .filter((entry) => !entry.values.withdrawn && !isRejected(entry));
+    return new Set(standing.map((entry) => entry.values.target));
+  }
+
   missing(): Target[] {
-    const have = new Set(
-      this.model.entries.value
-        .filter((e) => !e.values.withdrawn && e.saved?.review.verdict !== "rejected")
-        .map((e) => e.values.target),
-    );
+    const have = this.targetsOf(this.model.vehicleId.value);
     return REQUIRED.filter((target) => !have.has(target));
   }
 
@@ -357,4 +364,9 @@ export class Points {
     });
     if (wishes.length > 0) this.previews.want(wishes);
   }
+}
+
+/** Rejected by a reviewer and not yet clicked again. */
+function isRejected(entry: Entry): boolean {
+  return entry.state === "saved" && entry.saved?.review.verdict === "rejected";
 }

@@ -82,8 +82,6 @@ export function FrameView(props: FrameViewProps) {
     const grip = [centre[0] - at[0], centre[1] - at[1]] as const;
     press.current = { start: at, last: at, handle, grip, pan, moved: false };
     host.current?.setPointerCapture(event.pointerId);
-    host.current?.focus({ preventScroll: true });
-    event.preventDefault();
   };
 
   const move = (event: PointerEvent): void => {
@@ -98,14 +96,16 @@ export function FrameView(props: FrameViewProps) {
       dragTo(now, at, "move");
     }
     if (now) now.last = at;
-    hover(at);
+    if (!stage.dragging.value) hover(at);
   };
 
   const dragTo = (now: Press, at: ScreenPoint, phase: "move" | "end"): void => {
     if (!now.handle) return;
     const view = stage.viewport.value;
     const centre = [at[0] + now.grip[0], at[1] + now.grip[1]] as unknown as ScreenPoint;
-    latest.current.onDrag?.(now.handle.id, view.toImage(centre), phase);
+    const point = view.toImage(centre);
+    stage.pointer.value = point;
+    latest.current.onDrag?.(now.handle.id, point, phase);
   };
 
   const up = (event: PointerEvent): void => {
@@ -154,6 +154,7 @@ export function FrameView(props: FrameViewProps) {
       aria-roledescription="frame"
       aria-label={props.label}
       aria-describedby={props.describedBy}
+      onMouseDown={(event) => event.button === 1 && event.preventDefault()}
       onPointerDown={down}
       onPointerMove={move}
       onPointerUp={up}
