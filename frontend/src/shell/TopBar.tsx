@@ -107,7 +107,7 @@ function SaveWord() {
             ? `saved ${formatClock(savedAt)}`
             : "";
   return (
-    <span class="topbar__save" role="status">
+    <span class="topbar__save" role="status" data-testid="save-state">
       {word}
     </span>
   );
