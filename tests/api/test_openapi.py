@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import requests
 import schemathesis
 from fastapi import FastAPI
 from hypothesis import HealthCheck, given, settings
@@ -52,7 +53,7 @@ def test_the_description_is_the_app_s(app: FastAPI, tmp_path: Path) -> None:
 # Signing in and out would end the test's own session; all others may do what they like to the test's store.
 SKIPPED = "/api/session"
 QUIET = settings(
-    max_examples=10, deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck)
+    max_examples=5, deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck)
 )
 
 
@@ -62,13 +63,11 @@ def test_no_request_breaks_the_server(admin: Client, recording_id: int, mode: Ge
     tried = Counter[str]()
 
     def ask(case: Any) -> None:
-        asked = case.as_transport_kwargs(base_url="http://testserver")
-        asked["headers"] = {**asked.get("headers", {}), "X-Sightline": "1", "Tus-Resumable": "1.0.0"}
-        asked.pop("cookies", None)
-        if isinstance(asked.get("data"), bytes):
-            asked["content"] = asked.pop("data")
-        response = admin.http.request(**asked)
-        response.request.read()
+        asked = requests.Request(**case.as_transport_kwargs(base_url="http://testserver")).prepare()
+        asked.headers.update({"X-Sightline": "1", "Tus-Resumable": "1.0.0"})
+        response = admin.http.request(
+            str(asked.method), str(asked.url), content=asked.body, headers=dict(asked.headers)
+        )
         tried[case.operation.label] += 1
         assert response.status_code not in (500, 503, 507), (case.as_curl_command(), response.text)
         if mode is GenerationMode.POSITIVE or response.status_code >= 400:
