@@ -107,9 +107,8 @@ def migrate(engine: Engine) -> None:
     """Bring the database to the newest schema, one process at a time. Raises BadInput if it is newer."""
     config = alembic_config(engine)
     scripts = ScriptDirectory.from_config(config)
-    with _sqlite_writer, engine.connect() as connection:
-        with explained():
-            current = MigrationContext.configure(connection).get_current_revision()
+    with explained(), _sqlite_writer, engine.connect() as connection:
+        current = MigrationContext.configure(connection).get_current_revision()
         if current == scripts.get_current_head():
             return
         known = {script.revision for script in scripts.walk_revisions()}

@@ -35,6 +35,7 @@ def add(
         return get(session, series["id"])
     vehicle = get_row(session, vehicles, vehicle_id, "vehicle", vehicles.c.deleted_at.is_(None))
     place = {key: vehicle[key] for key in ("survey_id", "recording_id")}
+    _check(session, place, values)
     series_id = add_row(
         session, measurement_series, {**place, "vehicle_id": vehicle_id, "client_key": client_key}
     )
@@ -127,6 +128,7 @@ def append_revision(
     """Write the revision after `before` with its audit event; returns its number."""
     place = {"survey_id": before.survey_id, "recording_id": before.recording_id}
     place["vehicle_id"] = before.vehicle_id
+    _check(session, place, values)
     then = {name: getattr(before, name) for name in _TOLD} | {"revision": before.revision}
     number = before.revision + 1
     _append(session, before.id, number, place, values, withdrawn, then, action, actor)
@@ -144,7 +146,6 @@ def _append(
     action: str,
     actor: int | None,
 ) -> None:
-    _check(session, place, values)
     row = asdict(values)
     (row["contact_x_px"], row["contact_y_px"]) = row.pop("contact")
     (row["point_x_px"], row["point_y_px"]) = row.pop("point")

@@ -1,0 +1,130 @@
+"""Transactions: one writer at a time, one sentence when the database cannot."""
+
+import sqlite3
+import threading
+from pathlib import Path
+
+import pytest
+from sqlalchemy import Engine, text
+from sqlalchemy.exc import OperationalError
+from sqlalchemy.orm import Session
+
+from backend.errors import BadInput, NoRoom
+from backend.settings import Settings, load_settings
+from backend.storage import audit, database, surveys
+
+
+def test_many_writers_take_turns_and_the_chain_holds(factory: database.SessionFactory) -> None:
+    problems: list[BaseException] = []
+
+    def write(name: str) -> None:
+        try:
+            for n in range(5):
+                with database.writing(factory) as session:
+                    surveys.create(session, name=f"{name}-{n}", actor=None)
+        except BaseException as error:
+            problems.append(error)
+
+    threads = [threading.Thread(target=write, args=(str(n),)) for n in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert problems == []
+    with database.reading(factory) as session:
+        assert audit.verify(session).checked == 40 and audit.verify(session).ok
+
+
+def test_reading_goes_on_while_somebody_writes(factory: database.SessionFactory) -> None:
+    with database.writing(factory) as session:
+        surveys.create(session, name="seen later", actor=None)
+        with database.reading(factory) as other:
+            assert surveys.list_all(other) == ()
+    with database.reading(factory) as other:
+        assert [one.name for one in surveys.list_all(other)] == ["seen later"]
+
+
+def test_what_reading_changed_is_rolled_back(factory: database.SessionFactory) -> None:
+    with database.reading(factory) as session:
+        surveys.create(session, name="never", actor=None)
+    with database.reading(factory) as session:
+        assert surveys.list_all(session) == () and audit.head(session).count == 0
+
+
+def test_sqlite_runs_as_it_should(engine: Engine) -> None:
+    if engine.dialect.name != "sqlite":
+        return
+    with engine.connect() as connection:
+        found = {
+            name: connection.execute(text(f"PRAGMA {name}")).scalar_one()
+            for name in ("journal_mode", "foreign_keys", "busy_timeout")
+        }
+    assert found == {"journal_mode": "wal", "foreign_keys": 1, "busy_timeout": 10_000}
+
+
+def test_foreign_keys_hold(session: Session) -> None:
+    with pytest.raises(Exception, match=r"(?i)foreign key"):
+        session.execute(text("INSERT INTO frames VALUES (99, 0, 0, 0, true, 0)"))
+        session.flush()
+    session.rollback()
+
+
+@pytest.mark.parametrize(
+    ("words", "kind", "said"),
+    [
+        ("database or disk is full", NoRoom, "disk is full"),
+        ('could not extend file "x": No space left on device', NoRoom, "disk is full"),
+        ("database is locked", database.DatabaseAway, "busy"),
+        ("attempt to write a readonly database", database.DatabaseAway, "permissions"),
+        ("connection refused", database.DatabaseAway, "does not answer"),
+    ],
+)
+def test_operational_errors_become_one_sentence(words: str, kind: type, said: str) -> None:
+    found = database.explanation(OperationalError("x", {}, sqlite3.OperationalError(words)))
+    assert type(found) is kind and said in found.message
+
+
+def test_a_full_disk_leaves_nothing_half_there(tmp_path: Path) -> None:
+    engine = database.make_engine(f"sqlite:///{tmp_path}/small.db")
+    database.migrate(engine)
+    factory = database.session_factory(engine)
+    with database.writing(factory) as session:
+        pages = session.execute(text("PRAGMA page_count")).scalar_one()
+        session.execute(text(f"PRAGMA max_page_count = {pages + 2}"))
+    with pytest.raises(NoRoom, match="disk is full"), database.writing(factory) as session:
+        surveys.create(session, name="x", description="much " * 20_000, actor=None)
+    with database.reading(factory) as session:
+        assert surveys.list_all(session) == () and audit.verify(session).ok
+    engine.dispose()
+
+
+@pytest.mark.parametrize("url", ["", "sqlite://", "sqlite:///:memory:", "mysql://a/b", "not a url"])
+def test_addresses_that_cannot_be_used(url: str) -> None:
+    with pytest.raises(BadInput, match=r"^[A-Z].*\.$"):
+        database.make_engine(url)
+
+
+def test_a_database_that_is_away_is_said_so() -> None:
+    engine = database.make_engine("postgresql://nobody@127.0.0.1:1/none?connect_timeout=2")
+    with (
+        pytest.raises(database.DatabaseAway, match="does not answer"),
+        database.reading(database.session_factory(engine)) as session,
+    ):
+        surveys.list_all(session)
+    with pytest.raises(database.DatabaseAway, match="does not answer"):
+        database.migrate(engine)
+
+
+def test_settings_come_from_the_environment(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    for name in Settings.model_fields:
+        monkeypatch.delenv(f"SIGHTLINE_{name.upper()}", raising=False)
+    assert load_settings().port == 8000 and load_settings().data_dir.name == ".data"
+    monkeypatch.setenv("SIGHTLINE_DATA_DIR", str(tmp_path))
+    monkeypatch.setenv("SIGHTLINE_PORT", "9")
+    found = load_settings(port=None)
+    assert (found.port, found.media_url) == (9, str(tmp_path / "media"))
+    assert found.database_url == f"sqlite:///{tmp_path / 'sightline.db'}"
+    assert load_settings(port=10).port == 10
+    monkeypatch.setenv("SIGHTLINE_PORT", "many")
+    with pytest.raises(ValueError, match="port"):
+        load_settings()
