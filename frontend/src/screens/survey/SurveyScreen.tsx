@@ -3,6 +3,7 @@ import { api } from "../../api";
 import { Button, JobProgress, Loading, Shape } from "../../components";
 import type { ScreenProps } from "../../router";
 import { entryOfStep } from "../../shell/work";
+import { isOver } from "../../state/jobs";
 import { useEvery, useResource } from "../../state/resource";
 import { may } from "../../state/session";
 import { survey as openSurvey, refreshSurvey } from "../../state/survey";
@@ -14,11 +15,8 @@ import "./survey.css";
 /** What is there and what is missing, as the order of work; each step says what to do next. */
 export default function SurveyScreen({ surveyId }: ScreenProps) {
   const [editing, setEditing] = useState(false);
-  const jobs = useResource(
-    (signal) => api.get<Job[]>(`/jobs?survey_id=${surveyId}&state=running`, { signal }),
-    [surveyId],
-  );
-  const running = jobs.data ?? [];
+  const jobs = useResource((signal) => api.get<Job[]>(`/jobs?survey_id=${surveyId}`, { signal }), [surveyId]);
+  const running = (jobs.data ?? []).filter((job) => !isOver(job));
   useEvery(running.length > 0 ? 1500 : 10_000, async () => {
     await jobs.reload();
     await refreshSurvey();

@@ -1,6 +1,7 @@
 import { useState } from "preact/hooks";
 import { api } from "../../api";
 import { Button, Empty, JobProgress, Loading, Notice, Problem, StateMark } from "../../components";
+import { isOver } from "../../state/jobs";
 import { useEvery, useResource } from "../../state/resource";
 import { may, me } from "../../state/session";
 import { formatDay } from "../../times";
@@ -13,10 +14,13 @@ import "./surveys.css";
 export default function SurveysScreen() {
   const [making, setMaking] = useState(false);
   const surveys = useResource((signal) => api.get<Survey[]>("/surveys", { signal }), []);
-  const jobs = useResource((signal) => api.get<Job[]>("/jobs?state=running", { signal }), []);
-  const demoJob = jobs.data?.find((job) => job.kind.startsWith("demo")) ?? null;
+  const jobs = useResource((signal) => api.get<Job[]>("/jobs", { signal }), []);
+  // newest first: the last try to make the demonstration survey is the one that counts
+  const lastDemo = jobs.data?.find((job) => job.kind === "demonstration") ?? null;
+  const demoJob = lastDemo && !isOver(lastDemo) ? lastDemo : null;
   useEvery(demoJob ? 1000 : null, async () => {
-    await Promise.all([jobs.reload(), surveys.reload()]);
+    await jobs.reload();
+    await surveys.reload(); // after the job, so that its survey is not missed when it ends
   });
 
   if (surveys.error && !surveys.data) {
@@ -60,6 +64,9 @@ export default function SurveysScreen() {
         </Notice>
       )}
       <Problem error={surveys.error} again={surveys.reload} />
+      {lastDemo?.state === "failed" && !demo && (
+        <Notice kind="problem">{lastDemo.error ?? "The demonstration survey could not be made."}</Notice>
+      )}
       {nothing && <NoSurvey make={() => setMaking(true)} />}
       {(demoJob || shown.length > 0) && (
         <ul class="cards">
@@ -175,7 +182,7 @@ function DemoCard({ job }: { job: Job }) {
         <span class="badge">being made</span>
       </header>
       <p class="muted">
-        Rendering a road, a checkerboard and some forty vehicles; this takes under a minute.
+        Rendering a road, a checkerboard and some forty vehicles; this takes about a minute.
       </p>
       <JobProgress job={job} />
     </article>
