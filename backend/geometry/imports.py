@@ -252,7 +252,9 @@ def _checked(
     if fx <= 0 or fy <= 0:
         raise BadInput(f"{file_name}: the focal lengths must be positive numbers of pixels.")
     if not (-size[0] < cx < 2 * size[0] and -size[1] < cy < 2 * size[1]):
-        raise BadInput(f"{file_name}: the principal point lies far outside the picture; is its size right?")
+        raise BadInput(
+            f"{file_name}: the principal point lies far outside the picture; correct the image size."
+        )
     chosen = found.model or model or _guess(found.lens, file_name, notes)
     name = found.name or file_name.rsplit("/", 1)[-1].rsplit(".", 1)[0]
     lens = _trimmed(found.lens, chosen, file_name)

@@ -15,7 +15,7 @@ from backend.geometry.planar import linearise
 from backend.geometry.pose import joint_covariance
 from backend.geometry.road_pose import BoardOnRoad, Reference, RoadPose
 
-# typical heights above the road, for planning only (estimates; the eye and lamp ones near US and European medians)
+# typical heights above the road, for planning only (estimates)
 TYPICAL_M = (("roof", 1.50), ("driver_eye", 1.15), ("taillight", 0.75), ("headlight", 0.65))
 _BOARD = Board(6, 4, 0.1)
 _BOARD_TOP_M = 0.9
@@ -126,8 +126,8 @@ def _advice(
     eye = next(t for t in targets if t.target == "driver_eye")
     if abs(camera_m - eye.height_m) > 0.15:
         out.append(
-            f"A camera at the height to be measured does not mind the inset: at {eye.height_m:.2f} m it would read "
-            f"the driver's eye without the {1000 * abs(eye.bias_if_ignored_m):.0f} mm that its inset costs here."
+            f"A camera at the height to be measured does not mind the inset: at {eye.height_m:.2f} m it "
+            f"would be rid of the {1000 * abs(eye.bias_if_ignored_m):.0f} mm that the eye's inset costs here."
         )
     if abs(board_m - distance_m) > 0.2 * distance_m:
         out.append(
@@ -139,9 +139,8 @@ def _advice(
     out.append("Turn the board by about 30 degrees, which fixes its direction twice as well as square-on.")
     unseen = [t.target for t in targets if t.result.status != "ok"]
     if unseen:
-        out.append(
-            f"Road or target lie outside the picture for: {', '.join(unseen)}; step back or use a wider lens."
-        )
+        names = ", ".join(unseen)
+        out.append(f"Road or target lie outside the picture for: {names}; step back or take a wider lens.")
     if distance_m < 1.5:
         out.append("The lane is very close; step back to at least 2 m.")
     return out

@@ -94,7 +94,7 @@ def _checked(
     warnings = []
     if missed:
         warnings.append(f"The board was not found in {missed} of the frames; they are left out.")
-    if still.moved_px > 0.5 and len(still.kept) > 1:
+    if still.moved_px > 0.3 and len(still.kept) > 1:
         warnings.append("Board or camera moved in some of the frames; only the still ones are used.")
     if rms > 0.5:
         warnings.append(

@@ -29,22 +29,29 @@ class Still:
     moved_px: float
 
 
-def find_still(frames_px: Floats, limit_px: float = 0.5) -> Still:
+def find_still(frames_px: Floats, limit_px: float = 0.3) -> Still:
     """Pick the frames that show one and the same board position; frames_px (F, N, 2) in time order.
 
-    A frame belongs to the still ones when its corners lie, as a whole, within `limit_px` of the median
-    position: the root mean square over the corners of its smooth displacement (shift, turn, scale), which
-    noise hardly moves.
+    A frame belongs to the still ones when its corners lie, as a whole, within `limit_px` of a position that
+    most
+    frames share: the root mean square over the corners of its smooth displacement (shift, turn, scale), which
+    noise hardly moves. Of the frames, the one that most others agree with gives that position.
     """
-    middle = np.median(frames_px, axis=0)
-    away = np.array([_displacement(frame - middle, middle) for frame in frames_px])
+    near = [
+        np.array([_displacement(frame - probe, probe) for frame in frames_px])
+        for probe in frames_px[_probes(frames_px)]
+    ]
+    away = max(near, key=lambda d: (int((d <= limit_px).sum()), -float(np.median(d))))
     kept = np.flatnonzero(away <= limit_px)
-    if len(kept) == 0:
-        kept = np.array([int(np.argmin(away))])
     chosen = frames_px[kept]
     mean = chosen.mean(axis=0)
     temporal, effective = _temporal(chosen - mean)
     return Still(mean, tuple(int(i) for i in kept), temporal, effective, float(away.max()))
+
+
+def _probes(frames_px: Floats) -> list[int]:
+    """A dozen frames spread over the span, to try as the still position."""
+    return sorted({int(i) for i in np.linspace(0, len(frames_px) - 1, 12)})
 
 
 def _displacement(shift: Floats, at: Floats) -> float:

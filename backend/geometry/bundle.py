@@ -1,0 +1,113 @@
+"""Least squares over a lens and the poses of all its views at once (bundle adjustment of a calibration).
+
+Used where OpenCV's fisheye solver, which has one fixed start, ends in a false minimum: here several focal
+lengths are tried, each with poses from both planar solutions, and the best is refined to its minimum.
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from backend.geometry.arrays import Floats, exp_rotation
+from backend.geometry.camera import Camera
+from backend.geometry.lens import Model
+from backend.geometry.planar import PlanarPose, linearise, planar_roots
+
+_ROUNDS = 80
+_SCOUTING_ROUNDS = 12
+_FOCAL_SHARES = (0.28, 0.4, 0.6, 0.9, 1.4)  # of the picture's width
+
+
+def refine_all(
+    camera: Camera,
+    poses: Sequence[PlanarPose],
+    objects: Sequence[Floats],
+    seen: Sequence[Floats],
+    rounds: int = _ROUNDS,
+) -> tuple[Camera, tuple[PlanarPose, ...]]:
+    """Levenberg-Marquardt over the lens's parameters and every pose (Schur complement over the poses)."""
+    now, cost, damping = tuple(poses), sum(p.cost for p in poses), 1e-4
+    for _ in range(rounds):
+        step, turns = _step(now, damping)
+        tried_camera = _moved(camera, step)
+        if tried_camera is None:
+            damping *= 10.0
+            continue
+        tried = tuple(
+            _turned(tried_camera, pose, turn, o, s)
+            for pose, turn, o, s in zip(now, turns, objects, seen, strict=True)
+        )
+        new_cost = sum(p.cost for p in tried)
+        if np.isfinite(new_cost) and new_cost <= cost:
+            done = cost - new_cost <= 1e-11 * cost
+            camera, now, cost, damping = tried_camera, tried, new_cost, max(0.1 * damping, 1e-10)
+            if done:
+                break
+        else:
+            damping *= 10.0
+            if damping > 1e8:
+                break
+    return camera, now
+
+
+def _step(poses: Sequence[PlanarPose], damping: float) -> tuple[Floats, list[Floats]]:
+    """One damped step: of the lens (n,), and of each pose (6,)."""
+    n = poses[0].lens_jacobian.shape[1]
+    normal, gain = np.zeros((n, n)), np.zeros(n)
+    for pose in poses:
+        normal += pose.lens_jacobian.T @ pose.lens_jacobian
+        gain += pose.lens_jacobian.T @ pose.residuals_px.ravel()
+    normal += damping * np.diag(np.diag(normal))
+    blocks = []
+    for pose in poses:
+        own = pose.jacobian.T @ pose.jacobian
+        own += damping * np.diag(np.diag(own))
+        cross = pose.lens_jacobian.T @ pose.jacobian
+        pull = pose.jacobian.T @ pose.residuals_px.ravel()
+        solved = np.linalg.solve(own, np.column_stack([cross.T, pull]))
+        normal -= cross @ solved[:, :n]
+        gain -= cross @ solved[:, n]
+        blocks.append(solved)
+    lens_step = np.asarray(np.linalg.lstsq(normal, gain, rcond=1e-14)[0], dtype=np.float64)
+    return lens_step, [solved[:, n] - solved[:, :n] @ lens_step for solved in blocks]
+
+
+def _moved(camera: Camera, step: Floats) -> Camera | None:
+    fx, fy = camera.fx_px + float(step[0]), camera.fy_px + float(step[1])
+    if not (np.isfinite(step).all() and 0.05 * camera.width_px < fx and 0.05 * camera.width_px < fy):
+        return None
+    cx, cy = camera.cx_px + float(step[2]), camera.cy_px + float(step[3])
+    return replace(camera, fx_px=fx, fy_px=fy, cx_px=cx, cy_px=cy, distortion=camera.distortion + step[4:])
+
+
+def _turned(camera: Camera, pose: PlanarPose, step: Floats, points: Floats, seen: Floats) -> PlanarPose:
+    turn = exp_rotation(step[:3])
+    return linearise(camera, turn @ pose.rotation, turn @ pose.translation + step[3:], points, seen)
+
+
+def from_scratch(
+    size: tuple[int, int], model: Model, objects: Sequence[Floats], seen: Sequence[Floats]
+) -> tuple[Camera, tuple[PlanarPose, ...]] | None:
+    """The best of several starts without distortion, refined; None where none puts every board before the
+    camera.
+    """
+    best: tuple[Camera, tuple[PlanarPose, ...]] | None = None
+    width, height = size
+    for share in _FOCAL_SHARES:
+        f = share * width
+        k = np.zeros(5 if model == "brown" else 4)
+        camera = Camera("camera", width, height, model, f, f, (width - 1) / 2, (height - 1) / 2, k)
+        poses = [
+            roots[0] for o, s in zip(objects, seen, strict=True) if (roots := planar_roots(camera, o, s))
+        ]
+        if len(poses) < len(objects):
+            continue
+        found = refine_all(camera, poses, objects, seen, _SCOUTING_ROUNDS)
+        if best is None or _cost(found) < 0.999 * _cost(best):
+            best = found
+    return None if best is None else refine_all(*best, objects, seen)
+
+
+def _cost(found: tuple[Camera, tuple[PlanarPose, ...]]) -> float:
+    return sum(pose.cost for pose in found[1])

@@ -1,0 +1,103 @@
+"""Detection: found where it is, refused with a reason where it is not, in bounded time."""
+
+from time import perf_counter
+
+import cv2
+import numpy as np
+import pytest
+
+from backend.errors import BadInput
+from backend.geometry.corners import Board, detect
+from backend.geometry.tracking import track
+from tests.geometry.scenes import shared
+from tests.geometry.simulate import Lens, Scene, picture
+
+BOARD = Board(6, 4, 0.1)
+
+
+def scene(x: float = -0.7, y: float = -3.0, z: float = 1.4, yaw: float = 18.0) -> Scene:
+    return Scene(Lens(), (x, y, z), yaw, 4.0)
+
+
+def clutter(seed: int, height: int = 480, width: int = 640) -> np.ndarray:
+    """Rectangles, lines and noise, without a board."""
+    rng = np.random.default_rng(seed)
+    image = np.full((height, width), 120, np.uint8)
+    for _ in range(120):
+        a, b = rng.integers(0, [width, height], (2, 2)).tolist()
+        cv2.rectangle(image, a, b, int(rng.integers(0, 255)), -1 if rng.random() < 0.6 else 2)
+    noise = rng.normal(0, 4, image.shape)
+    return np.clip(image + noise, 0, 255).astype(np.uint8)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_clutter_holds_no_board(seed: int) -> None:
+    started = perf_counter()
+    found = detect(clutter(seed), BOARD, time_limit_s=2.0)
+    assert not found.found and found.reason
+    assert found.points_px.shape == (0, 0, 2)
+    assert perf_counter() - started < 10.0
+
+
+def test_a_board_cut_by_the_border_is_refused() -> None:
+    for x in (2.5, -2.0, -2.15):
+        cut = scene(x=x, yaw=0.0)
+        corners = cut.look(cut.board(6, 4, 0.1, 1.5).reshape(-1, 3))
+        assert corners[:, 0].min() < 0 or corners[:, 0].max() > 639
+        image = picture(cut, 6, 4, 0.1, 1.5, samples=3)
+        found = detect(image, BOARD)
+        assert not found.found
+        assert found.reason and ("cut" in found.reason or "whole board" in found.reason)
+
+
+def test_another_board_size_is_refused() -> None:
+    image = picture(scene(), 6, 4, 0.1, 1.5, samples=3)
+    found = detect(image, Board(8, 5, 0.1))
+    assert not found.found and found.reason and "8x5" in found.reason
+
+
+def test_small_far_board_is_found_by_a_fallback() -> None:
+    far = Scene(Lens(k=(0.0,) * 5), (0.2, -6.5, 1.4), 0.0, 1.0, 3.0)
+    image = picture(far, 6, 4, 0.1, 1.6, samples=5, blur=0.7, noise=2)
+    found = detect(image, BOARD)
+    assert found.found, found.reason
+    truth = far.look(far.board(6, 4, 0.1, 1.6).reshape(-1, 3)).reshape(4, 6, 2)
+    assert np.sqrt(np.square(found.points_px - truth).mean()) < 0.15
+
+
+def test_impossible_board_raises() -> None:
+    with pytest.raises(BadInput):
+        detect(clutter(0), Board(0, 4, 0.1))
+
+
+def test_sharpness_grows_with_blur() -> None:
+    sharp, soft = (detect(picture(scene(), 6, 4, 0.1, 1.5, samples=3, blur=b), BOARD) for b in (0.6, 2.0))
+    assert sharp.found and soft.found
+    assert 0 < sharp.sharpness < soft.sharpness
+
+
+def test_following_a_board() -> None:
+    first = detect(picture(scene(), 6, 4, 0.1, 1.5, samples=4), BOARD)
+    moved = scene(x=-0.69)
+    next_picture = picture(moved, 6, 4, 0.1, 1.5, samples=4, seed=1)
+    followed = track(next_picture, first)
+    truth = moved.look(moved.board(6, 4, 0.1, 1.5).reshape(-1, 3)).reshape(4, 6, 2)
+    assert followed.found, followed.reason
+    assert np.sqrt(np.square(followed.points_px - truth).mean()) < 0.1
+    assert not track(clutter(2), first).found
+
+
+def test_real_sets_are_found_as_the_reference_says() -> None:
+    """The GoPro picture that cuts the board off, and the five of the mixed set, are refused."""
+    expected = {
+        ("gopro_wide", (8, 6)): {"GOPR0055.jpg"},
+        ("mixed_sizes", (9, 6)): {"calibration1.jpg", "calibration4.jpg", "calibration5.jpg"},
+    }
+    for (folder, size), refused in expected.items():
+        missed = set()
+        for path in sorted(shared("calibration", folder).glob("*.jpg")):
+            found = detect(cv2.imread(str(path), cv2.IMREAD_GRAYSCALE), Board(*size, 0.03))
+            if not found.found:
+                assert found.reason
+                missed.add(path.name)
+        assert missed == refused
