@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import signal
 import socket
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -116,4 +117,7 @@ def answer(listener: socket.socket, services: Services, link: str | None) -> Non
     click.echo(f"Sightline is at {address} (stop with Ctrl+C).")
     if link is not None:
         click.echo(f"Sign in for the first time, once, with {address}{link}")
-    uvicorn.Server(config).run(sockets=[listener])
+    # uvicorn raises the signal that ended it once more: taken as Ctrl+C, so that what we opened is closed.
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    with suppress(KeyboardInterrupt):
+        uvicorn.Server(config).run(sockets=[listener])

@@ -67,7 +67,7 @@ def build(session: Session, parts: Parts) -> tuple[int, dict[str, list[int]]]:
         recording_id = _recording(session, survey.id, camera_id, video)
         _pose(session, recording_id, calibration_id, video, solved)
         passes[video.scene.name] = _vehicles(session, recording_id, video, operator.id)
-    chosen = [one for name, count in MEASURED.items() for one in passes[name][:count]]
+    chosen = [one for name, count in MEASURED.items() for one in passes.get(name, [])[:count]]
     stored = measure(session, chosen, actor=operator.id)
     judge(session, chosen, stored, actor=reviewer.id)
     return survey.id, {name: [one.vehicle.number for one in found] for name, found in passes.items()}

@@ -33,7 +33,7 @@ AHEAD = 2 * CHUNK
 
 
 def scene_named(name: str) -> Scene:
-    """ "day" or "low_light", whole; or, as in "day:2", only the board and the first two vehicles (for tests)."""
+    """The scene "day" or "low_light"; "day:2" is only its board and first two vehicles (for tests)."""
     kind, _, vehicles = name.partition(":")
     scene = day_scene() if kind == "day" else low_light_scene()
     if not vehicles:

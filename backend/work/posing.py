@@ -22,7 +22,6 @@ from backend.work.answering import drawn_axes
 # Corner errors of neighbouring frames are correlated (metrology 0.3): more frames add time, not accuracy.
 MOST_FRAMES = 15
 EXPECTED_AT_M = (2.0, 3.0, 5.0)
-_ISO_HEIGHTS_M = (0.5, 1.0, 1.5, 2.0)
 _ORDER_NOTE = "Corners are numbered from the top left as seen, along the rows to the right and then down."
 _TRANSPOSED = " The board stands the other way up than given: {columns} columns by {rows} rows as seen."
 
@@ -144,13 +143,19 @@ def _figure(entry: dict[str, Any]) -> str:
 def overlay(pose: RoadPose, corners: Corners) -> dict[str, Any]:
     """Road grid, axes below the board and lines of equal height, as pixel polylines for the browser."""
     across_m = -float(pose.centre_m[1])
-    lines = iso_heights(pose, across_m, _ISO_HEIGHTS_M)
+    lines = iso_heights(pose, across_m, iso_steps(float(pose.centre_m[2])))
     return {
         "grid": [line.tolist() for line in road_grid(pose)],
         "iso_heights": [{"height_m": height_m, "points": line.tolist()} for height_m, line in lines],
         "axes": _axes_of_board(pose),
         "corners_px": corners.points_px.reshape(-1, 2).tolist(),
     }
+
+
+def iso_steps(camera_height_m: float) -> tuple[float, ...]:
+    """Four heights to draw lines at: half metres beside a road, less where a camera stands lower."""
+    step = 0.5 if camera_height_m > 0.6 else 0.1 if camera_height_m > 0.1 else 0.02
+    return tuple(round(step * count, 3) for count in range(1, 5))
 
 
 def _axes_of_board(pose: RoadPose) -> dict[str, Any] | None:

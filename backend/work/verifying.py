@@ -128,6 +128,7 @@ def recompute(files: Files) -> int:
             poses[path] = _pose(files, path)
         if row["id"] not in stored:
             raise Damaged(f"clicks.csv: {row['id']} is not in measurements.csv; take the whole export again.")
+        _same_clicks(row, stored[row["id"]])
         _same(row["id"], stored[row["id"]], answer(poses[path], _clicks(row)).height_m)
         count += 1
     return count
@@ -152,6 +153,12 @@ def _clicks(row: Mapping[str, str]) -> Clicks:
     )
 
 
+def _same_clicks(row: Mapping[str, str], measured: Mapping[str, str]) -> None:
+    for name in row:
+        if name.endswith(("x_px", "y_px", "sigma_px", "inset_m")) and row[name] != measured[name]:
+            raise Damaged(f"clicks.csv: {row['id']} has another {name} than measurements.csv; one is wrong.")
+
+
 def _same(name: str, row: Mapping[str, str], height_m: float | None) -> None:
     told = row["height_m"]
     if not told and height_m is None:
@@ -159,12 +166,12 @@ def _same(name: str, row: Mapping[str, str], height_m: float | None) -> None:
     if not told or height_m is None or math.fabs(float(told) - height_m) > _HEIGHT_TOLERANCE_M:
         computed = "no height" if height_m is None else f"{height_m:.6f} m"
         raise Damaged(
-            f"measurements.csv: {name} says {told or 'no height'}, its clicks give {computed}; one was changed."
+            f"measurements.csv: {name} says {told or 'no height'}, its clicks give {computed}; one is wrong."
         )
 
 
 def told_alike(files: Files, events: list[dict[str, str]]) -> None:
-    """Each current height equals the one in its audit event. Raises Damaged."""
+    """Points and height of each current revision equal those in its audit event. Raises Damaged."""
     told = {}
     for event in events:
         if event["entity"] == "measurement" and event["after"]:
@@ -177,5 +184,8 @@ def told_alike(files: Files, events: list[dict[str, str]]) -> None:
                 f"audit.csv: measurement {row['id']} has no event for its revision; it was left out."
             )
         height_m = after.get("height_m")
-        if (row["height_m"] or None) != (None if height_m is None else f"{height_m:.6f}"):
+        same = (row["height_m"] or None) == (None if height_m is None else f"{height_m:.6f}")
+        for word, column in (("contact", "contact"), ("point", "target")):
+            same = same and [float(row[f"{column}_{axis}_px"]) for axis in "xy"] == list(after[word])
+        if not same:
             raise Damaged(f"measurements.csv: {row['id']} differs from its audit event; it was changed.")

@@ -1,0 +1,216 @@
+"""The export: valid Frictionless data, same state same bytes, heights that compute again, nothing that runs."""
+
+import csv
+import io
+import json
+import zipfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from frictionless import Package as Frictionless
+
+from backend.cli import main
+from backend.storage.records import Job
+from backend.work import exporting
+from backend.work.packaging import write_directory
+from backend.work.services import Services
+from backend.work.verifying import read_package, verify_package
+from tests.api.conftest import Client
+from tests.api.ground import Ground, add_vehicle, clicks, lay_ground, measure
+
+FORMULA = '=HYPERLINK("http://example.org","x")'
+
+
+@pytest.fixture
+def ground(services: Services, survey_id: int, recording_id: int) -> Ground:
+    return lay_ground(services, survey_id, recording_id)
+
+
+@pytest.fixture
+def worked(operator: Client, reviewer: Client, ground: Ground) -> Ground:
+    """A survey with every kind of work: measured, revised, fixed, rejected, withdrawn, not measurable."""
+    first = add_vehicle(operator, ground.recording_id, make=FORMULA, model="-1+1", lighting="daytime")["id"]
+    second = add_vehicle(operator, ground.recording_id, notes="line one\nline two, with comma")["id"]
+    roof = measure(operator, first, inset_m=0.1234567, u_inset_m=0.1)
+    eye = measure(operator, first, target="driver_eye", contact=[140.123456789, 185.987654321])
+    rejected = measure(operator, first, target="taillight")
+    gone = measure(operator, second)
+    measure(operator, second, target="other", contact=[160.0, 3.0])
+    operator.put(f"/measurements/{roof['id']}", {**clicks(1.31), "revision": 1})
+    review = f"/measurements/{eye['id']}/reviews"
+    reviewer.made(
+        review,
+        {
+            "revision": 1,
+            "verdict": "fixed",
+            "contact": eye["contact"],
+            "point": eye["point"],
+            "reason": "@home",
+        },
+    )
+    reviewer.made(
+        f"/measurements/{rejected['id']}/reviews",
+        {"revision": 1, "verdict": "rejected", "reason": "Kerb."},
+    )
+    operator.delete(f"/measurements/{gone['id']}?revision=1")
+    return ground
+
+
+def written(services: Services, survey_id: int, place: Path) -> Path:
+    with services.reading() as session:
+        package = exporting.package_of(exporting.state_of(session, survey_id))
+    write_directory(package, place)
+    return place
+
+
+def rows(place: Path, name: str) -> list[dict[str, str]]:
+    return list(csv.DictReader(io.StringIO((place / name).read_text("utf-8"), newline="")))
+
+
+def test_the_button_makes_a_package_that_holds_everything(
+    operator: Client, viewer: Client, worked: Ground, work: Callable[[], list[Job]], tmp_path: Path
+) -> None:
+    job = viewer.made(f"/surveys/{worked.survey_id}/exports")
+    assert [one.state for one in work()] == ["done"]
+    made = viewer.seen(f"/surveys/{worked.survey_id}/exports")
+    assert [one["id"] for one in made] == [viewer.seen(f"/jobs/{job['id']}")["result"]["export_id"]]
+    answer = viewer.http.get(made[0]["url"])
+    assert (
+        answer.headers["content-type"] == "application/zip" and len(answer.content) == made[0]["size_bytes"]
+    )
+    with zipfile.ZipFile(io.BytesIO(answer.content)) as archive:
+        archive.extractall(tmp_path / "export")
+    assert len(rows(tmp_path / "export", "measurements.csv")) == 5
+    assert len(rows(tmp_path / "export", "revisions.csv")) == 8
+    assert {row["verdict"] for row in rows(tmp_path / "export", "reviews.csv")} == {"fixed", "rejected"}
+    assert set(rows(tmp_path / "export", "people.csv")[0]) == {"id", "name"}
+    everything = b"".join(path.read_bytes() for path in (tmp_path / "export").rglob("*") if path.is_file())
+    assert b'example.org"' not in everything.replace(b"http://example.org", b"")
+    assert b"operator@example.org" not in everything
+    found = verify_package(read_package(tmp_path / "export"))
+    assert (found.ok, found.heights) == (True, 4), found.problem
+
+
+def test_frictionless_finds_nothing_to_complain_about(
+    services: Services, worked: Ground, tmp_path: Path
+) -> None:
+    place = written(services, worked.survey_id, tmp_path / "export")
+    report = Frictionless(str(place / "datapackage.json")).validate()
+    assert report.valid, report.flatten(["title", "fieldName", "rowNumber", "note", "message"])
+    described = json.loads((place / "datapackage.json").read_text())
+    for resource in described["resources"]:
+        with (place / resource["path"]).open(encoding="utf-8", newline="") as file:
+            header = next(csv.reader(file))
+        fields = resource["schema"]["fields"]
+        assert header == [field["name"] for field in fields]
+        assert all(field["description"] for field in fields)
+        for field in fields:
+            if field["name"].endswith(("_m", "_px", "_s", "_rad")):
+                assert field["unit"] == field["name"].rpartition("_")[2], field
+
+
+def test_the_same_state_gives_the_same_bytes(services: Services, worked: Ground, tmp_path: Path) -> None:
+    once = read_package(written(services, worked.survey_id, tmp_path / "once"))
+    again = read_package(written(services, worked.survey_id, tmp_path / "again"))
+    assert once == again
+    # an earlier export is replaced, anybody else's folder is not
+    written(services, worked.survey_id, tmp_path / "once")
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine" / "letter.txt").write_text("dear all")
+    with pytest.raises(Exception, match="holds other files"):
+        written(services, worked.survey_id, tmp_path / "mine")
+    assert sorted(path.name for path in tmp_path.glob(".*")) == []
+
+
+def test_clicks_and_pose_give_the_same_heights_on_the_command_line(
+    services: Services, worked: Ground, tmp_path: Path
+) -> None:
+    place = written(services, worked.survey_id, tmp_path / "export")
+    stored = {f"m{row['id']}": row for row in rows(place, "measurements.csv")}
+    compared = 0
+    for pose in sorted((place / "clicks").glob("pose-*.csv")):
+        out = tmp_path / pose.name
+        document = str(place / "poses" / f"{pose.stem}.json")
+        assert main(["height", "--pose", document, "--clicks", str(pose), "-o", str(out)]) == 0
+        for row in csv.DictReader(out.open(encoding="utf-8", newline="")):
+            for name in ("height_m", "u_height_m", "U95_height_m", "status", "reason"):
+                assert row[name] == stored[row["id"]][name], (row["id"], name)
+            compared += 1
+    assert compared == 4
+
+
+def test_nothing_in_a_cell_runs(services: Services, worked: Ground, tmp_path: Path) -> None:
+    place = written(services, worked.survey_id, tmp_path / "export")
+    vehicle = rows(place, "vehicles.csv")[0]
+    assert (vehicle["make"], vehicle["model"]) == ("'" + FORMULA, "'-1+1")
+    assert rows(place, "vehicles.csv")[1]["notes"] == "line one\nline two, with comma"
+    assert "'@home" in {row["reason"] for row in rows(place, "reviews.csv")}
+    for path in place.rglob("*.csv"):
+        for row in csv.reader(path.open(encoding="utf-8", newline="")):
+            for cell in row:
+                if cell[:1] in ("=", "+", "-", "@"):
+                    float(cell)
+
+
+def change(place: Path, name: str, before: str, after: str, *, resum: bool = True) -> None:
+    """Change a file of an export as somebody with a text editor, and (by default) sha256sum, would."""
+    path = place / name
+    text = path.read_text("utf-8")
+    assert before in text
+    path.write_text(text.replace(before, after, 1), "utf-8")
+    if resum:
+        from backend.work.packaging import CHECKSUMS, sha256_hex
+
+        lines = (place / CHECKSUMS).read_text().splitlines()
+        renewed = [
+            line if line[66:] != name else f"{sha256_hex(path.read_bytes())}  {name}" for line in lines
+        ]
+        (place / CHECKSUMS).write_text("".join(f"{line}\n" for line in renewed))
+
+
+@pytest.mark.parametrize(
+    ("name", "before", "after", "resum", "said"),
+    [
+        ("measurements.csv", "1.310000", "1.210000", False, "changed after"),
+        ("measurements.csv", "1.310000", "1.210000", True, "its clicks give 1.310000"),
+        ("clicks.csv", "140.123456789", "141.123456789", True, "another contact_x_px"),
+        ("measurements.csv", "140.123456789", "141.123456789", True, "another contact_x_px"),
+        ("audit.csv", "revise", "create", True, "not the one that was hashed"),
+        ("poses/pose-1.json", "translation_m", "translation_n", True, "no road pose"),
+    ],
+)
+def test_what_is_changed_afterwards_is_found(
+    services: Services,
+    worked: Ground,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    name: str,
+    before: str,
+    after: str,
+    resum: bool,
+    said: str,
+) -> None:
+    place = written(services, worked.survey_id, tmp_path / "export")
+    assert main(["verify", str(place)]) == 0
+    if name.startswith("poses"):
+        name = next(place.glob("poses/*.json")).relative_to(place).as_posix()
+    change(place, name, before, after, resum=resum)
+    capsys.readouterr()
+    assert main(["verify", str(place), "--json"]) == 1
+    printed = capsys.readouterr()
+    assert json.loads(printed.out)["ok"] is False and said in json.loads(printed.out)["problem"]
+    assert said in printed.err and "\n" not in printed.err.strip()
+
+
+def test_a_row_or_file_that_is_taken_out_is_missed(
+    services: Services, worked: Ground, tmp_path: Path
+) -> None:
+    place = written(services, worked.survey_id, tmp_path / "export")
+    files: dict[str, Any] = dict(read_package(place))
+    del files["reviews.csv"]
+    assert "reviews.csv is missing" in str(verify_package(files).problem)
+    lines = (place / "audit.csv").read_text("utf-8").splitlines()
+    change(place, "audit.csv", lines[3] + "\n", "")
+    assert "does not follow" in str(verify_package(read_package(place)).problem)

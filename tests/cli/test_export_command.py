@@ -1,0 +1,72 @@
+"""`sightline export` and `sightline verify` on a stored survey."""
+
+import sqlite3
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from backend.cli import main
+from backend.settings import Settings
+from backend.storage import database, surveys
+from tests.conftest import SERVER
+
+
+@pytest.fixture
+def stored(tmp_path: Path, database_url: str, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """A data folder with two surveys; on PostgreSQL the database is named by the environment."""
+    monkeypatch.setenv("SIGHTLINE_DATA_DIR", str(tmp_path))
+    monkeypatch.setenv("SIGHTLINE_DATABASE_URL", database_url)
+    assert Settings().database_url == database_url
+    engine = database.make_engine(database_url)
+    with database.writing(database.session_factory(engine)) as session:
+        surveys.create(session, name="Rouen south", site="=lane 1", actor=None)
+        surveys.create(session, name="Other", actor=None)
+    engine.dispose()
+    yield tmp_path
+
+
+def test_a_survey_by_name_or_number_is_written_and_verified(
+    stored: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for name, place in (("Rouen south", "by-name"), ("1", "by-number")):
+        assert main(["export", "--survey", name, "-o", str(stored / place)]) == 0, capsys.readouterr()
+        assert main(["verify", str(stored / place)]) == 0
+    files = sorted(path.name for path in (stored / "by-name").iterdir())
+    assert "datapackage.json" in files and "measurements.csv" in files
+    assert (stored / "by-name" / "SHA256SUMS").read_bytes() == (
+        stored / "by-number" / "SHA256SUMS"
+    ).read_bytes()
+    assert "Other" not in (stored / "by-name" / "audit.csv").read_text()
+    assert "true" in (stored / "by-name" / "audit.csv").read_text()
+
+
+def test_an_unknown_survey_or_a_taken_place_is_refused(
+    stored: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["export", "--survey", "Nowhere", "-o", str(stored / "out")]) == 2
+    assert "Nowhere" in capsys.readouterr().err
+    assert not (stored / "out").exists()
+    (stored / "taken").write_text("a file")
+    assert main(["export", "--survey", "Other", "-o", str(stored / "taken")]) == 2
+    assert (stored / "taken").read_text() == "a file"
+
+
+def test_a_row_changed_behind_our_back_is_found(
+    stored: Path, database_url: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    if SERVER:
+        assert main(["verify", database_url]) == 0
+        return
+    path = stored / "sightline.db"
+    assert main(["verify", str(path)]) == 0
+    connection = sqlite3.connect(path)
+    for (trigger,) in connection.execute("SELECT name FROM sqlite_master WHERE type = 'trigger'").fetchall():
+        connection.execute(f'DROP TRIGGER "{trigger}"')
+    connection.execute("UPDATE audit_events SET after = replace(after, 'Rouen', 'Caen') WHERE id = 1")
+    connection.commit()
+    connection.close()
+    capsys.readouterr()
+    assert main(["verify", str(path)]) == 1
+    said = capsys.readouterr().err
+    assert "sightline.db" in said and said.count("\n") == 1
