@@ -109,8 +109,12 @@ def _way_out(reason: str) -> str:
     return "choose a video file"
 
 
-def video_stream(container: InputContainer, name: str) -> VideoStream:
+def video_stream(container: InputContainer, name: str, threads: int = DECODER_THREADS) -> VideoStream:
     """The stream that holds the picture, checked before anything is decoded.
+
+    How a decoder fills up damaged pictures depends on the race of its threads; with `threads` = 1 it is the
+    same every time. Sound pictures never differ.
+
 
     Raises BadInput for sound without a picture, a codec nobody here can decode, and dimensions out of
     bounds.
@@ -124,7 +128,7 @@ def video_stream(container: InputContainer, name: str) -> VideoStream:
         raise BadInput(f"{name} uses a video codec that cannot be decoded here; {_WAY_OUT}.")
     _check_size(name, context.width, context.height, stream.sample_aspect_ratio)
     context.thread_type = "AUTO"
-    context.thread_count = DECODER_THREADS
+    context.thread_count = threads
     context.options = {"max_pixels": str(MAX_PIXELS)}
     return stream
 

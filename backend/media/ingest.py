@@ -121,14 +121,19 @@ def ingest(
 def _ingest_open(
     container: InputContainer, path: Path, copy: WorkingCopy | None, watch: _Watch, thumb_dir: Path
 ) -> Ingested:
-    """Decode an open container to its end and close it."""
+    """Decode an open container to its end and close it; a damaged one again, so that it can be repeated."""
     damage = Damage()
     media_path = copy.path if copy else path
     watch.size = media_path.stat().st_size
-    with closing(container):
-        stream = video_stream(container, watch.name)
-        with no_room_told(f"what {watch.name} needs"):
+    with no_room_told(f"what {watch.name} needs"):
+        with closing(container):
+            stream = video_stream(container, watch.name)
             facts, rows, thumbs = _decode_all(container, stream, damage, watch, thumb_dir)
+        if damage.any:
+            damage = Damage()
+            with closing(open_container(media_path, watch.name)) as again:
+                stream = video_stream(again, watch.name, threads=1)
+                facts, rows, thumbs = _decode_all(again, stream, damage, watch, thumb_dir)
     table = _table(rows, float(facts.time_base))
     return Ingested(
         facts=facts,

@@ -133,8 +133,8 @@ def _damage_notes(facts: VideoFacts, count: int, damage: Damage) -> list[str]:
     if damage.reads:
         notes.append(f"The file could not be read to its end; {count} frames were found before that.")
     if damage.packets:
-        packets = "packet is" if damage.packets == 1 else "packets are"
-        notes.append(f"{damage.packets} {packets} damaged and were skipped; frames are missing there.")
+        packets = "damaged packet was" if damage.packets == 1 else "damaged packets were"
+        notes.append(f"{damage.packets} {packets} skipped; frames are missing there.")
     if damage.patched:
         pictures = "picture is" if len(damage.patched) == 1 else "pictures are"
         notes.append(

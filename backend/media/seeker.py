@@ -20,11 +20,20 @@ from av.video.stream import VideoStream
 from numpy.typing import NDArray
 
 from backend.errors import BadInput, Damaged
-from backend.media.decode import NO_PTS, decoded, frame_pts, open_container, same_size, video_stream
+from backend.media.decode import (
+    DECODER_THREADS,
+    NO_PTS,
+    decoded,
+    frame_pts,
+    open_container,
+    same_size,
+    video_stream,
+)
 from backend.media.picture import Layout, layout_of, luma_crc
 
 SEEK_TRIES = 3
 STRAYS = 64
+FROM_START = 3000
 Decoded = tuple[av.VideoFrame, Layout]
 
 
@@ -49,6 +58,16 @@ class RecordingMedia:
         return digest.hexdigest()[:24]
 
 
+@dataclass(frozen=True)
+class _Attempt:
+    """From frame `start` on: by a seek to it, by going on, or by opening the file anew."""
+
+    start: int
+    go_on: bool = False
+    from_start: bool = False
+    threads: int = DECODER_THREADS
+
+
 class Seeker:
     """Not thread-safe: one thread at a time. `keep` is told every frame that was identified, with its n."""
 
@@ -61,18 +80,20 @@ class Seeker:
         self._at: int | None = None
         self._lost: set[int] = set()
         self._container: InputContainer | None = None
+        self._threads = DECODER_THREADS
 
-    def _open(self) -> None:
+    def _open(self, threads: int = DECODER_THREADS) -> None:
         """Open the file, at the first request and for a decode from the start."""
         self.close()
         name = self._media.path.name
         try:
             self._container = open_container(self._media.path, name)
-            self._stream: VideoStream = video_stream(self._container, name)
+            self._stream: VideoStream = video_stream(self._container, name, threads)
         except BadInput as error:
             raise Damaged(
                 f"The stored video {name} is missing or can no longer be opened; restore it from a backup."
             ) from error
+        self._threads = threads
         self._frames: Iterator[av.VideoFrame] = decoded(self._container, self._stream)
         self._layout: Layout | None = None
         self._at = None
@@ -85,18 +106,18 @@ class Seeker:
     def find(self, n: int, wanted: Callable[[], bool] = lambda: True) -> Decoded | None:
         """Frame n, 0 <= n < N, identified by its checksum; None if it is no longer `wanted` on the way.
 
-        Decodes on from where it stands if no key frame lies nearer, else from the key frame before n,
-        then from earlier ones, at last from the start. Raises Damaged if the file does not give that
-        frame any more.
+        Decodes on from where it stands if no key frame lies nearer, else from the key frame before n, then
+        from earlier ones; at last the same with one thread, as damaged recordings were taken in. Raises
+        Damaged if the file does not give that frame any more.
         """
         if n in self._lost:
             raise self._damaged(n)
         if self._container is None:
             self._open()
-        for start in self._starts(n):
-            if not self._go_to(start):
+        for attempt in self._attempts(n):
+            if not self._go_to(attempt):
                 continue
-            found = self._roll(n, start, wanted)
+            found = self._roll(n, attempt, wanted)
             if found is not None or not wanted():
                 return found
         self._lost.add(n)
@@ -108,36 +129,40 @@ class Seeker:
             "written down at ingest; restore the file from a backup or ingest it again as a new recording."
         )
 
-    def _starts(self, n: int) -> Iterator[int | None]:
-        """Where to begin, best first: None: go on from here, -1: the start of the file, else a key frame."""
+    def _attempts(self, n: int) -> Iterator[_Attempt]:
+        """Where to begin and how, the quickest first."""
         before = self._keys[: np.searchsorted(self._keys, n, side="right")]
         nearest = int(before[-1]) if len(before) else 0
         if self._at is not None and nearest - 1 <= self._at < n:
-            yield None
-        for key in before[::-1][:SEEK_TRIES]:
-            if self._media.pts[key] != NO_PTS:
-                yield int(key)
-        yield -1
+            yield _Attempt(self._at, go_on=True)
+        stamped = [int(k) for k in before[::-1][:SEEK_TRIES] if self._media.pts[k] != NO_PTS]
+        yield from (_Attempt(key) for key in stamped)
+        if not stamped:
+            yield _Attempt(0, from_start=True)
+        yield from (_Attempt(key, threads=1) for key in stamped[:1])
+        if n <= FROM_START or not stamped:
+            yield _Attempt(0, from_start=True, threads=1)
 
-    def _go_to(self, start: int | None) -> bool:
-        if start is None:
+    def _go_to(self, attempt: _Attempt) -> bool:
+        if attempt.go_on:
             return True
-        if start < 0:
-            self._open()
+        if attempt.from_start or attempt.threads < self._threads:
+            self._open(min(attempt.threads, self._threads))
+        if attempt.from_start:
             return True
         assert self._container is not None
         try:
-            self._container.seek(int(self._media.pts[start]), stream=self._stream)
+            self._container.seek(int(self._media.pts[attempt.start]), stream=self._stream)
         except av.error.FFmpegError:
             return False
         self._frames = decoded(self._container, self._stream)
         self._at = None
         return True
 
-    def _roll(self, n: int, start: int | None, wanted: Callable[[], bool]) -> Decoded | None:
+    def _roll(self, n: int, attempt: _Attempt, wanted: Callable[[], bool]) -> Decoded | None:
         """Decode until frame n is identified; None if it was passed or nothing known came for too long."""
         strays = 0
-        limit = len(self._media) if start == -1 else STRAYS + max(0, n - (start or 0))
+        limit = len(self._media) if attempt.from_start else STRAYS + n - attempt.start
         while strays <= limit and wanted():
             frame = next(self._frames, None)
             if frame is None:
@@ -152,7 +177,7 @@ class Seeker:
             self.keep(m, frame, self._layout)
             if m == n:
                 return frame, self._layout
-            if m > n and start != -1:
+            if m > n:
                 return None
         return None
 
