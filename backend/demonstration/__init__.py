@@ -1,18 +1,19 @@
-"""The demonstration survey: video of invented vehicles rendered from a known scene, so that the truth is known.
+"""The demonstration survey: video of invented vehicles rendered from a known scene.
 
-    day_scene(), low_light_scene() -> Scene      frozen, hashable, picklable; `.frames`, `.fps`, `.board`, `.camera`
-    render_frame(scene, n) -> (480, 640, 3)      uint8 BGR; pure in (scene, n), so frames may be shared out to processes
-                                                 (contiguous ranges are quickest: textures are kept per vehicle)
+    day_scene(), low_light_scene() -> Scene    frozen, hashable, picklable; `.frames`, `.fps`, `.board`
+    render_frame(scene, n) -> (480, 640, 3)    uint8 BGR; pure in (scene, n): share frames out to processes in
+                                               contiguous ranges, as textures are kept per vehicle
     frames(scene), day_frames(), low_light_frames()   generators of all frames in order
-    lab_image(i) for i < LAB_COUNT               lab checkerboards, LAB_COLUMNS x LAB_ROWS inner corners of LAB_SQUARE_M
+    lab_image(i) for i < LAB_COUNT             LAB_COLUMNS x LAB_ROWS inner corners of LAB_SQUARE_M
     lab_corners_px(i)                            their true corners
     truth(scene) -> tuple[PassTruth, ...]        spots, heights, insets, pixels by frame
     truth_document(scene) -> dict                the same, ready for JSON, with camera, pose and board
     catalogue() -> list[dict]                    rows for the catalogue, source "demonstration, invented"
 
-Frames 0 .. scene.board_frames - 1 show the board (scene.board: inner corners, square, height of the top row) standing
-still and square on the road. The board is gone FADE_FRAMES later. Spots: contact_rear, contact_front, roof,
-driver_eye, taillight (lower edge of the lit area), headlight. Nothing here opens a file.
+Frames 0 .. scene.board_frames - 1 show the board (scene.board: inner corners, square, height of the
+top row) standing still and square on the road. The board is gone FADE_FRAMES later. Spots:
+contact_rear, contact_front, roof, driver_eye, taillight (lower edge of the lit area), headlight.
+Nothing here opens a file.
 """
 
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""The empty road: asphalt and markings, verge, houses, trees, sky; drawn once per scene at twice the resolution."""
+"""The empty road: asphalt, markings, verge, scenery, sky; drawn once per scene, twice as fine."""
 
 from functools import lru_cache
 
@@ -17,7 +17,7 @@ def noise_tile(seed: int, octaves: tuple[tuple[float, float], ...], size: int) -
     rng = np.random.default_rng(seed)
     total = np.zeros((size, size), np.float32)
     for sigma, weight in octaves:
-        white = rng.standard_normal((size, size)).astype(np.float32)
+        white: Floats = rng.standard_normal((size, size)).astype(np.float32)
         if sigma > 0:
             pad = int(4 * sigma) + 1
             white = cv2.GaussianBlur(np.pad(white, pad, mode="wrap"), (0, 0), sigma)[pad:-pad, pad:-pad]
@@ -29,12 +29,12 @@ def _sample(tile: Floats, x: Floats, y: Floats, ppm: float) -> Floats:
     size = tile.shape[0]
     u = np.mod(x * ppm, size).astype(np.float32)
     v = np.mod(y * ppm, size).astype(np.float32)
-    return cv2.remap(tile, u, v, cv2.INTER_LINEAR, borderMode=cv2.BORDER_WRAP)  # type: ignore[return-value]
+    return np.asarray(cv2.remap(tile, u, v, cv2.INTER_LINEAR, borderMode=cv2.BORDER_WRAP), np.float32)
 
 
 def _band(y: Floats, low: float, high: float, soft: Floats) -> Floats:
     """1 inside low..high with edges as soft as a pixel is long."""
-    return np.clip((y - low) / soft + 0.5, 0, 1) * np.clip((high - y) / soft + 0.5, 0, 1)
+    return np.asarray(np.clip((y - low) / soft + 0.5, 0, 1) * np.clip((high - y) / soft + 0.5, 0, 1))
 
 
 def ground_colour(camera: DemoCamera, seed: int, low: bool, a: Floats, b: Floats) -> tuple[Floats, Floats]:
@@ -62,7 +62,7 @@ def ground_colour(camera: DemoCamera, seed: int, low: bool, a: Floats, b: Floats
 
 def _mix(colour: Floats, mask: Floats, paint: object) -> Floats:
     m = mask[..., None]
-    return (colour * (1 - m) + np.asarray(paint, np.float32) * m).astype(np.float32)
+    return np.asarray(colour * (1 - m) + np.asarray(paint, np.float32) * m, np.float32)
 
 
 def _cracks(colour: Floats, x: Floats, y: Floats, soft: Floats, seed: int) -> Floats:
@@ -125,7 +125,7 @@ def _finish(picture: Floats, low: bool) -> Floats:
         return np.asarray(picture + halo, np.float32)
     grey = picture.mean(-1, keepdims=True)
     out = (grey + (picture - grey) * 1.09 - 110) * 1.07 + 112
-    return np.clip(out, 0, 252).astype(np.float32)
+    return np.asarray(np.clip(out, 0, 252), np.float32)
 
 
 @lru_cache(maxsize=4)
@@ -136,7 +136,9 @@ def backdrop(scene: Scene) -> Floats:
     ground, mask = ground_colour(camera, scene.seed, low, a, b)
     if low:
         ground *= lamp_pool(camera, a, b)
-    picture = np.where(mask[..., None], ground, sky_colours(scene.light, scene.seed, a, b)).astype(np.float32)
+    picture: Floats = np.where(mask[..., None], ground, sky_colours(scene.light, scene.seed, a, b)).astype(
+        np.float32
+    )
     for plate, y_m in street_plates(scene.light, scene.seed):
         away = np.float32(y_m - camera.centre_m[1])
         u = (camera.centre_m[0] + away * a - plate.left_m) * np.float32(plate.ppm) - np.float32(0.5)

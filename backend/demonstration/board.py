@@ -14,11 +14,21 @@ LAB_COLUMNS, LAB_ROWS, LAB_SQUARE_M = 9, 6, 0.030
 LAB_COUNT = 20
 
 
-def _checker(u: Array, v: Array, columns: int, rows: int) -> tuple[Array, Array]:
-    """Black squares and pattern extent; (u, v) in squares from the first inner corner, rightward and downward."""
+def _checker(u: Array, v: Array, columns: int, rows: int) -> Array:
+    """Coverage by black squares; (u, v) in squares from the first inner corner, right and down.
+
+    Edges are ramps one sample wide: hard samples would shift near-upright edges by a fraction of a pixel.
+    """
     inside = (u >= -1) & (u < columns) & (v >= -1) & (v < rows)
-    dark = ((np.floor(u) + np.floor(v)).astype(int) % 2 == 0) & inside
-    return dark, inside
+    return np.asarray((0.5 + 0.5 * _ramp(u) * _ramp(v)) * inside)
+
+
+def _ramp(u: Array) -> Array:
+    """+1 in even squares, -1 in odd ones, a ramp as wide as a sample's footprint at every integer."""
+    foot = float(np.median(np.abs(np.diff(u, axis=1))) + np.median(np.abs(np.diff(u, axis=0))))
+    whole = np.floor(u)
+    side = 1 - 2 * (whole % 2)
+    return np.asarray(np.clip(side * np.minimum(u - whole, 1 - u + whole) * (2 / foot), -1, 1))
 
 
 def board_corners_m(board: RoadBoard) -> Array:
@@ -37,7 +47,7 @@ def board_corners_m(board: RoadBoard) -> Array:
 
 @lru_cache(maxsize=4)
 def board_backdrop(scene: Scene) -> Floats:
-    """The road with the board on its stand, float32, before the sensor; sixteen rays per pixel on the board."""
+    """The road with the board on its stand, float32, before the sensor; 36 rays per pixel there."""
     camera, board = scene.camera, scene.board
     out = backdrop(scene).copy()
     wide, high = board.sheet_m
@@ -72,7 +82,7 @@ def board_backdrop(scene: Scene) -> Floats:
 def _paint_board(scene: Scene, part: Floats, slopes: Array, x0: float, top: float) -> Floats:
     camera, board = scene.camera, scene.board
     wide, high = board.sheet_m
-    dim = np.array([0.40, 0.47, 0.53]) if scene.light.low else np.array([1.0, 1.0, 1.0])
+    dim = np.array([0.52, 0.61, 0.68]) if scene.light.low else np.array([1.0, 1.0, 1.0])
     away_ground = -camera.centre_m[2] / np.minimum(slopes[..., 1], -1e-3)
     gx, gy = camera.centre_m[0] + away_ground * slopes[..., 0], camera.centre_m[1] + away_ground
     key = scene.light.key
@@ -91,14 +101,14 @@ def _paint_board(scene: Scene, part: Floats, slopes: Array, x0: float, top: floa
     away = -camera.centre_m[1]
     x, z = camera.centre_m[0] + away * slopes[..., 0], camera.centre_m[2] + away * slopes[..., 1]
     sheet = (x > x0) & (x < x0 + wide) & (z < top) & (z > top - high)
-    dark, _ = _checker(
+    dark = _checker(
         x / board.square_m, (board.reference_height_m - z) / board.square_m, board.columns, board.rows
     )
     shine = 1 - 0.06 * (x - x0) / wide - 0.05 * (top - z) / high
     part[sheet] = (np.array([222, 226, 226]) * dim) * shine[sheet][:, None]
-    black = sheet & dark
-    part[black] = (np.array([36, 34, 34]) * dim) * shine[black][:, None]
-    return part
+    ink = (dark * sheet)[..., None]
+    out: Floats = part * (1 - ink) + (np.array([36, 34, 34]) * dim) * shine[..., None] * ink
+    return out.astype(np.float32)
 
 
 def _lab_wall(seed: int, camera: DemoCamera) -> Floats:
@@ -116,39 +126,41 @@ def _lab_wall(seed: int, camera: DemoCamera) -> Floats:
         cv2.rectangle(wall, (428 + 24 * k, 8), (446 + 24 * k, 40), ink, -1)
     tile = noise_tile(seed, ((3.0, 0.6), (20.0, 1.0)), 768)[:h, :w]
     wall += tile[..., None] * 1.6
-    return cv2.GaussianBlur(wall, (0, 0), 2.4)  # type: ignore[return-value]
+    return np.asarray(cv2.GaussianBlur(wall, (0, 0), 2.4), np.float32)
 
 
-def lab_poses() -> list[tuple[Array, Array]]:
-    """(R, t) cam_from_board of the lab pictures; board axes right, down, away; origin at the first inner corner."""
-    rng = np.random.default_rng(99)
-    spots = [
-        (-0.55, -0.5),
-        (0.0, -0.55),
-        (0.55, -0.5),
-        (-0.6, 0.0),
-        (0.0, 0.0),
-        (0.6, 0.0),
-        (-0.55, 0.5),
-        (0.0, 0.55),
-        (0.55, 0.5),
-        (0.0, 0.0),
-    ]
+def _fits(camera: DemoCamera, rotation: Array, t: Array) -> bool:
+    """Whether the whole sheet, a square beyond the inner corners, is well inside the picture."""
+    c, r = np.meshgrid([-1.2, LAB_COLUMNS / 2, LAB_COLUMNS + 0.2], [-1.2, LAB_ROWS / 2, LAB_ROWS + 0.2])
+    points = np.stack([c.ravel(), r.ravel(), np.zeros(c.size)], -1) * LAB_SQUARE_M
+    px = camera.project_cam(points @ rotation.T + t)
+    return bool(np.all((px > 4) & (px < (camera.width_px - 5, camera.height_px - 5))))
+
+
+@lru_cache(maxsize=1)
+def lab_poses() -> tuple[tuple[Array, Array], ...]:
+    """(R, t) cam_from_board of the lab pictures; board axes right, down, away; origin: first corner.
+
+    Each board is pushed toward one part of the picture as far as it stays wholly in view.
+    """
+    rng, camera = np.random.default_rng(99), DemoCamera()
+    spots = [(x, y) for y in (-1, 0, 1) for x in (-1, 0, 1)] + [(-1, -1), (1, 1), (1, -1), (-1, 1)]
+    middle = np.array([(LAB_COLUMNS - 1) / 2, (LAB_ROWS - 1) / 2, 0]) * LAB_SQUARE_M
     out = []
     for k in range(LAB_COUNT):
         sx, sy = spots[k % len(spots)]
-        far = (
-            0.46
-            + 0.10 * (k % 3)
-            + float(rng.uniform(-0.02, 0.03))
-            - (0.06 if k % len(spots) in (4, 9) else 0)
-        )
-        tilt = rng.uniform(-0.5, 0.5, 2) + np.array([-0.18 * sy, 0.18 * sx]) * -1
-        rotation, _ = cv2.Rodrigues(np.array([tilt[0], tilt[1], float(rng.uniform(-0.25, 0.25))]))
-        middle = np.array([sx * 0.36 * far, sy * 0.24 * far, far])
-        centre = np.array([(LAB_COLUMNS - 1) / 2, (LAB_ROWS - 1) / 2, 0]) * LAB_SQUARE_M
-        out.append((np.asarray(rotation, float), middle - rotation @ centre))
-    return out
+        far = (0.36, 0.44, 0.52)[k % 3] + float(rng.uniform(-0.02, 0.02))
+        tilt = rng.uniform(-0.42, 0.42, 2)
+        rotation, _ = cv2.Rodrigues(np.array([tilt[0], tilt[1], float(rng.uniform(-0.2, 0.2))]))
+        push = 1.0
+        while True:
+            centre = np.array([sx * 0.72 * far * push, sy * 0.52 * far * push, far])
+            t = centre - rotation @ middle
+            if _fits(camera, rotation, t) or push < 0.02:
+                break
+            push *= 0.97
+        out.append((np.asarray(rotation), np.asarray(t)))
+    return tuple(out)
 
 
 def lab_corners_px(index: int, camera: DemoCamera | None = None) -> Array:
@@ -173,7 +185,10 @@ def lab_image(index: int, camera: DemoCamera | None = None) -> Image:
     x = (np.float32(origin[0]) + reach * along[..., 0]) / np.float32(LAB_SQUARE_M)
     y = (np.float32(origin[1]) + reach * along[..., 1]) / np.float32(LAB_SQUARE_M)
     wall = _lab_wall(5, camera)
-    picture = np.asarray(cv2.resize(wall, (camera.width_px * s, camera.height_px * s), interpolation=cv2.INTER_LINEAR), np.float32)
+    picture = np.asarray(
+        cv2.resize(wall, (camera.width_px * s, camera.height_px * s), interpolation=cv2.INTER_LINEAR),
+        np.float32,
+    )
     light = (
         np.float32(1.02)
         - np.float32(0.22) * np.float32(abs(rotation[0, 2]))
@@ -183,8 +198,8 @@ def lab_image(index: int, camera: DemoCamera | None = None) -> Image:
     picture[shade_] = 70
     sheet = (x > -1.45) & (x < LAB_COLUMNS + 0.45) & (y > -1.4) & (y < LAB_ROWS + 0.4)
     picture[sheet] = (228 * light[sheet])[:, None] * np.array([0.97, 1.0, 1.01], np.float32)
-    dark, _ = _checker(x, y, LAB_COLUMNS, LAB_ROWS)
-    picture[dark] = (38 * light[dark])[:, None] * np.array([1.0, 1.0, 1.0], np.float32)
+    dark = _checker(x, y, LAB_COLUMNS, LAB_ROWS)
+    picture += dark[..., None] * ((38 * light)[..., None] - picture)
     small = np.asarray(
         cv2.resize(picture, (camera.width_px, camera.height_px), interpolation=cv2.INTER_AREA), np.float32
     )

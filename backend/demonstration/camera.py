@@ -1,19 +1,21 @@
-"""The demonstration's own camera: an independent forward projection, so that its truth owes nothing to `geometry`.
+"""The demonstration's own camera: a forward projection that owes nothing to `geometry`.
 
 Frames as everywhere: image (0, 0) is the centre of the top-left pixel, camera x right, y down, z forward,
-road X along the near lane, Y away from the camera, Z up; `x_cam = R @ x_road + t`. Angles in radians, lengths in metres.
+road X along the near lane, Y away from the camera, Z up; `x_cam = R @ x_road + t`.
+Angles in radians, lengths in metres.
 """
 
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import Any
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+Array = NDArray[Any]
+Floats = NDArray[Any]
 Image = NDArray[np.uint8]
-Floats = NDArray[np.float32]
 
 
 @dataclass(frozen=True)
@@ -47,7 +49,7 @@ class DemoCamera:
 
     def translation_m(self) -> Array:
         """cam_from_road translation (3,)."""
-        return -self.rotation() @ np.array(self.centre_m)
+        return np.asarray(-self.rotation() @ np.array(self.centre_m))
 
     def distort(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Brown's model (OpenCV's order k1 k2 p1 p2 k3) on normalised coordinates of any shape."""
@@ -102,12 +104,12 @@ class DemoCamera:
         normalised = self.undistort(pixels)
         cam = np.concatenate([normalised, np.ones((*normalised.shape[:-1], 1))], -1)
         road = cam @ self.rotation()
-        return road[..., [0, 2]] / road[..., 1:2]
+        return np.asarray(road[..., [0, 2]] / road[..., 1:2])
 
 
 @lru_cache(maxsize=8)
 def _rotation(camera: DemoCamera) -> Array:
-    out = camera._turned()
+    out: Array = camera._turned()
     out.flags.writeable = False
     return out
 
@@ -119,7 +121,7 @@ def pixel_grid(camera: DemoCamera, pad: int = 0) -> Array:
 
 
 def finer(field: Array, supersample: int, pad: int = 2) -> Floats:
-    """A smooth field (H + 2 pad, W + 2 pad, ...) at sub-pixels (H s, W s, ...); linear between pixels is exact to 4e-4 px."""
+    """A smooth field (H + 2 pad, W + 2 pad, ...) at sub-pixels (H s, W s, ...); linear: within 4e-4 px."""
     h, w = field.shape[0] * supersample, field.shape[1] * supersample
     fine = cv2.resize(field.astype(np.float32), (w, h), interpolation=cv2.INTER_LINEAR)
     edge = pad * supersample

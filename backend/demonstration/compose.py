@@ -1,6 +1,6 @@
-"""Lays textures onto a frame through the camera: every pixel asks its own ray, so the lens is exact by construction.
+"""Lays textures onto a frame through the camera: every pixel asks its own ray, so the lens is exact.
 
-A plane Y = y is met by the ray of a pixel at X = Cx + (y - Cy) a, Z = Cz + (y - Cy) b with the camera's slope maps.
+A plane Y = y is met by a pixel's ray at X = Cx + (y - Cy) a, Z = Cz + (y - Cy) b (the camera's slope maps).
 """
 
 from dataclasses import dataclass
@@ -12,6 +12,7 @@ from backend.demonstration.camera import Array, DemoCamera, Floats, slope_maps
 from backend.demonstration.paint import Plate
 
 Box = tuple[int, int, int, int]
+BEAM_UNIT = 100.0
 
 
 @dataclass(frozen=True)
@@ -42,18 +43,18 @@ def plate_box(
 ) -> Box | None:
     """Pixel box of a plate at an inset."""
     h, w = plate.rgba.shape[:2]
-    l = np.linspace(plate.left_m, plate.left_m + w / plate.ppm, 9) + shift[0]
+    along = np.linspace(plate.left_m, plate.left_m + w / plate.ppm, 9) + shift[0]
     z = np.linspace(plate.top_m - h / plate.ppm, plate.top_m, 5) + shift[1]
-    return box_of(camera, place.road(l[None, :], np.array(inset_m), z[:, None]).reshape(-1, 3))
+    return box_of(camera, place.road(along[None, :], np.array(inset_m), z[:, None]).reshape(-1, 3))
 
 
-def blend(frame: Floats, box: Box, rgba: Floats) -> None:
-    """Premultiplied BGRA over the frame, in place."""
+def blend(frame: Floats, box: Box, rgba: Array) -> None:
+    """Premultiplied BGRA (8 bits) over the float frame, in place."""
     x0, y0, x1, y1 = box
     part = frame[y0:y1, x0:x1]
-    keep = cv2.cvtColor(255.0 - rgba[..., 3], cv2.COLOR_GRAY2BGR)
-    cv2.multiply(part, keep, part, 1 / 255.0)
-    part += cv2.cvtColor(rgba, cv2.COLOR_BGRA2BGR)
+    keep = cv2.cvtColor(cv2.bitwise_not(rgba[..., 3]), cv2.COLOR_GRAY2BGR)
+    cv2.multiply(part, keep, part, 1 / 255.0, cv2.CV_32F)
+    cv2.add(part, cv2.cvtColor(rgba, cv2.COLOR_BGRA2BGR), part, None, cv2.CV_32F)
 
 
 def lay_plate(
@@ -77,12 +78,12 @@ def lay_plate(
     v = b[y0:y1, x0:x1] * np.float32(-away * plate.ppm)
     v += np.float32((plate.top_m + shift[1] - camera.centre_m[2]) * plate.ppm - 0.5)
     rgba = cv2.remap(plate.rgba, u, v, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=0)
-    blend(frame, box, rgba)  # type: ignore[arg-type]
+    blend(frame, box, rgba)
 
 
 @dataclass(frozen=True, eq=False)
 class Relief:
-    """The near side: a plate whose texels lie at their own insets (`depth`, a coarser grid over the same rectangle)."""
+    """The near side: a plate whose texels lie at their own insets (`depth`, a coarser grid)."""
 
     plate: Plate
     depth: Floats
@@ -102,7 +103,7 @@ def lay_relief(frame: Floats, camera: DemoCamera, relief: Relief, place: Place) 
     away = full + np.float32(place.side_plane_m - camera.centre_m[1])
     u, v = _texels(plate.ppm, plate, camera, place, away, a[y0:y1, x0:x1], b[y0:y1, x0:x1])
     rgba = cv2.remap(plate.rgba, u, v, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=0)
-    blend(frame, box, rgba)  # type: ignore[arg-type]
+    blend(frame, box, rgba)
 
 
 def _union(one: Box | None, two: Box | None) -> Box | None:
@@ -124,11 +125,11 @@ def _texels(
 
 
 def _seek(relief: Relief, camera: DemoCamera, place: Place, a: Floats, b: Floats, steps: int = 6) -> Floats:
-    depth = np.full(a.shape, 0.06, np.float32)
+    depth: Floats = np.full(a.shape, 0.06, np.float32)
     base = np.float32(place.side_plane_m - camera.centre_m[1])
     for _ in range(steps):
         u, v = _texels(relief.depth_ppm, relief.plate, camera, place, depth + base, a, b)
-        depth = cv2.remap(relief.depth, u, v, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)  # type: ignore[assignment]
+        depth = cv2.remap(relief.depth, u, v, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
     return depth
 
 
@@ -137,15 +138,15 @@ def _double(half: Floats, size: tuple[int, int]) -> Floats:
     w, h = size
     move = np.array([[0.5, 0, 0], [0, 0.5, 0]], np.float32)
     flags = cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
-    return cv2.warpAffine(half, move, (w, h), flags=flags, borderMode=cv2.BORDER_REPLICATE)  # type: ignore[return-value]
+    return cv2.warpAffine(half, move, (w, h), flags=flags, borderMode=cv2.BORDER_REPLICATE)
 
 
 def lay_ground(frame: Floats, camera: DemoCamera, plate: Plate, place: Place, add: bool = False) -> None:
-    """Draws a plate that lies on the road: its second axis is the inset (top_m the farthest), not the height."""
+    """Draws a plate that lies on the road: its second axis is the inset, the farthest on top."""
     h, w = plate.rgba.shape[:2]
-    l = np.linspace(plate.left_m, plate.left_m + w / plate.ppm, 9)
+    along = np.linspace(plate.left_m, plate.left_m + w / plate.ppm, 9)
     y = np.linspace(plate.top_m - h / plate.ppm, plate.top_m, 7)
-    road = place.road(l[None, :], y[:, None], np.array(0.0)).reshape(-1, 3)
+    road = place.road(along[None, :], y[:, None], np.array(0.0)).reshape(-1, 3)
     road = road[road[:, 1] > camera.centre_m[1] + 0.8]
     box = box_of(camera, road) if len(road) else None
     if box is None:
@@ -160,6 +161,6 @@ def lay_ground(frame: Floats, camera: DemoCamera, plate: Plate, place: Place, ad
     v += np.float32((plate.top_m + place.side_plane_m - camera.centre_m[1]) * plate.ppm - 0.5)
     rgba = cv2.remap(plate.rgba, u, v, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=0)
     if add:
-        frame[y0:y1, x0:x1] *= 1 + rgba[..., :3] / np.float32(255)
+        frame[y0:y1, x0:x1] *= 1 + rgba[..., :3] / np.float32(BEAM_UNIT)
     else:
-        blend(frame, box, rgba)  # type: ignore[arg-type]
+        blend(frame, box, rgba)

@@ -45,8 +45,8 @@ class Easel:
         cv2.rectangle(self.lamps, self.at(box[0], box[1]), self.at(box[2], box[3]), ink, -1)
 
     def finish(self, haze: float, rng: np.random.Generator) -> Plate:
-        """Premultiplied plate: grain of walls and leaves, haze with distance, dusk in low light, lit windows."""
-        soft = cv2.GaussianBlur(self.canvas, (0, 0), 0.6)
+        """Premultiplied plate: grain, haze with distance, dusk and lit windows in low light."""
+        soft: Floats = cv2.GaussianBlur(self.canvas, (0, 0), 0.6)
         alpha = soft[..., 3:] / 255
         grain = cv2.GaussianBlur(rng.standard_normal(alpha.shape[:2]).astype(np.float32), (0, 0), 1.3)
         soft[..., :3] *= 1 + 0.10 * grain[..., None]
@@ -61,7 +61,13 @@ class Easel:
 
 
 def _leaves(
-    easel: Easel, x: np.ndarray, z: np.ndarray, light: np.ndarray, size_m: float, hue: float, rng: np.random.Generator
+    easel: Easel,
+    x: np.ndarray,
+    z: np.ndarray,
+    light: np.ndarray,
+    size_m: float,
+    hue: float,
+    rng: np.random.Generator,
 ) -> None:
     """Leaf clumps from the darkest to the lightest: what lies deep is in shade."""
     for i in np.argsort(light + rng.normal(0, 0.22, len(light))):
@@ -87,7 +93,9 @@ def tree(easel: Easel, at: float, height: float, wide: float, rng: np.random.Gen
     z = cz[:, None] + dz * radius[:, None] * 0.9
     light = 0.45 * dz - 0.32 * dx + 0.35 * (z - height * 0.66) / (height * 0.3)
     for k in range(lobes):
-        easel.blob(float(cx[k]), float(cz[k]), float(radius[k]) * 0.9, float(radius[k]) * 0.8, 0.0, (36, 66, 52))
+        easel.blob(
+            float(cx[k]), float(cz[k]), float(radius[k]) * 0.9, float(radius[k]) * 0.8, 0.0, (36, 66, 52)
+        )
     _leaves(easel, x.ravel(), z.ravel(), light.ravel(), size, hue, rng)
 
 

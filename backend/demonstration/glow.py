@@ -5,7 +5,7 @@ from functools import lru_cache
 import numpy as np
 
 from backend.demonstration.camera import DemoCamera, Floats
-from backend.demonstration.compose import Place
+from backend.demonstration.compose import BEAM_UNIT, Place
 from backend.demonstration.paint import Plate
 from backend.demonstration.shape import Shape
 from backend.demonstration.sideart import tail_lamp_box
@@ -15,9 +15,9 @@ from backend.demonstration.sideart import tail_lamp_box
 def _halo(radius: int) -> Floats:
     y, x = np.mgrid[-radius : radius + 1, -radius : radius + 1].astype(np.float32)
     r2 = (x * x + y * y) / radius**2
-    out = np.exp(-r2 * 9) * 0.42 + np.exp(-r2 * 3.2) * 0.25 * np.clip(1 - r2, 0, 1)
+    out: Floats = np.exp(-r2 * 9) * 0.42 + np.exp(-r2 * 3.2) * 0.25 * np.clip(1 - r2, 0, 1)
     out.flags.writeable = False
-    return out.astype(np.float32)
+    return out
 
 
 def _add(frame: Floats, centre: np.ndarray, radius: int, ink: np.ndarray) -> None:
@@ -49,22 +49,21 @@ def add_glow(frame: Floats, camera: DemoCamera, shape: Shape, place: Place) -> N
         ),
     ]
     near = place.side_plane_m - camera.centre_m[1]
-    for (l, z), size, ink in lamps:
-        inset = float(shape.inset(np.array(l), np.array(z)))
-        px = camera.project(place.road(np.array(l), np.array(inset), np.array(z)))
+    for (along, z), size, ink in lamps:
+        inset = float(shape.inset(np.array(along), np.array(z)))
+        px = camera.project(place.road(np.array(along), np.array(inset), np.array(z)))
         _add(frame, px, max(8, round(size * 3.1 / near)), np.array(ink))
 
 
 def beam_plate(shape: Shape) -> Plate:
     """Headlamp light on the road ahead: gains (BGR) times 255 on the ground plane."""
     ppm, length = 24.0, shape.length_m
-    l = length - 0.3 + (np.arange(int(9 * ppm)) + 0.5) / ppm
+    along = length - 0.3 + (np.arange(int(9 * ppm)) + 0.5) / ppm
     y = 2.6 - (np.arange(int(4.2 * ppm)) + 0.5) / ppm
-    ahead, side = np.meshgrid(l - length, y - shape.width_m / 2)
+    ahead, side = np.meshgrid(along - length, y - shape.width_m / 2)
     spread = 0.55 + 0.22 * np.clip(ahead, 0, None)
     power = np.exp(-((side / spread) ** 2)) * np.clip(ahead / 1.2, 0, 1) * np.exp(-ahead / 5.0) * 2.4
-    edge = np.clip((l[-1] - l) / 2, 0, 1) * np.clip((l - l[0]) / 0.5, 0, 1)
+    edge = np.clip((along[-1] - along) / 2, 0, 1) * np.clip((along - along[0]) / 0.5, 0, 1)
     gain = power * edge[None, :]
-    rgba = np.stack([gain * 0.86, gain * 0.97, gain * 1.0, gain], -1).astype(np.float32) * 255
-    rgba.flags.writeable = False
-    return Plate(rgba, ppm, float(length - 0.3), 2.6)
+    rgba = np.stack([gain * 0.86, gain * 0.97, gain * 1.0, gain], -1) * BEAM_UNIT
+    return Plate(np.clip(np.round(rgba), 0, 255).astype(np.uint8), ppm, float(length - 0.3), 2.6)

@@ -63,7 +63,7 @@ def driver_plate(shape: Shape, light: Light, ppm: float) -> Plate:
     e = np.array([eye_l, eye_z])
 
     def poly(points: list[tuple[float, float]]) -> np.ndarray:
-        return e + np.array(points)
+        return np.asarray(e + np.array(points))
 
     seat = poly([(-0.42, -0.9), (-0.36, -0.35), (-0.40, -0.12), (-0.30, -0.08), (-0.18, -0.42), (0.0, -0.9)])
     layer.lay(stencil.area(seat), np.array([52.0, 50.0, 50.0]) * dim)
@@ -79,12 +79,14 @@ def driver_plate(shape: Shape, light: Light, ppm: float) -> Plate:
     neck = poly([(-0.155, -0.26), (-0.15, -0.06), (-0.02, -0.10), (-0.035, -0.24)])
     layer.lay(stencil.area(neck), skin * 0.86)
     head = poly(
-        [(-0.165, 0.04), (-0.15, 0.10), (-0.08, 0.135), (0.0, 0.12), (0.03, 0.06), (0.035, 0.01), (0.06, -0.035),
+        [(-0.165, 0.04), (-0.15, 0.10), (-0.08, 0.135), (0.0, 0.12), (0.03, 0.06), (0.035, 0.01),
+         (0.06, -0.035),
          (0.045, -0.05), (0.04, -0.09), (0.01, -0.118), (-0.05, -0.10), (-0.12, -0.07), (-0.16, -0.02)]
     )  # fmt: skip
     layer.lay(stencil.area(head), skin)
     mane = poly(
-        [(-0.17, -0.03), (-0.175, 0.06), (-0.15, 0.12), (-0.08, 0.15), (0.0, 0.135), (0.035, 0.085), (0.0, 0.075),
+        [(-0.17, -0.03), (-0.175, 0.06), (-0.15, 0.12), (-0.08, 0.15), (0.0, 0.135), (0.035, 0.085),
+         (0.0, 0.075),
          (-0.055, 0.06), (-0.065, 0.0), (-0.10, -0.045), (-0.14, -0.07)]
     )  # fmt: skip
     layer.lay(stencil.area(mane), hair)
@@ -105,7 +107,12 @@ def _seat_parts(shape: Shape) -> tuple[list[np.ndarray], list[np.ndarray]]:
     shoulder = shape.vehicle.model.eye_height_m - 0.20
     rows = (0.40,) if shape.vehicle.style.name in ("van", "lorry") else (0.40, 1.20)
     back = [(-0.06, 0.3), (-0.06, shoulder), (0.02, shoulder + 0.03), (0.12, 0.62), (0.5, 0.5), (0.5, 0.3)]
-    rest = [(-0.05, shoulder + 0.04), (-0.04, shoulder + 0.15), (0.02, shoulder + 0.15), (0.03, shoulder + 0.04)]
+    rest = [
+        (-0.05, shoulder + 0.04),
+        (-0.04, shoulder + 0.15),
+        (0.02, shoulder + 0.15),
+        (0.03, shoulder + 0.04),
+    ]
     shift = [np.array([eye_l - behind, 0.0]) for behind in rows]
     return [np.array(back) + s for s in shift], [np.array(rest) + s for s in shift]
 
@@ -151,26 +158,30 @@ def far_side_plate(shape: Shape, light: Light, ppm: float) -> Plate:
 def mirror_plate(shape: Shape, light: Light, ppm: float) -> Plate:
     """The door mirror on the near side, a rounded shell in the car's paint."""
     style = shape.vehicle.style
-    l, _ = shape.at(style.windscreen[0], 0)
+    at, _ = shape.at(style.windscreen[0], 0)
     lorry = style.name == "lorry"
-    l = l - (0.02 if lorry else 0.42 * shape.sl)
-    z = float(shape.belt(np.array(l))) + (0.22 if lorry else 0.085)
-    stencil = Stencil(l - 0.25, l + 0.3, z - 0.3, z + 0.4, ppm)
+    at = at - (0.02 if lorry else 0.42 * shape.sl)
+    z = float(shape.belt(np.array(at))) + (0.22 if lorry else 0.085)
+    stencil = Stencil(at - 0.25, at + 0.3, z - 0.3, z + 0.4, ppm)
     layer = Layer(stencil.size)
     dim = 0.36 if light.low else 1.0
     if lorry:
         layer.lay(
-            stencil.area(np.array([[l, z - 0.22], [l + 0.2, z - 0.22], [l + 0.2, z + 0.32], [l, z + 0.32]])),
+            stencil.area(
+                np.array([[at, z - 0.22], [at + 0.2, z - 0.22], [at + 0.2, z + 0.32], [at, z + 0.32]])
+            ),
             np.array([36.0, 35.0, 34.0]) * dim,
         )
         return layer.plate(stencil)
     shell = np.array(
         [[-0.10, -0.06], [0.06, -0.075], [0.10, -0.02], [0.07, 0.06], [-0.04, 0.085], [-0.11, 0.06]]
     )
-    layer.lay(stencil.area(shell + (l, z)), np.array(shape.vehicle.paint) * 0.82 * dim)
-    layer.lay(stencil.area(shell * (1, 0.45) + (l, z - 0.04)), np.array(shape.vehicle.paint) * 0.55 * dim)
+    layer.lay(stencil.area(shell + np.array([at, z])), np.array(shape.vehicle.paint) * 0.82 * dim)
+    layer.lay(stencil.area(shell * (1, 0.45) + (at, z - 0.04)), np.array(shape.vehicle.paint) * 0.55 * dim)
     layer.lay(
-        stencil.area(np.array([[0.05, -0.06], [0.12, -0.11], [0.16, -0.11], [0.09, -0.03]]) + (l, z)),
+        stencil.area(
+            np.array([[0.05, -0.06], [0.12, -0.11], [0.16, -0.11], [0.09, -0.03]]) + np.array([at, z])
+        ),
         np.array([30.0] * 3) * dim,
     )
     return layer.plate(stencil)

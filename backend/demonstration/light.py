@@ -1,4 +1,4 @@
-"""Light of a scene and how surfaces answer it: sun or street lamp, sky and ground mirrored in paint and glass.
+"""Light of a scene and how surfaces answer it: sun or street lamp, sky and ground mirrored.
 
 Colours are BGR, 0..255, in display space; the whole room mixes them there, which is plain and looks right.
 """
@@ -75,7 +75,7 @@ def shade(
 ) -> Array:
     """BGR (..., 3) of a surface: diffuse paint plus mirrored surroundings by Schlick's Fresnel term.
 
-    normals (..., 3) outward unit vectors in the road frame, base (..., 3) BGR, view (..., 3) unit rays from the camera.
+    All (..., 3): normals outward in the road frame, base BGR, view unit rays from the camera.
     """
     key = np.array(light.key) / np.linalg.norm(light.key)
     diffuse = np.clip(normals @ key, 0, None)
@@ -88,10 +88,11 @@ def shade(
     half = key - view
     half /= np.linalg.norm(half, axis=-1, keepdims=True)
     spark = np.clip(np.sum(half * normals, -1), 0, 1) ** 60 * (95 if not light.low else 60) * gloss
-    return np.clip(
+    out: Array = np.clip(
         lit * (1 - fresnel[..., None])
         + fresnel[..., None] * _mirror(light, bounce[..., 2])
         + spark[..., None] * sun,
         0,
         255,
     )
+    return out

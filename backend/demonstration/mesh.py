@@ -1,6 +1,7 @@
-"""Rear, bonnet, screens, roof and front of a vehicle: its outline swept across the car, drawn as shaded facets."""
+"""Rear, bonnet, screens, roof and front of a vehicle: its outline swept across, as shaded facets."""
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import cv2
 import numpy as np
@@ -16,7 +17,7 @@ ACROSS = np.array([0.0, 0.03, 0.09, 0.17, 0.27, 0.38, 0.5, 0.62, 0.73, 0.83, 0.9
 
 @dataclass(frozen=True, eq=False)
 class Facets:
-    """Quads in the local frame: corners (N, 4, 3) as l, inset, z; colour, opacity, gloss and own light of each."""
+    """Quads in the local frame: corners (N, 4, 3) as l, inset, z; colour, opacity, gloss, own light."""
 
     corners: Array
     base: Array
@@ -45,7 +46,7 @@ def build_facets(shape: Shape, light: Light) -> Facets:
 def _dense(outline: Array) -> Array:
     """Cuts long segments so that facets stay below 12 cm."""
     parts = []
-    for p, q in zip(outline[:-1], outline[1:], strict=True):
+    for p, q in pairwise(outline):
         n = max(1, int(np.ceil(np.linalg.norm(q - p) / 0.10)))
         parts.append(p + (q - p) * (np.arange(n) / n)[:, None])
     return np.vstack([*parts, outline[-1:]])
@@ -55,7 +56,7 @@ def _materials(shape: Shape, light: Light, corners: Array) -> Facets:
     style, n = shape.vehicle.style, len(corners)
     dim = 0.32 if light.low else 1.0
     mid = corners.mean(1)
-    l, z = mid[:, 0], mid[:, 2]
+    along, z = mid[:, 0], mid[:, 2]
     v = np.clip((mid[:, 1] - 0.1) / (shape.width_m - 0.2), 0, 1)
     base = np.tile(np.array(shape.vehicle.paint, float), (n, 1))
     opacity, gloss, glow = np.ones(n), np.full(n, 0.5), np.zeros((n, 3))
@@ -63,10 +64,10 @@ def _materials(shape: Shape, light: Light, corners: Array) -> Facets:
     def put(where: Array, colour: tuple[float, float, float], shine: float = 0.2) -> None:
         base[where], gloss[where] = colour, shine
 
-    rear, front = l < 0.35 * shape.length_m, l > 0.62 * shape.length_m
+    rear, front = along < 0.35 * shape.length_m, along > 0.62 * shape.length_m
     if style.name == "lorry":
-        put(l < 5.4 * shape.sl, (205, 205, 200), 0.15)
-        put((l < 5.4 * shape.sl) & (z < 1.05 * shape.sz), (60, 58, 56), 0.1)
+        put(along < 5.4 * shape.sl, (205, 205, 200), 0.15)
+        put((along < 5.4 * shape.sl) & (z < 1.05 * shape.sz), (60, 58, 56), 0.1)
     low = z < (style.sill_m + (0.17 if style.name == "suv" else 0.10)) * shape.sz
     put(low & (rear | front), (42, 40, 40), 0.2)
     put(
@@ -74,16 +75,16 @@ def _materials(shape: Shape, light: Light, corners: Array) -> Facets:
         & (z < 0.66 * shape.sz)
         & (z > 0.36 * shape.sz)
         & (np.abs(v - 0.5) < 0.3)
-        & (l > 0.93 * shape.length_m),
+        & (along > 0.93 * shape.length_m),
         (26, 26, 26),
         0.3,
     )
     for base_l, top_l in (style.rear_glass, style.windscreen):
         a, b = sorted((base_l * shape.sl, top_l * shape.sl))
-        belt = shape.belt(l) + 0.07
+        belt = shape.belt(along) + 0.07
         pane = (
-            (l > a - 0.02)
-            & (l < b + 0.01)
+            (along > a - 0.02)
+            & (along < b + 0.01)
             & (z > belt)
             & (v > 0.05)
             & (v < 0.95)
@@ -92,17 +93,17 @@ def _materials(shape: Shape, light: Light, corners: Array) -> Facets:
         put(pane, (34, 32, 28), 1.0)
         opacity[pane] = 0.88
     _, _, z0, z1 = tail_lamp_box(shape)
-    lamp = (l < 0.25) & (z > z0) & (z < z1) & ((v < 0.16) | (v > 0.84))
+    lamp = (along < 0.25) & (z > z0) & (z < z1) & ((v < 0.16) | (v > 0.84))
     glow[lamp] = (55, 45, 190) if not light.low else (60, 52, 225)
     head = (
-        (l > shape.length_m - 0.45)
+        (along > shape.length_m - 0.45)
         & (z > style.head_lamp[1] * shape.sz)
         & (z < style.head_lamp[2] * shape.sz)
     )
     head &= (v < 0.20) | (v > 0.80)
     glow[head] = (215, 212, 205) if not light.low else (250, 250, 245)
-    tag = (np.abs(v - 0.5) < 0.16) & (np.abs(z - 0.60 * shape.sz) < 0.055) & (l < 0.2)
-    tag |= (np.abs(v - 0.5) < 0.16) & (np.abs(z - 0.42 * shape.sz) < 0.05) & (l > shape.length_m - 0.25)
+    tag = (np.abs(v - 0.5) < 0.16) & (np.abs(z - 0.60 * shape.sz) < 0.055) & (along < 0.2)
+    tag |= (np.abs(v - 0.5) < 0.16) & (np.abs(z - 0.42 * shape.sz) < 0.05) & (along > shape.length_m - 0.25)
     glow[tag] = np.array([190, 205, 205]) * (0.5 if light.low else 1.0) * dim**0.3
     return Facets(corners, base, opacity, gloss, glow)
 
@@ -154,4 +155,4 @@ def _fill(
     for quad, ink in zip(fixed, bgra.tolist(), strict=True):
         cv2.fillConvexPoly(canvas, quad, ink, shift=4)
     small = cv2.resize(canvas, (x1 - x0, y1 - y0), interpolation=cv2.INTER_AREA)
-    blend(frame, box, small.astype(np.float32))
+    blend(frame, box, small)

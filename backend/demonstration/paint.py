@@ -1,6 +1,6 @@
-"""Paints the near side of a vehicle once: a texture with coverage over the local (l, z) plane, light baked in.
+"""Paints the near side of a vehicle once: a texture over the local (l, z) plane, light baked in.
 
-A texture is premultiplied BGRA, float32 in 0..255; the light may be baked because a vehicle only slides along X.
+Textures are premultiplied BGRA in 0..255; light may be baked because a vehicle only slides along X.
 """
 
 from dataclasses import dataclass
@@ -18,9 +18,9 @@ FINE = 3
 
 @dataclass(frozen=True, eq=False)
 class Plate:
-    """A texture on a plane of constant inset: pixel (i, j) is l = left + (i + .5) / ppm, z = top - (j + .5) / ppm."""
+    """A texture on a plane of constant inset: pixel (i, j) is l = left + (i + .5) / ppm, z = top - ..."""
 
-    rgba: Floats
+    rgba: Array
     ppm: float
     left_m: float
     top_m: float
@@ -54,7 +54,7 @@ class Stencil:
         return np.zeros((self.size[1] * FINE, self.size[0] * FINE), np.uint8)
 
     def shrink(self, fine: Floats) -> Floats:
-        return cv2.resize(fine, self.size, interpolation=cv2.INTER_AREA)  # type: ignore[return-value]
+        return cv2.resize(fine, self.size, interpolation=cv2.INTER_AREA)
 
     def area(self, *polygons: Array) -> Floats:
         """Coverage of polygons (each (N, 2) in metres)."""
@@ -80,8 +80,8 @@ class Layer:
     """A premultiplied picture that masks are laid onto."""
 
     def __init__(self, size: tuple[int, int]) -> None:
-        self.colour = np.zeros((size[1], size[0], 3), np.float32)
-        self.alpha = np.zeros((size[1], size[0], 1), np.float32)
+        self.colour: Floats = np.zeros((size[1], size[0], 3), np.float32)
+        self.alpha: Floats = np.zeros((size[1], size[0], 1), np.float32)
 
     def lay(self, mask: Floats, colour: object, opacity: float = 1.0) -> None:
         """Covers with a colour (BGR, or a picture of BGR) where the mask is."""
@@ -99,7 +99,8 @@ class Layer:
         self.colour = self.colour * (1 + (gain - 1) * mask[..., None])
 
     def plate(self, stencil: Stencil) -> Plate:
-        rgba = np.concatenate([self.colour, self.alpha * 255], -1).astype(np.float32)
+        whole = np.concatenate([self.colour, self.alpha * 255], -1)
+        rgba = np.clip(np.round(whole), 0, 255).astype(np.uint8)
         rgba.flags.writeable = False
         return Plate(rgba, stencil.ppm, stencil.left_m, stencil.top_m)
 
@@ -139,7 +140,7 @@ def body_outline(shape: Shape) -> Array:
 
 
 def glass_area(shape: Shape, stencil: Stencil) -> Floats:
-    """Coverage of the side windows: the greenhouse, less the roof rail and what lies behind the rear pillar."""
+    """Coverage of the side windows: the greenhouse less its rails and rear pillar."""
     style = shape.vehicle.style
     scale = stencil.ppm * FINE
     inside = stencil.fine_bytes()
@@ -164,8 +165,8 @@ def pane_area(shape: Shape, stencil: Stencil) -> Floats:
     """Coverage of the glass one can see through: the windows less the pillars between them."""
     panes = glass_area(shape, stencil)
     for pillar in shape.vehicle.style.pillars:
-        l, _ = shape.at(pillar, 0)
-        panes = panes * (1 - stencil.line(np.array([[l - 0.05, 0.6], [l + 0.05, 2.2]]), 0.085))
+        at, _ = shape.at(pillar, 0)
+        panes = panes * (1 - stencil.line(np.array([[at - 0.05, 0.6], [at + 0.05, 2.2]]), 0.085))
     return panes
 
 

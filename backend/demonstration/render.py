@@ -10,7 +10,14 @@ from backend.demonstration.board import board_backdrop
 from backend.demonstration.camera import Floats, Image
 from backend.demonstration.compose import Place, Relief, lay_ground, lay_plate, lay_relief
 from backend.demonstration.glow import add_glow, beam_plate
-from backend.demonstration.insides import driver_plate, far_side_plate, mirror_plate, seats_plate, tyre_plate, wheel_plate
+from backend.demonstration.insides import (
+    driver_plate,
+    far_side_plate,
+    mirror_plate,
+    seats_plate,
+    tyre_plate,
+    wheel_plate,
+)
 from backend.demonstration.mesh import Facets, build_facets, lay_facets
 from backend.demonstration.paint import Plate
 from backend.demonstration.scene import FADE_FRAMES, Scene, Vehicle
@@ -78,7 +85,7 @@ def vehicle_kit(scene: Scene, vehicle: Vehicle) -> Kit:
 
 
 def _wheel(kit: Kit, rear_m: float, axle: float) -> Plate:
-    """The wheel's texture turned by the way it has rolled (mirrored texture: the same sense for both lanes)."""
+    """The wheel's texture turned by the way it has rolled (mirrored for the far lane)."""
     shape = kit.shape
     roll = shape.vehicle.direction * rear_m / shape.radius_m + axle
     return kit.wheels[int(np.floor(roll / (2 * np.pi / 5) * TURNS)) % TURNS]

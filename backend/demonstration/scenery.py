@@ -8,7 +8,13 @@ from backend.demonstration.easel import BGR, Easel, grove, hedge, tree
 from backend.demonstration.light import Light
 from backend.demonstration.paint import Plate
 
-PLASTER: tuple[BGR, ...] = ((176, 200, 216), (200, 207, 210), (104, 122, 164), (160, 190, 204), (188, 206, 196))
+PLASTER: tuple[BGR, ...] = (
+    (176, 200, 216),
+    (200, 207, 210),
+    (104, 122, 164),
+    (160, 190, 204),
+    (188, 206, 196),
+)
 
 
 def sky_colours(light: Light, seed: int, a: Floats, b: Floats) -> Floats:
@@ -30,7 +36,10 @@ def sky_colours(light: Light, seed: int, a: Floats, b: Floats) -> Floats:
 def _roof(easel: Easel, at: float, wide: float, eaves: float, rng: np.random.Generator) -> None:
     tile = (60 + rng.uniform(-8, 8), 72 + rng.uniform(-8, 8), 126 + rng.uniform(-34, 18))
     ridge = eaves + wide * 0.28
-    easel.poly([(at - 0.35, eaves), (at + wide + 0.35, eaves), (at + wide * 0.86, ridge), (at + wide * 0.14, ridge)], tile)
+    easel.poly(
+        [(at - 0.35, eaves), (at + wide + 0.35, eaves), (at + wide * 0.86, ridge), (at + wide * 0.14, ridge)],
+        tile,
+    )
     for z in np.arange(eaves, ridge, 0.22):
         t = (z - eaves) / (ridge - eaves)
         x0, x1 = at - 0.35 + t * (0.35 + wide * 0.14), at + wide + 0.35 - t * (0.35 + wide * 0.14)
@@ -78,7 +87,9 @@ def _rail(easel: Easel) -> None:
     for x in np.arange(easel.left_m + 0.6, easel.right_m, 2.0):
         easel.rect((x - 0.05, 0, x + 0.05, 0.62), (108, 111, 112))
     for k, tone in enumerate((140, 178, 162, 116, 104, 150, 192, 170, 128)):
-        easel.rect((easel.left_m, 0.42 + 0.031 * k, easel.right_m, 0.452 + 0.031 * k), (tone + 2.0, tone, tone - 2.0))
+        easel.rect(
+            (easel.left_m, 0.42 + 0.031 * k, easel.right_m, 0.452 + 0.031 * k), (tone + 2.0, tone, tone - 2.0)
+        )
     for x in np.arange(easel.left_m + 0.75, easel.right_m, 4.0):
         easel.rect((x, 0.42, x + 0.025, 0.70), (96, 97, 98))
 
@@ -114,12 +125,24 @@ def street_plates(light: Light, seed: int) -> list[tuple[Plate, float]]:
     _row_of_houses(row, rng)
     trees = Easel(-14.0, 34.0, 9.0, 44, light)
     for x in (-6.0, 1.2, 8.4, 13.4, 21.5, 29.0):
-        tree(trees, x + float(rng.uniform(-0.6, 0.6)), float(rng.uniform(4.2, 6.4)), float(rng.uniform(2.8, 3.8)), rng)
+        tree(
+            trees,
+            x + float(rng.uniform(-0.6, 0.6)),
+            float(rng.uniform(4.2, 6.4)),
+            float(rng.uniform(2.8, 3.8)),
+            rng,
+        )
     shrubs = Easel(-9.0, 26.0, 2.0, 56, light)
     hedge(shrubs, 1.05, rng)
     rail = Easel(-7.0, 24.0, 7.0, 64, light)
     _rail(rail)
     _post(rail, 5.2, 6.2)
     _post(rail, 19.0, 6.2)
-    stack = ((far, 34.0, 0.34), (row, 19.0, 0.15), (trees, 12.5, 0.06), (shrubs, 9.4, 0.03), (rail, 7.6, 0.01))
+    stack = (
+        (far, 34.0, 0.34),
+        (row, 19.0, 0.15),
+        (trees, 12.5, 0.06),
+        (shrubs, 9.4, 0.03),
+        (rail, 7.6, 0.01),
+    )
     return [(easel.finish(haze, rng), y_m) for easel, y_m, haze in stack]

@@ -1,4 +1,4 @@
-"""Dark plates of a vehicle: its shadow on the road and the underbody seen through arches and below the sill."""
+"""Dark plates of a vehicle: its shadow on the road, and the underbody behind arches and sill."""
 
 import cv2
 import numpy as np
@@ -9,7 +9,7 @@ from backend.demonstration.shape import Shape
 
 
 def shadow_plate(shape: Shape, light: Light) -> Plate:
-    """The shadow on the road: key light's silhouette plus the dark of what is close; second axis is the inset."""
+    """The shadow on the road: the key light's silhouette and the dark of what is close."""
     ppm, w, length = 64.0, shape.width_m, shape.length_m
     reach = 0.75 if not light.low else 0.9
     tall = shape.vehicle.roof_height_m
@@ -40,8 +40,7 @@ def shadow_plate(shape: Shape, light: Light) -> Plate:
     rgba = np.zeros((*dark.shape, 4), np.float32)
     rgba[..., 3] = dark * 255
     rgba[..., :3] = dark[..., None] * np.array([24.0, 20.0, 18.0]) * (0.4 if light.low else 1.0)
-    rgba.flags.writeable = False
-    return Plate(rgba, ppm, stencil.left_m, stencil.top_m)
+    return Plate(np.round(rgba).astype(np.uint8), ppm, stencil.left_m, stencil.top_m)
 
 
 def under_plate(shape: Shape, light: Light, ppm: float) -> Plate:

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import pairwise
 
 import numpy as np
 
@@ -44,25 +45,29 @@ class Shape:
             return np.where(cab, 0.05 + 0.035 * np.clip(z - self.belt(along), 0, None), 0.02)
         belt = self.belt(along)
         above = np.clip(z - belt + 0.05, 0, None)
-        out = 0.012 + 0.10 * np.clip(0.52 * self.sz - z, 0, None) ** 1.5 + 0.085 * np.clip(z - 0.60 * self.sz, 0, 0.4)
-        # the greenhouse leans in: a parabola of 10 cm eases into the straight slope, so the shoulder catches the sky
+        out = (
+            0.012
+            + 0.10 * np.clip(0.52 * self.sz - z, 0, None) ** 1.5
+            + 0.085 * np.clip(z - 0.60 * self.sz, 0, 0.4)
+        )
+        # the greenhouse leans in: a parabola of 10 cm eases into the slope
         out = out + style.tumble * np.where(above < 0.10, above**2 / 0.20, above - 0.05)
         out = out + 0.032 * np.clip(1 - (self.top(along) - z) / 0.10, 0, 1) ** 2
         rear = np.clip(1 - along / 0.42, 0, 1) ** 2 * 0.085
         nose = np.clip(1 - (self.length_m - along) / 0.75, 0, 1) ** 2 * 0.19
-        return out + rear + nose
+        return np.asarray(out + rear + nose)
 
 
 def _upper(outline: Array, grid: Array) -> Array:
-    """The highest outline point over each l: outlines fold back at bumpers, so take the maximum over segments."""
+    """The highest outline point over each l: outlines fold back, so the maximum of segments."""
     best = np.full(grid.shape, -np.inf)
-    for (l0, z0), (l1, z1) in zip(outline[:-1], outline[1:], strict=True):
+    for (l0, z0), (l1, z1) in pairwise(outline):
         lo, hi = min(l0, l1), max(l0, l1)
         inside = (grid >= lo) & (grid <= hi)
         t = (grid - l0) / (l1 - l0) if l1 != l0 else np.zeros_like(grid)
         best = np.maximum(best, np.where(inside, z0 + t * (z1 - z0), -np.inf))
     good = np.isfinite(best)
-    return np.interp(grid, grid[good], best[good])
+    return np.asarray(np.interp(grid, grid[good], best[good]))
 
 
 def _spline(points: Array, per_segment: int = 6) -> Array:

@@ -3,7 +3,7 @@
 import cv2
 import numpy as np
 
-from backend.demonstration.camera import Floats
+from backend.demonstration.camera import Array, Floats
 from backend.demonstration.light import Light
 from backend.demonstration.paint import (
     Layer,
@@ -11,8 +11,8 @@ from backend.demonstration.paint import (
     Stencil,
     body_outline,
     glass_area,
-    pane_area,
     painted_body,
+    pane_area,
 )
 from backend.demonstration.shape import Shape
 
@@ -24,7 +24,7 @@ def _rect(l0: float, z0: float, l1: float, z1: float) -> np.ndarray:
 
 
 def tail_lamp_box(shape: Shape) -> tuple[float, float, float, float]:
-    """The tail lamp on the near side: l0, l1 (metres from the rear), its LOWER EDGE (lit area) and its top."""
+    """The tail lamp on the near side: l0, l1 from the rear, its LOWER EDGE (of the lit area), its top."""
     style = shape.vehicle.style
     wide, high = style.tail_lamp
     lower = shape.vehicle.tail_lamp_m
@@ -69,17 +69,16 @@ def side_plate(shape: Shape, light: Light, ppm: float, eye_m: float, near_m: flo
     return Plate(_smear(rgba.rgba, smear_m * ppm), ppm, stencil.left_m, stencil.top_m)
 
 
-def _smear(rgba: Floats, width_px: float) -> Floats:
+def _smear(rgba: Array, width_px: float) -> Array:
     """Motion during the exposure: a centred box along l."""
     size = max(1, round(width_px) // 2 * 2 + 1)
-    out = rgba if size < 3 else cv2.blur(rgba, (size, 1), borderType=cv2.BORDER_CONSTANT)
-    return np.ascontiguousarray(out, np.float32)
+    return rgba if size < 3 else cv2.blur(rgba, (size, 1), borderType=cv2.BORDER_CONSTANT)
 
 
 def _car_side(shape: Shape, light: Light, stencil: Stencil, layer: Layer, body: Floats) -> None:
     style, dim = shape.vehicle.style, 0.32 if light.low else 1.0
     black = np.array([40.0, 38.0, 37.0]) * dim
-    along, z = stencil.grid()
+    _along, z = stencil.grid()
     sill = style.sill_m * shape.sz
     cladding = 0.16 if style.name == "suv" else 0.055
     layer.lay(body * np.clip((sill + cladding - z) * stencil.ppm + 0.5, 0, 1).astype(np.float32), black)
@@ -91,16 +90,20 @@ def _car_side(shape: Shape, light: Light, stencil: Stencil, layer: Layer, body: 
         else:
             layer.tint(arch, 0.72)
     for shut in style.shuts:
-        l, _ = shape.at(shut, 0)
-        low, high = sill + 0.05, float(shape.belt(np.array(l)))
-        seam = np.array([[l - 0.03, low], [l, low + 0.25], [l + 0.01, high]])
+        at_l, _ = shape.at(shut, 0)
+        low, high = sill + 0.05, float(shape.belt(np.array(at_l)))
+        seam = np.array([[at_l - 0.03, low], [at_l, low + 0.25], [at_l + 0.01, high]])
         layer.tint(stencil.line(seam, 0.012) * body, 0.35)
-        layer.tint(stencil.line(seam + (0.012, 0), 0.008) * body, 1.18)
+        layer.tint(stencil.line(seam + np.array([0.012, 0.0]), 0.008) * body, 1.18)
     for shut in style.shuts[:-1]:
-        l, _ = shape.at(shut, 0)
-        handle_z = float(shape.belt(np.array(l))) - 0.115
-        layer.tint(stencil.area(_rect(l + 0.07, handle_z - 0.030, l + 0.24, handle_z - 0.012)) * body, 0.55)
-        layer.tint(stencil.area(_rect(l + 0.07, handle_z - 0.012, l + 0.24, handle_z + 0.012)) * body, 1.22)
+        at_l, _ = shape.at(shut, 0)
+        handle_z = float(shape.belt(np.array(at_l))) - 0.115
+        layer.tint(
+            stencil.area(_rect(at_l + 0.07, handle_z - 0.030, at_l + 0.24, handle_z - 0.012)) * body, 0.55
+        )
+        layer.tint(
+            stencil.area(_rect(at_l + 0.07, handle_z - 0.012, at_l + 0.24, handle_z + 0.012)) * body, 1.22
+        )
     if style.name == "van":
         _livery(shape, stencil, layer, body, dim)
         rail = np.array([[0.3, 1.06 * shape.sz], [2.6 * shape.sl, 1.06 * shape.sz]])
@@ -117,7 +120,11 @@ def _livery(shape: Shape, stencil: Stencil, layer: Layer, body: Floats, dim: flo
     seed = shape.vehicle.seed
     lorry = shape.vehicle.style.name == "lorry"
     dark = not lorry and sum(shape.vehicle.paint) < 420
-    inks = ((236, 236, 234), (120, 220, 240)) if dark else ((150, 60, 20), (30, 90, 20), (40, 40, 150), (20, 90, 170))
+    inks = (
+        ((236, 236, 234), (120, 220, 240))
+        if dark
+        else ((150, 60, 20), (30, 90, 20), (40, 40, 150), (20, 90, 170))
+    )
     ink = np.array(inks[seed % len(inks)], float) * dim
     box = (0.5, 1.25, 5.0, 3.0) if lorry else (0.5, 1.15, 2.65, 1.6)
     l0, z0 = shape.at(box[0], box[1])
@@ -169,9 +176,10 @@ def _lorry_side(shape: Shape, light: Light, stencil: Stencil, layer: Layer, body
         )
     _livery(shape, stencil, layer, box, dim)
     for shut in shape.vehicle.style.shuts:
-        l, _ = at(shut, 0)
+        at_l, _ = at(shut, 0)
         layer.tint(
-            stencil.line(np.array([[l, at(0, 0.95)[1]], [l, at(0, 2.4)[1]]]), 0.016) * body * (1 - box), 0.4
+            stencil.line(np.array([[at_l, at(0, 0.95)[1]], [at_l, at(0, 2.4)[1]]]), 0.016) * body * (1 - box),
+            0.4,
         )
     layer.lay(stencil.area(rect(*at(6.02, 1.26), *at(6.2, 1.30))) * body, dark)
     layer.lay(stencil.area(rect(*at(6.9, 0.42), *at(7.4, 0.60))) * body, dark)
@@ -201,12 +209,16 @@ def _windows(shape: Shape, light: Light, stencil: Stencil, layer: Layer) -> None
     sill = stencil.line(np.stack([stencil.along, shape.belt(stencil.along)], -1), 0.016)
     trim = np.clip(cv2.GaussianBlur(glass, (0, 0), 0.03 * stencil.ppm) * 4, 0, 1) * sill
     bright = style.name in ("saloon", "estate") and shape.vehicle.seed % 2 == 0
-    layer.lay(np.asarray(trim, np.float32), np.array([196.0, 198.0, 200.0] if bright else [24.0, 24.0, 24.0]) * dim, 0.85)
+    layer.lay(
+        np.asarray(trim, np.float32),
+        np.array([196.0, 198.0, 200.0] if bright else [24.0, 24.0, 24.0]) * dim,
+        0.85,
+    )
 
 
 def _lamps(shape: Shape, light: Light, stencil: Stencil, layer: Layer, body: Floats) -> None:
     lorry = shape.vehicle.style.name == "lorry"
-    along, z = stencil.grid()
+    along, _z = stencil.grid()
     lamp = stencil.area(tail_lamp_area(shape)) * (1.0 if lorry else body)
     _tail_lamp(shape, light, stencil, layer, np.asarray(lamp, np.float32))
     head = stencil.area(head_lamp_area(shape)) * body

@@ -1,4 +1,4 @@
-"""What hides a target: the driver's eye is seen through glass only, and the empty seats may stand before it."""
+"""What hides a target: the driver's eye is seen through glass only, and past the empty seats."""
 
 from functools import lru_cache
 
@@ -29,7 +29,9 @@ def _look(stencil: Stencil, mask: Floats, along: float, z: float) -> float:
     return float(mask[j - 2 : j + 3, i - 2 : i + 3].min())
 
 
-def _crossing(camera: DemoCamera, shape: Shape, eye: Array, rear_m: float, inset_m: float) -> tuple[float, float]:
+def _crossing(
+    camera: DemoCamera, shape: Shape, eye: Array, rear_m: float, inset_m: float
+) -> tuple[float, float]:
     """Local (l, z) where the sight line to a road point passes the plane at an inset."""
     centre, vehicle = np.array(camera.centre_m), shape.vehicle
     t = (vehicle.side_plane_m + inset_m - centre[1]) / (eye[1] - centre[1])
@@ -38,7 +40,7 @@ def _crossing(camera: DemoCamera, shape: Shape, eye: Array, rear_m: float, inset
 
 
 def eye_is_seen(camera: DemoCamera, vehicle: Vehicle, eye: Array, frame: int) -> bool:
-    """Whether the sight line to the driver's eye (road point) goes through a side window and past the seats."""
+    """Whether the sight line to the driver's eye (road point) passes a side window and the seats."""
     shape, rear = shape_of(vehicle), vehicle.rear_m(frame)
     stencil, panes, seats = _masks(vehicle)
     inset = 0.1

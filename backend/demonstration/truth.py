@@ -1,4 +1,4 @@
-"""What is true of every pass: contact points and targets as road points and as distorted pixels, frame by frame."""
+"""What is true of every pass: contact points and targets, as road points and as pixels, by frame."""
 
 from dataclasses import dataclass
 from functools import lru_cache
@@ -21,7 +21,7 @@ TARGETS = ("roof", "driver_eye", "taillight")
 
 @dataclass(frozen=True)
 class Spot:
-    """A definite spot of a vehicle, local frame: l from the rear, inset behind the side plane, height, metres."""
+    """A definite spot, local frame, metres: l from the rear, inset behind the side plane, height."""
 
     name: str
     along_m: float
@@ -31,7 +31,7 @@ class Spot:
 
 @dataclass(frozen=True)
 class FramePixels:
-    """True distorted pixels of one frame: name of the spot -> (x, y); `hidden` spots are covered by the car."""
+    """True distorted pixels of one frame: name of the spot -> (x, y); `hidden`: covered by the car."""
 
     frame: int
     pixels: dict[str, tuple[float, float]]
@@ -111,7 +111,9 @@ def place_of(vehicle: Vehicle, frame: int) -> Place:
 
 def spot_m(vehicle: Vehicle, spot: Spot, frame: int) -> Array:
     """Road point (3,) of a spot at a frame."""
-    return place_of(vehicle, frame).road(np.array(spot.along_m), np.array(spot.inset_m), np.array(spot.height_m))
+    return place_of(vehicle, frame).road(
+        np.array(spot.along_m), np.array(spot.inset_m), np.array(spot.height_m)
+    )
 
 
 def spot_pixel(camera: DemoCamera, vehicle: Vehicle, spot: Spot, frame: int) -> Array:
@@ -120,9 +122,8 @@ def spot_pixel(camera: DemoCamera, vehicle: Vehicle, spot: Spot, frame: int) -> 
 
 
 def _inside(camera: DemoCamera, px: Array, margin: float = MARGIN_PX) -> Array:
-    limit = np.array([camera.width_px - 1, camera.height_px - 1]) - margin
-    ok: Array = ((px > margin) & (px < limit)).all(-1)
-    return ok
+    limit: Array = np.array([camera.width_px - 1, camera.height_px - 1]) - margin
+    return np.asarray(((px > margin) & (px < limit)).all(-1))
 
 
 def _whole(camera: DemoCamera, vehicle: Vehicle, frame: int) -> bool:
@@ -142,7 +143,9 @@ def _frame_pixels(camera: DemoCamera, vehicle: Vehicle, frame: int) -> FramePixe
         if not _inside(camera, px):
             continue
         pixels[spot.name] = (float(px[0]), float(px[1]))
-        if spot.name == "driver_eye" and not eye_is_seen(camera, vehicle, spot_m(vehicle, spot, frame), frame):
+        if spot.name == "driver_eye" and not eye_is_seen(
+            camera, vehicle, spot_m(vehicle, spot, frame), frame
+        ):
             hidden.append(spot.name)
     contact = any(name.startswith("contact") for name in pixels)
     target = any(not name.startswith("contact") for name in pixels)
@@ -150,7 +153,7 @@ def _frame_pixels(camera: DemoCamera, vehicle: Vehicle, frame: int) -> FramePixe
 
 
 def _best(camera: DemoCamera, frames: list[FramePixels], wanted: tuple[str, ...]) -> int | None:
-    """Most of the wanted spots in sight with a contact, then nearest to the picture's middle; None if none is."""
+    """Most of the wanted spots in sight with a contact, then nearest to the middle; None if none is."""
 
     def score(one: FramePixels) -> tuple[int, float]:
         x = [p[0] for p in one.pixels.values()]
@@ -235,7 +238,7 @@ def _pass_document(one: PassTruth) -> dict[str, object]:
 
 
 def truth_document(scene: Scene) -> dict[str, object]:
-    """All truth of a scene as plain JSON values; pixels are distorted, (0, 0) the centre of the top-left pixel."""
+    """All truth of a scene as plain JSON values; distorted pixels, (0, 0) the top-left pixel's centre."""
     board = scene.board
     return {
         "format": "sightline-demonstration-truth-1",
