@@ -22,7 +22,7 @@ export function CalibrationPanel({ id, camera, makeCurrent }: Props) {
     return calibration.error ? (
       <Problem error={calibration.error} again={calibration.reload} />
     ) : (
-      <div class="panel">
+      <div class="panel result-awaited">
         <Loading what="the calibration" />
       </div>
     );

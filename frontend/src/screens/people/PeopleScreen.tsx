@@ -1,34 +1,15 @@
+import { Fragment } from "preact";
 import { useState } from "preact/hooks";
 import { api } from "../../api";
-import {
-  ask,
-  Button,
-  Dialog,
-  Loading,
-  Notice,
-  Problem,
-  SelectField,
-  StateMark,
-  TextField,
-} from "../../components";
+import { ask, Button, Loading, Notice, Problem, SelectField, StateMark } from "../../components";
 import { useResource } from "../../state/resource";
 import { may, me } from "../../state/session";
-import { toast } from "../../state/toasts";
 import { formatAgo } from "../../times";
-import type { Person, Role } from "../../types";
+import type { Person } from "../../types";
+import { AddPerson } from "./AddPerson";
 import "./people.css";
-
-const ROLES: { value: Role; label: string; does: string }[] = [
-  { value: "viewer", label: "Viewer", does: "sees everything, exports packages" },
-  { value: "operator", label: "Operator", does: "brings in recordings, calibrates, measures" },
-  { value: "reviewer", label: "Reviewer", does: "what an operator does, and reviews the work of others" },
-  { value: "admin", label: "Administrator", does: "everything, and people" },
-];
-
-interface Invitation {
-  name: string;
-  link: string;
-}
+import { ROLES } from "./roles";
+import { type Invitation, ShowLink } from "./ShowLink";
 
 /** Accounts and roles, for administrators. */
 export default function PeopleScreen() {
@@ -118,10 +99,10 @@ export default function PeopleScreen() {
       )}
       <dl class="facts people__roles">
         {ROLES.map((role) => (
-          <>
+          <Fragment key={role.value}>
             <dt>{role.label}</dt>
             <dd>{role.does}</dd>
-          </>
+          </Fragment>
         ))}
       </dl>
       {adding && (
@@ -190,117 +171,5 @@ function PersonRow({ person, put, newLink, switchOff }: RowProps) {
         )}
       </td>
     </tr>
-  );
-}
-
-function AddPerson({ close, added }: { close: () => void; added: (made: Invitation) => void }) {
-  const [name, setName] = useState("");
-  const [email, setEmail] = useState("");
-  const [role, setRole] = useState<Role>("operator");
-  const [tried, setTried] = useState(false);
-  const [problem, setProblem] = useState<unknown>(null);
-  const [busy, setBusy] = useState(false);
-  const emailWrong = !/^\S+@\S+$/.test(email.trim());
-  const submit = async (event: Event) => {
-    event.preventDefault();
-    setTried(true);
-    if (!name.trim() || emailWrong) return;
-    setBusy(true);
-    setProblem(null);
-    try {
-      const made = await api.post<{ person: Person; link: string }>("/people", {
-        name: name.trim(),
-        email: email.trim(),
-        role,
-      });
-      added({ name: made.person.name, link: made.link });
-    } catch (error) {
-      setProblem(error);
-      setBusy(false);
-    }
-  };
-  return (
-    <Dialog
-      title="Add a person"
-      onClose={close}
-      actions={
-        <>
-          <Button onClick={close}>Cancel</Button>
-          <Button
-            kind="primary"
-            busy={busy}
-            onClick={() => document.querySelector<HTMLFormElement>("#add-person")?.requestSubmit()}
-          >
-            Add
-          </Button>
-        </>
-      }
-    >
-      <form id="add-person" class="stack" onSubmit={submit} noValidate>
-        <TextField
-          label="Name"
-          value={name}
-          onInput={setName}
-          problem={
-            tried && !name.trim() ? "Give the person's name as it should appear beside their work." : null
-          }
-        />
-        <TextField
-          label="E-mail"
-          type="email"
-          value={email}
-          onInput={setEmail}
-          hint="They sign in with it. Sightline sends no mail: you pass on the link that comes next."
-          problem={tried && emailWrong ? "Give an e-mail address, for example ada@example.org." : null}
-        />
-        <SelectField
-          label="Role"
-          value={role}
-          options={ROLES}
-          onChange={setRole}
-          hint={ROLES.find((r) => r.value === role)?.does}
-        />
-        <Problem error={problem} />
-        <button type="submit" hidden />
-      </form>
-    </Dialog>
-  );
-}
-
-function ShowLink({ invitation, close }: { invitation: Invitation; close: () => void }) {
-  const link = new URL(invitation.link, location.origin).href;
-  const copy = async () => {
-    try {
-      await navigator.clipboard.writeText(link);
-      toast("The link is on the clipboard.");
-    } catch {
-      document.querySelector<HTMLInputElement>("#sign-in-link")?.select();
-    }
-  };
-  return (
-    <Dialog
-      title={`Sign-in link for ${invitation.name}`}
-      onClose={close}
-      actions={
-        <>
-          <Button onClick={close}>Done</Button>
-          <Button kind="primary" icon="copy" onClick={() => void copy()}>
-            Copy the link
-          </Button>
-        </>
-      }
-    >
-      <div class="stack">
-        <p>Pass this on to {invitation.name}. It works once, for seven days, and is shown only now.</p>
-        <input
-          id="sign-in-link"
-          class="input"
-          readOnly
-          value={link}
-          aria-label="Sign-in link"
-          onFocus={(event) => event.currentTarget.select()}
-        />
-      </div>
-    </Dialog>
   );
 }

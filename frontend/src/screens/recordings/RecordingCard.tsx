@@ -1,21 +1,13 @@
 import { useState } from "preact/hooks";
 import { api } from "../../api";
-import {
-  ask,
-  Button,
-  JobProgress,
-  Notice,
-  Problem,
-  Segments,
-  SelectField,
-  StateMark,
-} from "../../components";
+import { ask, Button, JobProgress, Notice, Problem, StateMark } from "../../components";
 import { cancelJob } from "../../state/jobs";
 import { may } from "../../state/session";
 import { toast } from "../../state/toasts";
 import { formatDuration, formatMoment } from "../../times";
-import type { Camera, Lighting, Recording } from "../../types";
+import type { Camera, Recording } from "../../types";
 import { formatBytes, plural } from "../../units";
+import { CameraPick, LightPick } from "./pickers";
 
 interface Props {
   recording: Recording;
@@ -49,6 +41,16 @@ export function RecordingCard({ recording, cameras, changed, reload }: Props) {
       toast(`${recording.name} was deleted.`);
       await reload();
     });
+  const cancel = () =>
+    run(async () => {
+      if (recording.job) await cancelJob(recording.job.id);
+      await reload();
+    });
+  const readAgain = () =>
+    run(async () => {
+      await api.post(`/recordings/${recording.id}/ingest`);
+      await reload();
+    });
   return (
     <article class="panel recording">
       <Poster recording={recording} />
@@ -65,45 +67,22 @@ export function RecordingCard({ recording, cameras, changed, reload }: Props) {
               </span>
             )}
             <StateMark state={recording.state} />
+            {canWork && recording.state !== "ingesting" && (
+              <Button
+                kind="quiet"
+                icon="trash"
+                label={`Delete ${recording.name}`}
+                onClick={() => void remove()}
+              />
+            )}
           </div>
         </header>
         <Facts recording={recording} />
         {recording.state === "ingesting" && recording.job && (
-          <JobProgress
-            job={recording.job}
-            onCancel={
-              canWork && recording.job
-                ? () =>
-                    void run(async () => {
-                      await cancelJob(recording.job?.id ?? 0);
-                      await reload();
-                    })
-                : undefined
-            }
-          />
+          <JobProgress job={recording.job} onCancel={canWork ? () => void cancel() : undefined} />
         )}
         {recording.state === "failed" && (
-          <Notice
-            kind="problem"
-            actions={
-              canWork && (
-                <Button
-                  small
-                  icon="retry"
-                  onClick={() =>
-                    void run(async () => {
-                      await api.post(`/recordings/${recording.id}/ingest`);
-                      await reload();
-                    })
-                  }
-                >
-                  Read it again
-                </Button>
-              )
-            }
-          >
-            {recording.error ?? "This recording could not be read."}
-          </Notice>
+          <Failed reason={recording.error} again={canWork ? () => void readAgain() : undefined} />
         )}
         {recording.notes.length > 0 && (
           <ul class="recording__notes">
@@ -113,37 +92,44 @@ export function RecordingCard({ recording, cameras, changed, reload }: Props) {
           </ul>
         )}
         <Problem error={problem} />
-        <footer class="recording__foot">
-          {recording.state !== "failed" && (
-            <>
-              <CameraPick
-                recording={recording}
-                cameras={cameras}
-                pick={(camera_id) => void put({ camera_id })}
-              />
-              <LightPick recording={recording} pick={(lighting) => void put({ lighting })} />
-            </>
-          )}
-          <span class="grow" />
-          {recording.state === "ready" && (
-            <Button
-              href={`/surveys/${recording.survey_id}/${recording.pose_id === null ? "pose" : "measure"}?recording=${recording.id}`}
-              kind="plain"
-            >
-              {recording.pose_id === null ? "Find the road" : "Measure"}
-            </Button>
-          )}
-          {canWork && recording.state !== "ingesting" && (
-            <Button
-              kind="quiet"
-              icon="trash"
-              label={`Delete ${recording.name}`}
-              onClick={() => void remove()}
+        {recording.state !== "failed" && (
+          <footer class="recording__foot">
+            <CameraPick
+              recording={recording}
+              cameras={cameras}
+              pick={(camera_id) => void put({ camera_id })}
             />
-          )}
-        </footer>
+            <LightPick recording={recording} pick={(lighting) => void put({ lighting })} />
+            <span class="grow" />
+            {recording.state === "ready" && (
+              <Button
+                href={`/surveys/${recording.survey_id}/${recording.pose_id === null ? "pose" : "measure"}?recording=${recording.id}`}
+                kind="plain"
+              >
+                {recording.pose_id === null ? "Find the road" : "Measure"}
+              </Button>
+            )}
+          </footer>
+        )}
       </div>
     </article>
+  );
+}
+
+function Failed({ reason, again }: { reason: string | null; again?: () => void }) {
+  return (
+    <Notice
+      kind="problem"
+      actions={
+        again && (
+          <Button small icon="retry" onClick={again}>
+            Read it again
+          </Button>
+        )
+      }
+    >
+      {reason ?? "This recording could not be read."}
+    </Notice>
   );
 }
 
@@ -227,60 +213,5 @@ function Facts({ recording }: { recording: Recording }) {
         )}
       </span>
     </p>
-  );
-}
-
-function CameraPick({
-  recording,
-  cameras,
-  pick,
-}: {
-  recording: Recording;
-  cameras: Camera[];
-  pick: (id: number | null) => void;
-}) {
-  if (cameras.length === 0) {
-    return (
-      <p class="small">
-        No camera yet: <a href={`/surveys/${recording.survey_id}/camera`}>calibrate one</a>.
-      </p>
-    );
-  }
-  return (
-    <div class="recording__pick">
-      <SelectField
-        label="Camera"
-        value={String(recording.camera_id ?? "")}
-        disabled={!may("operator")}
-        options={[
-          { value: "", label: "not said yet" },
-          ...cameras.map((camera) => ({
-            value: String(camera.id),
-            label: camera.current_calibration_id === null ? `${camera.name} (not calibrated)` : camera.name,
-          })),
-        ]}
-        onChange={(value) => pick(value === "" ? null : Number(value))}
-      />
-    </div>
-  );
-}
-
-function LightPick({ recording, pick }: { recording: Recording; pick: (lighting: Lighting) => void }) {
-  const proposed = recording.lighting === null && recording.lighting_proposed !== null;
-  const value = recording.lighting ?? recording.lighting_proposed;
-  return (
-    <div class="field">
-      <span class="field__label">Lighting{proposed && <span class="muted"> (proposed)</span>}</span>
-      <Segments<Lighting | "none">
-        label={`Lighting of ${recording.name}${proposed ? ", proposed by the machine" : ""}`}
-        value={recording.lighting ?? "none"}
-        disabled={!may("operator")}
-        options={[
-          { value: "daytime", label: value === "daytime" && proposed ? "Daytime ?" : "Daytime" },
-          { value: "low_light", label: value === "low_light" && proposed ? "Low light ?" : "Low light" },
-        ]}
-        onChange={(next) => next !== "none" && pick(next)}
-      />
-    </div>
   );
 }

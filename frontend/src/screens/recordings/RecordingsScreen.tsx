@@ -1,6 +1,6 @@
-import { useRef, useState } from "preact/hooks";
+import { useRef } from "preact/hooks";
 import { api } from "../../api";
-import { Empty, Icon, Loading, Problem } from "../../components";
+import { DropFiles, Empty, Loading, Problem } from "../../components";
 import type { ScreenProps } from "../../router";
 import { useEvery, useResource } from "../../state/resource";
 import { may } from "../../state/session";
@@ -63,7 +63,15 @@ export default function RecordingsScreen({ surveyId }: ScreenProps) {
           </p>
         </div>
       </header>
-      {canWork && <DropVideo add={add} />}
+      {canWork && (
+        <DropFiles
+          label="Choose videos to upload"
+          title="Drop videos here, or click to choose"
+          hint="A broken connection does no harm: the upload goes on where it stopped, also after this page was closed."
+          accept="video/*,.mp4,.mov,.avi,.mkv,.mts,.m2ts,.webm,.mpg,.mpeg,.wmv"
+          add={add}
+        />
+      )}
       {(mine.length > 0 || left.length > 0) && (
         <section class="panel uploads" aria-label="Uploads">
           {mine.map((item) => (
@@ -104,43 +112,5 @@ export default function RecordingsScreen({ surveyId }: ScreenProps) {
         ))}
       </div>
     </div>
-  );
-}
-
-function DropVideo({ add }: { add: (files: File[]) => void }) {
-  const [over, setOver] = useState(false);
-  return (
-    <label
-      class={`drop${over ? " drop--over" : ""}`}
-      onDragOver={(event) => {
-        event.preventDefault();
-        setOver(true);
-      }}
-      onDragLeave={() => setOver(false)}
-      onDrop={(event) => {
-        event.preventDefault();
-        setOver(false);
-        add([...(event.dataTransfer?.files ?? [])]);
-      }}
-    >
-      <Icon name="upload" size={24} />
-      <span class="grow">
-        <strong>Drop videos here, or click to choose</strong>
-        <span class="muted small drop__hint">
-          A broken connection does no harm: the upload goes on where it stopped, also after this page was
-          closed.
-        </span>
-      </span>
-      <input
-        type="file"
-        multiple
-        accept="video/*,.mp4,.mov,.avi,.mkv,.mts,.m2ts,.webm,.mpg,.mpeg,.wmv"
-        aria-label="Choose videos to upload"
-        onChange={(event) => {
-          add([...(event.currentTarget.files ?? [])]);
-          event.currentTarget.value = "";
-        }}
-      />
-    </label>
   );
 }

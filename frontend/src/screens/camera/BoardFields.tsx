@@ -1,0 +1,80 @@
+import { TextField } from "../../components";
+import type { CameraDetail } from "../../types";
+import { BoardDrawing } from "./BoardDrawing";
+import { problemsOf, type TypedBoard } from "./board";
+
+/** The board as it was for this camera's images; the square as it was typed last on this machine. */
+export function firstBoard(camera: CameraDetail): TypedBoard {
+  const image = camera.images.find((one) => !one.found) ?? camera.images[0];
+  return { columns: String(image?.columns ?? 9), rows: String(image?.rows ?? 6), square: lastSquare() };
+}
+
+const SQUARE = "sightline.square_mm";
+
+function lastSquare(): string {
+  try {
+    return localStorage.getItem(SQUARE) ?? "25";
+  } catch {
+    return "25";
+  }
+}
+
+function keepSquare(square: string): void {
+  try {
+    localStorage.setItem(SQUARE, square);
+  } catch {
+    // it is only a convenience
+  }
+}
+
+/** Asks for the board in words, and draws what is meant. */
+export function BoardFields({ board, change }: { board: TypedBoard; change: (board: TypedBoard) => void }) {
+  const problems = problemsOf(board);
+  const set = (part: Partial<TypedBoard>) => {
+    const next = { ...board, ...part };
+    change(next);
+    if (part.square && !problemsOf(next).square) keepSquare(part.square);
+  };
+  return (
+    <div class="board">
+      <div class="board__fields">
+        <p>
+          Count the <strong>inner corners</strong>: the points where four squares meet. A board of 10 by 7
+          squares has 9 by 6.
+        </p>
+        <div class="board__inputs">
+          <TextField
+            label="Columns"
+            numeric
+            value={board.columns}
+            onInput={(columns) => set({ columns })}
+            problem={problems.columns}
+          />
+          <TextField
+            label="Rows"
+            numeric
+            value={board.rows}
+            onInput={(rows) => set({ rows })}
+            problem={problems.rows}
+          />
+          <TextField
+            label="Side of one square"
+            numeric
+            unit="mm"
+            value={board.square}
+            onInput={(square) => set({ square })}
+            problem={problems.square}
+          />
+        </div>
+        <p class="field__hint">
+          Measure across ten squares with a ruler and divide by ten: printers rarely keep the size.
+        </p>
+      </div>
+      <BoardDrawing
+        columns={Number(board.columns) || 9}
+        rows={Number(board.rows) || 6}
+        square={board.square}
+      />
+    </div>
+  );
+}

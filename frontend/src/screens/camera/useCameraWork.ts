@@ -1,0 +1,142 @@
+import { useState } from "preact/hooks";
+import { api, explain } from "../../api";
+import { useJob } from "../../state/jobs";
+import { refreshSurvey } from "../../state/survey";
+import { toast } from "../../state/toasts";
+import type { Calibration, CalibrationImage, CameraDetail, Job } from "../../types";
+import type { Board } from "./board";
+import type { Recipe } from "./CalibrateForm";
+
+export interface Sending {
+  name: string;
+  /** why it was not taken; null while it waits */
+  problem: string | null;
+}
+
+/** What can be done with one camera, and how far it is. */
+export function useCameraWork(
+  camera: CameraDetail,
+  board: Board | null,
+  reload: () => Promise<void>,
+  set: (camera: CameraDetail) => void,
+) {
+  const [sending, setSending] = useState<Sending[]>([]);
+  const [busy, setBusy] = useState(false);
+  const [problem, setProblem] = useState<unknown>(null);
+  const [failed, setFailed] = useState<string | null>(null);
+  const [jobId, setJobId] = useState<number | null>(null);
+  const [shownId, setShownId] = useState<number | null>(
+    camera.current_calibration_id ?? camera.calibrations.at(-1)?.id ?? null,
+  );
+
+  const run = async (work: () => Promise<unknown>) => {
+    setBusy(true);
+    setProblem(null);
+    setFailed(null);
+    try {
+      await work();
+    } catch (error) {
+      setProblem(error);
+    }
+    setBusy(false);
+  };
+  const refresh = async () => {
+    await reload();
+    await refreshSurvey();
+  };
+  const show = async (calibrationId: number) => {
+    setShownId(calibrationId);
+    document.getElementById("main")?.scrollTo({ top: 0, behavior: "smooth" });
+    await refresh();
+  };
+
+  const job = useJob(
+    jobId,
+    (over) => {
+      setJobId(null);
+      setFailed(over.state === "failed" ? (over.error ?? "The calibration failed; try again.") : null);
+      const made = over.result?.["calibration_id"];
+      void (made ? show(made) : refresh());
+    },
+    (error) => {
+      setJobId(null);
+      setProblem(error);
+    },
+  );
+
+  /** One after the other: the server looks for the board in each before it takes the next. */
+  const addImages = async (files: File[]) => {
+    if (!board) return;
+    const images = [...camera.images];
+    const refused: Sending[] = [];
+    setSending(files.map(waiting));
+    for (const [index, file] of files.entries()) {
+      const sent = await sendImage(camera.id, board, file);
+      if (typeof sent === "string") refused.push({ name: file.name, problem: sent });
+      else images.push(sent);
+      set({ ...camera, images: [...images] });
+      setSending([...refused, ...files.slice(index + 1).map(waiting)]);
+    }
+    await refreshSurvey();
+  };
+
+  return {
+    sending,
+    waiting: sending.filter((entry) => entry.problem === null).length,
+    busy,
+    problem,
+    failed,
+    job,
+    calibrating: jobId !== null,
+    shownId,
+    setShownId,
+    setProblem,
+    addImages,
+    detectAgain: () =>
+      run(async () => {
+        if (!board) return;
+        const { columns, rows } = board;
+        const images = await api.post<CalibrationImage[]>(`/cameras/${camera.id}/images/detect`, {
+          columns,
+          rows,
+        });
+        set({ ...camera, images });
+      }),
+    removeImage: (image: CalibrationImage) =>
+      run(async () => {
+        await api.del(`/calibration-images/${image.id}`);
+        set({ ...camera, images: camera.images.filter((other) => other.id !== image.id) });
+      }),
+    calibrate: (recipe: Recipe) =>
+      run(async () => {
+        setJobId((await api.post<Job>(`/cameras/${camera.id}/calibrations`, { ...board, ...recipe })).id);
+      }),
+    importFile: (file: File) =>
+      run(async () => {
+        const made = await api.file<Calibration>(`/cameras/${camera.id}/calibrations/import`, file);
+        toast(`${file.name} was read.`);
+        await show(made.id);
+      }),
+    makeCurrent: (calibrationId: number) =>
+      run(async () => {
+        await api.put(`/cameras/${camera.id}/current-calibration`, { calibration_id: calibrationId });
+        await refresh();
+      }),
+  };
+}
+
+export type CameraWork = ReturnType<typeof useCameraWork>;
+
+function waiting(file: File): Sending {
+  return { name: file.name, problem: null };
+}
+
+/** The stored image, or the sentence that says why it was refused. */
+async function sendImage(cameraId: number, board: Board, file: File): Promise<CalibrationImage | string> {
+  try {
+    const where = `/cameras/${cameraId}/images?columns=${board.columns}&rows=${board.rows}`;
+    return await api.file<CalibrationImage>(where, file);
+  } catch (error) {
+    return explain(error);
+  }
+}
