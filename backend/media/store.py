@@ -23,10 +23,11 @@ RESERVE_BYTES = 64 << 20
 class MediaStore(Protocol):
     """Files by key; keys are made by `key_of`, so the same content has the same key and is stored once."""
 
-    def put_file(self, key: str, path: Path, *, move: bool = False) -> None:
-        """Store a copy of the file; nothing is written if the key is there. Raises NoRoom.
+    def put_file(self, key: str, path: Path, *, link: bool = False) -> None:
+        """Store the file's content; nothing is written if the key is there. Raises NoRoom.
 
-        With `move` the given file is gone afterwards, which on one disk costs nothing even for a large video.
+        With `link` the store may share the bytes on disk with the given file instead of copying them: no time
+        and no room are needed, but the given file must never be changed in place (deleting it is fine).
         """
 
     def local_path(self, key: str) -> Path:
@@ -111,14 +112,13 @@ class LocalStore:
         self._folder = folder.resolve()
         self._folder.mkdir(parents=True, exist_ok=True)
 
-    def put_file(self, key: str, path: Path, *, move: bool = False) -> None:
+    def put_file(self, key: str, path: Path, *, link: bool = False) -> None:
         target = self._path(key)
-        if not target.exists() and not (move and _renamed(path, target)):
-            check_room(self._folder, path.stat().st_size)
-            with no_room_told():
-                copy_whole(path, target)
-        if move:
-            path.unlink(missing_ok=True)
+        if target.exists() or (link and link_whole(path, target)):
+            return
+        check_room(self._folder, path.stat().st_size)
+        with no_room_told():
+            copy_whole(path, target)
 
     def local_path(self, key: str) -> Path:
         path = self._path(key)
@@ -166,18 +166,22 @@ def copy_whole(source: Path, target: Path) -> None:
             part.unlink()
 
 
-def _renamed(source: Path, target: Path) -> bool:
-    """Whether a rename was enough; it is not when the two lie on different disks."""
+def link_whole(source: Path, target: Path) -> bool:
+    """Give the file a second name, whole or not at all; False where disks or file system say no."""
     target.parent.mkdir(parents=True, exist_ok=True)
+    part = target.with_name(f".{uuid4().hex}.part")
     with source.open("rb") as file:
         os.fsync(file.fileno())
     try:
-        os.replace(source, target)
-    except OSError as error:
-        if error.errno != errno.EXDEV:
-            raise
+        os.link(source, part)
+    except OSError:
         return False
-    sync_folder(target.parent)
+    try:
+        os.replace(part, target)
+        sync_folder(target.parent)
+    finally:
+        with suppress(OSError):
+            part.unlink()
     return True
 
 

@@ -45,12 +45,11 @@ class S3Store:
         )
         self._make_bucket()
 
-    def put_file(self, key: str, path: Path, *, move: bool = False) -> None:
-        if not self.exists(key):
-            with _told(key):
-                self._client.upload_file(str(path), self._bucket, self._name(key))
-        if move:
-            path.unlink(missing_ok=True)
+    def put_file(self, key: str, path: Path, *, link: bool = False) -> None:
+        if self.exists(key):
+            return
+        with _told(key):
+            self._client.upload_file(str(path), self._bucket, self._name(key))
 
     def local_path(self, key: str) -> Path:
         path = safe_path(self._cache, key)

@@ -70,6 +70,24 @@ def test_sound_alone_is_refused(tmp_path: Path) -> None:
     assert "no moving picture" in refusal(path)
 
 
+def test_sound_with_a_cover_picture_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "song.mp4"
+    with closing(av.open(str(path), "w")) as out:
+        sound = out.add_stream("aac", rate=8000)
+        cover = out.add_stream("mjpeg", rate=1)
+        cover.width, cover.height, cover.pix_fmt = 64, 48, "yuvj420p"
+        cover.disposition = av.stream.Disposition.attached_pic
+        picture = av.VideoFrame.from_ndarray(np.full((48, 64, 3), 90, np.uint8), "bgr24")
+        picture.pts = 0
+        for packet in [*cover.encode(picture), *cover.encode(None)]:
+            out.mux(packet)
+        silence = av.AudioFrame.from_ndarray(np.zeros((1, 1024), np.float32), "fltp", "mono")
+        silence.sample_rate, silence.pts = 8000, 0
+        out.mux(sound.encode(silence))
+        out.mux(sound.encode(None))
+    assert "no moving picture" in refusal(path)
+
+
 def test_playlists_are_not_followed_even_where_the_name_invites_it(tmp_path: Path) -> None:
     """The whitelist itself, without the look at the first bytes: FFmpeg must refuse to follow."""
     write(tmp_path / "secret.mp4", Spec("secret.mp4"), 5)

@@ -71,12 +71,30 @@ def test_what_is_put_is_there_until_deleted(store: MediaStore, video: Path) -> N
     assert not store.exists(key)
 
 
-def test_moving_takes_the_file_away(store: MediaStore, video: Path) -> None:
-    store.put_file("a/b", video, move=True)
-    assert not video.exists() and store.local_path("a/b").read_bytes() == DATA
-    video.write_bytes(DATA)
-    store.put_file("a/b", video, move=True)
-    assert not video.exists()
+def test_linking_needs_no_room_and_outlives_the_given_file(
+    store: MediaStore, video: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if isinstance(store, LocalStore):
+        monkeypatch.setattr(store_module, "copy_whole", lambda *_: pytest.fail("bytes were copied"))
+        monkeypatch.setattr(store_module, "check_room", lambda *_: pytest.fail("room was asked for"))
+    store.put_file("a/b", video, link=True)
+    store.put_file("a/b", video, link=True)
+    video.unlink()
+    monkeypatch.undo()
+    assert store.exists("a/b") and store.open("a/b").read() == DATA
+
+
+def test_where_links_do_not_work_bytes_are_copied(
+    tmp_path: Path, video: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def other_disk(*_: object) -> None:
+        raise OSError(errno.EXDEV, "Invalid cross-device link")
+
+    monkeypatch.setattr(store_module.os, "link", other_disk)
+    store = LocalStore(tmp_path / "media")
+    store.put_file("a/b", video, link=True)
+    assert store.local_path("a/b").read_bytes() == DATA
+    assert [p.name for p in (tmp_path / "media").rglob("*") if p.is_file()] == ["b"]
 
 
 def test_missing_files_are_told_in_a_sentence(store: MediaStore) -> None:
