@@ -1,4 +1,4 @@
-"""The export: valid Frictionless data, same state same bytes, heights that compute again, nothing that runs."""
+"""The export: valid Frictionless data, same state same bytes, heights compute again, nothing that runs."""
 
 import csv
 import io

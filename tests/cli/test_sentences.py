@@ -1,4 +1,4 @@
-"""Every error of the command line is one sentence on standard error, with status 2 for bad input and no traceback."""
+"""Every error of the command line is one sentence on standard error: status 2 for bad input, no traceback."""
 
 import sqlite3
 from pathlib import Path

@@ -1,0 +1,125 @@
+"""The demonstration survey, cut to its first two vehicles: whole or not there, once, and true to its scene."""
+
+import functools
+import json
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+from backend.errors import SightlineError
+from backend.storage import audit, surveys
+from backend.storage.records import Job
+from backend.work import demo, demo_parts
+from backend.work.demo_rendering import chunks_of, rendered, scene_named
+from backend.work.demo_request import ensure_requested
+from backend.work.services import Services
+from tests.api.conftest import Client
+
+SCENE = "day:2"
+
+
+def request(services: Services) -> Job | None:
+    with services.writing() as session:
+        return ensure_requested(session)
+
+
+def test_it_is_made_once_and_its_heights_are_the_truth(
+    services: Services,
+    admin: Client,
+    nobody: Client,
+    work: Callable[[], list[Job]],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    small = functools.partial(demo_parts.make_parts, scenes=(SCENE,))
+    made: list[demo_parts.Parts] = []
+
+    def make_once(*arguments: Any) -> demo_parts.Parts:
+        made.extend([] if made else [small(*arguments)])
+        return made[0]
+
+    monkeypatch.setattr(demo, "make_parts", make_once)
+    first, again = request(services), request(services)
+    assert first is not None and again is not None and first.id == again.id
+
+    def break_off(*_arguments: Any, **_more: Any) -> None:
+        raise SightlineError("The lamp fell over; put it up again.")
+
+    with monkeypatch.context() as broken:
+        broken.setattr(demo, "judge", break_off)
+        assert [job.error for job in work()] == ["The lamp fell over; put it up again."]
+    # nothing of the try that broke off is left, so the next one starts clean
+    assert admin.seen("/surveys") == [] and admin.seen("/catalogue?q=cor") == []
+    assert admin.seen("/session")["demo_survey_id"] is None
+
+    second = request(services)
+    assert second is not None and second.id != first.id
+    ended = work()
+    assert [job.state for job in ended] == ["done"], ended[0].error
+    assert request(services) is None
+    survey_id = admin.seen("/session")["demo_survey_id"]
+    assert ended[0].result == {"survey_id": survey_id}
+    check_truth(services, admin, survey_id)
+    check_people(nobody, admin)
+    with services.reading() as session:
+        assert surveys.demo_survey_id(session) == survey_id
+        assert audit.verify(session).ok
+
+
+def check_truth(services: Services, admin: Client, survey_id: int) -> None:
+    """Lens, pose and heights as our own code found them, against the scene they were rendered from."""
+    folder = demo_parts.demonstration_folder(services)
+    truth = json.loads((folder / "truth.json").read_text())["day"]
+    assert len(list((folder / "lab").glob("*.png"))) == truth["lab"]["images"]
+    camera = admin.seen(f"/surveys/{survey_id}/cameras")[0]
+    document = admin.seen(f"/calibrations/{camera['current_calibration_id']}")["document"]
+    assert document["fx_px"] == pytest.approx(truth["camera"]["fx_px"], rel=0.005)
+    pose = admin.seen(f"/poses/{admin.seen(f'/surveys/{survey_id}/poses')[0]['id']}")["document"]
+    rotation = np.array(pose["cam_from_road"]["rotation"])
+    centre = -rotation.T @ np.array(pose["cam_from_road"]["translation_m"])
+    assert centre == pytest.approx(np.array(truth["camera"]["centre_m"]), abs=0.01)
+    vehicles = admin.seen(f"/surveys/{survey_id}/vehicles")
+    assert [one["number"] for one in vehicles] == [one["vehicle_number"] for one in truth["passes"]]
+    apart = [
+        (measured["height_m"] - one["true_heights_m"][measured["target"]]) / measured["u_height_m"]
+        for vehicle, one in zip(vehicles, truth["passes"], strict=True)
+        for measured in vehicle["measurements"]
+        if measured["status"] == "ok" and measured["review"]["verdict"] != "rejected"
+    ]
+    assert len(apart) >= 4
+    assert max(abs(value) for value in apart) < 3.5, apart
+    assert math.sqrt(sum(value**2 for value in apart) / len(apart)) < 2.0, apart
+    recording = admin.seen(f"/surveys/{survey_id}/recordings")[0]
+    assert recording["state"] == "ready" and recording["thumbs"]
+    assert admin.http.get(recording["thumbs"][0]["url"]).status_code == 200
+    still = admin.get(f"/recordings/{recording['id']}/frames/{vehicles[0]['best_frame']}.jpg")
+    assert still.status_code == 200
+
+
+def check_people(nobody: Client, admin: Client) -> None:
+    """The two names at the work are no accounts anybody could use."""
+    for person in admin.seen("/people"):
+        if person["email"].startswith("demonstration-"):
+            assert not person["active"] and not person["has_password"]
+            answer = nobody.post("/session", {"email": person["email"], "password": "demonstration"})
+            assert answer.status_code == 401
+
+
+def test_the_work_is_shared_out_whole_and_in_order() -> None:
+    for total in (1, 24, 25, 2322):
+        for parts in (1, 2, 3, 5):
+            each = [n for part in range(parts) for chunk in chunks_of(total, part, parts) for n in chunk]
+            assert sorted(each) == list(range(total))
+
+
+def test_processes_give_the_frames_that_one_process_gives() -> None:
+    from backend.demonstration import render_frame
+
+    scene = scene_named("day:1")
+    frames = rendered("day:1", processes=2)
+    shared = [next(frames) for _ in range(30)]
+    frames.close()
+    for n in (0, 23, 24, 29):
+        assert np.array_equal(shared[n], render_frame(scene, n)), n
