@@ -1,10 +1,11 @@
 /** Make or model, completed from the catalogue: type a few letters, arrows and Enter take a row with its dimensions. */
-import { useEffect, useId, useMemo, useRef, useState } from "preact/hooks";
+import { useContext, useId, useMemo, useRef, useState } from "preact/hooks";
 import { api } from "../api";
 import { Field } from "../components";
 import type { CatalogueRow } from "../types";
 import { formatLength } from "../units";
 import { Latest } from "./latest";
+import { TypingHold, useTyping } from "./typing";
 
 interface CatalogueFieldProps {
   label: string;
@@ -17,41 +18,45 @@ interface CatalogueFieldProps {
 }
 
 export function CatalogueField(props: CatalogueFieldProps) {
-  const [text, setText] = useState(props.value);
+  const typing = useTyping(props.value);
+  const { text } = typing;
+  const hold = useContext(TypingHold);
   const [rows, setRows] = useState<readonly CatalogueRow[] | null>(null);
   const [active, setActive] = useState(-1);
-  const typing = useRef(false);
+  const searching = useRef(false);
   const listId = useId();
   const asker = useMemo(
     () =>
       new Latest<string, CatalogueRow[]>(
         (q) => api.get<CatalogueRow[]>(`/catalogue?q=${encodeURIComponent(q)}`),
         (found) => {
-          if (!typing.current) return;
+          if (!searching.current) return;
           setRows(found);
           setActive(-1);
         },
       ),
     [],
   );
-  useEffect(() => setText(props.value), [props.value]);
 
   const close = (): void => {
-    typing.current = false;
+    searching.current = false;
     asker.cancel();
     setRows(null);
     setActive(-1);
   };
   const choose = (row: CatalogueRow): void => {
     close();
+    typing.undo();
     props.onChoose(row);
   };
   const commit = (): void => {
     close();
-    if (text.trim() !== props.value) props.onCommit(text.trim());
+    const changed = typing.finish();
+    if (changed !== null) props.onCommit(changed);
+    hold?.end();
   };
   const search = (typed: string): void => {
-    typing.current = true;
+    searching.current = true;
     const q = props.query(typed).trim();
     if (q.length > 0) asker.want(q);
     else setRows(null);
@@ -65,7 +70,7 @@ export function CatalogueField(props: CatalogueFieldProps) {
     else if (event.key === "Enter" && !event.ctrlKey && chosen) choose(chosen);
     else if (event.key === "Enter" && !event.ctrlKey) commit();
     else if (event.key === "Escape" && rows) close();
-    else if (event.key === "Escape") setText(props.value);
+    else if (event.key === "Escape") typing.undo();
     else return;
     event.preventDefault();
     event.stopPropagation();
@@ -87,7 +92,7 @@ export function CatalogueField(props: CatalogueFieldProps) {
             value={text}
             disabled={props.disabled}
             onInput={(event) => {
-              setText(event.currentTarget.value);
+              typing.type(event.currentTarget.value);
               search(event.currentTarget.value);
             }}
             onKeyDown={onKeyDown}

@@ -1,6 +1,7 @@
-/** A one-line field that tells its value when it is left or Enter is pressed, not at every letter. Esc brings the old one back. */
-import { useEffect, useState } from "preact/hooks";
+/** A field that tells its value when it is left or Enter is pressed, not at every letter. Esc brings the old one back. */
+import { useContext, useState } from "preact/hooks";
 import { Field } from "../components";
+import { TypingHold, useTyping } from "./typing";
 
 interface CommitFieldProps {
   label: string;
@@ -9,44 +10,49 @@ interface CommitFieldProps {
   unit?: string;
   hint?: string;
   disabled?: boolean;
+  /** More than one line; then Enter makes a new one. */
+  rows?: number;
   /** What is wrong with a text, or null. */
   check?(text: string): string | null;
   onCommit(text: string): void;
 }
 
 export function CommitField(props: CommitFieldProps) {
-  const [text, setText] = useState(props.value);
+  const typing = useTyping(props.value);
+  const hold = useContext(TypingHold);
   const [problem, setProblem] = useState<string | null>(null);
-  useEffect(() => {
-    setText(props.value);
-    setProblem(null);
-  }, [props.value]);
   const commit = (): void => {
-    const trimmed = text.trim();
-    const wrong = props.check?.(trimmed) ?? null;
+    const wrong = props.check?.(typing.text.trim()) ?? null;
     setProblem(wrong);
-    if (!wrong && trimmed !== props.value) props.onCommit(trimmed);
+    if (wrong) return;
+    const text = typing.finish();
+    if (text !== null) props.onCommit(text);
+    hold?.end();
+  };
+  const onKeyDown = (event: KeyboardEvent): void => {
+    if (event.key === "Enter" && !props.rows) commit();
+    if (event.key !== "Escape") return;
+    typing.undo();
+    setProblem(null);
+  };
+  const common = {
+    value: typing.text,
+    disabled: props.disabled,
+    onInput: (event: { currentTarget: { value: string } }) => typing.type(event.currentTarget.value),
+    onBlur: commit,
+    onKeyDown,
   };
   return (
     <Field label={props.label} problem={problem} hint={props.hint}>
       {(wiring) => {
+        if (props.rows) return <textarea {...wiring} {...common} class="input" rows={props.rows} />;
         const input = (
           <input
             {...wiring}
+            {...common}
             class={`input${props.numeric ? " input--num" : ""}`}
-            value={text}
-            disabled={props.disabled}
             inputMode={props.numeric ? "decimal" : undefined}
             autoComplete="off"
-            onInput={(event) => setText(event.currentTarget.value)}
-            onBlur={commit}
-            onKeyDown={(event) => {
-              if (event.key === "Enter") commit();
-              if (event.key === "Escape") {
-                setText(props.value);
-                setProblem(null);
-              }
-            }}
           />
         );
         return props.unit ? (

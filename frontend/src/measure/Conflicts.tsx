@@ -23,7 +23,7 @@ export function VehicleConflict({ model, id }: { model: MeasureModel; id: number
       aria-label="Changed by somebody else"
       data-testid="vehicle-conflict"
     >
-      <p>{draft.problem}</p>
+      <p>{whoOnly(draft.problem)}</p>
       <p class="small muted">Both versions are kept until you choose.</p>
       {draft.disputed.map((field) => (
         <div key={field} class="conflict__field">
@@ -59,7 +59,7 @@ export function MeasurementConflict({ model, entry }: { model: MeasureModel; ent
   const words = theirs.withdrawn ? "withdrawn" : formatHeight(theirs.height_m, theirs.U95_height_m);
   return (
     <div class="conflict" role="alert" data-testid="measurement-conflict">
-      <p>{entry.problem}</p>
+      <p>{whoOnly(entry.problem)}</p>
       <p class="small">
         Theirs ({theirs.created_by?.name ?? "somebody"}): {words}. Yours:{" "}
         {entry.values.withdrawn ? "withdrawn" : heightWords(entry)}.
@@ -74,4 +74,9 @@ export function MeasurementConflict({ model, entry }: { model: MeasureModel; ent
       </div>
     </div>
   );
+}
+
+/** Who and when, without the advice to do it again: here nothing has to be done again. */
+function whoOnly(problem: string | null): string {
+  return `${(problem ?? "").split(";")[0]?.replace(/\.$/, "")}.`;
 }

@@ -111,7 +111,7 @@ function Row({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
 
 /** "2 of 3" while it is being measured, else the state's own word. */
 function progress(model: MeasureModel, vehicle: Vehicle): string | undefined {
-  if (vehicle.state === "rejected") return "review: rejected";
+  if (vehicle.state === "rejected") return "rejected";
   if (vehicle.state === "accepted") return undefined;
   const have = new Set(
     model.records
@@ -134,7 +134,7 @@ function NewPass({ model }: { model: MeasureModel }) {
           title={`The pass begins on this frame${hint("passBegin")}`}
           onClick={() => model.markPass("first")}
         >
-          New pass begins here
+          New pass from here
         </Button>
       ) : (
         <>

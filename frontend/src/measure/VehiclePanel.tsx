@@ -1,5 +1,6 @@
 /** The right side: the vehicle record, saved by itself, and its measurements. */
-import { Button, SelectField, StateMark, TextField } from "../components";
+import { useMemo } from "preact/hooks";
+import { Button, SelectField, StateMark } from "../components";
 import { canWork } from "../state/session";
 import type { CatalogueRow, Category, Lighting, Vehicle } from "../types";
 import { lengthUnit, parseLength } from "../units";
@@ -9,6 +10,7 @@ import { VehicleConflict } from "./Conflicts";
 import { lengthProblem, lengthText } from "./lengths";
 import { MeasurementList } from "./MeasurementList";
 import type { MeasureModel } from "./model";
+import { TypingHold } from "./typing";
 
 const CATEGORIES: readonly { value: Category | ""; label: string }[] = [
   { value: "", label: "–" },
@@ -64,7 +66,7 @@ export function VehiclePanel({ model }: { model: MeasureModel }) {
 
 function DraftWord({ model, id }: { model: MeasureModel; id: number }) {
   const draft = model.vehicles.drafts.value.get(id);
-  if (!draft || draft.state === "conflict") return null;
+  if (!draft || draft.state === "conflict" || Object.keys(draft.changes).length === 0) return null;
   if (draft.state === "failed") {
     return (
       <Button
@@ -84,6 +86,10 @@ function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
   const unit = lengthUnit.value;
   const locked = !canWork.value;
   const draft = model.vehicles.drafts.value.get(vehicle.id);
+  const hold = useMemo(
+    () => ({ start: () => model.vehicles.hold(vehicle.id), end: () => model.vehicles.release(vehicle.id) }),
+    [model, vehicle.id],
+  );
   const take = (row: CatalogueRow): void => model.edit(fromCatalogue(row));
   return (
     <section class="facts-form" aria-label="Vehicle record">
@@ -93,101 +99,86 @@ function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
           {draft.problem}
         </p>
       )}
-      <div class="facts-form__grid">
-        <CatalogueField
-          label="Make"
-          value={vehicle.make ?? ""}
-          query={(text) => text}
-          disabled={locked}
-          onChoose={take}
-          onCommit={(text) => model.edit({ make: text || null })}
-        />
-        <CatalogueField
-          label="Model"
-          value={vehicle.model ?? ""}
-          query={(text) => `${vehicle.make ?? ""} ${text}`.trim()}
-          disabled={locked}
-          onChoose={take}
-          onCommit={(text) => model.edit({ model: text || null })}
-        />
-        <CommitField
-          label="Year"
-          value={vehicle.year === null ? "" : String(vehicle.year)}
-          numeric
-          disabled={locked}
-          check={(text) => (text === "" || /^(18|19|20)\d\d$/.test(text) ? null : "A year has four digits.")}
-          onCommit={(text) => model.edit({ year: text === "" ? null : Number(text) })}
-        />
-        <SelectField
-          label="Category"
-          value={vehicle.category ?? ""}
-          options={CATEGORIES}
-          disabled={locked}
-          onChange={(category) => model.edit({ category: category === "" ? null : category })}
-        />
-        <CommitField
-          label="Manufacturer height"
-          value={lengthText(vehicle.manufacturer_height_m, unit)}
-          numeric
-          unit={unit}
-          disabled={locked}
-          check={(text) => lengthProblem(text, { empty: true })}
-          onCommit={(text) => model.edit({ manufacturer_height_m: parseLength(text) })}
-        />
-        <CommitField
-          label="± u of it"
-          value={lengthText(vehicle.u_manufacturer_height_m, unit)}
-          numeric
-          unit={unit}
-          disabled={locked}
-          check={(text) => lengthProblem(text, { empty: true })}
-          onCommit={(text) => model.edit({ u_manufacturer_height_m: parseLength(text) })}
-        />
-        <div class="facts-form__wide">
+      <TypingHold.Provider value={hold}>
+        <div class="facts-form__grid">
+          <CatalogueField
+            label="Make"
+            value={vehicle.make ?? ""}
+            query={(text) => text}
+            disabled={locked}
+            onChoose={take}
+            onCommit={(text) => model.edit({ make: text || null })}
+          />
+          <CatalogueField
+            label="Model"
+            value={vehicle.model ?? ""}
+            query={(text) => `${vehicle.make ?? ""} ${text}`.trim()}
+            disabled={locked}
+            onChoose={take}
+            onCommit={(text) => model.edit({ model: text || null })}
+          />
           <CommitField
-            label="Source of the height"
-            value={vehicle.height_source ?? ""}
+            label="Year"
+            value={vehicle.year === null ? "" : String(vehicle.year)}
+            numeric
             disabled={locked}
-            onCommit={(text) => model.edit({ height_source: text || null })}
+            check={(text) =>
+              text === "" || /^(18|19|20)\d\d$/.test(text) ? null : "A year has four digits."
+            }
+            onCommit={(text) => model.edit({ year: text === "" ? null : Number(text) })}
           />
-        </div>
-        <SelectField
-          label="Lighting"
-          value={vehicle.lighting ?? ""}
-          options={LIGHTINGS}
-          disabled={locked}
-          onChange={(lighting) => model.edit({ lighting: lighting === "" ? null : lighting })}
-        />
-        <div class="facts-form__wide">
-          <TextFieldOnChange
-            label="Notes"
-            value={vehicle.notes}
+          <SelectField
+            label="Category"
+            value={vehicle.category ?? ""}
+            options={CATEGORIES}
             disabled={locked}
-            onCommit={(notes) => model.edit({ notes })}
+            onChange={(category) => model.edit({ category: category === "" ? null : category })}
           />
+          <CommitField
+            label="Manufacturer height"
+            value={lengthText(vehicle.manufacturer_height_m, unit)}
+            numeric
+            unit={unit}
+            disabled={locked}
+            check={(text) => lengthProblem(text, { empty: true })}
+            onCommit={(text) => model.edit({ manufacturer_height_m: parseLength(text) })}
+          />
+          <CommitField
+            label="± u of it"
+            value={lengthText(vehicle.u_manufacturer_height_m, unit)}
+            numeric
+            unit={unit}
+            disabled={locked}
+            check={(text) => lengthProblem(text, { empty: true })}
+            onCommit={(text) => model.edit({ u_manufacturer_height_m: parseLength(text) })}
+          />
+          <div class="facts-form__wide">
+            <CommitField
+              label="Source of the height"
+              value={vehicle.height_source ?? ""}
+              disabled={locked}
+              onCommit={(text) => model.edit({ height_source: text || null })}
+            />
+          </div>
+          <SelectField
+            label="Lighting"
+            value={vehicle.lighting ?? ""}
+            options={LIGHTINGS}
+            disabled={locked}
+            onChange={(lighting) => model.edit({ lighting: lighting === "" ? null : lighting })}
+          />
+          <div class="facts-form__wide">
+            <CommitField
+              rows={2}
+              label="Notes"
+              value={vehicle.notes}
+              disabled={locked}
+              onCommit={(notes) => model.edit({ notes })}
+            />
+          </div>
         </div>
-      </div>
+      </TypingHold.Provider>
     </section>
-  );
-}
-
-function TextFieldOnChange(props: {
-  label: string;
-  value: string;
-  disabled: boolean;
-  onCommit(text: string): void;
-}) {
-  return (
-    <TextField
-      label={props.label}
-      value={props.value}
-      rows={2}
-      disabled={props.disabled}
-      onInput={() => {}}
-      onChange={(text) => {
-        if (text !== props.value) props.onCommit(text);
-      }}
-    />
   );
 }
 

@@ -135,8 +135,7 @@ export class MeasureModel {
   /** Opens a pass at its best frame, or at the frame asked for. */
   open(vehicle: Vehicle, frame = bestFrame(vehicle)): void {
     this.leave();
-    const entries = this.records.of(vehicle.id).filter((entry) => !entry.values.withdrawn);
-    const contacts = new Map(entries.map((entry) => [entry.values.frame, entry.values.contact]));
+    const contacts = this.points.contactsOf(vehicle.id);
     const target = firstMissing(this.points.targetsOf(vehicle.id));
     batch(() => {
       this.step({ type: "open", vehicleId: vehicle.id, target, contacts });

@@ -228,15 +228,21 @@ export class Points {
 
   /** Targets that a vehicle has; a rejected one counts as missing. */
   targetsOf(vehicleId: number | null): Set<Target> {
-    const standing = this.model.records
-      .of(vehicleId)
-      .filter((entry) => !entry.values.withdrawn && !isRejected(entry));
-    return new Set(standing.map((entry) => entry.values.target));
+    return new Set(this.standingOf(vehicleId).map((entry) => entry.values.target));
+  }
+
+  /** The contact to go on with on each frame; that of a rejected measurement is not offered again. */
+  contactsOf(vehicleId: number): Map<number, ImagePoint> {
+    return new Map(this.standingOf(vehicleId).map((entry) => [entry.values.frame, entry.values.contact]));
   }
 
   missing(): Target[] {
     const have = this.targetsOf(this.model.vehicleId.value);
     return REQUIRED.filter((target) => !have.has(target));
+  }
+
+  private standingOf(vehicleId: number | null): Entry[] {
+    return this.model.records.of(vehicleId).filter((entry) => !entry.values.withdrawn && !isRejected(entry));
   }
 
   private moveCursor(point: ImagePoint): void {

@@ -79,6 +79,24 @@ describe("Vehicles", () => {
     expect(stored()).toMatchObject({ make: "Citroën", year: 2019, notes: "roof box" });
   });
 
+  it("asks also when the other change arrived while this one was being typed", async () => {
+    const { vehicles, other, stored } = setUp();
+    vehicles.hold(7);
+    other({ notes: "from the other tab" });
+    vehicles.take(stored());
+    vehicles.edit(7, { notes: "from this tab" });
+    vehicles.release(7);
+    await vehicles.flush(7);
+    expect(vehicles.drafts.value.get(7)).toMatchObject({ state: "conflict", disputed: ["notes"] });
+  });
+
+  it("keeps nothing of a field that was left as it was", () => {
+    const { vehicles } = setUp();
+    vehicles.hold(7);
+    vehicles.release(7);
+    expect(vehicles.drafts.value.size).toBe(0);
+  });
+
   it("writes mine over theirs when told to", async () => {
     const { vehicles, other, stored } = setUp();
     vehicles.edit(7, { make: "Peugeot" });

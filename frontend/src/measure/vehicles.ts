@@ -87,6 +87,18 @@ export class Vehicles {
     this.setDraft(id, null);
   }
 
+  /** Somebody begins to type: what they see now is what their change will be compared with. */
+  hold(id: number): void {
+    const base = this.get(id);
+    if (base && !this.drafts.value.has(id)) this.setDraft(id, { ...clean(base), changes: {} });
+  }
+
+  /** The field was left; without a change there is nothing to keep. */
+  release(id: number): void {
+    const draft = this.drafts.value.get(id);
+    if (draft && draft.state === "typing" && Object.keys(draft.changes).length === 0) this.setDraft(id, null);
+  }
+
   /** Changes fields at once on the screen and soon on the server. */
   edit(id: number, changes: Changes): void {
     const base = this.drafts.value.get(id)?.base ?? this.get(id);
@@ -113,7 +125,7 @@ export class Vehicles {
     this.timers.delete(id);
     while (this.running.has(id)) await this.running.get(id);
     const draft = this.drafts.value.get(id);
-    if (!draft || draft.state === "conflict") return;
+    if (!draft || draft.state === "conflict" || Object.keys(draft.changes).length === 0) return;
     const run = this.save(id, draft).finally(() => this.running.delete(id));
     this.running.set(id, run);
     await run;

@@ -57,7 +57,11 @@ function Verdict({ pose }: { pose: Pose }) {
             <th scope="row">a height is good to (95 %)</th>
             {pose.expected.map((one) => (
               <td key={one.distance_m} class="num" title={one.reason ?? undefined}>
-                <strong>{one.U95_height_m === null ? "–" : `± ${formatSmall(one.U95_height_m)}`}</strong>
+                {one.U95_height_m === null ? (
+                  <span class="small muted">{one.reason ?? "–"}</span>
+                ) : (
+                  <strong>± {formatSmall(one.U95_height_m)}</strong>
+                )}
               </td>
             ))}
           </tr>

@@ -66,14 +66,9 @@ export function Transport({ player, stage }: { player: Player; stage: Stage }) {
 
 function Step(props: { label: string; action: ActionId; text: string; onClick(): void }) {
   return (
-    <Button
-      small
-      kind="quiet"
-      label={props.label}
-      title={`${props.label}${hint(props.action)}`}
-      onClick={props.onClick}
-    >
-      {props.text}
+    <Button small kind="quiet" title={`${props.label}${hint(props.action)}`} onClick={props.onClick}>
+      <span aria-hidden="true">{props.text}</span>
+      <span class="visually-hidden">{props.label}</span>
     </Button>
   );
 }
