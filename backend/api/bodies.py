@@ -9,8 +9,8 @@ Finite = Annotated[float, Field(allow_inf_nan=False)]
 Point = Annotated[list[Finite], Field(min_length=2, max_length=2, examples=[[320.5, 240.25]])]
 Name = Annotated[str, Field(min_length=1, max_length=200)]
 Text = Annotated[str, Field(max_length=10_000)]
-# Ids are 64-bit in both databases; a larger number is a malformed id, not a database error.
-Id = Annotated[int, Field(ge=1, le=2**63 - 1)]
+# Ids are 32-bit in PostgreSQL; a larger number is a malformed id, not a database error.
+Id = Annotated[int, Field(ge=1, le=2**31 - 1)]
 FrameNumber = Annotated[int, Field(ge=0, le=2**31 - 1)]
 JobState = Literal["queued", "running", "done", "failed", "cancelled"]
 

@@ -90,6 +90,6 @@ Operator = Annotated[Person, Depends(require("operator"))]
 Reviewer = Annotated[Person, Depends(require("reviewer"))]
 Admin = Annotated[Person, Depends(require("admin"))]
 
-# Ids are 64-bit in both databases; a larger number is a malformed id and not a database error.
-PathId = Annotated[int, Path(ge=1, le=2**63 - 1)]
+# Ids are 32-bit in PostgreSQL; a larger number is a malformed id and not a database error.
+PathId = Annotated[int, Path(ge=1, le=2**31 - 1)]
 PathFrame = Annotated[int, Path(ge=0, le=2**31 - 1)]
