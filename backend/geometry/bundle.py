@@ -15,8 +15,8 @@ from backend.geometry.lens import Model
 from backend.geometry.planar import PlanarPose, linearise, planar_roots
 
 _ROUNDS = 80
-_SCOUTING_ROUNDS = 12
-_FOCAL_SHARES = (0.28, 0.4, 0.6, 0.9, 1.4)  # of the picture's width
+_GOOD_RMS_PX = 1.0  # no further start is tried below this
+_FOCAL_SHARES = (0.4, 0.28, 0.6, 0.9, 1.4)  # of the picture's width
 
 
 def refine_all(
@@ -24,11 +24,10 @@ def refine_all(
     poses: Sequence[PlanarPose],
     objects: Sequence[Floats],
     seen: Sequence[Floats],
-    rounds: int = _ROUNDS,
 ) -> tuple[Camera, tuple[PlanarPose, ...]]:
     """Levenberg-Marquardt over the lens's parameters and every pose (Schur complement over the poses)."""
     now, cost, damping = tuple(poses), sum(p.cost for p in poses), 1e-4
-    for _ in range(rounds):
+    for _ in range(_ROUNDS):
         step, turns = _step(now, damping)
         tried_camera = _moved(camera, step)
         if tried_camera is None:
@@ -103,10 +102,12 @@ def from_scratch(
         ]
         if len(poses) < len(objects):
             continue
-        found = refine_all(camera, poses, objects, seen, _SCOUTING_ROUNDS)
-        if best is None or _cost(found) < 0.999 * _cost(best):
+        found = refine_all(camera, poses, objects, seen)
+        if best is None or _cost(found) < _cost(best):
             best = found
-    return None if best is None else refine_all(*best, objects, seen)
+        if _cost(best) < _GOOD_RMS_PX**2 * sum(map(len, seen)):
+            break
+    return best
 
 
 def _cost(found: tuple[Camera, tuple[PlanarPose, ...]]) -> float:

@@ -45,12 +45,12 @@ def views(lens: Lens, count: int, seed: int, noise: float = 0.15, tilt: float = 
 
 @pytest.mark.parametrize("lens", [Lens(), Lens(f=300.0, k=(0.05, -0.01, 0.004, -0.001), kind="fisheye")])
 def test_stated_uncertainty_is_that_of_repeated_calibrations(lens: Lens) -> None:
-    runs = [calibrate(views(lens, 12, seed), BOARD, lens.kind).camera for seed in range(14)]
+    runs = [calibrate(views(lens, 12, seed), BOARD, lens.kind).camera for seed in range(10)]
     truth = np.array([lens.f, lens.f, lens.cx, lens.cy])
     found = np.array([[c.fx_px, c.fy_px, c.cx_px, c.cy_px] for c in runs])
     stated = np.array([np.sqrt(np.diag(c.covariance)[:4]) for c in runs])
     z = (found - truth) / stated
-    assert 0.7 < np.sqrt(np.mean(z**2)) < 1.4
+    assert 0.65 < np.sqrt(np.mean(z**2)) < 1.45
     assert np.mean([c.rms_px for c in runs]) == pytest.approx(0.15 * np.sqrt(2), rel=0.05)
     assert all(c.parameters[:4] == ("fx_px", "fy_px", "cx_px", "cy_px") for c in runs)
 
@@ -116,13 +116,12 @@ def test_good_set_is_trusted_and_poor_ones_say_why() -> None:
 def test_wrong_lens_model_is_named() -> None:
     fisheye = Lens(f=210.0, k=(0.1, -0.05, 0.02, -0.01), kind="fisheye")
     rng = np.random.default_rng(9)
-    near = [(f"{i}.png", view(fisheye, rng, 0.05, 60.0, Board(9, 6, 0.08)), SIZE) for i in range(15)]
-    result = calibrate(near, Board(9, 6, 0.08), "brown")
-    right = calibrate(near, Board(9, 6, 0.08), "fisheye")
+    near = [(f"{i}.png", view(fisheye, rng, 0.05, 45.0, Board(9, 6, 0.06)), SIZE) for i in range(15)]
+    result = calibrate(near, Board(9, 6, 0.06), "brown")
+    right = calibrate(near, Board(9, 6, 0.06), "fisheye")
     assert right.camera.rms_px is not None and right.camera.rms_px < 0.1
-    if result.camera.rms_px is not None and result.camera.rms_px > 0.1:
-        assert any("fisheye model fits better" in w for w in result.warnings)
-        assert not result.trusted
+    assert any("fisheye model fits better" in w for w in result.warnings)
+    assert not result.trusted
 
 
 def test_a_spoiled_view_is_named() -> None:

@@ -1,0 +1,241 @@
+"""The geometry commands from the outside: files in, files out, one sentence per error."""
+
+import csv
+import json
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+
+from backend.cli import main
+from backend.geometry.documents import camera_to_dict, pose_to_dict
+from tests.geometry.scenes import camera_of, pose_of
+from tests.geometry.simulate import Lens, Scene, picture
+
+SCENE = Scene(Lens(), (-0.7, -3.0, 1.4), 18.0, 4.0)
+BOARD = ("--board", "6x4", "--square", "0.1")
+HEADER = "id,contact_x_px,contact_y_px,target_x_px,target_y_px"
+
+
+def run(*arguments: object) -> int:
+    return main([str(a) for a in arguments])
+
+
+@pytest.fixture
+def camera_file(tmp_path: Path) -> Path:
+    path = tmp_path / "camera.json"
+    path.write_text(json.dumps(camera_to_dict(camera_of(Lens()))))
+    return path
+
+
+@pytest.fixture
+def pose_file(tmp_path: Path) -> Path:
+    path = tmp_path / "pose.json"
+    path.write_text(json.dumps(pose_to_dict(pose_of(SCENE))))
+    return path
+
+
+@pytest.fixture
+def still(tmp_path: Path) -> Path:
+    path = tmp_path / "board.png"
+    cv2.imwrite(str(path), picture(SCENE, 6, 4, 0.1, 1.5, samples=5))
+    return path
+
+
+def clicks(travel: float = 0.0) -> np.ndarray:
+    return SCENE.look([(0.3 + travel, 0.2, 0.0), (0.1 + travel, 0.65, 1.16)])
+
+
+def test_pose_then_height(camera_file, still, tmp_path, capsys) -> None:
+    out = tmp_path / "pose.json"
+    assert (
+        run("pose", still, "--camera", camera_file, *BOARD, "--reference-height", 1.5, "-o", out, "--json")
+        == 0
+    )
+    printed = json.loads(capsys.readouterr().out)
+    assert printed["format"] == "sightline-pose-1" and printed["board"]["reference"] == "top"
+    contact, target = (",".join(map(str, p)) for p in clicks())
+    arguments = (
+        "height",
+        "--pose",
+        out,
+        "--contact",
+        contact,
+        "--target",
+        target,
+        "--inset",
+        0.45,
+        "--u-inset",
+        0.1,
+    )
+    assert run(*arguments, "--json") == 0
+    height = json.loads(capsys.readouterr().out)
+    assert height["height_m"] == pytest.approx(1.16, abs=height["U95_height_m"])
+    assert height["u_height_m"] == pytest.approx(np.sqrt(sum(e["u_m"] ** 2 for e in height["budget"])))
+    assert height["status"] == "ok" and height["reason"] is None
+    assert run(*arguments) == 0 and "m +-" in capsys.readouterr().out
+
+
+def test_not_measurable_is_an_answer(pose_file, capsys) -> None:
+    assert run("height", "--pose", pose_file, "--contact", "320,5", "--target", "320,2", "--json") == 0
+    answer = json.loads(capsys.readouterr().out)
+    assert answer["status"] == "not_measurable" and "horizon" in answer["reason"]
+    assert all(
+        answer[k] is None for k in ("height_m", "u_height_m", "U95_height_m", "x_m", "y_m", "distance_m")
+    )
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("--contact", "1;2", "--target", "3,4"), ("--contact", "1,2"), (),
+        ("--contact", "1,2,3", "--target", "3,4"),
+        ("--contact", "1,2", "--target", "3,4", "--sigma", "-1"), ("--clicks", "none.csv", "-o", "x.csv"),
+        ("--contact", "1,2", "--target", "3,4", "--sigma", "wide"),
+        ("--clicks", "a.csv", "--contact", "1,2"), ("--contact", "1,2", "--target", "3,4", "--inset", "nan"),
+    ],
+)  # fmt: skip
+def test_malformed_arguments_are_bad_input(pose_file, arguments, capsys) -> None:
+    assert run("height", "--pose", pose_file, *arguments) == 2
+    said = capsys.readouterr()
+    assert said.out == "" and said.err.count("\n") == 1
+
+
+@pytest.mark.parametrize("text", ["", "{", "[]", "{}", '{"format": "sightline-camera-1"}', "\xff\xfe"])
+def test_bad_pose_files_are_named(tmp_path, text, capsys) -> None:
+    path = tmp_path / "odd.json"
+    path.write_bytes(text.encode("latin-1"))
+    assert run("height", "--pose", path, "--contact", "1,2", "--target", "3,4") == 2
+    error = capsys.readouterr().err
+    assert "odd.json" in error and error.count("\n") == 1
+
+
+def table(tmp_path: Path, pose_file: Path, text: str | bytes) -> list[dict[str, str]]:
+    source, out = tmp_path / "clicks.csv", tmp_path / "heights.csv"
+    source.write_bytes(text if isinstance(text, bytes) else text.encode())
+    assert run("height", "--pose", pose_file, "--clicks", source, "-o", out) == 0
+    raw = out.read_bytes()
+    assert b"\r" not in raw and not raw.startswith(b"\xef\xbb\xbf") and raw.endswith(b"\n")
+    return list(csv.DictReader(raw.decode().splitlines()))
+
+
+def line(row: str, points: np.ndarray) -> str:
+    return ",".join([row, *(repr(float(v)) for v in points.ravel())])
+
+
+def test_many_clicks(tmp_path, pose_file, capsys) -> None:
+    good = line("1", clicks())
+    text = (
+        f"{HEADER},sigma_px,inset_m,u_inset_m,note\n{good},,0.45,0.1,\"a, \"\"b\"\"\"\n"
+        f"{good},2,0.45,0.1,=1+1\n"
+        f"{good},x,,,\n3,1,2\n4,320,5,300,2,,,,\n{good},-1,,,\n5,,2,3,4,,,,\n\n6,nan,2,3,4,,,,-2.5\n"
+    )  # fmt: skip
+    rows = table(tmp_path, pose_file, b"\xef\xbb\xbf" + text.replace("\n", "\r\n").encode())
+    assert [r["status"] for r in rows] == ["ok", "ok", *["not_measurable"] * 6]
+    assert rows[0]["height_m"] == "1.160000" and rows[0]["note"] == 'a, "b"'
+    assert float(rows[1]["u_height_m"]) > float(rows[0]["u_height_m"])
+    assert rows[1]["note"] == "'=1+1" and rows[7]["note"] == "-2.5"
+    assert float(rows[0]["U95_height_m"]) == pytest.approx(1.96 * float(rows[0]["u_height_m"]), abs=1e-5)
+    assert "sigma_px" in rows[2]["reason"] and "3 cells" in rows[3]["reason"]
+    assert all(r["height_m"] == "" and r["reason"] for r in rows[2:])
+    assert all(r["solved_inset_m"] == "" for r in rows)
+    assert list(rows[0])[-10:] == [
+        "height_m", "u_height_m", "U95_height_m", "x_m", "y_m", "distance_m", "solved_inset_m",
+        "u_solved_inset_m", "status", "reason",
+    ]  # fmt: skip
+
+
+def test_two_frames_solve_the_inset(tmp_path, pose_file) -> None:
+    header = HEADER + ",contact2_x_px,contact2_y_px,target2_x_px,target2_y_px"
+    both = line("1", np.concatenate([clicks(), clicks(1.2)]))
+    part = line("2", clicks()) + ",3,,,"
+    rows = table(tmp_path, pose_file, f"{header}\n{both}\n{line('3', clicks())},,,,\n{part}\n")
+    assert rows[0]["status"] == "ok", rows[0]
+    assert float(rows[0]["height_m"]) == pytest.approx(1.16, abs=1e-6)
+    assert float(rows[0]["solved_inset_m"]) == pytest.approx(0.45, abs=1e-5)
+    assert 0 < float(rows[0]["u_solved_inset_m"]) < 0.2
+    assert rows[1]["solved_inset_m"] == "" and float(rows[1]["height_m"]) != pytest.approx(1.16, abs=1e-3)
+    assert rows[2]["status"] == "not_measurable" and "contact2_y_px" in rows[2]["reason"]
+
+
+def test_header_only_gives_only_a_header(tmp_path, pose_file) -> None:
+    assert table(tmp_path, pose_file, HEADER + "\n") == []
+    assert (tmp_path / "heights.csv").read_text().count("\n") == 1
+
+
+def test_heights_can_be_measured_again(tmp_path, pose_file) -> None:
+    first = table(tmp_path, pose_file, f"{HEADER}\n{line('1', clicks())}\n")
+    again = table(tmp_path, pose_file, (tmp_path / "heights.csv").read_bytes())
+    assert first == again
+
+
+@pytest.mark.parametrize("text", ["", "id;contact_x_px\n1;2\n", "a,b\n1,2\n", f"{HEADER},id\n", '"open\n'])
+def test_bad_tables_are_bad_input_and_write_nothing(tmp_path, pose_file, text, capsys) -> None:
+    source, out = tmp_path / "clicks.csv", tmp_path / "heights.csv"
+    source.write_text(text)
+    assert run("height", "--pose", pose_file, "--clicks", source, "-o", out) == 2
+    assert "clicks.csv" in capsys.readouterr().err and not out.exists()
+
+
+def test_calibrate_and_refusals(tmp_path, capsys) -> None:
+    rng = np.random.default_rng(1)
+    images = []
+    for i in range(5):
+        yaw = rng.uniform(-30, 30)
+        eye = (0.25 - 1.7 * np.tan(np.radians(yaw)), -1.7, rng.uniform(1.1, 1.5))
+        view = Scene(Lens(), eye, yaw, rng.uniform(-8, 8), 20.0 * i)
+        path = tmp_path / f"view{i}.png"
+        cv2.imwrite(str(path), picture(view, 6, 4, 0.1, 1.5, samples=2))
+        images.append(path)
+    odd = tmp_path / "odd.png"
+    cv2.imwrite(str(odd), np.full((481, 641), 90, np.uint8))
+    out = tmp_path / "camera.json"
+    assert run("calibrate", *images, odd, *BOARD, "-o", out, "--json") == 0
+    printed = json.loads(capsys.readouterr().out)
+    document = json.loads(out.read_text())
+    assert {k: printed[k] for k in document} == document
+    assert document["views"][-1]["used"] is False and document["views"][-1]["reason"]
+    assert printed["trusted"] is False and printed["warnings"]
+    assert run("calibrate", *images[:2], *BOARD, "-o", tmp_path / "no.json") == 2
+    assert not (tmp_path / "no.json").exists()
+    for bad in ("6", "6x", "1x4", "axb"):
+        assert run("calibrate", *images, "--board", bad, "--square", 0.1, "-o", tmp_path / "no.json") == 2
+    text = tmp_path / "text.png"
+    text.write_text("hello")
+    assert run("calibrate", text, *BOARD, "-o", tmp_path / "no.json") == 2
+    assert "text.png" in capsys.readouterr().err
+    assert run("calibrate", *images, *BOARD, "-o", tmp_path / "absent" / "camera.json") == 2
+
+
+def test_pose_refusals(camera_file, still, tmp_path, capsys) -> None:
+    small = tmp_path / "small.png"
+    cv2.imwrite(str(small), np.full((240, 320), 90, np.uint8))
+    out = tmp_path / "no.json"
+    for picture_file, words in ((small, "320x240"), (tmp_path / "absent.mp4", "absent.mp4")):
+        given = ("--camera", camera_file, *BOARD, "--reference-height", 1.5, "-o", out)
+        assert run("pose", picture_file, *given) == 2
+        assert words in capsys.readouterr().err
+    assert run("pose", still, "--camera", still, *BOARD, "--reference-height", 1.5, "-o", out) == 2
+    assert not out.exists()
+
+
+def test_import_and_plan(tmp_path, capsys) -> None:
+    source, out = tmp_path / "cam.yaml", tmp_path / "cam.json"
+    source.write_text(
+        "cam0:\n  camera_model: pinhole\n  intrinsics: [483.5, 483.5, 319.5, 239.5]\n"
+        "  distortion_model: radtan\n  distortion_coeffs: [-0.3, 0.1, 0, 0]\n  resolution: [640, 480]\n"
+    )
+    assert run("import-camera", source, "-o", out) == 0
+    assert json.loads(out.read_text())["fx_px"] == 483.5
+    capsys.readouterr()
+    assert run("plan", "--camera", out, "--camera-height", 1.5, "--distance", 3, "--json") == 0
+    planned = json.loads(capsys.readouterr().out)
+    eye = next(t for t in planned["targets"] if t["target"] == "driver_eye")
+    assert eye["bias_if_ignored_m"] == pytest.approx((1.5 - 1.15) * 0.45 / 3.45)
+    assert 0.008 < eye["u_height_m"] < 0.03 and planned["advice"]
+    assert run("plan", "--camera", out, "--camera-height", -1, "--distance", 3) == 2
+    assert run("plan", "--camera", out, "--camera-height", 1.5, "--distance", 3) == 0
+    source.write_text("nothing")
+    assert run("import-camera", source, "-o", out) == 2
+    assert "cam.yaml" in capsys.readouterr().err
