@@ -13,8 +13,12 @@ export interface Recipe {
   last_frame?: number;
 }
 
+/** Where the boards are: in single pictures, or in the frames of a recording. */
+export type Source = "images" | "clip";
+
 interface Props {
   surveyId: number;
+  source: Source;
   /** images in which the board was found */
   usable: number;
   /** the board is told and no image is on its way */
@@ -23,10 +27,9 @@ interface Props {
   calibrate: (recipe: Recipe) => void;
 }
 
-/** From the images or from a recording, with which lens model; then the button. */
-export function CalibrateForm({ surveyId, usable, ready, busy, calibrate }: Props) {
+/** Which frames of a recording if it is one, which lens model; then the button. */
+export function CalibrateForm({ surveyId, source, usable, ready, busy, calibrate }: Props) {
   const [model, setModel] = useState<Recipe["model"]>("brown");
-  const [source, setSource] = useState<"images" | "clip">("images");
   const [recordingId, setRecordingId] = useState("");
   const [every, setEvery] = useState("10");
   const [first, setFirst] = useState("");
@@ -46,34 +49,6 @@ export function CalibrateForm({ surveyId, usable, ready, busy, calibrate }: Prop
   };
   return (
     <div class="stack calibrate">
-      <div class="row row--wrap calibrate__choices">
-        <Segments
-          label="Where the boards are"
-          value={source}
-          onChange={setSource}
-          options={[
-            { value: "images", label: "From the images" },
-            { value: "clip", label: "From a recording" },
-          ]}
-        />
-        <Segments
-          label="Lens"
-          value={model}
-          onChange={setModel}
-          options={[
-            { value: "brown", label: "Ordinary lens" },
-            { value: "fisheye", label: "Fisheye" },
-          ]}
-        />
-        <span class="muted small grow">
-          {model === "brown"
-            ? "Pinhole with Brown distortion: up to about 100° of view."
-            : "Equidistant with four terms: for lenses that see more than about 100°."}
-        </span>
-        <Button kind="primary" busy={busy} disabled={!possible} onClick={go}>
-          Calibrate
-        </Button>
-      </div>
       {source === "clip" &&
         (clip ? (
           <div class="calibrate__clip">
@@ -103,6 +78,25 @@ export function CalibrateForm({ surveyId, usable, ready, busy, calibrate }: Prop
             the board is moved about.
           </p>
         ))}
+      <div class="row row--wrap calibrate__choices">
+        <Segments
+          label="Lens"
+          value={model}
+          onChange={setModel}
+          options={[
+            { value: "brown", label: "Ordinary lens" },
+            { value: "fisheye", label: "Fisheye" },
+          ]}
+        />
+        <span class="muted small grow">
+          {model === "brown"
+            ? "Pinhole with Brown distortion: up to about 100° of view."
+            : "Equidistant with four terms: for lenses that see more than about 100°."}
+        </span>
+        <Button kind="primary" busy={busy} disabled={!possible} onClick={go}>
+          Calibrate
+        </Button>
+      </div>
       {source === "images" && usable < 3 && (
         <p class="muted small">Three images with the board are the least; the button wakes up then.</p>
       )}

@@ -97,11 +97,7 @@ function Figures({ calibration }: { calibration: Calibration }) {
           ))}
         </tbody>
       </table>
-      <p class="small muted figures__note">
-        {unknown
-          ? "The file tells no covariance, so the uncertainty of the lens cannot enter the heights; the results will say so."
-          : "± is one standard uncertainty (k = 1)."}
-      </p>
+      {!unknown && <p class="small muted figures__note">± is one standard uncertainty (k = 1).</p>}
     </div>
   );
 }

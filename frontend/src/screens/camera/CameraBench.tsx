@@ -1,12 +1,12 @@
 import { useState } from "preact/hooks";
-import { Button, DropFiles, Icon, JobProgress, Notice, Problem } from "../../components";
+import { Button, DropFiles, Icon, JobProgress, Notice, Problem, Segments } from "../../components";
 import { cancelJob } from "../../state/jobs";
 import { may } from "../../state/session";
 import type { CalibrationImage, CameraDetail } from "../../types";
 import { plural } from "../../units";
 import { BoardFields, firstBoard } from "./BoardFields";
 import { type Board, readBoard } from "./board";
-import { CalibrateForm } from "./CalibrateForm";
+import { CalibrateForm, type Source } from "./CalibrateForm";
 import { CalibrationPanel } from "./CalibrationPanel";
 import { History } from "./History";
 import { ImageGrid } from "./ImageGrid";
@@ -22,6 +22,7 @@ interface Props {
 /** One camera: the result, its history, and the bench to calibrate it on. */
 export function CameraBench({ camera, surveyId, reload, set }: Props) {
   const [typed, setTyped] = useState(() => firstBoard(camera));
+  const [source, setSource] = useState<Source>("images");
   const board = readBoard(typed);
   const work = useCameraWork(camera, board, reload, set);
   const canWork = may("operator");
@@ -45,29 +46,21 @@ export function CameraBench({ camera, surveyId, reload, set }: Props) {
           </header>
           <div class="panel__body stack">
             <BoardFields board={typed} change={setTyped} />
-            {stale && board && <OtherBoard board={board} work={work} />}
-            <DropFiles
-              label="Choose pictures of the checkerboard"
-              title="Drop pictures of the checkerboard here, or click to choose"
-              hint="Same camera, same zoom and focus. Tilt the board, bring it into every corner, keep it sharp."
-              accept="image/*"
-              disabled={!board || work.waiting > 0}
-              add={(files) => void work.addImages(files)}
+            <Segments<Source>
+              label="Where the boards are"
+              value={source}
+              onChange={setSource}
+              options={[
+                { value: "images", label: "From pictures" },
+                { value: "clip", label: "From a recording" },
+              ]}
             />
-            <SendingState work={work} />
-            {camera.images.length > 0 && (
-              <>
-                <p>
-                  The board was found in <strong>{found}</strong> of {plural(camera.images.length, "image")}.{" "}
-                  <span class="muted">{advice(found)}</span>
-                </p>
-                <ImageGrid images={camera.images} remove={(image) => void work.removeImage(image)} />
-              </>
-            )}
+            {source === "images" && <Images camera={camera} board={board} stale={stale} work={work} />}
             <CalibrateForm
               surveyId={surveyId}
+              source={source}
               usable={found}
-              ready={board !== null && work.waiting === 0 && !stale}
+              ready={board !== null && work.waiting === 0 && (source === "clip" || !stale)}
               busy={work.calibrating}
               calibrate={(recipe) => void work.calibrate(recipe)}
             />
@@ -76,6 +69,40 @@ export function CameraBench({ camera, surveyId, reload, set }: Props) {
             <Problem error={work.problem} />
           </div>
         </section>
+      )}
+    </>
+  );
+}
+
+interface ImagesProps {
+  camera: CameraDetail;
+  board: Board | null;
+  stale: boolean;
+  work: CameraWork;
+}
+
+function Images({ camera, board, stale, work }: ImagesProps) {
+  const found = camera.images.filter((image) => image.found).length;
+  return (
+    <>
+      {stale && board && <OtherBoard board={board} work={work} />}
+      <DropFiles
+        label="Choose pictures of the checkerboard"
+        title="Drop pictures of the checkerboard here, or click to choose"
+        hint="Same camera, same zoom and focus. Tilt the board, bring it into every corner, keep it sharp."
+        accept="image/*"
+        disabled={!board || work.waiting > 0}
+        add={(files) => void work.addImages(files)}
+      />
+      <SendingState work={work} />
+      {camera.images.length > 0 && (
+        <>
+          <p>
+            The board was found in <strong>{found}</strong> of {plural(camera.images.length, "image")}.{" "}
+            <span class="muted">{advice(found)}</span>
+          </p>
+          <ImageGrid images={camera.images} remove={(image) => void work.removeImage(image)} />
+        </>
       )}
     </>
   );

@@ -69,6 +69,7 @@ export function useCameraWork(
     if (!board) return;
     const images = [...camera.images];
     const refused: Sending[] = [];
+    setProblem(null);
     setSending(files.map(waiting));
     for (const [index, file] of files.entries()) {
       const sent = await sendImage(camera.id, board, file);
