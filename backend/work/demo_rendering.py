@@ -13,9 +13,10 @@ import queue
 import subprocess
 import sys
 import threading
-from collections.abc import Generator, Iterator
+from collections.abc import Generator
 from contextlib import suppress
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 from typing import BinaryIO
 
@@ -27,9 +28,10 @@ from backend.errors import SightlineError
 
 Image = NDArray[np.uint8]
 SCENES = ("day", "low_light")
-# Long enough that a vehicle's textures are painted once or twice, short enough to share the work out evenly.
-CHUNK = 24
-AHEAD = 2 * CHUNK
+MOST_PROCESSES = 8
+# A frame is 0.9 MB: as many as this may wait, in each process's queue, to be encoded.
+AHEAD = 64
+_CHUNK = 32
 
 
 def scene_named(name: str) -> Scene:
@@ -42,10 +44,14 @@ def scene_named(name: str) -> Scene:
     return replace(scene, vehicles=kept, frames=kept[-1].last_frame + 1)
 
 
-def chunks_of(total: int, part: int, parts: int) -> Iterator[range]:
-    """The frames that process `part` of `parts` renders: every `parts`-th chunk."""
-    for first in range(part * CHUNK, total, parts * CHUNK):
-        yield range(first, min(first + CHUNK, total))
+def chunks_of(scene: Scene) -> list[range]:
+    """All frames in pieces: one a vehicle, whose textures are then painted by one process only, and short
+    ones where there is none.
+    """
+    cuts = sorted({0, *(vehicle.first_frame for vehicle in scene.vehicles), scene.frames})
+    spans = [range(first, last) for first, last in pairwise(cuts)]
+    board = [range(n, min(n + _CHUNK, spans[0].stop)) for n in range(0, spans[0].stop, _CHUNK)]
+    return board + spans[1:]
 
 
 def rendered(name: str, processes: int | None = None) -> Generator[Image, None, None]:
@@ -54,13 +60,12 @@ def rendered(name: str, processes: int | None = None) -> Generator[Image, None, 
     Raises SightlineError when a child breaks. Closing the generator ends the children.
     """
     scene = scene_named(name)
-    parts = max(1, processes or os.cpu_count() or 1)
+    parts = min(MOST_PROCESSES, processes or os.cpu_count() or 1)
     children = [_Child(scene, name, part, parts) for part in range(parts)]
     try:
-        for first in range(0, scene.frames, CHUNK):
-            child = children[first // CHUNK % parts]
-            for _ in range(first, min(first + CHUNK, scene.frames)):
-                yield child.next()
+        for index, chunk in enumerate(chunks_of(scene)):
+            for _ in chunk:
+                yield children[index % parts].next()
     finally:
         for child in children:
             child.end()
@@ -116,7 +121,7 @@ def render_to(pipe: BinaryIO, name: str, part: int, parts: int) -> None:
 
     cv2.setNumThreads(1)
     scene = scene_named(name)
-    for chunk in chunks_of(scene.frames, part, parts):
+    for chunk in chunks_of(scene)[part::parts]:
         for n in chunk:
             pipe.write(render_frame(scene, n).tobytes())
     pipe.flush()
