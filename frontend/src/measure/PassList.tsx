@@ -1,5 +1,5 @@
 /** The passes of the survey with their state; filter, order, a new pass. */
-import { useSignalEffect } from "@preact/signals";
+import { useComputed, useSignalEffect } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { Button, StateMark } from "../components";
 import { hint } from "../keys";
@@ -76,9 +76,13 @@ export function PassList({ model }: { model: MeasureModel }) {
 }
 
 function Row({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
-  const current = model.vehicleId.value === vehicle.id;
-  const shown = model.vehicles.shown(vehicle.id) ?? vehicle;
-  const name = [shown.make, shown.model].filter(Boolean).join(" ");
+  // computed, so that a moving point or another row's change draws this row only if it reads differently
+  const current = useComputed(() => model.vehicleId.value === vehicle.id).value;
+  const word = useComputed(() => progress(model, vehicle)).value;
+  const name = useComputed(() => {
+    const shown = model.vehicles.shown(vehicle.id) ?? vehicle;
+    return [shown.make, shown.model].filter(Boolean).join(" ");
+  }).value;
   return (
     <li>
       <button
@@ -95,7 +99,7 @@ function Row({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
       >
         <strong class="pass__number">{String(vehicle.number).padStart(2, "0")}</strong>
         <span class="pass__state">
-          <StateMark state={vehicle.state} word={progress(model, vehicle)} />
+          <StateMark state={vehicle.state} word={word} />
         </span>
         {vehicle.lighting === "low_light" && (
           <span class="pass__light" title="Low light">

@@ -12,6 +12,7 @@ export function PoseForm({ model }: { model: PoseModel }) {
   const problems = model.problems.value;
   const unit = lengthUnit.value;
   const locked = !canWork.value;
+  const again = model.recording.value?.pose_id != null && model.pose.value !== null;
   return (
     <form
       class="pose-form"
@@ -50,7 +51,7 @@ export function PoseForm({ model }: { model: PoseModel }) {
         <legend>The board</legend>
         <div class="pose-form__three">
           <TextField
-            label="Inner corners across"
+            label="Corners across"
             numeric
             value={String(form.columns || "")}
             onInput={(text) => model.set({ columns: count(text) })}
@@ -153,8 +154,8 @@ export function PoseForm({ model }: { model: PoseModel }) {
           <JobProgress job={model.job.value} onCancel={() => model.cancel()} />
         ) : (
           <span data-testid="pose-run">
-            <Button kind="primary" type="submit" disabled={locked}>
-              Find the road pose
+            <Button kind={again ? "plain" : "primary"} type="submit" disabled={locked}>
+              {again ? "Find the road pose again" : "Find the road pose"}
             </Button>
           </span>
         )}

@@ -57,16 +57,20 @@ function Verdict({ pose }: { pose: Pose }) {
             <th scope="row">a height is good to (95 %)</th>
             {pose.expected.map((one) => (
               <td key={one.distance_m} class="num" title={one.reason ?? undefined}>
-                {one.U95_height_m === null ? (
-                  <span class="small muted">{one.reason ?? "–"}</span>
-                ) : (
-                  <strong>± {formatSmall(one.U95_height_m)}</strong>
-                )}
+                <strong>{one.U95_height_m === null ? "–" : `± ${formatSmall(one.U95_height_m)}`}</strong>
               </td>
             ))}
           </tr>
         </tbody>
       </table>
+      {pose.expected.map(
+        (one) =>
+          one.reason && (
+            <p key={one.distance_m} class="small muted">
+              At {formatLength(one.distance_m, 0)}: {one.reason}
+            </p>
+          ),
+      )}
       {pose.warnings.map((warning) => (
         <Notice key={warning} kind="warning">
           {warning}
