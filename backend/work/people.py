@@ -1,5 +1,7 @@
 """Accounts at work: signing in with a password or a one-time link, passwords (Argon2), the first admin."""
 
+from functools import cache
+
 from argon2 import PasswordHasher
 from argon2.exceptions import InvalidHashError, VerifyMismatchError
 from limits import RateLimitItem, parse
@@ -19,8 +21,12 @@ PER_ACCOUNT = parse("5 per 5 minutes")
 PER_ADDRESS = parse("50 per 5 minutes")
 
 _hasher = PasswordHasher()
-# Verified against when the address is unknown, so that the time taken does not tell who has an account.
-_NOBODY = _hasher.hash("nobody has this password")
+
+
+@cache
+def _nobodys_hash() -> str:
+    """Verified against when the address is unknown: the time taken must not tell who has an account."""
+    return _hasher.hash("nobody has this password")
 
 
 class Attempts:
@@ -81,7 +87,7 @@ def sign_in_by_link(services: Services, token: str) -> Person:
 def matches(stored: str | None, password: str) -> bool:
     """Whether the password is the one behind the stored hash; takes as long when there is none."""
     try:
-        return _hasher.verify(stored or _NOBODY, password) and stored is not None
+        return _hasher.verify(stored or _nobodys_hash(), password) and stored is not None
     except (VerifyMismatchError, InvalidHashError):
         return False
 
