@@ -9,30 +9,36 @@ from backend.demonstration.paint import Layer, Plate, Stencil, body_outline, pan
 from backend.demonstration.shape import Shape
 
 
-def wheel_plate(shape: Shape, light: Light, ppm: float, turn: float, spin_blur: float) -> Plate:
-    """A wheel seen square on, its centre at (0, 0): tyre, rim, spokes smeared by their turning."""
-    r = shape.radius_m
+def spoke_count(shape: Shape) -> int:
+    """5, 7 or 9, by the vehicle."""
+    return 5 + shape.vehicle.seed % 3 * 2
+
+
+def wheel_plates(shape: Shape, light: Light, ppm: float, turns: int, spin_blur: float) -> tuple[Plate, ...]:
+    """A wheel seen square on, its centre at (0, 0), in `turns` steps from one spoke to the next."""
+    r, tone = shape.radius_m, np.array([1.02, 1.0, 0.98]) * (0.30 if light.low else 1.0)
     stencil = Stencil(-r - 0.03, r + 0.03, -r - 0.03, r + 0.03, ppm)
-    layer = Layer(stencil.size)
-    dim = 0.30 if light.low else 1.0
+    tyre = Layer(stencil.size)
     along, z = stencil.grid()
     radius, angle = np.hypot(along, z), np.arctan2(z, along)
-    tone = 36 + 16 * np.clip(z / r, -0.3, 1) + 9 * np.exp(-(((radius - 0.87 * r) / 0.012) ** 2))
-    layer.lay(stencil.disc((0, 0), r), tone[..., None] * np.array([1.02, 1.0, 0.99]) * dim)
+    rubber = 36 + 16 * np.clip(z / r, -0.3, 1) + 9 * np.exp(-(((radius - 0.87 * r) / 0.012) ** 2))
+    tyre.lay(stencil.disc((0, 0), r), rubber[..., None] * tone)
     rim = r * (0.70 if shape.vehicle.style.name != "lorry" else 0.62)
-    layer.lay(stencil.disc((0, 0), rim), np.array([48.0, 46.0, 45.0]) * dim)
-    count = 5 + shape.vehicle.seed % 3 * 2
-    spokes = np.zeros_like(angle)
-    for part in np.linspace(-0.5, 0.5, 7):
-        wave = np.cos(count * (angle + turn + part * spin_blur))
-        spokes += np.clip(wave * 3 + 0.6, 0, 1) / 7
-    spokes = np.where(radius < 0.24 * rim, 1, spokes) * (radius < 0.95 * rim)
+    inner, hub = stencil.disc((0, 0), rim), stencil.disc((0, 0), 0.13 * rim)
+    tyre.lay(inner, 46.0 * tone)
+    silver = (128 + 62 * np.clip(z / rim * 0.8 + 0.2, -0.6, 1))[..., None] * tone
     ring = np.clip(1 - np.abs(radius - 0.93 * rim) / (0.075 * rim), 0, 1)
-    cover = np.clip(np.maximum(spokes, ring * 1.4), 0, 1)
-    silver = (128 + 62 * np.clip(z / rim * 0.8 + 0.2, -0.6, 1))[..., None] * np.array([1.02, 1.0, 0.98]) * dim
-    layer.lay((cover * stencil.disc((0, 0), rim)).astype(np.float32), silver)
-    layer.tint(stencil.disc((0, 0), 0.13 * rim), 0.62)
-    return layer.plate(stencil)
+    count, out = spoke_count(shape), []
+    for turn in np.arange(turns) * (2 * np.pi / count / turns):
+        spokes = np.zeros_like(angle)
+        for part in (-0.33, 0.0, 0.33):
+            spokes += np.clip(np.cos(count * (angle + turn + part * spin_blur)) * 3 + 0.6, 0, 1) / 3
+        spokes = np.where(radius < 0.24 * rim, 1, spokes) * (radius < 0.95 * rim)
+        layer = tyre.copy()
+        layer.lay((np.clip(np.maximum(spokes, ring * 1.4), 0, 1) * inner).astype(np.float32), silver)
+        layer.tint(hub, 0.62)
+        out.append(layer.plate(stencil))
+    return tuple(out)
 
 
 def tyre_plate(shape: Shape, light: Light, ppm: float) -> Plate:

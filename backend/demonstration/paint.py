@@ -58,22 +58,45 @@ class Stencil:
 
     def area(self, *polygons: Array) -> Floats:
         """Coverage of polygons (each (N, 2) in metres)."""
-        fine = self.fine()
-        for polygon in polygons:
-            cv2.fillPoly(fine, [self.to_fine(polygon)], 1.0, shift=4)
-        return self.shrink(fine)
+        return self._drawn([self.to_fine(polygon) for polygon in polygons], 0)
 
     def line(self, points: Array, width_m: float) -> Floats:
         """Coverage of a polyline of a given width."""
-        fine = self.fine()
-        thick = max(1, round(width_m * self.ppm * FINE))
-        cv2.polylines(fine, [self.to_fine(points)], False, 1.0, thick, shift=4)
-        return self.shrink(fine)
+        return self._drawn([self.to_fine(points)], max(1, round(width_m * self.ppm * FINE)))
+
+    def _drawn(self, shapes: list[NDArray[np.int32]], thick: int) -> Floats:
+        """Draws on a fine canvas just around the shapes: most are small parts of a large texture."""
+        out = np.zeros((self.size[1], self.size[0]), np.float32)
+        every = np.concatenate(shapes) / (16 * FINE)
+        pad = 2 + thick // FINE
+        lo = np.clip(np.floor(every.min(0)).astype(int) - pad, 0, self.size)
+        hi = np.clip(np.ceil(every.max(0)).astype(int) + pad, 0, self.size)
+        w, h = hi - lo
+        if w <= 0 or h <= 0:
+            return out
+        fine = np.zeros((h * FINE, w * FINE), np.uint8)
+        for shape in shapes:
+            moved = shape - (lo * 16 * FINE).astype(np.int32)
+            if thick:
+                cv2.polylines(fine, [moved], False, 255, thick, shift=4)
+            else:
+                cv2.fillPoly(fine, [moved], 255, shift=4)
+        small = cv2.resize(fine, (int(w), int(h)), interpolation=cv2.INTER_AREA)
+        out[lo[1] : hi[1], lo[0] : hi[0]] = small * np.float32(1 / 255)
+        return out
 
     def disc(self, centre: tuple[float, float], radius_m: float) -> Floats:
         turn = np.linspace(0, 2 * np.pi, 72, endpoint=False)
         ring = np.stack([centre[0] + radius_m * np.cos(turn), centre[1] + radius_m * np.sin(turn)], -1)
         return self.area(ring)
+
+
+def _around(mask: Floats) -> tuple[slice, slice]:
+    """The smallest box that holds all of a mask."""
+    rows, columns = np.flatnonzero(mask.any(1)), np.flatnonzero(mask.any(0))
+    if not len(rows):
+        return slice(0, 0), slice(0, 0)
+    return slice(int(rows[0]), int(rows[-1]) + 1), slice(int(columns[0]), int(columns[-1]) + 1)
 
 
 class Layer:
@@ -85,18 +108,29 @@ class Layer:
 
     def lay(self, mask: Floats, colour: object, opacity: float = 1.0) -> None:
         """Covers with a colour (BGR, or a picture of BGR) where the mask is."""
-        m = (mask * opacity)[..., None]
-        self.colour = self.colour * (1 - m) + np.asarray(colour, np.float32) * m
-        self.alpha = self.alpha * (1 - m) + m
+        at = _around(mask)
+        m = (mask[at] * np.float32(opacity))[..., None]
+        ink = np.asarray(colour, np.float32)
+        ink = ink[at] if ink.ndim == 3 else ink
+        self.colour[at] += (ink - self.colour[at]) * m
+        self.alpha[at] += (1 - self.alpha[at]) * m
 
     def cut(self, mask: Floats) -> None:
         """Takes away what the mask covers."""
-        keep = 1 - mask[..., None]
-        self.colour, self.alpha = self.colour * keep, self.alpha * keep
+        at = _around(mask)
+        keep = 1 - mask[at][..., None]
+        self.colour[at] *= keep
+        self.alpha[at] *= keep
 
     def tint(self, mask: Floats, gain: float) -> None:
         """Darkens (gain < 1) or lightens what is there."""
-        self.colour = self.colour * (1 + (gain - 1) * mask[..., None])
+        at = _around(mask)
+        self.colour[at] *= 1 + np.float32(gain - 1) * mask[at][..., None]
+
+    def copy(self) -> "Layer":
+        twin = Layer((self.colour.shape[1], self.colour.shape[0]))
+        twin.colour, twin.alpha = self.colour.copy(), self.alpha.copy()
+        return twin
 
     def plate(self, stencil: Stencil) -> Plate:
         whole = np.concatenate([self.colour, self.alpha * 255], -1)
@@ -156,9 +190,10 @@ def glass_area(shape: Shape, stencil: Stencil) -> Floats:
     below = np.vstack([np.stack([grid, shape.belt(grid)], -1), [[grid[-1], -1.0], [grid[0], -1.0]]])
     for away in (behind, below):
         cv2.fillPoly(pane, [stencil.to_fine(away)], 0, shift=4)
-    # blur and cut at the half: corners become round, straight edges stay
-    soft = cv2.GaussianBlur(pane.astype(np.float32), (0, 0), 0.016 * scale)
-    return stencil.shrink((soft > 0.5).astype(np.float32))
+    # blur, then steepen to one pixel around the half: corners become round, straight edges stay
+    sigma = 0.016 * stencil.ppm
+    soft = cv2.GaussianBlur(stencil.shrink(pane.astype(np.float32)), (0, 0), sigma)
+    return np.asarray(np.clip((soft - 0.5) * 2.5 * sigma + 0.5, 0, 1), np.float32)
 
 
 def pane_area(shape: Shape, stencil: Stencil) -> Floats:
@@ -172,10 +207,11 @@ def pane_area(shape: Shape, stencil: Stencil) -> Floats:
 
 def painted_body(shape: Shape, light: Light, stencil: Stencil, eye_m: float, near_m: float) -> Floats:
     """The paint's colour at every texture pixel (h, w, 3)."""
-    along, z = stencil.grid()
+    along, z = np.meshgrid(stencil.along[::2], stencil.up[::2])
     normals = side_normals(shape, along, z)
     base = np.broadcast_to(np.array(shape.vehicle.paint), (*along.shape, 3))
     colour = shade(light, normals, base, side_view(shape, z, eye_m, near_m))
     # light that reaches low panels comes over dark asphalt: a soft falloff toward the sill
     fall = np.clip(0.62 + 0.55 * (z - 0.2), 0.55, 1.0)
-    return (colour * fall[..., None]).astype(np.float32)
+    half = (colour * fall[..., None]).astype(np.float32)
+    return np.asarray(cv2.resize(half, stencil.size, interpolation=cv2.INTER_LINEAR), np.float32)

@@ -15,8 +15,9 @@ from backend.demonstration.insides import (
     far_side_plate,
     mirror_plate,
     seats_plate,
+    spoke_count,
     tyre_plate,
-    wheel_plate,
+    wheel_plates,
 )
 from backend.demonstration.mesh import Facets, build_facets, lay_facets
 from backend.demonstration.paint import Plate
@@ -26,7 +27,7 @@ from backend.demonstration.shade_plates import shadow_plate, under_plate
 from backend.demonstration.shape import Shape, shape_of
 from backend.demonstration.sideart import side_plate
 
-TURNS = 12
+TURNS = 8
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,7 +81,7 @@ def vehicle_kit(scene: Scene, vehicle: Vehicle) -> Kit:
         shadow_plate(shape, light),
         beam_plate(shape) if light.low else None,
         tyre_plate(shape, light, ppm / 2),
-        tuple(wheel_plate(shape, light, ppm, 2 * np.pi * k / TURNS / 5, spin) for k in range(TURNS)),
+        wheel_plates(shape, light, ppm, TURNS, spin),
     )
 
 
@@ -88,7 +89,7 @@ def _wheel(kit: Kit, rear_m: float, axle: float) -> Plate:
     """The wheel's texture turned by the way it has rolled (mirrored for the far lane)."""
     shape = kit.shape
     roll = shape.vehicle.direction * rear_m / shape.radius_m + axle
-    return kit.wheels[int(np.floor(roll / (2 * np.pi / 5) * TURNS)) % TURNS]
+    return kit.wheels[int(np.floor(roll / (2 * np.pi / spoke_count(shape)) * TURNS)) % TURNS]
 
 
 def draw_vehicle(frame: Floats, scene: Scene, vehicle: Vehicle, n: int) -> None:
