@@ -4,6 +4,10 @@ import "./style/base.css";
 import "./style/components.css";
 import "./style/shell.css";
 import { App } from "./app";
+import { current } from "./router";
+
+// the screen's code comes while the server is still asked who this is; a failure is told when the screen is shown
+current.value?.route.load().catch(() => undefined);
 
 const root = document.getElementById("app");
 if (root) render(<App />, root);

@@ -72,7 +72,7 @@ function WorkMenu({ surveyId, name, title }: { surveyId: number; name: string; t
   return (
     <Menu
       left
-      label="Go to another step"
+      label={`${title}: go to another step`}
       button={
         <>
           <strong>{title}</strong>

@@ -144,6 +144,16 @@ function Coverage({ calibration }: { calibration: Calibration }) {
   );
 }
 
+/** Where the view's picture is: an image of the camera, or a frame of the recording; null if neither is known. */
+function pictureOf(view: CameraView, calibration: Calibration, camera: CameraDetail): string | null {
+  const image = camera.images.find((one) => one.id === view.image_id);
+  if (image) return image.url;
+  const { recording_id } = calibration;
+  return recording_id !== null && view.frame !== null
+    ? `/api/recordings/${recording_id}/frames/${view.frame}.jpg`
+    : null;
+}
+
 function Views({ calibration, camera }: { calibration: Calibration; camera: CameraDetail }) {
   const worst = worstView(calibration.views);
   const [picked, setPicked] = useState<CameraView | null>(null);
@@ -193,7 +203,7 @@ function Views({ calibration, camera }: { calibration: Calibration; camera: Came
           view={shown}
           worst={shown === worst}
           lens={calibration.document}
-          image={camera.images.find((image) => image.id === shown.image_id) ?? null}
+          picture={pictureOf(shown, calibration, camera)}
         />
       )}
     </div>

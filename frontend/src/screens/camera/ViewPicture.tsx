@@ -1,14 +1,15 @@
-import type { CalibrationImage, CameraDocument, CameraView } from "../../types";
+import type { CameraDocument, CameraView } from "../../types";
 
 interface Props {
   view: CameraView;
   worst: boolean;
   lens: CameraDocument;
-  image: CalibrationImage | null;
+  /** address of the picture */
+  picture: string | null;
 }
 
 /** One view with its residuals as lines, drawn longer than they are so that they can be seen. */
-export function ViewPicture({ view, worst, lens, image }: Props) {
+export function ViewPicture({ view, worst, lens, picture }: Props) {
   const corners = view.corners_px ?? [];
   const residuals = view.residuals_px ?? [];
   const longest = Math.max(...residuals.map(([x, y]) => Math.hypot(x, y)), 1e-6);
@@ -23,7 +24,7 @@ export function ViewPicture({ view, worst, lens, image }: Props) {
   return (
     <figure class="view-picture">
       <div class="shot__picture" style={{ aspectRatio: `${lens.width_px} / ${lens.height_px}` }}>
-        {image && <img src={image.url} alt="" />}
+        {picture && <img src={picture} alt="" />}
         <svg
           class="corner-marks"
           viewBox={`0 0 ${lens.width_px} ${lens.height_px}`}
