@@ -101,13 +101,18 @@ class Stills:
             recording = recordings.get(session, recording_id)
             if recording.state != "ready":
                 raise _not_ready(recording)
-            if known is not None and known.recording == recording:
+            if known is not None and _same_frames(known.recording, recording):
                 return OpenRecording(recording, known.media, known.time_s, time.monotonic())
             table = frames.table(session, recording_id)
         if len(table) != recording.frame_count:
             raise Damaged(f"The frame table of {recording.name} is not whole; ingest the recording again.")
         media = RecordingMedia(self._store.local_path(file_key(recording)), table.pts, table.crc32, table.key)
         return OpenRecording(recording, media, table.time_s, time.monotonic())
+
+
+def _same_frames(then: Recording, now: Recording) -> bool:
+    """Whether the frame table in memory still holds: the same content, read with the same outcome."""
+    return (then.sha256, then.frame_count, then.report) == (now.sha256, now.frame_count, now.report)
 
 
 def file_key(recording: Recording) -> str:
