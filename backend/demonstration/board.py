@@ -47,7 +47,7 @@ def board_corners_m(board: RoadBoard) -> Array:
 
 @lru_cache(maxsize=4)
 def board_backdrop(scene: Scene) -> Floats:
-    """The road with the board on its stand, float32, before the sensor; 36 rays per pixel there."""
+    """The road with the board on its stand, float32, before the sensor; 16 rays per pixel there."""
     camera, board = scene.camera, scene.board
     out = backdrop(scene).copy()
     wide, high = board.sheet_m
@@ -67,7 +67,7 @@ def board_backdrop(scene: Scene) -> Floats:
     a0, b0 = np.floor(px.min(0)).astype(int) - 6
     a1, b1 = np.ceil(px.max(0)).astype(int) + 7
     a0, b0, a1, b1 = max(a0, 0), max(b0, 0), min(a1, camera.width_px), min(b1, camera.height_px)
-    s = 6
+    s = 4
     u = a0 + (np.arange((a1 - a0) * s) + 0.5) / s - 0.5
     v = b0 + (np.arange((b1 - b0) * s) + 0.5) / s - 0.5
     slopes = camera.ray_slopes(np.stack(np.meshgrid(u, v), -1))
@@ -111,6 +111,7 @@ def _paint_board(scene: Scene, part: Floats, slopes: Array, x0: float, top: floa
     return out.astype(np.float32)
 
 
+@lru_cache(maxsize=1)
 def _lab_wall(seed: int, camera: DemoCamera) -> Floats:
     """A painted wall with a skirting board, a cable duct, a shelf edge and a poster, out of focus."""
     h, w = camera.height_px, camera.width_px
@@ -176,7 +177,7 @@ def lab_image(index: int, camera: DemoCamera | None = None) -> Image:
     """Lab picture `index` (0..LAB_COUNT-1): a 9x6 board of 30 mm on a clip board, (480, 640, 3) uint8 BGR."""
     camera = camera or DemoCamera()
     rotation, t = lab_poses()[index]
-    s = 3
+    s = 2
     rays = _lab_rays(camera, s)
     inverse = rotation.T
     origin = -inverse @ t

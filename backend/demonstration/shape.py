@@ -16,6 +16,7 @@ class Shape:
 
     vehicle: Vehicle
     outline: Array
+    crest: Array
     length_m: float
     width_m: float
     sl: float
@@ -29,8 +30,7 @@ class Shape:
 
     def top(self, along: Array) -> Array:
         """Height of the upper outline at l (any shape)."""
-        grid = np.linspace(0, self.length_m, 400)
-        return np.interp(along, grid, _upper(self.outline, grid))
+        return np.asarray(np.interp(along, np.linspace(0, self.length_m, len(self.crest)), self.crest))
 
     def belt(self, along: Array) -> Array:
         """Height of the window sill line at l."""
@@ -94,8 +94,18 @@ def shape_of(vehicle: Vehicle) -> Shape:
     outline[:, 1] *= vehicle.roof_height_m / outline[:, 1].max()
     outline[:, 0] = np.clip(outline[:, 0], 0, vehicle.model.length_m)
     outline.flags.writeable = False
+    crest = _upper(outline, np.linspace(0, vehicle.model.length_m, 400))
+    crest.flags.writeable = False
     rear = style.rear_axle_m * sl
     axles = (rear, rear + vehicle.model.wheelbase_m)
     return Shape(
-        vehicle, outline, vehicle.model.length_m, vehicle.model.width_m, sl, sz, axles, style.wheel_radius_m
+        vehicle,
+        outline,
+        crest,
+        vehicle.model.length_m,
+        vehicle.model.width_m,
+        sl,
+        sz,
+        axles,
+        style.wheel_radius_m,
     )
