@@ -5,6 +5,7 @@ import { canWork } from "../state/session";
 import type { HeightAnswer } from "../types";
 import { formatHeight, formatLength } from "../units";
 import { FrameView, type Handle } from "../viewer/FrameView";
+import { loupeBelow } from "../viewer/Loupe";
 import { AxesLayer, InImage, KeyboardCursor, LadderLayer, Line, PointMark } from "../viewer/Overlay";
 import type { Player } from "../viewer/player";
 import { pair, samePoint } from "../viewer/points";
@@ -158,13 +159,13 @@ function LiveHeight({ model }: { model: MeasureModel }) {
   const view = model.stage.viewport.value;
   const [x, y] = view.toScreen(at);
   const flip = x > view.screen.width - 190;
-  const low = y > view.screen.height - 60;
+  const above = y > view.screen.height - 60 || loupeBelow(model.stage, at);
   return (
     <output
       class={`live-height${flip ? " live-height--left" : ""}`}
       data-testid="live-height"
       aria-hidden="true"
-      style={{ left: `${x + (flip ? -16 : 16)}px`, top: `${y + (low ? -44 : 14)}px` }}
+      style={{ left: `${x + (flip ? -16 : 16)}px`, top: `${y + (above ? -44 : 14)}px` }}
     >
       {words(live.answer, live.problem)}
     </output>

@@ -138,7 +138,7 @@ function NewPass({ model }: { model: MeasureModel }) {
           title={`The pass begins on this frame${hint("passBegin")}`}
           onClick={() => model.markPass("first")}
         >
-          New pass from here
+          New pass here
         </Button>
       ) : (
         <>

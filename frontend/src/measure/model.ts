@@ -2,7 +2,7 @@
  * The measure page's state: survey, passes, the frame, the flow of clicks. Views read its signals; keys and buttons call it.
  * Points (storing, dragging, nudging) live in `points.ts`, which this hands out as `points`.
  */
-import { batch, computed, effect, signal } from "@preact/signals";
+import { batch, computed, effect, signal, untracked } from "@preact/signals";
 import { ask } from "../components";
 import { setQuery } from "../router";
 import { me } from "../state/session";
@@ -91,6 +91,7 @@ export class MeasureModel {
     this.stops.push(
       effect(() => this.followAxes()),
       effect(() => this.followAddress()),
+      effect(() => this.refuseContact()),
     );
   }
 
@@ -349,6 +350,14 @@ export class MeasureModel {
     const target = this.flow.value.target ?? "roof";
     const show = contact !== null && recordingId !== undefined && this.hasPose.value;
     this.geometry.showAxes(show ? { recordingId, contact, target, inset: this.insetOf(target) } : null);
+  }
+
+  /** A contact that cannot be on the road (above the horizon, outside the lens): the next click places it again. */
+  private refuseContact(): void {
+    if (this.geometry.axes.value?.ok !== false) return;
+    untracked(() => {
+      if (this.points.entriesHere().length === 0) this.step({ type: "new-contact" });
+    });
   }
 
   private followAddress(): void {

@@ -45,14 +45,14 @@ export default function ReviewScreen({ surveyId }: ScreenProps) {
           <section class="review__time frame-tools" aria-label="Frames">
             <Transport player={player} stage={model.stage} />
             <span class="grow" />
-            <Button
-              small
-              kind="quiet"
-              disabled={model.onFrame.value}
-              onClick={() => model.current.value && model.showFrame(model.current.value.measurement)}
-            >
-              Back to frame {model.current.value.measurement.frame}
-            </Button>
+            {!model.onFrame.value && (
+              <Button
+                small
+                onClick={() => model.current.value && model.showFrame(model.current.value.measurement)}
+              >
+                Back to frame {model.current.value.measurement.frame}
+              </Button>
+            )}
             <Button
               small
               kind="quiet"

@@ -44,6 +44,12 @@ export function Loupe({ player, stage }: { player: Player; stage: Stage }) {
   );
 }
 
+/** True when the loupe hangs below the pointer, for want of room above it. */
+export function loupeBelow(stage: Stage, at: ImagePoint): boolean {
+  if (!stage.loupe.value && !stage.dragging.value) return false;
+  return stage.viewport.value.toScreen(at)[1] - OFFSET_PX - SIDE_PX - 30 < 0;
+}
+
 /** Beside the pointer, on the side where there is room. */
 function place(stage: Stage, at: ImagePoint): { left: string; top: string } {
   const view = stage.viewport.value;
