@@ -167,10 +167,14 @@ def pose(
 
     camera = read_camera_file(camera_file)
     board = parse_board(board_text, square_m)
-    frames = pose_detections(pictures, camera, board)
+    frames, mean_picture = pose_detections(pictures, camera, board)
     try:
         solved = pose_from_corners(
-            camera, frames, board, Reference(reference, reference_height, u_reference_height, u_lean)
+            camera,
+            frames,
+            board,
+            Reference(reference, reference_height, u_reference_height, u_lean),
+            mean_picture,
         )
     except BadInput as error:
         raise BadInput(f"{', '.join(str(p) for p in pictures[:3])}: {error.message}") from None

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from backend.geometry.arrays import Floats, frozen
 from backend.geometry.board import Board as Board
 from backend.geometry.board import canonical_order, require_board
+from backend.geometry.saddle import refine_saddles
 
 Gray = NDArray[np.uint8]
 
@@ -118,6 +119,7 @@ def _accepted(gray: Gray, points: Floats, board: Board, name: str) -> Corners:
     reason = flaw(gray, grid)
     if reason is not None:
         return not_found(board, reason)
+    grid = refine_saddles(gray, grid).points_px.reshape(grid.shape)
     ordered, as_seen = canonical_order(grid, board)
     return Corners(True, frozen(ordered), as_seen, None, _sharpness(gray, ordered), name)
 

@@ -14,7 +14,8 @@ from backend.geometry.height import measure_height
 from backend.geometry.planar import PlanarPose, linearise, planar_roots
 from backend.geometry.road_pose import BoardOnRoad, RoadPose
 from backend.geometry.road_pose import Reference as Reference
-from backend.geometry.stillness import Still, find_still, mean_sigma_px
+from backend.geometry.saddle import refine_saddles
+from backend.geometry.stillness import STILL_PX, Still, displacement_px, find_still, mean_sigma_px
 
 # board frame (x right, y down, z away) from road frame (X right, Y away, Z up), but for the origin's shift
 _BOARD_FROM_ROAD = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
@@ -24,7 +25,11 @@ _AMBIGUOUS = 1.5  # ratio of the costs of the two planar poses below which the c
 
 
 def pose_from_corners(
-    camera: Camera, frames: Sequence[Corners], board: Board, reference: Reference
+    camera: Camera,
+    frames: Sequence[Corners],
+    board: Board,
+    reference: Reference,
+    mean_picture: Floats | None = None,
 ) -> RoadPose:
     """Where the camera stood, from one detection per frame of the span in which the board stood still.
 
@@ -32,8 +37,9 @@ def pose_from_corners(
     that is what is solved (Gauss-Newton from both planar solutions). The covariance is joint with the
     lens's: an error of the lens moves the pose, A = -(J'J)^-1 J'J_lens. It comes from the residuals and
     their correlation in time and is never divided by the number of frames; lean and reference height are
-    left to the height's budget. Raises BadInput with a reason: no detection, board or camera moving, board
-    edge-on, wrong board or camera.
+    left to the height's budget. mean_picture: the mean
+    of the still frames (mean_picture.py), on which the corners are then fitted again. Raises BadInput with a
+    reason: no detection, board or camera moving, board edge-on, wrong board or camera.
     """
     require_board(board)
     _require_reference(reference)
@@ -45,6 +51,8 @@ def pose_from_corners(
     used = [c for c in used if c.points_px.shape == used[0].points_px.shape]
     seen_board = replace(seen_as, square_m=board.square_m)
     still = _require_still(np.stack([c.points_px.reshape(-1, 2) for c in used]))
+    if mean_picture is not None:
+        still = _on_mean(mean_picture, still, seen_board)
     roots = planar_roots(camera, board_points(seen_board), still.mean_px)
     if not roots:
         raise BadInput(
@@ -76,6 +84,15 @@ def _require_still(frames_px: Floats) -> Still:
             "pick a span, or a single frame, in which both stand still."
         )
     return still
+
+
+def _on_mean(mean_picture: Floats, still: Still, board: Board) -> Still:
+    """Corners fitted on the mean picture instead of the mean of the corners, where both agree."""
+    grid = still.mean_px.reshape(board.rows, board.columns, 2)
+    fitted = refine_saddles(mean_picture, grid)
+    if not fitted.ok.all() or displacement_px(fitted.points_px - still.mean_px, still.mean_px) > STILL_PX:
+        return still
+    return replace(still, mean_px=fitted.points_px)
 
 
 def _checked(

@@ -12,6 +12,7 @@ import numpy as np
 
 from backend.geometry.arrays import Floats
 
+STILL_PX = 0.3  # a board that moves less stands still
 FLOOR_PX = 0.02  # static corner bias that no residual shows (sub-pixel fits reach 0.01 to 0.02 px)
 
 
@@ -29,7 +30,7 @@ class Still:
     moved_px: float
 
 
-def find_still(frames_px: Floats, limit_px: float = 0.3) -> Still:
+def find_still(frames_px: Floats, limit_px: float = STILL_PX) -> Still:
     """Pick the frames that show one and the same board position; frames_px (F, N, 2) in time order.
 
     A frame belongs to the still ones when its corners lie, as a whole, within `limit_px` of a position that
@@ -38,7 +39,7 @@ def find_still(frames_px: Floats, limit_px: float = 0.3) -> Still:
     noise hardly moves. Of the frames, the one that most others agree with gives that position.
     """
     near = [
-        np.array([_displacement(frame - probe, probe) for frame in frames_px])
+        np.array([displacement_px(frame - probe, probe) for frame in frames_px])
         for probe in frames_px[_probes(frames_px)]
     ]
     away = max(near, key=lambda d: (int((d <= limit_px).sum()), -float(np.median(d))))
@@ -54,7 +55,7 @@ def _probes(frames_px: Floats) -> list[int]:
     return sorted({int(i) for i in np.linspace(0, len(frames_px) - 1, 12)})
 
 
-def _displacement(shift: Floats, at: Floats) -> float:
+def displacement_px(shift: Floats, at: Floats) -> float:
     """Root mean square of the affine part of a displacement field (N, 2) over points (N, 2)."""
     basis = np.column_stack([np.ones(len(at)), at - at.mean(axis=0)])
     q, _ = np.linalg.qr(basis)

@@ -5,6 +5,8 @@ import numpy as np
 from backend.geometry.arrays import frozen
 from backend.geometry.corners import Corners, Gray, flaw, not_found, refine_subpixel, spacing_px
 
+_LOOK_AGAIN_PX = 1.0  # a board that moved less is not checked again
+
 
 def track(gray: Gray, last: Corners) -> Corners:
     """The board of the last frame in this one, where it moved by less than a third of a square; else not
@@ -14,7 +16,7 @@ def track(gray: Gray, last: Corners) -> Corners:
     moved = float(np.linalg.norm(grid - last.points_px, axis=2).max())
     if moved > 0.3 * spacing_px(last.points_px):
         return not_found(last.board_as_seen, "The board moved too far between two frames.")
-    reason = flaw(gray, grid)
+    reason = flaw(gray, grid) if moved > _LOOK_AGAIN_PX else None
     if reason is not None:
         return not_found(last.board_as_seen, reason)
     return Corners(True, frozen(grid), last.board_as_seen, None, last.sharpness, "followed")

@@ -4,17 +4,21 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from time import perf_counter
 
+import numpy as np
+from numpy.typing import NDArray
+
 from backend.errors import BadInput
 from backend.geometry.calibration import NamedCorners
 from backend.geometry.camera import Camera, require_size
 from backend.geometry.corners import Board, Corners, Gray, detect, not_found
+from backend.geometry.mean_picture import MeanPicture
 from backend.geometry.tracking import track
 from backend.media.decode import frames_of
 from backend.media.images import read_image
 
 CLIP_VIEWS = 24  # views taken from a clip for a calibration: enough, and little alike
 POSE_FRAMES = 150  # frames of a clip that a pose looks at
-SEARCH_S = 8.0  # how long a clip is searched for its first board
+SEARCH_S = 8.0  # how long frames are searched in vain, all together
 _IMAGE_ENDINGS = {".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp", ".pgm", ".ppm", ".pnm", ".jp2"}
 _CLIP_ENDINGS = {
     ".mp4",
@@ -78,23 +82,29 @@ def calibration_views(paths: Sequence[Path], board: Board) -> list[NamedCorners]
     return views
 
 
-def pose_detections(paths: Sequence[Path], camera: Camera, board: Board) -> list[Corners]:
-    """The board in every picture or frame, in time order; found once, then followed.
+def pose_detections(
+    paths: Sequence[Path], camera: Camera, board: Board
+) -> tuple[list[Corners], NDArray[np.float64] | None]:
+    """The board in every picture or frame, in time order, found once and then followed; and the mean
+    picture of the frames in which it stood still.
 
     A span without the board is searched for a bounded time. Raises BadInput where a picture has another
     size than the camera's.
     """
     found: list[Corners] = []
     last: Corners | None = None
-    deadline = perf_counter() + SEARCH_S
+    mean = MeanPicture()
+    searched_s = 0.0
     for path in paths:
         for name, gray in pictures_of(path, POSE_FRAMES):
             require_size(camera, gray.shape[1], gray.shape[0], name)
-            if last is None and found and perf_counter() > deadline:
-                return found
-            corners = track(gray, last) if last is not None else not_found(board, "")
-            if not corners.found:
+            corners = not_found(board, "The search was given up.") if last is None else track(gray, last)
+            if not corners.found and searched_s < SEARCH_S:
+                started = perf_counter()
                 corners = detect(gray, board)
-            last = corners if corners.found else last
+                searched_s += 0.0 if corners.found else perf_counter() - started
             found.append(corners)
-    return found
+            if corners.found:
+                last = corners
+                mean.add(gray, corners)
+    return found, mean.result()
