@@ -46,7 +46,7 @@ def make_demonstration(context: jobs.JobContext) -> jobs.Outcome:
     if known is not None:
         return {"survey_id": known}
     parts = make_parts(services, context.progress, context.is_cancelled)
-    context.progress(0.98, "storing the demonstration survey")
+    context.progress(0.98, "Storing the demonstration survey.")
 
     def store(session: Session) -> Mapping[str, Any]:
         survey_id, numbers = build(session, parts)

@@ -95,12 +95,12 @@ def make_parts(
         )
     finally:
         shutil.rmtree(scratch, ignore_errors=True)
-    progress(READING, "calibrating the demonstration's lens")
+    progress(READING, "Calibrating the demonstration's lens.")
     lab = tuple(_lab_picture(services, index) for index in range(LAB_COUNT))
     calibration = calibrate(
         [(one.seen.name, one.seen.corners, one.seen.size) for one in lab], LAB_BOARD, "brown"
     )
-    progress(0.96, "solving for the demonstration's road poses")
+    progress(0.96, "Solving for the demonstration's road poses.")
     poses = tuple(_pose(video, calibration) for video in videos)
     return Parts(videos, lab, calibration, poses)
 
@@ -116,7 +116,9 @@ def render_videos(folder: Path, progress: Progress, scenes: Sequence[str]) -> di
             yield frame
             done += 1
             if done % 10 == 0:
-                progress(RENDERING * done / total, f"drawing {file_of(name)}: frame {done} of {total} in all")
+                progress(
+                    RENDERING * done / total, f"Drawing {file_of(name)}: frame {done} of {total} in all."
+                )
 
     paths = {}
     for name in scenes:
@@ -141,7 +143,7 @@ def _read(
 ) -> Video:
     """Ingest a video and put it, with its thumbnails, into the media store."""
     scene = scene_named(name)
-    progress(RENDERING, f"reading {path.name}")
+    progress(RENDERING, f"Reading {path.name}.")
     thumbs = scratch / f"thumbs-{scene.name}"
     found = ingest(path, lambda _: None, is_cancelled, thumbs, work_dir=scratch, name=path.name)
     sha256 = sha256_of(path)

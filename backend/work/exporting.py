@@ -139,12 +139,12 @@ def export(context: jobs.JobContext) -> jobs.Outcome:
     survey_id = int(context.payload["survey_id"])
     services = open_services(context.settings)
     try:
-        context.progress(0.05, "reading the survey")
+        context.progress(0.05, "Reading the survey.")
         with services.reading() as session:
             state = state_of(session, survey_id)
-        context.progress(0.4, "writing tables")
+        context.progress(0.4, "Writing the tables.")
         content = zip_bytes(package_of(state))
-        context.progress(0.8, "storing the package")
+        context.progress(0.8, "Storing the package.")
         sha256 = hashlib.sha256(content).hexdigest()
         key = key_of(sha256, ".zip")
         with tempfile.TemporaryDirectory(dir=_scratch(context)) as folder:

@@ -87,7 +87,7 @@ def corners_in_span(
     found: list[Corners] = []
     reasons: Counter[str] = Counter()
     for index, n in enumerate(wanted):
-        progress(0.05 + 0.75 * index / len(wanted), f"looking for the board in frame {n}")
+        progress(0.05 + 0.75 * index / len(wanted), f"Looking for the board in frame {n}.")
         corners = detect(gray_of(n), board)
         if corners.found:
             found.append(corners)

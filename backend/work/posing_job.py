@@ -107,7 +107,7 @@ def solve_pose(context: jobs.JobContext) -> jobs.Outcome:
         )
     finally:
         services.close()
-    context.progress(0.85, "solving for the camera's place")
+    context.progress(0.85, "Solving for the camera's place.")
     solved = solve(camera, found, wanted.board, wanted.tape)
     return storing(wanted, solved, context.actor)
 
