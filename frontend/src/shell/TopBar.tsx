@@ -114,7 +114,7 @@ function SaveWord() {
 }
 
 const THEMES: { value: ThemeChoice; label: string }[] = [
-  { value: "system", label: "As the system" },
+  { value: "system", label: "System" },
   { value: "light", label: "Light" },
   { value: "dark", label: "Dark" },
 ];

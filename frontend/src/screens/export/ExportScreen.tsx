@@ -12,9 +12,12 @@ import { formatBytes, plural } from "../../units";
 import "./export.css";
 
 const CONTENTS: [file: string, what: string][] = [
-  ["measurements.csv", "every revision: clicks, frame, height, its uncertainty and where that comes from"],
+  ["measurements.csv", "each measurement as it stands: vehicle, target, frame, height and its uncertainty"],
+  ["revisions.csv, budget.csv", "every revision with its clicks, and where its uncertainty comes from"],
+  ["clicks/pose-N.csv", "the clicks alone: “sightline height” computes the same heights from them"],
   ["vehicles.csv", "make, model, year, manufacturer height and its source, lighting"],
-  ["poses.csv, calibrations.csv", "where the camera stood and what its lens does"],
+  ["recordings.csv, frames.csv", "file hashes, and the time stamp and checksum of each frame measured on"],
+  ["poses, calibrations", "where the camera stood and what its lens does, as tables and as JSON"],
   ["reviews.csv", "who accepted, fixed or rejected what, and why"],
   ["audit.csv", "each change with its hash; the chain can be checked"],
   ["datapackage.json", "name, unit and meaning of every column (Frictionless Data)"],
