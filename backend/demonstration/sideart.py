@@ -130,7 +130,7 @@ def _livery(shape: Shape, stencil: Stencil, layer: Layer, body: Floats, dim: flo
     l0, z0 = shape.at(box[0], box[1])
     l1, z1 = shape.at(box[2], box[3])
     fine = stencil.fine()
-    text = _FIRMS[seed % len(_FIRMS)]
+    text = _FIRMS[shape.vehicle.number % len(_FIRMS)]
     scale = stencil.ppm * 3
     face, thick = cv2.FONT_HERSHEY_DUPLEX, max(1, round(0.022 * (2.2 if lorry else 1) * scale))
     (w, _), _ = cv2.getTextSize(text, face, 1.0, thick)
