@@ -21,7 +21,15 @@ export default function MeasureScreen({ surveyId }: ScreenProps) {
   const model = useMemo(() => new MeasureModel(surveyId), [surveyId]);
   useEffect(() => {
     void model.load();
-    return () => model.close();
+    // clicks survive in the outbox; what is typed does not, so leaving asks first
+    const ask = (event: BeforeUnloadEvent): void => {
+      if (model.hasUnsaved) event.preventDefault();
+    };
+    window.addEventListener("beforeunload", ask);
+    return () => {
+      window.removeEventListener("beforeunload", ask);
+      model.close();
+    };
   }, [model]);
   useMeasureKeys(model);
   useTabs(model);

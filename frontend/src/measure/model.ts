@@ -127,6 +127,17 @@ export class MeasureModel {
     this.outbox.close();
   }
 
+  /** True while something is typed or clicked that the server does not have. */
+  get hasUnsaved(): boolean {
+    const typed = [...this.vehicles.drafts.value.values()].some(
+      (draft) => Object.keys(draft.changes).length > 0,
+    );
+    const clicked = [...this.records.byVehicle.value.values()].some((entries) =>
+      entries.some((entry) => entry.state === "saving" || entry.state === "moving"),
+    );
+    return typed || clicked;
+  }
+
   dispatch(event: FlowEvent): void {
     const outcome = step(this.flow.value, event);
     this.flow.value = outcome.flow;
@@ -362,9 +373,10 @@ export class MeasureModel {
 
   private followAddress(): void {
     const recording = this.player.value?.recordingId ?? null;
-    const frame = this.player.value?.frame.value ?? null;
+    // the frame that is seen, so that a copied address shows what its sender saw
+    const frame = this.seenFrame.value;
     const vehicle = this.vehicleId.value;
-    if (!this.loaded.value || this.player.value?.playing.value) return;
+    if (frame < 0 || !this.loaded.value || this.player.value?.playing.value) return;
     clearTimeout(this.urlTimer);
     this.urlTimer = setTimeout(() => setQuery({ recording, frame, vehicle }), 250);
   }

@@ -51,7 +51,7 @@ export function PoseForm({ model }: { model: PoseModel }) {
         <legend>The board</legend>
         <div class="pose-form__three">
           <TextField
-            label="Corners across"
+            label="Inner corners across"
             numeric
             value={String(form.columns || "")}
             onInput={(text) => model.set({ columns: count(text) })}
