@@ -101,9 +101,6 @@ def answer(listener: socket.socket, services: Services, link: str | None) -> Non
     import uvicorn
 
     from backend.app import create_app
-    from backend.work.uploading import recover
-
-    recover(services)
     config = uvicorn.Config(
         create_app(services=services),
         log_level="warning",

@@ -110,14 +110,14 @@ def _keep_working_copy(store: MediaStore, recording: Recording, found: Ingested)
         return None
     key = key_of(recording.sha256, f".work{found.media_path.suffix}")
     store.delete(key)
-    store.put_file(key, found.media_path)
+    store.put_file(key, found.media_path, link=True)
     return key
 
 
 def _keep_thumbnails(store: MediaStore, recording: Recording, folder: Path, found: Ingested) -> None:
     key = thumbnails_key(recording)
     store.delete(key)
-    store.put_file(key, pack_thumbnails(folder, found))
+    store.put_file(key, pack_thumbnails(folder, found), link=True)
 
 
 def pack_thumbnails(folder: Path, found: Ingested) -> Path:

@@ -102,6 +102,8 @@ class Stills:
             if recording.state != "ready":
                 raise _not_ready(recording)
             if known is not None and _same_frames(known.recording, recording):
+                # A distant store may have dropped its local copy; asking for the path brings it back.
+                self._store.local_path(file_key(recording))
                 return OpenRecording(recording, known.media, known.time_s, time.monotonic())
             table = frames.table(session, recording_id)
         if len(table) != recording.frame_count:

@@ -87,7 +87,8 @@ def complete(services: Services, upload_id: int) -> Recording:
     with services.reading() as session:
         filename = uploads.get(session, upload_id).filename
     key = key_of(whole.sha256, suffix_of(filename))
-    services.media.put_file(key, whole.path)
+    # Linked where the store can: a copy would need the room twice. The part is discarded further down.
+    services.media.put_file(key, whole.path, link=True)
     try:
         with services.writing() as session:
             recording = _record(session, services, upload_id, key, whole)
