@@ -68,12 +68,11 @@ def _clicks(truth: PassTruth, rng: np.random.Generator, slip: bool) -> Iterator[
 
 
 def sight_of(truth: PassTruth, target: str) -> tuple[int, Point, Point] | None:
-    """(frame, contact, target) in the frame nearest to the best one that shows both; None if none does."""
-    for one in sorted(truth.frames, key=lambda seen: abs(seen.frame - truth.best_frame)):
-        contact = one.pixels.get("contact_rear") or one.pixels.get("contact_front")
-        point = one.pixels.get(target)
-        if contact is not None and point is not None:
-            return one.frame, contact, point
+    """(frame, contact, target) in the frame that shows both best, uncovered; None if none does."""
+    best = truth.best_frames.get(target, truth.best_frame)
+    for one in sorted(truth.frames, key=lambda seen: abs(seen.frame - best)):
+        if one.contact is not None and one.shows(target):
+            return one.frame, one.pixels[one.contact], one.pixels[target]
     return None
 
 
