@@ -58,7 +58,14 @@ function Body() {
       </div>
     );
   }
-  if (!person) return <Loading what="Sightline" />;
+  if (!person) {
+    return (
+      <>
+        <Offline />
+        <Loading what="Sightline" />
+      </>
+    );
+  }
   const full = here?.route.layout === "full";
   return (
     <div class="shell">

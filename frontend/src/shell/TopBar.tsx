@@ -45,7 +45,6 @@ function Crumbs() {
         Sightline
       </a>
       <ol>
-        <li aria-hidden="true" hidden />
         {inSurvey && (
           <li>
             <a class="clip" href={`/surveys/${here.surveyId}`}>

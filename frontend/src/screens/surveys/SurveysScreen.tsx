@@ -146,7 +146,7 @@ function SurveyCard({ survey }: { survey: Survey }) {
       </p>
       <div class="card__bars">
         <Tally label="Vehicles measured" done={counts.vehicles_measured} of={counts.vehicles} />
-        <Tally label="Measurements reviewed" done={reviewed} of={reviewed + counts.to_review} />
+        <Tally label="Heights reviewed" done={reviewed} of={reviewed + counts.to_review} />
       </div>
       <footer>
         {next ? (
