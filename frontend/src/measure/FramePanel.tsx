@@ -132,13 +132,18 @@ function Hint({ model }: { model: MeasureModel }) {
       {vehicle && <strong>{String(vehicle.number).padStart(2, "0")}</strong>}
       {target && model.hasPose.value && <strong>{TARGET_WORDS[target]}</strong>}
       <span>{hintWords(model)}</span>
+      {!model.hasPose.value && (
+        <a href={`/surveys/${model.surveyId}/pose?recording=${model.player.value?.recordingId ?? ""}`}>
+          Find the road pose
+        </a>
+      )}
     </p>
   );
 }
 
 function hintWords(model: MeasureModel): string {
   const { target } = model.flow.value;
-  if (!model.hasPose.value) return "This recording has no road pose yet; mark the board first, then measure.";
+  if (!model.hasPose.value) return "This recording has no road pose yet, so nothing can be measured on it.";
   if (model.vehicleId.value === null) return "Choose a pass on the left, or mark a new one with [ and ].";
   if (!canWork.value) return "You may look, not measure.";
   if (model.geometry.problem.value) return model.geometry.problem.value;

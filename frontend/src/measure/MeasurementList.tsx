@@ -99,7 +99,9 @@ function Row({ model, target, index, entry, open, onOpen }: RowProps) {
           {heightWords(entry)}
         </button>
       ) : (
-        <span class="height-row__value muted">{active ? "click on the frame" : "–"}</span>
+        <span class="height-row__value muted">
+          {active && model.hasPose.value ? "click on the frame" : "–"}
+        </span>
       )}
       {entry && (
         <Button

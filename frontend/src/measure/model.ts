@@ -5,7 +5,7 @@
 import { batch, computed, effect, signal, untracked } from "@preact/signals";
 import { ask } from "../components";
 import { setQuery } from "../router";
-import { me } from "../state/session";
+import { canWork, me } from "../state/session";
 import { stored } from "../state/stored";
 import { survey } from "../state/survey";
 import { toast, toastProblem } from "../state/toasts";
@@ -148,7 +148,7 @@ export class MeasureModel {
   open(vehicle: Vehicle, frame = bestFrame(vehicle)): void {
     this.leave();
     const contacts = this.points.contactsOf(vehicle.id);
-    const target = firstMissing(this.points.targetsOf(vehicle.id));
+    const target = canWork.value ? firstMissing(this.points.targetsOf(vehicle.id)) : null;
     batch(() => {
       this.step({ type: "open", vehicleId: vehicle.id, target, contacts });
       this.chosenInsets.value = new Map();

@@ -1,6 +1,7 @@
 import { signal } from "@preact/signals";
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import type { Measurement, Vehicle } from "../types";
+import { me } from "../state/session";
+import type { Me, Measurement, Vehicle } from "../types";
 import type { Player } from "../viewer/player";
 import { imagePoint, pair } from "../viewer/points";
 import { MeasureModel } from "./model";
@@ -85,6 +86,7 @@ beforeEach(() => {
   localStorage.clear();
   server = new FakeServer();
   vi.stubGlobal("fetch", server.fetch);
+  me.value = { person: { id: 1, role: "operator" } } as unknown as Me;
   model = new MeasureModel(1);
   const shown = signal({ frame: 40, picture: {} as ImageBitmap });
   const player = {

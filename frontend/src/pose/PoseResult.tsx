@@ -24,6 +24,9 @@ export function PoseResult({ model }: { model: PoseModel }) {
             )}
           </header>
           <Verdict pose={pose} />
+          {!inUse && canWork.value && (
+            <Button onClick={() => void model.choose(pose.id)}>Use this pose for the recording</Button>
+          )}
           {inUse && (
             <Button kind="primary" href={`/surveys/${model.surveyId}/measure?recording=${recording.id}`}>
               Measure with it

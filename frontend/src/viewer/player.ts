@@ -151,12 +151,18 @@ export class Player {
     this.cache.keepOnly(new Set([frame, ...ahead]));
     try {
       const picture = await this.cache.fetch(frame);
-      if (this.frame.value !== frame || this.closed) return;
-      batch(() => {
+      if (this.closed) return;
+      const asked = this.frame.value;
+      if (asked === frame) {
+        batch(() => {
+          this.shown.value = { frame, picture };
+          this.loading.value = false;
+        });
+        this.prefetch();
+      } else if (this.loading.value && this.isNearer(frame, asked)) {
+        // a held key outruns the server: show the way, not a standing picture
         this.shown.value = { frame, picture };
-        this.loading.value = false;
-      });
-      this.prefetch();
+      }
     } catch (error) {
       if (isAbort(error) || this.frame.value !== frame || this.closed) return;
       batch(() => {
@@ -164,6 +170,11 @@ export class Player {
         this.problem.value = explain(error);
       });
     }
+  }
+
+  private isNearer(frame: number, asked: number): boolean {
+    const shown = this.shown.value;
+    return shown === null || Math.abs(frame - asked) < Math.abs(shown.frame - asked);
   }
 
   private wanted(frame: number): number[] {
