@@ -14,6 +14,8 @@ from backend.commands.options import data_dir_option, settings_of
 from backend.errors import BadInput
 
 if TYPE_CHECKING:
+    from fastapi import FastAPI
+
     from backend.settings import Settings
     from backend.work.services import Services
 
@@ -63,10 +65,12 @@ def listen(host: str, port: int) -> socket.socket:
 def serve_on(
     listener: socket.socket, settings: Settings, stack: ExitStack, *, own_worker: bool, with_demo: bool
 ) -> None:
-    """Open everything, say where we are, and answer until stopped."""
+    """Open everything, start the worker, and answer until stopped."""
+    from backend.app import create_app
     from backend.storage import database
     from backend.work.people import first_sign_in_link
     from backend.work.services import open_services
+    from backend.work.worker import start_child_worker
 
     settings.data_dir.mkdir(parents=True, exist_ok=True)
     engine = database.make_engine(settings.database_url)
@@ -77,13 +81,13 @@ def serve_on(
     link = first_sign_in_link(services)
     if with_demo:
         request_demonstration(services)
+    app = create_app(services=services)
     if own_worker:
-        from backend.work.worker import start_child_worker
-
+        # After the app is made: the worker's own start must not take the processor from the server's.
         child = start_child_worker(settings)
         if child is not None:
             stack.callback(child.stop)
-    answer(listener, services, link)
+    answer(listener, app, link)
 
 
 def request_demonstration(services: Services) -> None:
@@ -96,13 +100,12 @@ def request_demonstration(services: Services) -> None:
         click.echo("The demonstration survey is being made; it appears on the home page within a minute.")
 
 
-def answer(listener: socket.socket, services: Services, link: str | None) -> None:
-    """Run the web server until it is told to stop."""
+def answer(listener: socket.socket, app: FastAPI, link: str | None) -> None:
+    """Say where we are and run the web server until it is told to stop."""
     import uvicorn
 
-    from backend.app import create_app
     config = uvicorn.Config(
-        create_app(services=services),
+        app,
         log_level="warning",
         access_log=False,
         proxy_headers=True,
