@@ -200,7 +200,8 @@ export class ReviewModel {
   private after(item: ReviewItem, judged: Measurement): void {
     const items = this.items.value ?? [];
     const at = items.indexOf(item);
-    const next = items[at + 1] ?? items[at - 1];
+    // one's own measurements wait for somebody else: go on with the next that can be judged
+    const next = items.find((other, i) => i > at && !other.mine) ?? items[at + 1] ?? items[at - 1];
     const stays = this.shown.value === "all" || this.shown.value === judged.review.verdict;
     batch(() => {
       this.items.value = stays
