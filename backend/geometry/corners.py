@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from backend.geometry.arrays import Floats, frozen
 from backend.geometry.board import Board as Board
 from backend.geometry.board import canonical_order, require_board
+from backend.geometry.extent import goes_on
 from backend.geometry.saddle import refine_saddles
 
 Gray = NDArray[np.uint8]
@@ -121,6 +122,13 @@ def _accepted(gray: Gray, points: Floats, board: Board, name: str) -> Corners:
         return not_found(board, reason)
     grid = refine_saddles(gray, grid).points_px.reshape(grid.shape)
     ordered, as_seen = canonical_order(grid, board)
+    side = goes_on(gray, ordered)
+    if side is not None:
+        return not_found(
+            board,
+            f"The board goes on {side} beyond {board.columns}x{board.rows} inner corners; count its inner "
+            "corners again.",
+        )
     return Corners(True, frozen(ordered), as_seen, None, _sharpness(gray, ordered), name)
 
 
@@ -131,12 +139,12 @@ def spacing_px(grid: Floats) -> float:
     return float(min(right, down))
 
 
-def refine_subpixel(gray: Gray, grid: Floats) -> Floats:
+def refine_subpixel(gray: Gray, grid: Floats, stop: tuple[int, int, float] = _STOP) -> Floats:
     """OpenCV's cornerSubPix, its window kept inside the squares: a wider one falls onto the neighbours."""
     most = 5 if min(gray.shape) <= 600 else 11
     half = int(np.clip(0.4 * spacing_px(grid), 1, most))
     start = grid.reshape(-1, 1, 2).astype(np.float32)
-    moved: Any = cv2.cornerSubPix(gray, start.copy(), (half, half), (-1, -1), _STOP)
+    moved: Any = cv2.cornerSubPix(gray, start.copy(), (half, half), (-1, -1), stop)
     out = np.asarray(moved, dtype=np.float64).reshape(grid.shape)
     lost = np.linalg.norm(out - grid, axis=2) > max(2.0, 0.3 * spacing_px(grid))
     return np.where(lost[..., None], grid, out)

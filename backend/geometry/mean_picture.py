@@ -4,19 +4,31 @@ fitted.
 
 import cv2
 import numpy as np
+from numpy.typing import NDArray
 
 from backend.geometry.arrays import Floats
 from backend.geometry.corners import Corners, Gray
-from backend.geometry.stillness import STILL_PX, displacement_px
+from backend.geometry.stillness import STILL_PX, displacements_px
+
+_MARGIN_PX = 14  # a saddle fit reaches 9 px from a corner
+
+
+def _box_of(points: Floats, shape: tuple[int, ...]) -> tuple[slice, slice]:
+    """Rows and columns of the picture that hold the board's corners with a margin."""
+    low = np.maximum(np.floor(points.min(axis=0)).astype(int) - _MARGIN_PX, 0)
+    high = np.ceil(points.max(axis=0)).astype(int) + _MARGIN_PX + 1
+    return slice(int(low[1]), min(int(high[1]), shape[0])), slice(int(low[0]), min(int(high[0]), shape[1]))
 
 
 class MeanPicture:
     """Collects frames in time order and keeps the longest stretch in which the board did not move."""
 
     def __init__(self) -> None:
-        self._sum: Floats | None = None
+        self._sum: NDArray[np.float32] | None = None
         self._count = 0
         self._at: Floats | None = None
+        self._box = (slice(0), slice(0))
+        self._shape = (0, 0)
         self._best: tuple[int, Floats] | None = None
 
     def add(self, gray: Gray, corners: Corners) -> None:
@@ -25,20 +37,23 @@ class MeanPicture:
         still = (
             self._sum is not None
             and self._at is not None
-            and self._sum.shape == gray.shape
+            and self._shape == gray.shape
             and self._at.shape == points.shape
-            and displacement_px(points - self._at, self._at) <= STILL_PX
+            and displacements_px((points - self._at)[None], self._at)[0] <= STILL_PX
         )
         if not still:
             self._keep()
-            self._sum, self._count, self._at = np.zeros(gray.shape), 0, points
+            self._box, self._shape = _box_of(points, gray.shape), gray.shape
+            self._sum, self._count, self._at = np.zeros(gray[self._box].shape, np.float32), 0, points
         assert self._sum is not None
-        cv2.accumulate(gray, self._sum)
+        cv2.accumulate(gray[self._box], self._sum)
         self._count += 1
 
     def _keep(self) -> None:
         if self._sum is not None and (self._best is None or self._count > self._best[0]):
-            self._best = (self._count, self._sum / self._count)
+            mean = np.zeros(self._shape)
+            mean[self._box] = self._sum / self._count
+            self._best = (self._count, mean)
 
     def result(self) -> Floats | None:
         """The mean picture (H, W) of the longest stretch, None where no frame was added."""

@@ -15,7 +15,7 @@ from backend.geometry.planar import PlanarPose, linearise, planar_roots
 from backend.geometry.road_pose import BoardOnRoad, RoadPose
 from backend.geometry.road_pose import Reference as Reference
 from backend.geometry.saddle import refine_saddles
-from backend.geometry.stillness import STILL_PX, Still, displacement_px, find_still, mean_sigma_px
+from backend.geometry.stillness import STILL_PX, Still, displacements_px, find_still, mean_sigma_px
 
 # board frame (x right, y down, z away) from road frame (X right, Y away, Z up), but for the origin's shift
 _BOARD_FROM_ROAD = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
@@ -90,7 +90,10 @@ def _on_mean(mean_picture: Floats, still: Still, board: Board) -> Still:
     """Corners fitted on the mean picture instead of the mean of the corners, where both agree."""
     grid = still.mean_px.reshape(board.rows, board.columns, 2)
     fitted = refine_saddles(mean_picture, grid)
-    if not fitted.ok.all() or displacement_px(fitted.points_px - still.mean_px, still.mean_px) > STILL_PX:
+    if (
+        not fitted.ok.all()
+        or displacements_px((fitted.points_px - still.mean_px)[None], still.mean_px)[0] > STILL_PX
+    ):
         return still
     return replace(still, mean_px=fitted.points_px)
 

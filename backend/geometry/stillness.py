@@ -38,10 +38,7 @@ def find_still(frames_px: Floats, limit_px: float = STILL_PX) -> Still:
     frames share: the root mean square over the corners of its smooth displacement (shift, turn, scale), which
     noise hardly moves. Of the frames, the one that most others agree with gives that position.
     """
-    near = [
-        np.array([displacement_px(frame - probe, probe) for frame in frames_px])
-        for probe in frames_px[_probes(frames_px)]
-    ]
+    near = [displacements_px(frames_px - probe, probe) for probe in frames_px[_probes(frames_px)]]
     away = max(near, key=lambda d: (int((d <= limit_px).sum()), -float(np.median(d))))
     kept = np.flatnonzero(away <= limit_px)
     chosen = frames_px[kept]
@@ -55,12 +52,12 @@ def _probes(frames_px: Floats) -> list[int]:
     return sorted({int(i) for i in np.linspace(0, len(frames_px) - 1, 12)})
 
 
-def displacement_px(shift: Floats, at: Floats) -> float:
-    """Root mean square of the affine part of a displacement field (N, 2) over points (N, 2)."""
+def displacements_px(shifts: Floats, at: Floats) -> Floats:
+    """Root mean square (F,) of the affine part of F displacement fields (F, N, 2) over points (N, 2)."""
     basis = np.column_stack([np.ones(len(at)), at - at.mean(axis=0)])
     q, _ = np.linalg.qr(basis)
-    smooth = q @ (q.T @ shift)
-    return float(np.sqrt(np.square(smooth).sum() / len(at)))
+    smooth = q.T @ shifts  # q's columns are orthonormal, so the length of the smooth part is that of q' shift
+    return np.asarray(np.sqrt(np.square(smooth).sum(axis=(1, 2)) / len(at)), dtype=np.float64)
 
 
 def _temporal(noise: Floats) -> tuple[float, float]:

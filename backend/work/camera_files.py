@@ -1,6 +1,6 @@
 """Pictures and clips of a checkerboard, read for the command line's `calibrate` and `pose`."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from time import perf_counter
 
@@ -16,8 +16,10 @@ from backend.geometry.tracking import track
 from backend.media.decode import frames_of
 from backend.media.images import read_image
 
+Frames = Callable[[Path], Iterator[tuple[str, Gray]]]
+
 CLIP_VIEWS = 24  # views taken from a clip for a calibration: enough, and little alike
-POSE_FRAMES = 150  # frames of a clip that a pose looks at
+POSE_FRAMES = 150  # frames of a clip that a pose looks at before it skips some
 SEARCH_S = 8.0  # how long frames are searched in vain, all together
 _IMAGE_ENDINGS = {".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp", ".pgm", ".ppm", ".pnm", ".jp2"}
 _CLIP_ENDINGS = {
@@ -36,8 +38,8 @@ _CLIP_ENDINGS = {
 }
 
 
-def pictures_of(path: Path, most: int) -> Iterator[tuple[str, Gray]]:
-    """The picture in a file, or up to `most` frames spread over a clip, each with its name.
+def pictures_of(path: Path, frames: Frames) -> Iterator[tuple[str, Gray]]:
+    """The picture in a file, or those `frames` takes of a clip, each with its name.
 
     Raises BadInput in one sentence that names the file.
     """
@@ -45,21 +47,21 @@ def pictures_of(path: Path, most: int) -> Iterator[tuple[str, Gray]]:
         raise BadInput(f"{path} is not a file; give picture files or a clip.")
     ending = path.suffix.lower()
     if ending in _CLIP_ENDINGS:
-        yield from _frames(path, most)
+        yield from frames(path)
         return
     try:
         picture = read_image(path)
     except BadInput:
         if ending in _IMAGE_ENDINGS:
             raise
-        yield from _frames(path, most)
+        yield from frames(path)
         return
     yield path.name, picture
 
 
-def _frames(path: Path, most: int) -> Iterator[tuple[str, Gray]]:
-    """Frames at an even step, which doubles whenever twice `most` are held: a clip tells its length at the
-    end.
+def spread_frames(path: Path, most: int = CLIP_VIEWS) -> Iterator[tuple[str, Gray]]:
+    """At most twice `most` frames, evenly spread: the step doubles when so many are held, for a clip tells
+    its length only at its end.
     """
     held: list[tuple[int, Gray]] = []
     step = 1
@@ -73,11 +75,23 @@ def _frames(path: Path, most: int) -> Iterator[tuple[str, Gray]]:
         yield f"{path.name} frame {n}", gray
 
 
+def early_frames(path: Path, most: int = POSE_FRAMES) -> Iterator[tuple[str, Gray]]:
+    """Every frame of a short clip; of a long one every second, then every fourth: none is held."""
+    step, taken = 1, 0
+    for n, _, gray in frames_of(path):
+        if n % step:
+            continue
+        yield f"{path.name} frame {n}", gray
+        taken += 1
+        if taken == 2 * most:
+            step, taken = 2 * step, most
+
+
 def calibration_views(paths: Sequence[Path], board: Board) -> list[NamedCorners]:
     """One detection per picture or chosen frame, as `geometry.calibration.calibrate` takes them."""
     views: list[NamedCorners] = []
     for path in paths:
-        for name, gray in pictures_of(path, CLIP_VIEWS):
+        for name, gray in pictures_of(path, spread_frames):
             views.append((name, detect(gray, board), (gray.shape[1], gray.shape[0])))
     return views
 
@@ -96,7 +110,7 @@ def pose_detections(
     mean = MeanPicture()
     searched_s = 0.0
     for path in paths:
-        for name, gray in pictures_of(path, POSE_FRAMES):
+        for name, gray in pictures_of(path, early_frames):
             require_size(camera, gray.shape[1], gray.shape[0], name)
             corners = not_found(board, "The search was given up.") if last is None else track(gray, last)
             if not corners.found and searched_s < SEARCH_S:
