@@ -29,7 +29,12 @@ def playwright() -> Iterator[Playwright]:
 def browser(playwright: Playwright) -> Iterator[Browser]:
     launched = playwright.chromium.launch(
         executable_path=chromium_path(),
-        args=["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update"],
+        args=[
+            "--no-sandbox",
+            "--disable-gpu",
+            "--disable-background-networking",
+            "--disable-component-update",
+        ],
     )
     yield launched
     launched.close()
@@ -71,9 +76,7 @@ def wait_for_demonstration(page: Page, seconds: float = 120) -> int:
 
 
 @pytest.fixture
-def context(
-    browser: Browser, demonstration: Server, admin_state: dict[str, Any]
-) -> Iterator[BrowserContext]:
+def context(browser: Browser, demonstration: Server, admin_state: dict[str, Any]) -> Iterator[BrowserContext]:
     opened = browser.new_context(
         base_url=demonstration.url, storage_state=admin_state, viewport={"width": 1440, "height": 900}
     )

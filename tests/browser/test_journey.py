@@ -1,0 +1,227 @@
+"""The main journey as three people do it: calibrate, pose, measure, review, export; heights against the scene's truth."""
+
+import io
+import json
+import re
+import time
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import pytest
+from playwright.sync_api import Browser, BrowserContext, Page, expect
+
+from .conftest import wait_for_demonstration
+from .server import Server
+
+TARGETS = {"roof": "1", "driver_eye": "2", "taillight": "3"}
+CLICK_NOISE_PX = 0.5
+
+
+@pytest.fixture
+def survey_id(page: Page) -> int:
+    return wait_for_demonstration(page)
+
+
+def truth_of(server: Server) -> dict[str, Any]:
+    """The daytime scene's truth as the renderer wrote it; the application itself never reads it."""
+    document = json.loads((server.data_dir / "demonstration" / "truth.json").read_text())
+    day: dict[str, Any] = document["day"]
+    return day
+
+
+def recordings(page: Page, survey_id: int) -> dict[str, dict[str, Any]]:
+    return {r["lighting"]: r for r in page.request.get(f"/api/surveys/{survey_id}/recordings").json()}
+
+
+def invited(page: Page, browser: Browser, server: Server, name: str, role: str) -> BrowserContext:
+    """A context signed in as somebody new, by the link that the People page shows."""
+    page.goto("/people")
+    page.get_by_role("button", name=re.compile("add", re.I)).first.click()
+    dialog = page.get_by_role("dialog")
+    dialog.get_by_label("Name").fill(name)
+    dialog.get_by_label(re.compile("E-mail", re.I)).fill(
+        f"{name.split()[0].lower()}{time.time_ns()}@example.org"
+    )
+    dialog.get_by_label("Role").select_option(role)
+    dialog.get_by_role("button", name=re.compile("add|invite|make", re.I)).last.click()
+    link = page.get_by_role("dialog").get_by_label("Sign-in link").input_value()
+    context = browser.new_context(base_url=server.url, viewport={"width": 1440, "height": 900})
+    theirs = context.new_page()
+    theirs.goto(link)
+    theirs.wait_for_url(lambda url: "sign-in" not in url)
+    theirs.close()
+    return context
+
+
+def calibrate(page: Page, survey_id: int, server: Server) -> tuple[int, int]:
+    """(camera, calibration): a new camera from the lab pictures, all of it by hand."""
+    page.goto(f"/surveys/{survey_id}/camera")
+    page.get_by_role("button", name="Another camera").click()
+    page.get_by_role("dialog").get_by_label("Name").fill("Journey camera")
+    page.get_by_role("dialog").get_by_role("button", name="Add").click()
+    expect(page.get_by_role("dialog")).to_have_count(0)
+    page.get_by_label(re.compile("columns|across", re.I)).first.fill("9")
+    page.get_by_label(re.compile("rows|down", re.I)).first.fill("6")
+    page.get_by_label(re.compile("square", re.I)).first.fill("30")
+    pictures = sorted((server.data_dir / "demonstration" / "lab").glob("*.png"))
+    assert len(pictures) >= 15
+    page.locator("input[type=file][multiple]").set_input_files([str(path) for path in pictures])
+    button = page.get_by_role("button", name="Calibrate", exact=True)
+    expect(button).to_be_enabled(timeout=60_000)
+    button.click()
+    expect(page.get_by_text("This calibration can be trusted")).to_be_visible(timeout=60_000)
+    cameras = page.request.get(f"/api/surveys/{survey_id}/cameras").json()
+    made = max((c for c in cameras if c["name"] == "Journey camera"), key=lambda c: c["id"])
+    assert made["current_calibration_id"]
+    return int(made["id"]), int(made["current_calibration_id"])
+
+
+def choose_camera(page: Page, survey_id: int, recording: dict[str, Any], camera: int) -> None:
+    page.goto(f"/surveys/{survey_id}/recordings")
+    card = page.get_by_role("article").filter(has_text=recording["name"])
+    with page.expect_response(lambda answer: answer.request.method == "PUT" and answer.ok):
+        card.get_by_label("Camera").select_option(str(camera))
+
+
+def find_pose(
+    page: Page, survey_id: int, recording: dict[str, Any], truth: dict[str, Any], calibration: int
+) -> None:
+    board = truth["board"]
+    page.goto(f"/surveys/{survey_id}/pose")
+    page.get_by_label("Recording", exact=True).select_option(str(recording["id"]))
+    page.get_by_label("Calibration", exact=True).select_option(str(calibration))
+    for label, value in (("Inner corners across", board["columns"]), ("and down", board["rows"])):
+        page.get_by_label(label).fill(str(value))
+    square = page.get_by_label("Square", exact=True)
+    square.fill(f"{board['square_m']:.3f}")
+    page.get_by_text("uppermost row", exact=True).click()
+    page.get_by_label(re.compile("From the road up to the uppermost")).fill(
+        f"{board['reference_height_m']:.4f}"
+    )
+    for mark, frame in (("Begins here", 10), ("Ends here", 60)):
+        page.get_by_test_id("frame-box").fill(str(frame))
+        page.get_by_test_id("frame-box").press("Enter")
+        expect(page.get_by_test_id("found-board")).to_be_visible()
+        page.get_by_role("button", name=mark).click()
+    page.get_by_test_id("pose-run").get_by_role("button").click()
+    expect(page.get_by_test_id("road-overlay")).to_be_visible(timeout=60_000)
+    expect(page.get_by_test_id("pose-verdict")).to_contain_text("±")
+
+
+def click_pixel(page: Page, x: float, y: float) -> None:
+    spot = page.evaluate("([x, y]) => window.__sightline.imageToScreen(x, y)", [x, y])
+    page.mouse.move(spot["x"], spot["y"])
+    page.mouse.click(spot["x"], spot["y"])
+
+
+def candidates(
+    truth: dict[str, Any], stored: list[dict[str, Any]]
+) -> list[tuple[dict[str, Any], dict[str, Any]]]:
+    """(pass, frame) of vehicles not measured yet, driver on the near side, all three targets in sight."""
+    to_do = {v["number"] for v in stored if v["state"] == "to_do"}
+    found = []
+    for one in truth["passes"]:
+        if one["number"] not in to_do or one["driver_side"] != "near":
+            continue
+        whole = [
+            f
+            for f in one["frames"]
+            if {"contact_rear", *TARGETS} <= set(f["pixels"]) and not set(TARGETS) & set(f["hidden"])
+        ]
+        if whole:
+            found.append((one, min(whole, key=lambda f: abs(f["frame"] - one["best_frame"]))))
+    return found
+
+
+def measure(page: Page, one: dict[str, Any], frame: dict[str, Any], rng: np.random.Generator) -> None:
+    page.get_by_test_id(f"pass-{one['number']}").click()
+    page.get_by_test_id("frame-box").fill(str(frame["frame"]))
+    page.get_by_test_id("frame-box").press("Enter")
+    page.wait_for_url(re.compile(rf"[?&]frame={frame['frame']}\b"))
+    page.keyboard.press("Escape")
+    for position, (target, key) in enumerate(TARGETS.items()):
+        page.keyboard.press(key)
+        if position == 0:
+            x, y = np.array(frame["pixels"]["contact_rear"]) + rng.normal(0, CLICK_NOISE_PX, 2)
+            click_pixel(page, float(x), float(y))
+            expect(page.get_by_test_id("axes")).to_be_visible()
+            expect(page.get_by_test_id("ladder")).to_be_visible()
+        x, y = np.array(frame["pixels"][target]) + rng.normal(0, CLICK_NOISE_PX, 2)
+        spot = page.evaluate("([x, y]) => window.__sightline.imageToScreen(x, y)", [float(x), float(y)])
+        page.mouse.move(spot["x"], spot["y"])
+        expect(page.get_by_test_id("live-height")).to_contain_text(re.compile(r"\d\.\d{3} ± 0\.\d{3}"))
+        page.mouse.click(spot["x"], spot["y"])
+        expect(page.get_by_test_id(f"measurement-row-{target}")).to_contain_text(re.compile(r"\d\.\d{3}"))
+    expect(page.get_by_test_id("save-state")).to_contain_text(re.compile(r"saved \d", re.I))
+
+
+def exported_heights(page: Page, survey_id: int, folder: Path) -> pd.DataFrame:
+    page.goto(f"/surveys/{survey_id}/export")
+    page.get_by_role("button", name="Build the package").click()
+    link = page.get_by_role("link", name="Download").first
+    expect(link).to_be_visible(timeout=60_000)
+    with page.expect_download() as download:
+        link.click()
+    path = folder / "package.zip"
+    download.value.save_as(path)
+    with zipfile.ZipFile(path) as package:
+        names = {Path(name).name: name for name in package.namelist()}
+        package.extractall(folder / "package")
+        measurements = pd.read_csv(io.BytesIO(package.read(names["measurements.csv"])))
+        vehicles = pd.read_csv(io.BytesIO(package.read(names["vehicles.csv"])))
+    return measurements.merge(vehicles, left_on="vehicle_id", right_on="id", suffixes=("", "_vehicle"))
+
+
+def test_calibrate_pose_measure_review_export(
+    page: Page,
+    browser: Browser,
+    demonstration: Server,
+    survey_id: int,
+    tmp_path: Path,
+    record_property: Any,
+) -> None:
+    truth = truth_of(demonstration)
+    recording = recordings(page, survey_id)["daytime"]
+    camera, calibration = calibrate(page, survey_id, demonstration)
+    choose_camera(page, survey_id, recording, camera)
+    find_pose(page, survey_id, recording, truth, calibration)
+
+    rng = np.random.default_rng(5)
+    stored = page.request.get(f"/api/surveys/{survey_id}/vehicles?recording_id={recording['id']}").json()
+    chosen = candidates(truth, stored)[:3]
+    assert len(chosen) == 3
+    page.goto(f"/surveys/{survey_id}/measure?recording={recording['id']}")
+    expect(page.get_by_test_id("frame-view")).to_be_visible()
+    for one, frame in chosen:
+        measure(page, one, frame, rng)
+
+    other = invited(page, browser, demonstration, "Rita Reviewer", "reviewer")
+    review = other.new_page()
+    review.goto(f"/surveys/{survey_id}/review")
+    accepted_before = review.request.get(f"/api/surveys/{survey_id}").json()["counts"]["accepted"]
+    expect(review.get_by_test_id("review-accept")).to_be_visible()
+    review.keyboard.press("a")
+    expect(review.get_by_test_id("review-counts")).to_contain_text(f"{accepted_before + 1} accepted")
+    after = review.request.get(f"/api/surveys/{survey_id}").json()["counts"]["accepted"]
+    assert after == accepted_before + 1
+    other.close()
+
+    table = exported_heights(page, survey_id, tmp_path)
+    inside, errors = 0, []
+    for one, _ in chosen:
+        for target in TARGETS:
+            rows = table[(table["number"] == one["number"]) & (table["target"] == target)]
+            rows = rows[rows["recording_id"] == recording["id"]]
+            assert len(rows) == 1, (one["number"], target, len(rows))
+            error = float(rows.iloc[0]["height_m"]) - one["true_heights_m"][target]
+            errors.append(error)
+            inside += abs(error) <= float(rows.iloc[0]["U95_height_m"])
+    rms_mm = 1e3 * float(np.sqrt(np.mean(np.square(errors))))
+    print(
+        f"9 heights from the browser: {inside} within U95, rms {rms_mm:.1f} mm, worst {1e3 * max(map(abs, errors)):.1f} mm"
+    )
+    record_property("rms_mm", rms_mm)
+    assert inside >= 8, errors
