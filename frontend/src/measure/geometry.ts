@@ -6,6 +6,9 @@ import { type ImagePoint, samePoint } from "../viewer/points";
 import { Latest } from "./latest";
 import type { Inset } from "./values";
 
+/** How long the ladder of the next target waits for the click before it to be stored. */
+const AFTER_CLICK_MS = 150;
+
 export interface AxesWish {
   readonly recordingId: number;
   readonly contact: ImagePoint;
@@ -31,6 +34,7 @@ export class Geometry {
   /** The height under the pointer, for the newest answer that came. */
   readonly live = signal<Live | null>(null);
   private wished: AxesWish | null = null;
+  private timer: ReturnType<typeof setTimeout> | undefined;
 
   private readonly axesAsker = new Latest<AxesWish, AxesAnswer>(
     askAxes,
@@ -53,15 +57,18 @@ export class Geometry {
   );
 
   showAxes(wish: AxesWish | null): void {
+    if (wish !== null && sameAxes(wish, this.wished)) return;
+    clearTimeout(this.timer);
+    const before = this.wished;
+    this.wished = wish;
     if (wish === null) {
-      this.wished = null;
       this.axesAsker.cancel();
       this.axes.value = null;
       this.problem.value = null;
-    } else if (!sameAxes(wish, this.wished)) {
-      this.wished = wish;
-      this.axesAsker.want(wish);
-    }
+    } else if (before && samePoint(before.contact, wish.contact)) {
+      // only the target is another, most likely because a click is being stored: that goes first
+      this.timer = setTimeout(() => this.axesAsker.want(wish), AFTER_CLICK_MS);
+    } else this.axesAsker.want(wish);
   }
 
   wantHeight(wish: HeightWish): void {

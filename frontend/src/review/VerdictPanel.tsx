@@ -30,7 +30,8 @@ export function VerdictPanel({ model, item }: { model: ReviewModel; item: Review
         </h2>
         <StateMark state={m.review.verdict} />
       </header>
-      <div class="review__body">
+      {/* biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, so the keyboard must reach it */}
+      <div class="review__body" role="group" aria-label="Facts and history" tabIndex={0}>
         <p class="review__height">
           {m.status === "ok" ? formatHeight(m.height_m, m.U95_height_m) : "not measurable"}
         </p>
