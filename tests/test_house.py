@@ -1,4 +1,4 @@
-"""The rules of the house that no other tool keeps: small files, clean locks, no machine's paths, true papers."""
+"""The rules of the house that no other tool keeps: small files, clean locks, no machine paths, true papers."""
 
 import re
 import subprocess
