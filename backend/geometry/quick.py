@@ -4,7 +4,7 @@ from math import sqrt
 
 from backend.geometry.camera import undistort
 from backend.geometry.road_pose import RoadPose
-from backend.geometry.sight import MIN_DEPRESSION, MIN_EDGE
+from backend.geometry.sight import MIN_DEPRESSION, MIN_EDGE, MIN_HEIGHT_M
 
 _ROUNDS = 12
 
@@ -75,4 +75,4 @@ class QuickHeights:
         if plane <= 0.0 or t_y <= 0.0:
             return None
         height = self._height + plane * t_z / t_y
-        return height if height > 0.0 else None
+        return height if height > MIN_HEIGHT_M else None

@@ -60,6 +60,7 @@ REASONS = (
 ) = range(len(REASONS))
 
 MIN_DEPRESSION = np.sin(np.deg2rad(0.2))  # closer to the horizon, a pixel is worth tens of metres
+MIN_HEIGHT_M = 1e-6  # one and the same click for both points is 0 up to rounding
 MIN_EDGE = np.sin(np.deg2rad(1.0))  # closer to edge-on, a pixel is worth metres
 
 
@@ -101,7 +102,7 @@ def sight(pose: RoadPose, contacts_px: Floats, targets_px: Floats, inset_m: Floa
         c_norm, t_norm = np.sqrt(cx * cx + cy * cy + 1.0), np.sqrt(tx * tx + ty * ty + 1.0)
         # the last rule that applies is overwritten by the ones after it: worst last
         code = np.zeros(len(cx), dtype=np.int8)
-        code[~(height > 0.0)] = BELOW_ROAD
+        code[~(height > MIN_HEIGHT_M)] = BELOW_ROAD
         code[~(plane * t_y > 0.0)] = NO_CROSSING
         code[~((np.abs(t_y) > MIN_EDGE * t_norm) & (np.abs(c_y) > MIN_EDGE * c_norm))] = EDGE_ON
         code[~((c_y > -MIN_EDGE * c_norm) & (plane > 0.0))] = BEHIND

@@ -1,7 +1,8 @@
 """Metrology: each goal with its limit and what was reached, `python tests/bench/bench_geometry.py`.
 
 Truth comes from the independent simulation of tests/geometry; where a time or a corner error is
-compared, OpenCV's own result of the same run stands beside it. On a busy machine trust the ratios, not the milliseconds.
+compared, OpenCV's own result of the same run stands beside it. On a busy machine trust the ratios, not the
+milliseconds.
 """
 
 from __future__ import annotations
