@@ -81,22 +81,29 @@ def plan_site(
     )
 
 
-def _planned_pose(camera: Camera, height_m: float, distance_m: float, board_m: float) -> RoadPose:
-    """A level camera at the origin of X, looking along +Y, tipped to the middle of road and roof."""
-    low, high = np.arctan2(-height_m, distance_m), np.arctan2(1.6 - height_m, distance_m)
+def level_pose(camera: Camera, height_m: float, board_m: float, aim_m: float | None = None) -> RoadPose:
+    """A level camera that looks along +Y, tipped to the middle of road and roof at `aim_m` (the board's
+    distance by default), with the planning board's origin `board_m` away. Without covariance.
+    """
+    aim = board_m if aim_m is None else aim_m
+    low, high = np.arctan2(-height_m, aim), np.arctan2(1.6 - height_m, aim)
     pitch = -0.5 * float(low + high)
     c, s = float(np.cos(pitch)), float(np.sin(pitch))
     rotation = np.array([[1.0, 0.0, 0.0], [0.0, -s, -c], [0.0, c, -s]])
-    half = 0.5 * (_BOARD.columns - 1) * _BOARD.square_m
-    eye = np.array([half, -board_m, height_m])
+    eye = np.array([0.5 * (_BOARD.columns - 1) * _BOARD.square_m, -board_m, height_m])
+    return RoadPose(camera, rotation, -rotation @ eye)
+
+
+def _planned_pose(camera: Camera, height_m: float, distance_m: float, board_m: float) -> RoadPose:
+    """The level pose with the covariance that a board there would give."""
+    bare = level_pose(camera, height_m, board_m, distance_m)
     points = road_points(_BOARD, "top", _BOARD_TOP_M)
-    bare = RoadPose(camera, rotation, -rotation @ eye)
     seen = project(camera, bare.to_camera(points))
-    reference = Reference("top", _BOARD_TOP_M)
     covariance = None
     if np.isfinite(seen).all():
-        at = linearise(camera, rotation, bare.translation_m, points, seen)
+        at = linearise(camera, bare.rotation, bare.translation_m, points, seen)
         covariance = joint_covariance(camera, at, _CORNER_SIGMA_PX)
+    reference = Reference("top", _BOARD_TOP_M)
     board = BoardOnRoad(
         _BOARD.columns,
         _BOARD.rows,
@@ -107,7 +114,7 @@ def _planned_pose(camera: Camera, height_m: float, distance_m: float, board_m: f
         reference.u_lean_rad,
         board_m,
     )
-    return RoadPose(camera, rotation, bare.translation_m, covariance, board)
+    return RoadPose(camera, bare.rotation, bare.translation_m, covariance, board)
 
 
 def _target(pose: RoadPose, name: str, height_m: float, distance_m: float, sigma_px: float) -> PlannedTarget:
