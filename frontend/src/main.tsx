@@ -2,6 +2,8 @@ import { render } from "preact";
 import "./style/tokens.css";
 import "./style/base.css";
 import "./style/components.css";
+import "./style/forms.css";
+import "./style/layers.css";
 import "./style/shell.css";
 import { App } from "./app";
 import { current } from "./router";
