@@ -3,7 +3,7 @@
 import re
 from pathlib import Path
 
-from fastapi import FastAPI
+from fastapi import FastAPI, Request
 from fastapi.responses import FileResponse, HTMLResponse, Response
 from starlette.exceptions import HTTPException
 
@@ -32,7 +32,7 @@ START = """SwaggerUIBundle({
 
 
 def install(app: FastAPI, settings: Settings) -> None:
-    """Add the pages, after the API: a path that is none of them is a 404 like any other."""
+    """Add the pages, after the API: a path that is none of them is a 404, for a browser with our pages in it."""
     folder = settings.frontend_dir
 
     def docs() -> Response:
@@ -43,8 +43,13 @@ def install(app: FastAPI, settings: Settings) -> None:
     def start() -> Response:
         return Response(START, media_type="text/javascript")
 
-    def page(path: str) -> Response:
-        return answer_page(folder, path)
+    def page(path: str, request: Request) -> Response:
+        try:
+            return answer_page(folder, path)
+        except HTTPException:
+            if not _asked_by_a_browser(request) or path.split("/")[0] == "api":
+                raise
+            return _index(folder, 404)
 
     app.add_api_route("/docs", docs, include_in_schema=False)
     app.add_api_route("/docs/start.js", start, include_in_schema=False)
@@ -66,8 +71,13 @@ def answer_page(folder: Path, path: str) -> Response:
     return FileResponse(file, headers={"Cache-Control": caching})
 
 
-def _index(folder: Path) -> Response:
+def _asked_by_a_browser(request: Request) -> bool:
+    """Whether a person opened this address: the front end then says, in its own clothes, that it is none."""
+    return "text/html" in request.headers.get("accept", "")
+
+
+def _index(folder: Path, status: int = 200) -> Response:
     index = folder / "index.html"
     if not index.is_file():
         return HTMLResponse(NOT_BUILT, status_code=503)
-    return FileResponse(index, headers={"Cache-Control": "no-cache"})
+    return FileResponse(index, status, headers={"Cache-Control": "no-cache"})

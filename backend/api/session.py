@@ -71,9 +71,15 @@ def who_am_i(who: Viewer, request: Request, services: Wired) -> Me:
 
 
 @router.delete("/session", status_code=204, dependencies=[OPEN])
-def sign_out(request: Request, response: Response) -> None:
-    """Sign out of this browser; done also when nobody was signed in."""
-    _cookies(request).end(response)
+def sign_out(request: Request, response: Response, services: Wired) -> None:
+    """Sign out, everywhere: a copy of the cookie is worth nothing afterwards. Done also without a session."""
+    cookies = _cookies(request)
+    person = cookies.person_of(request)
+    if person is not None:
+        with services.writing() as session:
+            people.end_sessions(session, person.id, actor=person.id)
+        cookies.forget()
+    cookies.end(response)
 
 
 @router.put("/session/password")

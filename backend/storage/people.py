@@ -96,6 +96,14 @@ def set_password(session: Session, person_id: int, hashed: str, *, actor: int | 
     return get(session, person_id)
 
 
+def end_sessions(session: Session, person_id: int, *, actor: int | None) -> Person:
+    """End every session of a person, on all their devices (a new session_key): signing out."""
+    before = get(session, person_id)
+    change_row(session, people, person_id, {"session_key": before.session_key + 1})
+    audit.record(session, actor, "sign_out", "person", person_id, None)
+    return get(session, person_id)
+
+
 def rehash_password(session: Session, person_id: int, hashed: str) -> None:
     """The same password under newer hash parameters; not a change, so not an event."""
     change_row(session, people, person_id, {"password_hash": hashed})

@@ -187,6 +187,19 @@ def test_pages(nobody: Client, tmp_path: Path) -> None:
         error_of(answer)
 
 
+def test_a_browser_at_an_unknown_address_gets_our_pages_with_404(nobody: Client, tmp_path: Path) -> None:
+    build(tmp_path / "pages")
+    headers = {"Accept": "text/html,application/xhtml+xml,*/*;q=0.8"}
+    for path in ("/nothing", "/surveys/x", "/surveys/1/nowhere", "/%2e%2e/outside.txt"):
+        answer = nobody.http.get(path, headers=headers)
+        assert answer.status_code == 404, path
+        assert "<title>Sightline" in answer.text
+        assert answer.headers["cache-control"] == "no-cache"
+    for path in ("/api/nothing", "/api"):
+        error_of(nobody.http.get(path, headers=headers))
+    error_of(nobody.http.get("/nothing", headers={"Accept": "application/json"}))
+
+
 def test_docs_need_no_foreign_address(nobody: Client, tmp_path: Path) -> None:
     build(tmp_path / "pages")
     (tmp_path / "pages" / "swagger").mkdir()

@@ -123,6 +123,16 @@ def test_sign_out(operator: Client) -> None:
     assert operator.delete("/session").status_code == 204
 
 
+def test_a_copied_cookie_is_worth_nothing_after_signing_out(app: FastAPI, operator: Client) -> None:
+    copied = fresh(app)
+    copied.http.cookies.set(COOKIE, operator.http.cookies[COOKIE])
+    assert copied.get("/session").status_code == 200
+    assert operator.delete("/session").status_code == 204
+    assert copied.get("/session").status_code == 401
+    # Whoever is nobody any more cannot sign the person out again from wherever they are by then.
+    assert copied.delete("/session").status_code == 204
+
+
 def test_whoever_is_switched_off_is_out_at_once(admin: Client, operator: Client) -> None:
     person = next(one for one in admin.seen("/people") if one["role"] == "operator")
     change = {"name": person["name"], "role": "operator", "active": False}

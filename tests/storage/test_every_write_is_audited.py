@@ -85,6 +85,10 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
         lambda s, o: None,
         lambda s, o, _: people.set_password(s, o.olga.id, "$argon2", actor=o.olga.id),
     ),
+    "people.end_sessions": (
+        lambda s, o: None,
+        lambda s, o, _: people.end_sessions(s, o.olga.id, actor=o.olga.id),
+    ),
     "people.new_link": (lambda s, o: None, lambda s, o, _: people.new_link(s, o.olga.id, actor=o.rene.id)),
     "people.use_link": (
         lambda s, o: people.new_link(s, o.olga.id, actor=None),
