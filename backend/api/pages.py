@@ -32,7 +32,7 @@ START = """SwaggerUIBundle({
 
 
 def install(app: FastAPI, settings: Settings) -> None:
-    """Add the pages, after the API: a path that is none of them is a 404, for a browser with our pages in it."""
+    """Add the pages, after the API; a path that is none of them is a 404, for a browser with our pages."""
     folder = settings.frontend_dir
 
     def docs() -> Response:
