@@ -8,6 +8,7 @@ from pydantic import Field
 
 from backend.api.bodies import In, Name, Out, Text
 from backend.api.deps import Operator, PathId, Reading, Viewer, Writing
+from backend.geometry.insets import INSET_CHOICES
 from backend.storage import surveys
 from backend.storage.records import Inset
 
@@ -63,6 +64,20 @@ class StepBody(Out):
     summary: str
 
 
+class InsetChoice(Out):
+    words: str
+    inset_m: float
+    u_inset_m: float
+
+
+def inset_choices() -> dict[str, list[InsetChoice]]:
+    """Per target what can be told apart by looking at the vehicle; the same for every survey."""
+    return {
+        target: [InsetChoice(words=words, inset_m=inset, u_inset_m=u) for words, inset, u in choices]
+        for target, choices in INSET_CHOICES.items()
+    }
+
+
 class SurveyBody(Out):
     id: int
     name: str
@@ -72,6 +87,7 @@ class SurveyBody(Out):
     version: int
     created_at: datetime
     insets: Insets
+    inset_choices: dict[str, list[InsetChoice]] = Field(default_factory=inset_choices)
     counts: Counts
     steps: list[StepBody]
 

@@ -16,3 +16,9 @@ DEFAULT_INSETS: dict[str, tuple[float, float, str]] = {
     "roof": (0.30, 0.10, "near edge of the roof; 0.85 +- 0.10 m for its crown (estimate)"),
     "other": (0.0, 0.30, "unknown"),
 }
+
+# What an operator can see of a vehicle and choose between: words, inset, its standard uncertainty (estimates).
+INSET_CHOICES: dict[str, tuple[tuple[str, float, float], ...]] = {
+    "driver_eye": (("driver on the near side", 0.45, 0.10), ("driver on the far side", 1.15, 0.15)),
+    "roof": (("near edge of the roof", 0.30, 0.10), ("crown of the roof", 0.85, 0.10)),
+}

@@ -44,7 +44,7 @@ export interface paths {
         post: operations["sign_in"];
         /**
          * Sign Out
-         * @description Sign out of this browser; done also when nobody was signed in.
+         * @description Sign out, everywhere: a copy of the cookie is worth nothing afterwards. Done also without a session.
          */
         delete: operations["sign_out"];
         options?: never;
@@ -1766,6 +1766,15 @@ export interface components {
             headlight?: components["schemas"]["InsetIn"] | null;
             other?: components["schemas"]["InsetIn"] | null;
         };
+        /** InsetChoice */
+        InsetChoice: {
+            /** Words */
+            words: string;
+            /** Inset M */
+            inset_m: number;
+            /** U Inset M */
+            u_inset_m: number;
+        };
         /** InsetIn */
         InsetIn: {
             /** Inset M */
@@ -2385,6 +2394,10 @@ export interface components {
              */
             created_at: string;
             insets: components["schemas"]["Insets"];
+            /** Inset Choices */
+            inset_choices?: {
+                [key: string]: components["schemas"]["InsetChoice"][];
+            };
             counts: components["schemas"]["Counts"];
             /** Steps */
             steps: components["schemas"]["StepBody"][];

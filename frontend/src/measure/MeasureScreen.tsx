@@ -15,6 +15,7 @@ import { PassList } from "./PassList";
 import { TimelinePanel } from "./TimelinePanel";
 import { useTabs } from "./tabs";
 import { VehiclePanel } from "./VehiclePanel";
+import "./vehicle.css";
 import "./measure.css";
 
 export default function MeasureScreen({ surveyId }: ScreenProps) {

@@ -7,6 +7,7 @@ import type { Target } from "../types";
 import { formatHeight } from "../units";
 import { MeasurementConflict } from "./Conflicts";
 import { REQUIRED, TARGET_WORDS, TARGETS } from "./flow";
+import { InsetChoice } from "./InsetChoice";
 import { MeasurementDetail } from "./MeasurementDetail";
 import type { MeasureModel } from "./model";
 import type { Entry } from "./records";
@@ -23,6 +24,7 @@ export function MeasurementList({ model }: { model: MeasureModel }) {
           const own = entries.filter((entry) => entry.values.target === target);
           return (
             <li key={target} class={REQUIRED.includes(target) ? "" : "heights__optional"}>
+              <InsetChoice model={model} target={target} entry={own.at(-1) ?? null} />
               {own.length === 0 ? (
                 <Row model={model} target={target} index={i} entry={null} open={false} />
               ) : (

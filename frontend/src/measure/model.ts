@@ -210,6 +210,13 @@ export class MeasureModel {
     return this.chosenInsets.value.get(target) ?? null;
   }
 
+  /** Chooses the inset of a target of this vehicle, for what is measured of it and for the clicks to come. */
+  chooseInset(target: Target, inset: Inset): void {
+    this.chosenInsets.value = new Map(this.chosenInsets.value).set(target, inset);
+    for (const entry of this.entries.value)
+      if (entry.values.target === target && !entry.values.withdrawn) this.points.setInset(entry.key, inset);
+  }
+
   /** What the survey assumes for a target. */
   usualInset(target: Target): (Inset & { note: string }) | null {
     return survey.value?.insets[target] ?? null;

@@ -11,6 +11,7 @@ import { ReviewModel, type Shown } from "./model";
 import { Queue } from "./Queue";
 import { ReviewFrame } from "./ReviewFrame";
 import { VerdictPanel } from "./VerdictPanel";
+import "../measure/vehicle.css";
 import "../measure/measure.css";
 import "./review.css";
 
