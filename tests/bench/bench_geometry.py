@@ -1,4 +1,4 @@
-"""Metrology: each goal with its limit and what was reached, `python tests/bench/bench_geometry.py`.
+"""Heights, poses and their uncertainty: each goal with its limit and what was reached.
 
 Truth comes from the independent simulation of tests/geometry; where a time or a corner error is
 compared, OpenCV's own result of the same run stands beside it. On a busy machine trust the ratios, not the
@@ -12,11 +12,9 @@ import os
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the goals are for one thread
 
 import sys
-import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
-from time import perf_counter
 
 import cv2
 import numpy as np
@@ -25,53 +23,16 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 cv2.setNumThreads(1)
 
-from backend.geometry.board import Board, canonical_order  # noqa: E402
-from backend.geometry.calibration import calibrate  # noqa: E402
 from backend.geometry.camera import normalised_to_pixels, undistort  # noqa: E402
-from backend.geometry.corners import Corners, detect, refine_subpixel  # noqa: E402
+from backend.geometry.corners import Corners  # noqa: E402
 from backend.geometry.height import measure_height, measure_heights  # noqa: E402
 from backend.geometry.multiframe import measure_frames  # noqa: E402
 from backend.geometry.pose import pose_from_corners  # noqa: E402
 from backend.geometry.quick import QuickHeights  # noqa: E402
-from backend.geometry.road_pose import Reference, RoadPose  # noqa: E402
-from backend.geometry.saddle import refine_saddles  # noqa: E402
-from backend.media.decode import frames_of  # noqa: E402
-from backend.media.writer import write_mp4  # noqa: E402
-from backend.work.camera_files import pose_detections  # noqa: E402
+from backend.geometry.road_pose import Reference  # noqa: E402
+from tests.bench.goals import BOARD, Row, best_s, facing, report, rms, row, truth_of  # noqa: E402
 from tests.geometry.scenes import LENSES, camera_of, pose_of  # noqa: E402
-from tests.geometry.simulate import Lens, Scene, picture  # noqa: E402
-
-DATA = Path(os.environ.get("SIGHTLINE_SHARED_DATA", ROOT.parent / "shared" / "data")) / "calibration"
-BOARD = Board(6, 4, 0.1)
-_FAST = cv2.CALIB_CB_ADAPTIVE_THRESH | cv2.CALIB_CB_NORMALIZE_IMAGE | cv2.CALIB_CB_FAST_CHECK
-Row = tuple[str, str, str, bool]
-
-
-def row(goal: str, limit: str, reached: str, ok: bool) -> Row:
-    return goal, limit, reached, ok
-
-
-def best_s(action: Callable[[], object], repeats: int = 5) -> float:
-    """Fastest of several runs."""
-    times = []
-    for _ in range(repeats):
-        start = perf_counter()
-        action()
-        times.append(perf_counter() - start)
-    return min(times)
-
-
-def rms(values: object) -> float:
-    return float(np.sqrt(np.mean(np.square(np.asarray(values, dtype=float)))))
-
-
-def facing(yaw: float, distance: float, seed: int = 0, lens: Lens | None = None) -> Scene:
-    x = 0.25 - distance * np.tan(np.radians(yaw)) + 0.013 * seed
-    return Scene(lens or Lens(), (x, -distance, 1.4 + 0.007 * seed), yaw, 4 + 0.3 * seed, 1.0 + seed)
-
-
-def truth_of(scene: Scene, top_m: float = 1.5) -> np.ndarray:
-    return scene.look(scene.board(6, 4, 0.1, top_m).reshape(-1, 3)).reshape(4, 6, 2)
+from tests.geometry.simulate import Lens, Scene  # noqa: E402
 
 
 def formula() -> Iterator[Row]:
@@ -108,212 +69,6 @@ def formula() -> Iterator[Row]:
     yield row(
         "refused outside the valid radius", "100 %", f"{100 * (1 - refused.mean()):.0f} %", not refused.any()
     )
-
-
-def corner_errors(
-    make: Callable[[int], tuple[np.ndarray, np.ndarray]], count: int = 3
-) -> tuple[float, float]:
-    """RMS of the saddle fit and of cornerSubPix."""
-    ours, opencv = [], []
-    for seed in range(count):
-        grey, truth = make(seed)
-        start = refine_subpixel(grey, truth + np.random.default_rng(seed).normal(0, 0.2, truth.shape))
-        ours.append(refine_saddles(grey, start).points_px.reshape(truth.shape) - truth)
-        opencv.append(start - truth)
-    return rms(ours), rms(opencv)
-
-
-def rendered(
-    blur: float, noise: float, distance: float = 3.0
-) -> Callable[[int], tuple[np.ndarray, np.ndarray]]:
-    def make(seed: int) -> tuple[np.ndarray, np.ndarray]:
-        scene = facing(25, distance, seed)
-        grey = picture(scene, 6, 4, 0.1, 1.5, samples=6, blur=blur, noise=noise, seed=seed)
-        return grey, truth_of(scene)
-
-    return make
-
-
-def spoiled(how: str) -> Callable[[int], tuple[np.ndarray, np.ndarray]]:
-    def make(seed: int) -> tuple[np.ndarray, np.ndarray]:
-        clean, truth = rendered(0.5, 0.0)(seed)
-        grey = clean.astype(np.float64)
-        if how == "disk":
-            kernel = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (5, 5)).astype(np.float64)
-            grey = cv2.filter2D(grey, -1, kernel / kernel.sum())
-        elif how == "gamma":
-            grey = 255 * (grey / 255) ** (1 / 2.2)
-        elif how == "shading":
-            grey = grey * np.linspace(1.0, 0.6, grey.shape[1])
-        elif how == "motion":
-            grey = cv2.filter2D(grey, -1, np.full((1, 3), 1 / 3))
-        grey = grey + np.random.default_rng(seed).normal(0, 3, grey.shape)
-        grey8 = np.clip(grey, 0, 255).astype(np.uint8)
-        if how == "jpeg":
-            noisy = np.clip(grey8 + np.random.default_rng(seed).normal(0, 7, grey.shape), 0, 255).astype(
-                np.uint8
-            )
-            grey8 = cv2.imdecode(cv2.imencode(".jpg", noisy, [cv2.IMWRITE_JPEG_QUALITY, 60])[1], 0)
-        return grey8, truth
-
-    return make
-
-
-def corners() -> Iterator[Row]:
-    for name, make, limit in (
-        ("noise 3", rendered(0.8, 3.0), 0.02),
-        ("noise 8, blur 1.2, 16 px squares", rendered(1.2, 8.0, 2.2), 0.035),
-        ("JPEG 60 + noise 8", spoiled("jpeg"), 0.06),
-    ):
-        ours, opencv = corner_errors(make)
-        reached = f"{ours:.4f} px (cornerSubPix {opencv:.4f})"
-        yield row(f"corner rms, VGA, {name}", f"{limit} px", reached, ours <= limit)
-    for how in ("disk", "gamma", "shading", "motion"):
-        ours, opencv = corner_errors(spoiled(how))
-        limit = 0.7 if how == "motion" else 0.6
-        reached = f"{ours / opencv:.2f} x ({ours:.4f} px)"
-        yield row(f"corner rms against cornerSubPix, {how}", f"{limit} x", reached, ours <= limit * opencv)
-
-
-def order() -> Iterator[Row]:
-    right = total = 0
-    for columns, rows in ((6, 4), (4, 6)):
-        for roll in (-60, -30, 0, 30, 60):
-            scene = replace(facing(18, 3.0), roll=float(roll))
-            grey = picture(scene, columns, rows, 0.1, 1.5, samples=3)
-            truth = scene.look(scene.board(columns, rows, 0.1, 1.5).reshape(-1, 3)).reshape(rows, columns, 2)
-            for pattern in ((columns, rows), (rows, columns)):
-                if pattern != (columns, rows) and abs(roll) > 28:
-                    continue
-                for find in (cv2.findChessboardCorners, cv2.findChessboardCornersSB):
-                    found, points = find(grey, pattern)
-                    if not found:
-                        continue
-                    total += 1
-                    grid = np.asarray(points, dtype=np.float64).reshape(pattern[1], pattern[0], 2)
-                    ordered, _ = canonical_order(grid, Board(*pattern, 0.1))
-                    right += ordered.shape == truth.shape and np.abs(ordered - truth).max() < 2
-    yield row(
-        "corner order, both detectors and orders, roll to 60 deg", "100 %", f"{right}/{total}", right == total
-    )
-
-
-def clutter(seed: int, width: int, height: int) -> np.ndarray:
-    rng = np.random.default_rng(seed)
-    image = np.full((height, width), 120, np.uint8)
-    for _ in range(150):
-        a, b = rng.integers(0, [width, height], (2, 2)).tolist()
-        cv2.rectangle(image, a, b, int(rng.integers(0, 255)), -1 if rng.random() < 0.6 else 2)
-    return np.clip(image + rng.normal(0, 4, image.shape), 0, 255).astype(np.uint8)
-
-
-def detection() -> Iterator[Row]:
-    found = sum(detect(clutter(seed, 640, 480), BOARD).found for seed in range(12))
-    yield row("boards found in clutter", "0 of 12", str(found), found == 0)
-    slowest = max(best_s(lambda s=s: detect(clutter(s, 1920, 1080), BOARD, 2.0), 1) for s in range(2))
-    yield row("no board in a 1080p picture: answer within", "10 s", f"{slowest:.2f} s", slowest < 10)
-    for name, lens, limit in (
-        ("VGA", Lens(), 5),
-        ("1080p", Lens(1088.0, 959.5, 539.5, width=1920, height=1080), 20),
-    ):
-        scene = facing(20, 3.0, 0, lens)
-        grey = picture(scene, 6, 4, 0.1, 1.5, samples=3)
-        alone = 1e3 * best_s(lambda g=grey: cv2.findChessboardCorners(g, (6, 4), flags=_FAST))
-        whole = 1e3 * best_s(lambda g=grey: detect(g, BOARD))
-        reached = f"{whole:.1f} ms with the saddle fit (OpenCV's detection alone {alone:.1f} ms)"
-        yield row(f"first detection, {name}", f"{limit} ms, fit excluded", reached, alone <= limit)
-
-
-def real_sets() -> Iterator[Row]:
-    if not DATA.exists():
-        yield row("real calibration sets", "-", "the folder of real data is not here", True)
-        return
-    seen = hits = 0
-    for folder, size, missing in (
-        ("opencv_left", (9, 6), 0),
-        ("gopro_wide", (8, 6), 1),
-        ("mixed_sizes", (9, 6), 3),
-    ):
-        board = Board(*size, 0.025)
-        fine, plain = [], []
-        for path in sorted((DATA / folder).glob("*.jpg")):
-            grey = cv2.imread(str(path), cv2.IMREAD_GRAYSCALE)
-            found = detect(grey, board)
-            picture_size = (grey.shape[1], grey.shape[0])
-            fine.append((path.name, found, picture_size))
-            rough = replace(found, points_px=refine_subpixel(grey, found.points_px)) if found.found else found
-            plain.append((path.name, rough, picture_size))
-            seen, hits = seen + 1, hits + found.found
-        hits += missing  # these do not show the whole board and must be refused
-        ours, opencv = (calibrate(views, board).camera.rms_px or 0.0 for views in (fine, plain))
-        reached = f"{ours / opencv:.3f} x ({ours:.3f} px)"
-        limit = 0.85 if folder == "opencv_left" else 1.0
-        yield row(
-            f"calibration residual against cornerSubPix, {folder}",
-            f"{limit} x",
-            reached,
-            ours <= limit * opencv,
-        )
-    yield row(
-        "boards of real sets found, or rightly refused", "99.3 %", f"{hits}/{seen}", hits / seen >= 0.993
-    )
-
-
-def clip(folder: Path, scene: Scene, count: int = 150) -> Path:
-    grey = picture(scene, 6, 4, 0.1, 1.5, samples=5, noise=0.0)
-    rng = np.random.default_rng(3)
-
-    def frames() -> Iterator[np.ndarray]:
-        for _ in range(count):
-            noisy = np.clip(grey + rng.normal(0, 3, grey.shape), 0, 255).astype(np.uint8)
-            yield cv2.cvtColor(noisy, cv2.COLOR_GRAY2BGR)
-
-    path = folder / f"board_{scene.lens.width}_{abs(scene.eye[1]):.0f}.mp4"
-    write_mp4(path, frames(), 30)
-    return path
-
-
-def height_errors(scene: Scene, pose: RoadPose) -> list[float]:
-    errors = []
-    for distance in (2.0, 3.0, 4.0, 5.0):
-        for height in (0.65, 1.16, 1.5):
-            across = scene.eye[1] + distance
-            x = scene.eye[0] + distance * np.tan(np.radians(scene.yaw))
-            clicks = scene.look([(x, across, 0.0), (x + 0.1, across, height)])
-            found = measure_height(replace(pose, camera=pose.camera), clicks[0], clicks[1], 0.0)
-            if found.height_m is not None:
-                errors.append(found.height_m - height)
-    return errors
-
-
-def clips() -> Iterator[Row]:
-    full = Lens(1088.0, 959.5, 539.5, width=1920, height=1080)
-    with tempfile.TemporaryDirectory() as name:
-        for label, scene, limit_s, limit_mm in (
-            ("VGA, board at 3 m", facing(20, 3.0), 0.15, 1.0),
-            ("VGA, board at 5 m", facing(20, 5.0), 0.15, 3.0),
-            ("1080p, board at 3 m", facing(20, 3.0, 0, full), 0.8, 1.0),
-        ):
-            path = clip(Path(name), scene)
-            camera = camera_of(scene.lens)
-            decoding = best_s(lambda p=path: sum(1 for _ in frames_of(p)), 2)
-            start = perf_counter()
-            frames, mean = pose_detections([path], camera, BOARD)
-            pose = pose_from_corners(camera, frames, BOARD, Reference("top", 1.5, 0.0, 0.0), mean)
-            took = perf_counter() - start
-            error = 1000 * rms(height_errors(scene, pose))
-            yield row(
-                f"5 s clip to pose, {label}",
-                f"{limit_s} s",
-                f"{took:.3f} s (decoding alone {decoding:.3f} s)",
-                took <= limit_s,
-            )
-            yield row(
-                f"height error from it, perfect clicks, {label}",
-                f"{limit_mm} mm",
-                f"{error:.2f} mm",
-                error <= limit_mm,
-            )
 
 
 def noisy_corners(scene: Scene, sigma: float, rng: np.random.Generator) -> Corners:
@@ -437,21 +192,8 @@ def speed() -> Iterator[Row]:
     yield row("1e6 heights with uncertainty", "1.5 s", f"{whole:.2f} s", whole <= 1.5)
 
 
-PARTS = (formula, corners, order, detection, real_sets, clips, uncertainty, two_frames, fleet, speed)
-
-
-def main(wanted: list[str]) -> int:
-    missed = 0
-    print(f"{'goal':<62} {'limit':<20} reached")
-    for part in PARTS:
-        if wanted and part.__name__ not in wanted:
-            continue
-        for goal, limit, reached, ok in part():
-            missed += not ok
-            print(f"{goal:<62} {limit:<20} {reached}{'' if ok else '   <-- missed'}", flush=True)
-    print(f"{missed} goals missed" if missed else "every goal reached")
-    return 0
+PARTS = (formula, uncertainty, two_frames, fleet, speed)
 
 
 if __name__ == "__main__":
-    raise SystemExit(main(sys.argv[1:]))
+    raise SystemExit(report(PARTS, sys.argv[1:]))
