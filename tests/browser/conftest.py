@@ -4,10 +4,9 @@ import os
 import time
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, BrowserContext, Page, Playwright, sync_playwright
+from playwright.sync_api import Browser, BrowserContext, Page, Playwright, StorageState, sync_playwright
 
 from .server import ROOT, Server, start
 
@@ -52,14 +51,14 @@ def demonstration(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
 
 
 @pytest.fixture(scope="session")
-def admin_state(browser: Browser, demonstration: Server) -> dict[str, Any]:
+def admin_state(browser: Browser, demonstration: Server) -> StorageState:
     """Cookies of the admin whom the one-time link made, kept for the tests that only need to be signed in."""
     context = browser.new_context(base_url=demonstration.url)
     page = context.new_page()
     page.goto(demonstration.sign_in_link())
     page.wait_for_url(lambda url: "sign-in" not in url)
     wait_for_demonstration(page)
-    state: dict[str, Any] = dict(context.storage_state())
+    state = context.storage_state()
     context.close()
     return state
 
@@ -76,7 +75,7 @@ def wait_for_demonstration(page: Page, seconds: float = 120) -> int:
 
 
 @pytest.fixture
-def context(browser: Browser, demonstration: Server, admin_state: dict[str, Any]) -> Iterator[BrowserContext]:
+def context(browser: Browser, demonstration: Server, admin_state: StorageState) -> Iterator[BrowserContext]:
     opened = browser.new_context(
         base_url=demonstration.url, storage_state=admin_state, viewport={"width": 1440, "height": 900}
     )

@@ -1,0 +1,161 @@
+"""Every screen, light and dark, at two sizes: no error, no sideways overflow, nothing serious in axe."""
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, Literal, cast
+
+import pytest
+from playwright.sync_api import (
+    Browser,
+    BrowserContext,
+    ConsoleMessage,
+    Page,
+    StorageState,
+    ViewportSize,
+    expect,
+)
+
+from .conftest import wait_for_demonstration
+from .server import ROOT, Server
+
+AXE = ROOT / "frontend" / "node_modules" / "axe-core" / "axe.min.js"
+SIZES: list[ViewportSize] = [{"width": 1440, "height": 900}, {"width": 1024, "height": 768}]
+LOOKS: list[Literal["light", "dark"]] = ["light", "dark"]
+
+# The screen's name, its address, and what has to be seen before it counts as shown.
+SCREENS = {
+    "surveys": ("/", "main h1"),
+    "survey": ("/surveys/{survey}", "main h1"),
+    "camera": ("/surveys/{survey}/camera", ".shot img"),
+    "recordings": ("/surveys/{survey}/recordings", "article.recording"),
+    "pose": ("/surveys/{survey}/pose", "[data-testid=pose-verdict]"),
+    "measure": (
+        "/surveys/{survey}/measure?recording={recording}&vehicle={vehicle}&frame={frame}",
+        "[data-testid=axes]",
+    ),
+    "review": ("/surveys/{survey}/review", "[data-testid=review-counts]"),
+    "export": ("/surveys/{survey}/export", "main h1"),
+    "audit": ("/audit", "main table"),
+    "people": ("/people", "main table"),
+    "account": ("/account", "main h1"),
+}
+
+
+@pytest.fixture(scope="module")
+def places(browser: Browser, demonstration: Server, admin_state: StorageState) -> dict[str, int]:
+    """The demonstration survey and a measured vehicle of it."""
+    context = browser.new_context(base_url=demonstration.url, storage_state=admin_state)
+    page = context.new_page()
+    page.goto("/")
+    survey = wait_for_demonstration(page)
+    vehicles = page.request.get(f"/api/surveys/{survey}/vehicles").json()
+    measured = next(v for v in vehicles if len(v["measurements"]) >= 3)
+    context.close()
+    frame = measured["measurements"][0]["frame"]
+    return {
+        "survey": survey,
+        "recording": measured["recording_id"],
+        "vehicle": measured["id"],
+        "frame": frame,
+    }
+
+
+@pytest.fixture
+def complaints() -> list[str]:
+    return []
+
+
+@pytest.fixture(
+    params=[(size, look) for size in SIZES for look in LOOKS], ids=lambda p: f"{p[0]['width']}-{p[1]}"
+)
+def shown(
+    request: pytest.FixtureRequest,
+    browser: Browser,
+    demonstration: Server,
+    complaints: list[str],
+) -> Iterator[tuple[BrowserContext, Page, str]]:
+    """A fresh, signed-out context of this size and look, without the CSP that would keep axe out."""
+    size, look = request.param
+    context = browser.new_context(
+        base_url=demonstration.url, viewport=size, color_scheme=look, bypass_csp=True, reduced_motion="reduce"
+    )
+    context.add_init_script(path=AXE)
+    page = context.new_page()
+    page.set_default_timeout(15_000)
+    page.on("pageerror", lambda error: complaints.append(f"page error: {error}"))
+    page.on("console", lambda message: note(message, complaints))
+    yield context, page, f"{size['width']}-{look}"
+    context.close()
+
+
+def note(message: ConsoleMessage, complaints: list[str]) -> None:
+    asked_who = "/api/session" in str(message.location.get("url")) and "401" in message.text
+    if message.type in ("error", "warning") and not asked_who:
+        complaints.append(f"console {message.type}: {message.text} ({message.location.get('url')})")
+
+
+def look_at(page: Page, name: str, variant: str, folder: Path) -> list[str]:
+    """What is wrong with the page as it stands; its picture goes to `folder`."""
+    settle(page)
+    page.screenshot(path=folder / f"{name}-{variant}.png")
+    wrong = [f"{name}: {one}" for one in overflows(page)]
+    wrong += [f"{name}: axe {one}" for one in serious_findings(page)]
+    return wrong
+
+
+def settle(page: Page) -> None:
+    expect(page.locator(".loading")).to_have_count(0)
+    page.wait_for_function(
+        "![...document.querySelectorAll('.spinner')].some(s => s.checkVisibility({opacityProperty: true}))"
+    )
+    page.wait_for_function(
+        "[...document.images].filter(i => i.loading !== 'lazy').every(i => i.complete)"
+        " && document.fonts.status === 'loaded'"
+    )
+    page.wait_for_timeout(150)
+
+
+def overflows(page: Page) -> list[str]:
+    """Elements that make the page scroll sideways."""
+    found: list[str] = page.evaluate(
+        """() => {
+          const root = document.documentElement, width = root.clientWidth;
+          if (root.scrollWidth <= width && document.body.scrollWidth <= width) return [];
+          return [...document.querySelectorAll('body *')]
+            .filter(e => e.getBoundingClientRect().right > width + 1)
+            .slice(0, 5).map(e => `runs out at the side: ${e.tagName}.${e.className}`);
+        }"""
+    )
+    return found
+
+
+def serious_findings(page: Page) -> list[str]:
+    result = page.evaluate(
+        "() => axe.run(document, {runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'best-practice']})"
+    )
+    return [
+        f"{one['id']} ({one['impact']}): {one['help']}: "
+        + "; ".join(n["html"][:160] for n in one["nodes"][:3])
+        for one in result["violations"]
+        if one["impact"] in ("serious", "critical")
+    ]
+
+
+def test_every_screen_is_shown_without_fault(
+    shown: tuple[BrowserContext, Page, str],
+    complaints: list[str],
+    places: dict[str, int],
+    admin_state: StorageState,
+    screenshots: Path,
+) -> None:
+    context, page, variant = shown
+    page.goto("/sign-in")
+    expect(page.get_by_role("button", name=re.compile("sign in", re.I)).first).to_be_visible()
+    wrong = look_at(page, "sign-in", variant, screenshots)
+    context.add_cookies(cast(Any, admin_state["cookies"]))
+    for name, (address, sign) in SCREENS.items():
+        page.goto(address.format(**places))
+        expect(page.locator(sign).first).to_be_visible()
+        wrong += look_at(page, name, variant, screenshots)
+    assert not wrong + complaints, "\n".join(wrong + complaints)
