@@ -17,8 +17,8 @@ DEFAULT_INSETS: dict[str, tuple[float, float, str]] = {
     "other": (0.0, 0.30, "unknown"),
 }
 
-# What an operator can see of a vehicle and choose between: words, inset, its standard uncertainty (estimates).
+# What an operator can see of a vehicle and choose between: words, inset, standard uncertainty (estimates).
 INSET_CHOICES: dict[str, tuple[tuple[str, float, float], ...]] = {
-    "driver_eye": (("driver on the near side", 0.45, 0.10), ("driver on the far side", 1.15, 0.15)),
-    "roof": (("near edge of the roof", 0.30, 0.10), ("crown of the roof", 0.85, 0.10)),
+    "driver_eye": (("near side", 0.45, 0.10), ("far side", 1.15, 0.15)),  # where the driver sits
+    "roof": (("near edge", 0.30, 0.10), ("crown", 0.85, 0.10)),
 }

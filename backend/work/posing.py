@@ -127,17 +127,14 @@ def _expected(distance_m: float, u_m: float | None) -> dict[str, Any]:
 def verdict(expected: Sequence[dict[str, Any]], distance_m: float | None, camera_height_m: float) -> str:
     """In plain words: where the board stood, how high the camera is, how well heights will be known."""
     board = "" if distance_m is None else f"The board stood {distance_m:.2f} m from the camera. "
-    figures = ", ".join(_figure(entry) for entry in expected)
-    return (
-        f"{board}The camera is {camera_height_m:.2f} m above the road. "
-        f"A height of 1.2 m clicked to 1 px is expected to be known (95 %) to {figures}."
+    known = [one for one in expected if one["U95_height_m"] is not None]
+    hidden = [f"{one['distance_m']:.0f} m" for one in expected if one["U95_height_m"] is None]
+    figures = ", ".join(f"±{1000 * e['U95_height_m']:.0f} mm at {e['distance_m']:.0f} m" for e in known)
+    heights = (
+        f" A height of 1.2 m clicked to 1 px is expected to be known (95 %) to {figures}." if known else ""
     )
-
-
-def _figure(entry: dict[str, Any]) -> str:
-    if entry["U95_height_m"] is None:
-        return f"nothing at {entry['distance_m']:.0f} m (out of sight)"
-    return f"±{1000 * entry['U95_height_m']:.0f} mm at {entry['distance_m']:.0f} m"
+    unseen = f" The picture does not show the road at {' and '.join(hidden)}." if hidden else ""
+    return f"{board}The camera is {camera_height_m:.2f} m above the road.{heights}{unseen}"
 
 
 def overlay(pose: RoadPose, corners: Corners) -> dict[str, Any]:

@@ -8,6 +8,11 @@ import { TARGET_WORDS } from "./flow";
 import type { MeasureModel } from "./model";
 import type { Entry } from "./records";
 
+const ASKED: Partial<Record<Target, string>> = {
+  driver_eye: "The driver sits on the",
+  roof: "Clicked on the roof: its",
+};
+
 interface Props {
   model: MeasureModel;
   target: Target;
@@ -24,8 +29,9 @@ export function InsetChoice({ model, target, entry }: Props) {
   );
   return (
     <div class="inset-choice" data-testid={`inset-choice-${target}`}>
+      <span class="small">{ASKED[target]}</span>
       <Segments
-        label={`${TARGET_WORDS[target]}: where it lies`}
+        label={ASKED[target] ?? TARGET_WORDS[target]}
         value={String(value)}
         options={choices.map((choice, i) => ({
           value: String(i),

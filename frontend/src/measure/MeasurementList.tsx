@@ -24,7 +24,6 @@ export function MeasurementList({ model }: { model: MeasureModel }) {
           const own = entries.filter((entry) => entry.values.target === target);
           return (
             <li key={target} class={REQUIRED.includes(target) ? "" : "heights__optional"}>
-              <InsetChoice model={model} target={target} entry={own.at(-1) ?? null} />
               {own.length === 0 ? (
                 <Row model={model} target={target} index={i} entry={null} open={false} />
               ) : (
@@ -45,6 +44,7 @@ export function MeasurementList({ model }: { model: MeasureModel }) {
                   </div>
                 ))
               )}
+              <InsetChoice model={model} target={target} entry={own.at(-1) ?? null} />
             </li>
           );
         })}

@@ -154,7 +154,7 @@ function EventRow({ event }: { event: AuditEvent }) {
       <td class="nowrap">{event.actor?.name ?? <span class="muted">the system</span>}</td>
       <td>
         {event.action.replaceAll("_", " ")}{" "}
-        <span class="muted">{`${event.entity} ${event.entity_id}`.replaceAll("_", " ")}</span>
+        <span class="muted nowrap">{`${event.entity} ${event.entity_id}`.replaceAll("_", " ")}</span>
       </td>
       <td class="audit__changes">
         {changes.length > 0 && (

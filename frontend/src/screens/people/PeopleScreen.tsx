@@ -135,7 +135,7 @@ function PersonRow({ person, put, newLink, switchOff }: RowProps) {
         <strong>{person.name}</strong>
         {isMe && <span class="muted"> (you)</span>}
       </td>
-      <td>{person.email}</td>
+      <td class="people__mail">{person.email}</td>
       <td class="people__role">
         <SelectField
           hideLabel
