@@ -20,6 +20,7 @@ class ClickContext:
     name: str
     pose_id: int | None
     calibration_id: int | None
+    size_px: tuple[int | None, int | None]
     insets: Mapping[str, Inset]
 
 
@@ -31,6 +32,8 @@ def of_recording(session: Session, recording_id: int) -> ClickContext:
             recordings.c.name,
             recordings.c.pose_id,
             road_poses.c.calibration_id,
+            recordings.c.width_px,
+            recordings.c.height_px,
             surveys.c.insets,
         )
         .join(surveys, surveys.c.id == recordings.c.survey_id)
@@ -41,4 +44,5 @@ def of_recording(session: Session, recording_id: int) -> ClickContext:
     if row is None:
         raise missing("recording", recording_id)
     insets = {target: Inset(**values) for target, values in row.insets.items()}
-    return ClickContext(recording_id, row.survey_id, row.name, row.pose_id, row.calibration_id, insets)
+    pose, size_px = (row.pose_id, row.calibration_id), (row.width_px, row.height_px)
+    return ClickContext(recording_id, row.survey_id, row.name, *pose, size_px, insets)

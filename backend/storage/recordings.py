@@ -68,6 +68,8 @@ def update(session: Session, recording_id: int, changes: RecordingChanges, *, ac
     for key, table, word in (("camera_id", cameras, "camera"), ("pose_id", road_poses, "road pose")):
         if change.get(key) is not None:
             _same_survey(session, table, cast(int, change[key]), word, before["survey_id"])
+    if change.get("pose_id") is not None:
+        _same_size(session, before, cast(int, change["pose_id"]))
     if change:
         change_row(session, recordings, recording_id, change)
     what = audit.changed(before, change, change)
@@ -153,6 +155,19 @@ def _measured(session: Session, recording_id: int) -> bool:
 def _same_survey(session: Session, table: Any, row_id: int, word: str, survey_id: int) -> None:
     if get_row(session, table, row_id, word)["survey_id"] != survey_id:
         raise BadInput(f"The {word} {row_id} belongs to another survey; choose one of this survey's.")
+
+
+def _same_size(session: Session, recording: Mapping[str, Any], pose_id: int) -> None:
+    """A pose's pixels are those of its camera's pictures: at another size every height would be wrong."""
+    document = get_row(session, road_poses, pose_id, "road pose")["document"]
+    camera = document.get("camera", {})
+    posed = (camera.get("width_px"), camera.get("height_px"))
+    filmed = (recording["width_px"], recording["height_px"])
+    if None not in posed + filmed and posed != filmed:
+        raise BadInput(
+            f"The road pose {pose_id} is for pictures of {posed[0]} x {posed[1]} px and {recording['name']} "
+            f"has {filmed[0]} x {filmed[1]} px; choose a pose made at the recording's size."
+        )
 
 
 def _recordings(session: Session, rows: Sequence[Mapping[str, Any]]) -> tuple[Recording, ...]:

@@ -47,8 +47,8 @@ def road_pose(session: Session, pose_id: int) -> RoadPose:
 def height_at(session: Session, recording_id: int, clicked: Clicked) -> Answer:
     """The height that these clicks would be stored with. Raises Conflict without a road pose."""
     context = click_context.of_recording(session, recording_id)
-    pose_id, _ = pose_in_force(context)
-    return answer(road_pose(session, pose_id), filled_in(clicked, context))
+    pose, _, _ = pose_in_force(session, context)
+    return answer(pose, filled_in(clicked, context))
 
 
 def ruler_at(
@@ -56,9 +56,9 @@ def ruler_at(
 ) -> Ruler:
     """Axes and ladder through a contact click. Raises Conflict without a road pose."""
     context = click_context.of_recording(session, recording_id)
-    pose_id, _ = pose_in_force(context)
+    pose, _, _ = pose_in_force(session, context)
     usual = inset_for(target, context.insets).inset_m
-    return ruler(road_pose(session, pose_id), contact, usual if inset_m is None else inset_m)
+    return ruler(pose, contact, usual if inset_m is None else inset_m)
 
 
 def add(
@@ -85,9 +85,9 @@ def revise(
 def values_at(session: Session, recording_id: int, n: int, clicked: Clicked) -> MeasurementValues:
     """Everything that is stored of a measurement, so that anybody can compute it again."""
     context = click_context.of_recording(session, recording_id)
-    pose_id, calibration_id = pose_in_force(context)
+    pose, pose_id, calibration_id = pose_in_force(session, context)
     clicks = filled_in(clicked, context)
-    found = answer(road_pose(session, pose_id), clicks)
+    found = answer(pose, clicks)
     frame = frames.get(session, recording_id, n)
     return MeasurementValues(
         target=clicks.target,
@@ -136,13 +136,24 @@ def _check_point(word: str, point: Point) -> None:
         raise BadInput(f"The {word} point {point[0]:g}, {point[1]:g} is not in any picture; click again.")
 
 
-def pose_in_force(context: ClickContext) -> tuple[int, int]:
-    """(pose id, calibration id) of the recording. Raises Conflict with what to do where it has none."""
+def pose_in_force(session: Session, context: ClickContext) -> tuple[RoadPose, int, int]:
+    """(pose, pose id, calibration id) of the recording.
+
+    Raises Conflict with what to do where it has none, or one for pictures of another size: then every click
+    would be a wrong number that looks right.
+    """
     if context.pose_id is None or context.calibration_id is None:
         raise Conflict(
             f"{context.name} has no road pose yet; make or choose one on the road pose page first."
         )
-    return context.pose_id, context.calibration_id
+    pose = road_pose(session, context.pose_id)
+    size_px = (pose.camera.width_px, pose.camera.height_px)
+    if None not in context.size_px and context.size_px != size_px:
+        raise Conflict(
+            f"The road pose of {context.name} is for pictures of {size_px[0]} x {size_px[1]} px, not for its "
+            "own size; make or choose another one on the road pose page."
+        )
+    return pose, context.pose_id, context.calibration_id
 
 
 def as_clicked(one: Measurement, contact: Point, point: Point) -> Clicked:

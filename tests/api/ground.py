@@ -1,6 +1,6 @@
 """A recording with a known road pose: a camera 1.5 m above the road, 3 m in front of it, looking across."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 from uuid import uuid4
 
@@ -67,10 +67,11 @@ def store_calibration(services: Services, survey_id: int, camera: Camera) -> tup
     return body.id, made.id
 
 
-def lay_ground(services: Services, survey_id: int, recording_id: int) -> Ground:
-    """Store camera, calibration and pose, in force for the recording."""
-    camera_id, calibration_id = store_calibration(services, survey_id, flat_camera())
-    pose = pose_above_road()
+def add_pose(
+    services: Services, recording_id: int, calibration_id: int, camera: Camera, *, attach: bool = True
+) -> int:
+    """Store the pose above the road, of this camera, by default in force for the recording."""
+    document = pose_to_dict(replace(pose_above_road(), camera=camera))
     with services.writing() as session:
         made = poses.add(
             session,
@@ -81,13 +82,21 @@ def lay_ground(services: Services, survey_id: int, recording_id: int) -> Ground:
             rms_px=0.1,
             distance_m=3.0,
             summary="for tests",
-            document=pose_to_dict(pose),
+            document=document,
             warnings=[],
             expected=[],
             overlay={"grid": [], "iso_heights": [], "axes": None, "corners_px": []},
+            attach=attach,
             actor=None,
         )
-    return Ground(survey_id, recording_id, camera_id, calibration_id, made.id)
+    return made.id
+
+
+def lay_ground(services: Services, survey_id: int, recording_id: int) -> Ground:
+    """Store camera, calibration and pose, in force for the recording."""
+    camera_id, calibration_id = store_calibration(services, survey_id, flat_camera())
+    pose_id = add_pose(services, recording_id, calibration_id, flat_camera())
+    return Ground(survey_id, recording_id, camera_id, calibration_id, pose_id)
 
 
 def add_vehicle(client: Client, recording_id: int, **fields: Any) -> dict[str, Any]:

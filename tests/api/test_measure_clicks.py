@@ -9,8 +9,18 @@ import pytest
 from backend.work import measuring
 from backend.work.measuring import Clicked
 from backend.work.services import Services
-from tests.api.conftest import Client, error_of
-from tests.api.ground import Ground, add_vehicle, clicks, lay_ground, measure, pixel
+from tests.api.conftest import FRAME_HEIGHT, FRAME_WIDTH, Client, error_of
+from tests.api.ground import (
+    FOCAL_PX,
+    Ground,
+    add_pose,
+    add_vehicle,
+    clicks,
+    flat_camera,
+    lay_ground,
+    measure,
+    pixel,
+)
 
 
 @pytest.fixture
@@ -87,6 +97,23 @@ def test_without_a_road_pose_the_way_to_one_is_told(operator: Client, recording_
     assert "road pose" in error_of(answer)
     body = {"contact": [10.0, 200.0]}
     assert operator.post(f"/recordings/{recording_id}/geometry/axes", body).status_code == 409
+
+
+def test_a_pose_for_pictures_of_another_size_gives_no_height(
+    operator: Client, services: Services, ground: Ground, vehicle_id: int
+) -> None:
+    """Its pixels mean something else, so that every height would be wrong and look right."""
+    camera = flat_camera(2 * FRAME_WIDTH, 2 * FRAME_HEIGHT, 2 * FOCAL_PX)
+    other = add_pose(services, ground.recording_id, ground.calibration_id, camera, attach=False)
+    refused = operator.put(f"/recordings/{ground.recording_id}", {"pose_id": other})
+    assert refused.status_code == 422 and "640 x 480" in error_of(refused)
+    # Also where it came in by another way: before the ingest knew the size, say.
+    add_pose(services, ground.recording_id, ground.calibration_id, camera)
+    live = operator.post(f"/recordings/{ground.recording_id}/geometry/height", clicks())
+    body = {"client_key": str(uuid4()), **clicks()}
+    stored = operator.post(f"/vehicles/{vehicle_id}/measurements", body)
+    for answer in (live, stored):
+        assert answer.status_code == 409 and "640 x 480" in error_of(answer)
 
 
 def test_the_same_key_is_stored_once(operator: Client, ground: Ground, vehicle_id: int) -> None:
