@@ -12,7 +12,7 @@ from backend.storage.columns import now
 from backend.storage.measurement_query import fetch, is_current, revisions
 from backend.storage.records import Measurement, MeasurementHistory, MeasurementValues
 from backend.storage.reviews_query import of_series
-from backend.storage.rows import add_row, get_row, missing, stored_hash
+from backend.storage.rows import add_row, get_row, missing, name_of, stored_hash
 from backend.storage.tables import calibrations, road_poses
 from backend.storage.tables_of_work import measurement_series, measurements, vehicles
 
@@ -46,8 +46,10 @@ def add(
 def revise(
     session: Session, series_id: int, *, seen_revision: int, values: MeasurementValues, actor: int | None
 ) -> Measurement:
-    """A new revision with other content. Raises Conflict if `seen_revision` is not the current one."""
+    """A new revision with other content. Raises Conflict for one not current, or withdrawn."""
     before = seen(session, series_id, seen_revision)
+    if before.withdrawn:
+        raise Conflict("This measurement is withdrawn; restore it before you change it.")
     append_revision(session, before, values, withdrawn=False, action="revise", actor=actor)
     return get(session, series_id)
 
@@ -101,8 +103,15 @@ def list_for_survey(
 
 
 def seen(session: Session, series_id: int, revision: int) -> Measurement:
-    """The current revision, if it is the one that the caller saw. Raises Conflict, naming who and when."""
+    """The current revision, if it is the one that the caller saw. Raises Conflict, naming who and when.
+
+    Also for a vehicle that was deleted meanwhile: what is written to it, nobody would see.
+    """
     current = get(session, series_id)
+    vehicle = get_row(session, vehicles, current.vehicle_id, "vehicle")
+    if vehicle["deleted_at"] is not None:
+        name, when = name_of(session, vehicle["updated_by"]), f"{vehicle['updated_at']:%Y-%m-%d %H:%M:%S} UTC"
+        raise Conflict(f"{name} deleted vehicle {vehicle['number']} at {when}; restore it first.")
     if current.revision != revision:
         name = current.created_by.name if current.created_by else "The system"
         raise Conflict(

@@ -34,7 +34,8 @@ def add(
     rejection or the points of a fix.
     """
     before = measurements.seen(session, series_id, seen_revision)
-    _allowed(before, verdict, reason, fixed, actor)
+    _not_own(session, before, actor)
+    _allowed(before, verdict, reason, fixed)
     result_revision = seen_revision
     content: dict[str, Any] = {"series_id": series_id, "revision": seen_revision, "verdict": verdict}
     content["reason"] = (reason or "").strip() or None
@@ -78,15 +79,21 @@ def list_for_survey(session: Session, survey_id: int) -> tuple[Review, ...]:
     return of_series(session, measurement_series.c.survey_id == survey_id)
 
 
+def _not_own(session: Session, before: Measurement, actor: int) -> None:
+    """Nobody reviews points of their own, nor does somebody else's withdrawing and restoring make them so."""
+    points = (before.frame, before.contact, before.point)
+    for one in measurements.history(session, before.id).revisions:
+        own = one.created_by is not None and one.created_by.id == actor
+        if own and (one.revision == before.revision or (one.frame, one.contact, one.point) == points):
+            raise NotAllowed("Nobody reviews their own measurement; ask another reviewer.")
+
+
 def _allowed(
     before: Measurement,
     verdict: ReviewVerdict,
     reason: str | None,
     fixed: MeasurementValues | None,
-    actor: int,
 ) -> None:
-    if before.created_by is not None and before.created_by.id == actor:
-        raise NotAllowed("Nobody reviews their own measurement; ask another reviewer.")
     if before.withdrawn:
         raise Conflict("This measurement is withdrawn; there is nothing to review.")
     if verdict == "rejected" and not (reason or "").strip():

@@ -34,6 +34,35 @@ def test_nobody_reviews_their_own(reviewer: Client, admin: Client, ground: Groun
     assert reviewer.seen(f"/surveys/{ground.survey_id}/review-queue") == []
 
 
+def test_points_stay_ones_own_when_somebody_else_withdraws_and_restores_them(
+    operator: Client, reviewer: Client, admin: Client, vehicle_id: int
+) -> None:
+    own = measure(reviewer, vehicle_id)
+    path = f"/measurements/{own['id']}"
+    assert operator.delete(f"{path}?revision=1").status_code == 200
+    back = operator.post(f"{path}/restore", {"revision": 2}).json()
+    assert back["created_by"]["name"] == "Operator"
+    assert judge(reviewer, back, "accepted").status_code == 403
+    assert judge(admin, back, "accepted").status_code == 201
+
+
+def test_what_was_withdrawn_or_deleted_is_restored_before_it_is_changed(
+    operator: Client, reviewer: Client, vehicle_id: int
+) -> None:
+    made = measure(operator, vehicle_id)
+    points = {name: value for name, value in clicks().items() if name != "target"}
+    assert operator.delete(f"/measurements/{made['id']}?revision=1").status_code == 200
+    changed = operator.put(f"/measurements/{made['id']}", {"revision": 2, **points})
+    assert changed.status_code == 409 and "withdrawn" in error_of(changed)
+    assert operator.post(f"/measurements/{made['id']}/restore", {"revision": 2}).status_code == 200
+    assert operator.delete(f"/vehicles/{vehicle_id}").status_code == 204
+    for answer in (
+        operator.put(f"/measurements/{made['id']}", {"revision": 3, **points}),
+        judge(reviewer, {**made, "revision": 3}, "accepted"),
+    ):
+        assert answer.status_code == 409 and "deleted vehicle" in error_of(answer)
+
+
 def test_a_fix_is_the_reviewers_revision_and_so_not_theirs_to_review(
     operator: Client, reviewer: Client, ground: Ground, vehicle_id: int
 ) -> None:
