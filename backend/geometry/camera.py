@@ -139,7 +139,7 @@ def undistort_xy(camera: Camera, u_px: Floats, v_px: Floats) -> tuple[Floats, Fl
         return xd, yd, np.isfinite(xd) & np.isfinite(yd)
     limit = camera.limit
     index = np.sqrt(xd * xd + yd * yd) * (1.0 / limit.table_step)
-    index = np.minimum(np.nan_to_num(index, nan=0.0, posinf=0.0), len(limit.table_gain) - 1.001)
+    index = np.fmin(index, len(limit.table_gain) - 1.001)  # NaN as well
     low = index.astype(np.intp)
     gain = limit.table_gain[low]
     gain += (index - low) * (limit.table_gain[low + 1] - gain)

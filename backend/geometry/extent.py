@@ -6,7 +6,6 @@ wrong reference row. So each side is asked whether the pattern goes on beyond it
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import map_coordinates
 
 from backend.geometry.arrays import Floats
 
@@ -21,6 +20,8 @@ def _crossing(gray: NDArray[np.uint8], at: Floats, across: Floats, down: Floats)
     The brightness on a ring around a crossing goes dark, light, dark, light: its second harmonic is strong
     and its first vanishes. Where a single square touches a plain margin the first is the stronger one.
     """
+    from scipy.ndimage import map_coordinates  # here, so that a server starts without SciPy
+
     ring = np.cos(_ANGLES)[:, None, None] * across + np.sin(_ANGLES)[:, None, None] * down
     points = at[None] + _RADIUS * ring
     x, y = points[..., 0], points[..., 1]

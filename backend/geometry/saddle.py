@@ -14,7 +14,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import erf
 
 from backend.geometry.arrays import Bools, Floats
 
@@ -110,6 +109,8 @@ def _first_guess(patches: _Patches, right: Floats, down: Floats) -> Floats:
 
 def _model(patches: _Patches, theta: Floats) -> tuple[Floats, Floats]:
     """Grey values (N, P) and their derivatives (N, P, 7)."""
+    from scipy.special import erf  # here, so that a server starts without SciPy
+
     level, contrast, cx, cy, t1, t2, blur = (theta[:, i, None] for i in range(7))
     x, y = patches.x - cx, patches.y - cy
     scale = 1.0 / (_ROOT2 * blur)

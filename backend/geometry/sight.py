@@ -113,7 +113,9 @@ def sight(pose: RoadPose, contacts_px: Floats, targets_px: Floats, inset_m: Floa
     code[~c_ok] = CONTACT_RADIUS
     code[~camera.inside(targets_px)] = TARGET_OUTSIDE
     code[~camera.inside(contacts_px)] = CONTACT_OUTSIDE
-    code[~(np.isfinite(contacts_px).all(axis=1) & np.isfinite(targets_px).all(axis=1))] = NOT_FINITE
+    # a sum is finite only where every part of it is
+    total = contacts_px[:, 0] + contacts_px[:, 1] + targets_px[:, 0] + targets_px[:, 1]
+    code[~np.isfinite(total)] = NOT_FINITE
     return Sight(code, (cx, cy), (tx, ty), s, q, c_z, t_y, plane, height)
 
 
