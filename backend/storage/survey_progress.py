@@ -190,10 +190,13 @@ def _vehicle_words(counts: SurveyCounts) -> str:
 
 
 def _review_words(counts: SurveyCounts) -> str:
-    if counts.rejected:
-        return f"Measure {_number(counts.rejected, 'rejected measurement')} again."
+    open_work = []
     if counts.to_review:
-        return f"Review {_number(counts.to_review, 'measurement')}."
+        open_work.append(f"Review {_number(counts.to_review, 'measurement')}.")
+    if counts.rejected:
+        open_work.append(f"Measure {_number(counts.rejected, 'rejected one')} again.")
+    if open_work:
+        return " ".join(open_work)
     if counts.measurements:
         return f"{_number(counts.accepted, 'measurement')} reviewed."
     return "Nothing to review yet."
