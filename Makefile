@@ -15,6 +15,7 @@ run: setup
 	@exec $(BIN)/sightline demo
 
 setup: .build/python .build/web
+	@$(BIN)/python -m compileall -q backend
 
 .build/tools:
 	@mkdir -p .build

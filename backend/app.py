@@ -1,7 +1,6 @@
 """create_app(): routers, one error handler, the guard, and the built front end."""
 
 import asyncio
-import gc
 import logging
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
@@ -37,9 +36,6 @@ def create_app(settings: Settings | None = None, services: Services | None = Non
     async def lifespan(_app: FastAPI) -> AsyncIterator[None]:
         # Beside the first requests: finishing a large upload takes long, and nobody shall wait for it.
         recovering = asyncio.create_task(asyncio.to_thread(_recover, services))
-        # What the start left behind stays for good: later collections need not walk over it.
-        gc.collect()
-        gc.freeze()
         yield
         await recovering
         if own:

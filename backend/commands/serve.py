@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import asyncio
+import gc
 import signal
 import socket
+from collections.abc import Callable
 from contextlib import ExitStack, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -18,6 +21,8 @@ if TYPE_CHECKING:
 
     from backend.settings import Settings
     from backend.work.services import Services
+
+AFTER_START_S = 0.2
 
 
 @click.command()
@@ -39,6 +44,9 @@ def run(
     """Serve until stopped (SIGINT, SIGTERM). Raises BadInput when the port is taken."""
     settings = settings_of(data_dir=data_dir, host=host, port=port, workers=workers or None)
     with ExitStack() as stack:
+        # What the start makes stays for good: collecting in between finds nothing, and takes its time.
+        gc.disable()
+        stack.callback(gc.enable)
         listener = stack.enter_context(listen(settings.host, settings.port))
         serve_on(listener, settings, stack, own_worker=workers != 0, with_demo=with_demo)
 
@@ -65,7 +73,7 @@ def listen(host: str, port: int) -> socket.socket:
 def serve_on(
     listener: socket.socket, settings: Settings, stack: ExitStack, *, own_worker: bool, with_demo: bool
 ) -> None:
-    """Open everything, start the worker, and answer until stopped."""
+    """Open everything and answer until stopped; the worker starts once the server answers."""
     from backend.app import create_app
     from backend.storage import database
     from backend.work.people import first_sign_in_link
@@ -82,12 +90,16 @@ def serve_on(
     if with_demo:
         request_demonstration(services)
     app = create_app(services=services)
-    if own_worker:
-        # After the app is made: the worker's own start must not take the processor from the server's.
-        child = start_child_worker(settings)
+
+    def answering() -> None:
+        # Later: the worker's own start must not take the processor from the server's.
+        child = start_child_worker(settings) if own_worker else None
         if child is not None:
             stack.callback(child.stop)
-    answer(listener, app, link)
+
+    gc.freeze()
+    gc.enable()
+    answer(listener, app, link, answering)
 
 
 def request_demonstration(services: Services) -> None:
@@ -100,9 +112,20 @@ def request_demonstration(services: Services) -> None:
         click.echo("The demonstration survey is being made; it appears on the home page within a minute.")
 
 
-def answer(listener: socket.socket, app: FastAPI, link: str | None) -> None:
-    """Say where we are and run the web server until it is told to stop."""
+def answer(
+    listener: socket.socket, app: FastAPI, link: str | None, answering: Callable[[], None] | None = None
+) -> None:
+    """Say where we are and run the web server until it is told to stop.
+
+    `answering` is called a moment after requests are taken: whoever waited for the start comes first.
+    """
     import uvicorn
+
+    class Server(uvicorn.Server):
+        async def startup(self, sockets: list[socket.socket] | None = None) -> None:
+            await super().startup(sockets)
+            if answering is not None:
+                asyncio.get_running_loop().call_later(AFTER_START_S, answering)
 
     config = uvicorn.Config(
         app,
@@ -121,4 +144,4 @@ def answer(listener: socket.socket, app: FastAPI, link: str | None) -> None:
     # uvicorn raises the signal that ended it once more: taken as Ctrl+C, so that what we opened is closed.
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     with suppress(KeyboardInterrupt):
-        uvicorn.Server(config).run(sockets=[listener])
+        Server(config).run(sockets=[listener])

@@ -12,7 +12,6 @@ from backend.geometry.calibration import CalibrationResult, calibrate
 from backend.geometry.camera import Camera
 from backend.geometry.corners import Board, Corners, detect
 from backend.geometry.documents import camera_to_dict
-from backend.geometry.imports import camera_from_text
 from backend.storage import calibrations, cameras, recordings
 from backend.storage.records import Calibration, CalibrationImage, Job, JsonObject
 from backend.work import calibration_images, jobs
@@ -241,6 +240,8 @@ def import_calibration(
         raise BadInput(
             f"{file_name} is not a text file; choose a calibration as YAML, JSON or cameramodel."
         ) from error
+    from backend.geometry.imports import camera_from_text  # with its YAML only when it is asked for
+
     camera = camera_from_text(text, file_name)
     warnings = [] if camera.covariance is not None else [NO_COVARIANCE]
     with services.writing() as session:

@@ -1,24 +1,27 @@
 """Accounts at work: signing in with a password or a one-time link, passwords (Argon2), the first admin."""
 
 from functools import cache
+from threading import Lock
+from typing import TYPE_CHECKING
 
 from argon2 import PasswordHasher
 from argon2.exceptions import InvalidHashError, VerifyMismatchError
-from limits import RateLimitItem, parse
-from limits.storage import MemoryStorage
-from limits.strategies import MovingWindowRateLimiter
 
 from backend.errors import BadInput, NotAllowed, NotSignedIn, TooMany
 from backend.storage import people
 from backend.storage.records import Person
 from backend.work.services import Services
 
+if TYPE_CHECKING:
+    from limits import RateLimitItem
+    from limits.strategies import MovingWindowRateLimiter
+
 MIN_PASSWORD = 10
 MAX_PASSWORD = 1000
 FIRST_ADMIN = ("Admin", "admin@sightline.local")
-PER_ACCOUNT = parse("5 per 5 minutes")
+PER_ACCOUNT = "5 per 5 minutes"
 # One address may serve a whole office, so it gets more; not enough to try a list on everybody.
-PER_ADDRESS = parse("50 per 5 minutes")
+PER_ADDRESS = "50 per 5 minutes"
 
 _hasher = PasswordHasher()
 
@@ -33,25 +36,38 @@ class Attempts:
     """Counts failed sign-ins per account and address, and per address alone, in this process."""
 
     def __init__(self) -> None:
-        self._storage = MemoryStorage()
-        self._limiter = MovingWindowRateLimiter(self._storage)
+        self._opening = Lock()
+        self._made: MovingWindowRateLimiter | None = None
 
     def begin(self, email: str, address: str) -> None:
         """Count an attempt before it is tried, so that many at once do not slip through. Raises TooMany."""
+        limiter = self._limiter()
         for limit, key in self._keys(email, address):
-            if not self._limiter.hit(limit, *key):
+            if not limiter.hit(limit, *key):
                 raise TooMany("Too many failed sign-ins; wait five minutes and try again.")
 
     def succeeded(self, email: str, address: str) -> None:
         """Forget the failures of this account from this address."""
         limit, key = self._keys(email, address)[0]
-        self._limiter.clear(limit, *key)
+        self._limiter().clear(limit, *key)
+
+    def _limiter(self) -> "MovingWindowRateLimiter":
+        """Made at the first attempt: a starting server has no use for what it imports."""
+        with self._opening:
+            if self._made is None:
+                from limits.storage import MemoryStorage
+                from limits.strategies import MovingWindowRateLimiter
+
+                self._made = MovingWindowRateLimiter(MemoryStorage())
+            return self._made
 
     @staticmethod
-    def _keys(email: str, address: str) -> list[tuple[RateLimitItem, tuple[str, ...]]]:
+    def _keys(email: str, address: str) -> "list[tuple[RateLimitItem, tuple[str, ...]]]":
+        from limits import parse
+
         return [
-            (PER_ACCOUNT, ("account", email.strip().lower(), address)),
-            (PER_ADDRESS, ("address", address)),
+            (parse(PER_ACCOUNT), ("account", email.strip().lower(), address)),
+            (parse(PER_ADDRESS), ("address", address)),
         ]
 
 

@@ -6,10 +6,11 @@ job: the sweeper of every worker looks for jobs that wait or whose lease ran out
 
 import time
 from collections.abc import Callable
+from pathlib import Path
+from threading import Lock
 from typing import Any
 
-from huey import PostgresHuey, SqliteHuey
-from sqlalchemy import event, make_url
+from sqlalchemy import URL, event, make_url
 from sqlalchemy.orm import Session
 
 from backend.settings import Settings
@@ -20,19 +21,31 @@ INFO_KEY = "job_queue"
 
 
 class JobQueue:
-    """Job ids in, job ids out; made once per process by `open_queue`."""
+    """Job ids in, job ids out; made once per process by `open_queue`, opened when it is first needed."""
 
-    def __init__(self, huey: Any) -> None:
-        self.huey = huey
+    def __init__(self, make: Callable[[], Any]) -> None:
+        self._make = make
+        self._opening = Lock()
+        self._opened: Any = None
+        self._task: Any = None
         self._run: Callable[[int], None] | None = None
-        self._task = huey.task(name="run_job")(self._carry)
+
+    @property
+    def huey(self) -> Any:
+        """The queue itself."""
+        with self._opening:
+            if self._opened is None:
+                opened = _twice(self._make)
+                self._task = opened.task(name="run_job")(self._carry)
+                self._opened = opened
+            return self._opened
 
     def push(self, job_id: int) -> None:
         """Tell the workers about a job; a queue that is away is no error (the sweeper finds the job)."""
         try:
-            self._task(job_id)
+            self.huey.enqueue(self._task.s(job_id))
         except Exception:  # whatever the driver raises: the job table has the job
-            self.huey.storage.close()
+            self.close()
 
     def waiting(self) -> int:
         """How many ids wait to be carried."""
@@ -44,7 +57,8 @@ class JobQueue:
 
     def close(self) -> None:
         """Let go of the connection of this thread."""
-        self.huey.storage.close()
+        if self._opened is not None:
+            self._opened.storage.close()
 
     def _carry(self, job_id: int) -> None:
         if self._run is None:
@@ -56,11 +70,25 @@ def open_queue(settings: Settings) -> JobQueue:
     """SqliteHuey in the data folder, or PostgresHuey in the PostgreSQL database where that is the store."""
     url = make_url(settings.database_url)
     if url.get_backend_name() == "postgresql":
-        dsn = url.set(drivername="postgresql").render_as_string(hide_password=False)
-        return JobQueue(_twice(lambda: PostgresHuey(NAME, dsn=dsn, results=False, utc=True)))
-    settings.data_dir.mkdir(parents=True, exist_ok=True)
-    path = str(settings.data_dir / "queue.db")
-    return JobQueue(_twice(lambda: SqliteHuey(NAME, filename=path, results=False, utc=True, timeout=10)))
+        return JobQueue(lambda: _postgres_huey(url))
+    return JobQueue(lambda: _sqlite_huey(settings.data_dir))
+
+
+# huey (and the psycopg that it brings) is imported when a queue is opened: a starting server needs none.
+
+
+def _postgres_huey(url: URL) -> Any:
+    from huey import PostgresHuey
+
+    dsn = url.set(drivername="postgresql").render_as_string(hide_password=False)
+    return PostgresHuey(NAME, dsn=dsn, results=False, utc=True)
+
+
+def _sqlite_huey(folder: Path) -> Any:
+    from huey import SqliteHuey
+
+    folder.mkdir(parents=True, exist_ok=True)
+    return SqliteHuey(NAME, filename=str(folder / "queue.db"), results=False, utc=True, timeout=10)
 
 
 def attach(factory: SessionFactory, queue: JobQueue) -> None:

@@ -1,5 +1,7 @@
 """The migrations make exactly the tables that the code knows, on an empty database, with one head."""
 
+import subprocess
+import sys
 from typing import Any
 
 import pytest
@@ -11,6 +13,7 @@ from sqlalchemy import CheckConstraint, Engine, inspect, text
 from backend.errors import BadInput
 from backend.storage import database, tables_of_work
 from backend.storage.columns import metadata
+from backend.storage.migrating import alembic_config
 
 
 def ours(_object: Any, name: str | None, kind: str, reflected: bool, _compared: Any) -> bool:
@@ -42,10 +45,22 @@ def test_every_constraint_is_named(engine: Engine) -> None:
         assert len(keys) == len(table.foreign_key_constraints), table.name
 
 
-def test_there_is_one_head_and_names_say_what_is_done(engine: Engine) -> None:
-    scripts = ScriptDirectory.from_config(database.alembic_config(engine))
+def test_there_is_one_head_and_names_say_what_is_done() -> None:
+    scripts = ScriptDirectory.from_config(alembic_config())
     assert len(scripts.get_heads()) == 1
     assert all(script.doc and len(script.revision) > 8 for script in scripts.walk_revisions())
+    # What a start reads off the files must be what Alembic says.
+    assert scripts.get_heads() == [database.newest_revision()]
+
+
+def test_nothing_to_migrate_needs_no_alembic(engine: Engine) -> None:
+    """Its import would be half of a start."""
+    url = engine.url.render_as_string(hide_password=False)
+    program = (
+        "import sys; from backend.storage import database as d; "
+        f"d.migrate(d.make_engine({url!r})); sys.exit('alembic' in sys.modules)"
+    )
+    assert subprocess.run([sys.executable, "-c", program], check=False).returncode == 0
 
 
 def test_migrating_again_changes_nothing(engine: Engine) -> None:
