@@ -91,7 +91,10 @@ lock:
 	@$(PIP) install uv
 	@$(UV) --extra setup pyproject.toml -o requirements.lock
 	@$(UV) --extra setup --extra dev -c requirements.lock pyproject.toml -o requirements-dev.lock
-	@$(NPM) install --package-lock-only --omit-lockfile-registry-resolved
+	@rm -f frontend/package-lock.json # made over an installed tree, it would list this platform's packages only
+	@folder=$$(mktemp -d) && cp frontend/package.json frontend/.npmrc $$folder && \
+	  npm --prefix $$folder install --package-lock-only --omit-lockfile-registry-resolved && \
+	  cp $$folder/package-lock.json frontend/
 
 clean:
 	rm -rf .venv .build frontend/node_modules frontend/dist
