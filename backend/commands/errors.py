@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import io
 import json
 import math
 from pathlib import Path
@@ -46,7 +47,7 @@ def read_heights(path: Path) -> tuple[list[float], list[float], list[str], int]:
         raise BadInput(
             f"{path} cannot be read as CSV text; give a heights.csv of sightline height."
         ) from error
-    rows = csv.DictReader(text.splitlines())
+    rows = csv.DictReader(io.StringIO(text, newline=""))
     missing = [name for name in NEEDED if name not in (rows.fieldnames or ())]
     if missing:
         raise BadInput(

@@ -7,6 +7,8 @@ from pathlib import Path
 from typing import Any
 
 import click
+import numpy as np
+from click.core import ParameterSource
 
 from backend.commands.files import read_json, read_text, write_json, write_whole
 from backend.errors import BadInput
@@ -229,13 +231,16 @@ def height(
     if clicks is not None:
         if contact is not None or target is not None:
             raise BadInput("Give either --contact and --target or --clicks, not both.")
+        _refuse_ignored(("sigma", "inset", "u_inset"), "the CSV's columns sigma_px, inset_m, u_inset_m")
         _many(solved, clicks, output, as_json)
         return
+    _refuse_ignored(("output",), "--json and a redirection, or --clicks with a CSV file")
     if contact is None or target is None:
         raise BadInput("Give --contact X,Y and --target X,Y, or --clicks with a CSV file.")
-    if not sigma >= 0 or not u_inset >= 0 or inset != inset:
+    if not np.isfinite((sigma, inset, u_inset)).all() or sigma < 0 or u_inset < 0:
         raise BadInput(
-            "--sigma, --inset and --u-inset must be numbers; --sigma and --u-inset are not negative."
+            "--sigma, --inset and --u-inset must be finite numbers, --sigma and --u-inset not negative; "
+            "correct them."
         )
     measured = measure_height(
         solved, parse_point(contact, "--contact"), parse_point(target, "--target"), sigma, inset, u_inset
@@ -246,6 +251,14 @@ def height(
         click.echo(f"not measurable: {measured.reason}")
     else:
         click.echo(f"{measured.height_m:.3f} m +- {measured.U95_height_m:.3f} m (95 %)")
+
+
+def _refuse_ignored(names: tuple[str, ...], instead: str) -> None:
+    """Raise BadInput for an option without effect: no number may rest on other inputs than those given."""
+    context = click.get_current_context()
+    for name in names:
+        if context.get_parameter_source(name) is ParameterSource.COMMANDLINE:
+            raise BadInput(f"--{name.replace('_', '-')} has no effect here; use {instead} instead.")
 
 
 def _many(solved: RoadPose, clicks: Path, output: Path | None, as_json: bool) -> None:

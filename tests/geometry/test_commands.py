@@ -146,6 +146,22 @@ def test_many_clicks(tmp_path, pose_file, capsys) -> None:
     ]  # fmt: skip
 
 
+@pytest.mark.parametrize("option", ["--sigma", "--inset", "--u-inset"])
+def test_options_that_a_table_would_ignore_are_refused(tmp_path, pose_file, option, capsys) -> None:
+    table, out = tmp_path / "clicks.csv", tmp_path / "heights.csv"
+    table.write_text(HEADER + "\n")
+    assert run("height", "--pose", pose_file, "--clicks", table, option, "0.45", "-o", out) == 2
+    assert option in capsys.readouterr().err and not out.exists()
+
+
+def test_one_height_writes_no_file_and_takes_no_infinite_inset(tmp_path, pose_file, capsys) -> None:
+    pair = ("height", "--pose", pose_file, "--contact", "1,2", "--target", "3,4")
+    assert run(*pair, "-o", tmp_path / "out.csv") == 2
+    assert "--output has no effect" in capsys.readouterr().err
+    assert run(*pair, "--inset", "inf") == 2
+    assert "finite" in capsys.readouterr().err
+
+
 def test_two_frames_solve_the_inset(tmp_path, pose_file) -> None:
     header = HEADER + ",contact2_x_px,contact2_y_px,target2_x_px,target2_y_px"
     both = line("1", np.concatenate([clicks(), clicks(1.2)]))

@@ -81,6 +81,13 @@ def heights_csv(folder: Path, text: str) -> Path:
     return path
 
 
+def test_a_cell_with_an_unusual_line_break_is_still_one_cell(tmp_path: Path) -> None:
+    path = tmp_path / "heights.csv"
+    path.write_text("id,height_m,reference_height_m,status\na\u2028b,1.02,1.00,ok\n", encoding="utf-8")
+    said = CliRunner().invoke(errors, [str(path), "--json"])
+    assert json.loads(said.output)["groups"]["overall"]["n"] == 1
+
+
 def test_command_prints_the_contract(tmp_path: Path) -> None:
     lines = ["id,lighting,reference_height_m,height_m,status"]
     lines += [f"{i},daytime,1.5,{1.5 + 0.01 * (i % 3)},ok" for i in range(12)]
