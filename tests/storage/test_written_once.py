@@ -39,6 +39,20 @@ def test_the_database_refuses(filled: database.SessionFactory, table: str, state
         assert audit.verify(session).ok
 
 
+@pytest.mark.parametrize("table", WRITTEN_ONCE)
+def test_a_row_is_not_replaced_by_an_insert_either(filled: database.SessionFactory, table: str) -> None:
+    """SQLite's INSERT OR REPLACE takes the old row away without a DELETE that a trigger would see."""
+    engine = database.engine_of(filled)
+    if engine.dialect.name == "postgresql":
+        statement = (
+            f"INSERT INTO {table} SELECT * FROM {table} ON CONFLICT (id) DO UPDATE SET id = EXCLUDED.id"
+        )
+    else:
+        statement = f"INSERT OR REPLACE INTO {table} SELECT * FROM {table}"
+    with pytest.raises(DBAPIError, match="written once"), engine.begin() as connection:
+        connection.execute(text(statement))
+
+
 def _tamper(engine: Engine, *statements: str) -> None:
     """Change rows as somebody with the owner's rights over the database would."""
     with engine.begin() as connection:
