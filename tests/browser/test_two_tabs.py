@@ -1,0 +1,187 @@
+"""Two people at one vehicle, and a connection that comes and goes: nobody's work is lost or stored twice."""
+
+import re
+import time
+from collections.abc import Iterator
+
+import pytest
+from playwright.sync_api import Browser, BrowserContext, Locator, Page, Route, expect
+
+from .night import Untouched, at, stored, until, untouched
+from .server import Server
+
+
+@pytest.fixture
+def one(page: Page, demonstration: Server) -> Untouched:
+    return untouched(page, demonstration)
+
+
+@pytest.fixture
+def colleague(page: Page, browser: Browser, demonstration: Server, one: Untouched) -> Iterator[Page]:
+    """Another operator on another machine, with the same vehicle open."""
+    made = page.request.post(
+        "/api/people",
+        headers={"X-Sightline": "1"},
+        data={"name": "Olga Operator", "email": f"olga{time.time_ns()}@example.org", "role": "operator"},
+    )
+    assert made.ok, made.text()
+    context = browser.new_context(base_url=demonstration.url, viewport={"width": 1440, "height": 900})
+    theirs = context.new_page()
+    theirs.goto(made.json()["link"])
+    theirs.wait_for_url(lambda url: "sign-in" not in url)
+    opened(theirs, one)
+    yield theirs
+    context.close()
+
+
+def opened(page: Page, one: Untouched) -> Page:
+    page.goto(one.address)
+    expect(page.get_by_test_id(f"pass-{one.vehicle['number']}")).to_have_attribute("aria-current", "true")
+    expect(page.get_by_label("Year")).to_be_visible()
+    page.wait_for_function("window.__sightline?.imageToScreen(0, 0)")
+    return page
+
+
+def commit(field: Locator, text: str) -> None:
+    """Types into a field and waits until the server has answered."""
+    with field.page.expect_response(lambda answer: answer.request.method == "PUT" and answer.ok):
+        field.fill(text)
+        field.press("Enter")
+
+
+def record(page: Page, one: Untouched) -> dict[str, object]:
+    vehicle: dict[str, object] = page.request.get(f"/api/vehicles/{one.vehicle['id']}").json()
+    return vehicle
+
+
+def test_the_second_is_told_who_and_when_and_nothing_is_lost(
+    page: Page, colleague: Page, one: Untouched
+) -> None:
+    opened(page, one)
+    page.get_by_label("Year").fill("2021")  # begun here, not yet told to the server
+
+    commit(colleague.get_by_label("Source of the height"), "sales brochure")
+    commit(colleague.get_by_label("Year"), "2018")
+
+    page.get_by_label("Year").press("Enter")
+    told = page.get_by_test_id("vehicle-conflict")
+    expect(told).to_contain_text("Olga Operator")
+    expect(told).to_contain_text(re.compile(r"\d\d:\d\d"))
+    expect(told).to_contain_text("mine: 2021")
+    expect(told).to_contain_text("theirs: 2018")
+    assert record(page, one)["year"] == 2018  # nothing was overwritten without a choice
+
+    told.get_by_text("mine: 2021").click()
+    told.get_by_role("button", name="Save this").click()
+    expect(told).to_have_count(0)
+    expect(page.get_by_label("Source of the height")).to_have_value("sales brochure")
+    now = record(page, one)
+    assert (now["year"], now["height_source"]) == (2021, "sales brochure")
+
+
+def test_changes_to_different_fields_are_both_kept(page: Page, colleague: Page, one: Untouched) -> None:
+    opened(page, one)
+    page.get_by_label("Notes").fill("roof box")
+    commit(colleague.get_by_label("Year"), "2017")
+    page.get_by_label("Notes").blur()
+    expect(page.get_by_text(re.compile("Olga Operator.*both are kept"))).to_be_visible()
+    expect(page.get_by_label("Year")).to_have_value("2017")
+    expect(page.get_by_test_id("save-state")).to_contain_text(re.compile(r"saved \d"))
+    now = record(page, one)
+    assert (now["year"], now["notes"]) == (2017, "roof box")
+
+
+def test_two_tabs_of_one_person_see_each_other(context: BrowserContext, page: Page, one: Untouched) -> None:
+    opened(page, one)
+    other = opened(context.new_page(), one)
+    expect(page.get_by_text("This vehicle is open in another tab too")).to_be_visible()
+    click_roof(other, one)
+    expect(other.get_by_test_id("measurement-row-roof")).to_have_attribute("data-state", "saved")
+    row = page.get_by_test_id("measurement-row-roof")
+    expect(row).to_have_attribute("data-state", "saved")
+    expect(row).to_contain_text("±")
+
+
+def click(page: Page, one: Untouched, name: str) -> None:
+    x, y = at(page, one.pixels[name])
+    page.mouse.move(x, y)
+    page.mouse.click(x, y)
+
+
+def click_roof(page: Page, one: Untouched) -> None:
+    page.get_by_test_id("target-roof").click()
+    click(page, one, "contact_rear")
+    expect(page.get_by_test_id("axes")).to_be_visible()
+    click(page, one, "roof")
+
+
+def revisions(page: Page, one: Untouched) -> list[tuple[str, int]]:
+    """(target, revision) of everything the server has of the vehicle, withdrawn or not."""
+    vehicle = page.request.get(f"/api/vehicles/{one.vehicle['id']}").json()
+    return [(m["target"], m["revision"]) for m in vehicle["measurements"]]
+
+
+def test_a_click_without_a_connection_is_stored_once_it_is_back(
+    context: BrowserContext, page: Page, one: Untouched
+) -> None:
+    opened(page, one)
+    page.get_by_test_id("target-roof").click()
+    click(page, one, "contact_rear")
+    expect(page.get_by_test_id("axes")).to_be_visible()
+    context.set_offline(True)
+    click(page, one, "roof")
+    row = page.get_by_test_id("measurement-row-roof")
+    expect(row).to_have_attribute("data-state", "saving")
+    expect(page.get_by_text("not yet saved…")).to_be_visible()
+    expect(page.get_by_test_id("save-state")).to_contain_text("1 not yet saved")
+    expect(page.get_by_text("The server cannot be reached")).to_be_visible()
+    click(page, one, "driver_eye")
+    expect(page.get_by_test_id("save-state")).to_contain_text("2 not yet saved")
+
+    context.set_offline(False)
+    for name in ("roof", "driver_eye"):
+        expect(page.get_by_test_id(f"measurement-row-{name}")).to_have_attribute(
+            "data-state", "saved", timeout=15_000
+        )
+    expect(page.get_by_text("The server cannot be reached")).to_have_count(0)
+    assert sorted(revisions(page, one)) == [("driver_eye", 1), ("roof", 1)]
+
+
+def test_a_lost_answer_does_not_store_twice(page: Page, one: Untouched) -> None:
+    opened(page, one)
+    lost: list[int] = []
+
+    def lose_the_answer(route: Route) -> None:
+        """The server hears the first request; the page never hears the answer."""
+        if route.request.method == "POST" and not lost:
+            lost.append(route.fetch().status)
+            route.abort("connectionreset")
+        else:
+            route.continue_()
+
+    page.route(re.compile(r"/api/vehicles/\d+/measurements$"), lose_the_answer)
+    click_roof(page, one)
+    row = page.get_by_test_id("measurement-row-roof")
+    expect(row).to_have_attribute("data-state", "saved", timeout=15_000)
+    assert lost and lost[0] < 300
+    assert revisions(page, one) == [("roof", 1)]
+
+
+def test_a_click_not_yet_stored_survives_a_reload(page: Page, one: Untouched) -> None:
+    opened(page, one)
+    page.on("dialog", lambda dialog: dialog.accept())
+    pattern = re.compile(r"/api/vehicles/\d+/measurements$")
+    page.route(pattern, lambda route: route.abort("connectionrefused"))
+    click_roof(page, one)
+    expect(page.get_by_test_id("save-state")).to_contain_text("1 not yet saved")
+    assert revisions(page, one) == []
+    page.unroute(pattern)
+    opened(page, one)
+    until(page, one.vehicle["id"], lambda have: set(have) == {"roof"})
+    expect(page.get_by_test_id("measurement-row-roof")).to_have_attribute("data-state", "saved")
+    wanted = one.pixels["roof"]
+    assert (
+        max(abs(a - b) for a, b in zip(stored(page, one.vehicle["id"])["roof"]["point"], wanted, strict=True))
+        < 1
+    )
+    assert revisions(page, one) == [("roof", 1)]
