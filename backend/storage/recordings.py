@@ -133,6 +133,12 @@ def media_in_use(session: Session, media_key: str) -> bool:
     return session.execute(query).first() is not None
 
 
+def content_in_use(session: Session, sha256: str) -> bool:
+    """Whether a recording that was not deleted has this content, under whatever file name."""
+    query = select(recordings.c.id).where(recordings.c.sha256 == sha256, _ALIVE).limit(1)
+    return session.execute(query).first() is not None
+
+
 def _state(
     session: Session, recording_id: int, state: str, error: str | None, action: str, actor: int | None
 ) -> Recording:

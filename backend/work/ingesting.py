@@ -202,9 +202,12 @@ def remove_recording(services: Services, recording_id: int, actor: int) -> None:
         if recording.job and recording.job.kind == KIND and recording.job.state in ("queued", "running"):
             raise Conflict(f"{recording.name} is being ingested; cancel that first.")
         recordings.remove(session, recording_id, actor=actor)
-        in_use = recordings.media_in_use(session, recording.media_key)
     services.stills.forget(recording_id)
-    if not in_use:
-        copy = recording.report.get("working_copy")
-        for key in (recording.media_key, thumbnails_key(recording), *([str(copy)] if copy else [])):
-            services.media.delete(key)
+    # Nobody can record the same content while the lock is held; what was recorded since then keeps it.
+    with services.writing() as session:
+        if not recordings.media_in_use(session, recording.media_key):
+            services.media.delete(recording.media_key)
+        if not recordings.content_in_use(session, recording.sha256):
+            copy = recording.report.get("working_copy")
+            for key in (thumbnails_key(recording), *([str(copy)] if copy else [])):
+                services.media.delete(key)

@@ -98,6 +98,9 @@ def complete(services: Services, upload_id: int) -> Recording:
         if done is None:
             raise
         recording = done
+    if not services.media.exists(key):
+        # The last recording of the same content was deleted between the two steps above, with its file.
+        services.media.put_file(key, whole.path, link=True)
     parts.discard(folder(services), part_name(upload_id))
     return recording
 

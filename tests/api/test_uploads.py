@@ -13,6 +13,7 @@ from backend.media import uploads as parts
 from backend.settings import Settings
 from backend.storage.records import Job
 from backend.work import uploading
+from backend.work.ingesting import remove_recording
 from backend.work.services import Services, open_services
 from tests.api.conftest import TUS, Client, announce, error_of, send, upload
 
@@ -127,6 +128,42 @@ def test_the_same_video_twice_is_stored_once(
     assert operator.delete(f"/recordings/{second}").status_code == 204
     assert not stored[0].exists()
     assert operator.get(f"/recordings/{second}/frames/3.jpg").status_code == 404
+
+
+def test_a_twin_deleted_while_an_upload_ends_does_not_take_its_file_along(
+    operator: Client,
+    survey_id: int,
+    clip: Path,
+    services: Services,
+    work: Work,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    first = upload(operator, survey_id, clip)
+    work()
+    put_file, deleted = media_store.LocalStore.put_file, []
+
+    def then_deleted(store: media_store.LocalStore, key: str, path: Path, *, link: bool = False) -> None:
+        put_file(store, key, path, link=link)
+        if not deleted:
+            deleted.append(first)
+            remove_recording(services, first, None)
+
+    monkeypatch.setattr(media_store.LocalStore, "put_file", then_deleted)
+    second = upload(operator, survey_id, clip)
+    assert deleted == [first]
+    assert [job.state for job in work()] == ["done"]
+    assert operator.get(f"/recordings/{second}/frames/3.jpg").status_code == 200
+
+
+def test_what_two_names_of_one_video_share_stays_until_both_are_deleted(
+    operator: Client, survey_id: int, clip: Path, work: Work
+) -> None:
+    one, other = (upload(operator, survey_id, clip, name) for name in ("a.mp4", "a.mov"))
+    work()
+    assert operator.delete(f"/recordings/{one}").status_code == 204
+    assert operator.get(f"/recordings/{other}/frames/3.jpg").status_code == 200
+    thumb = operator.seen(f"/recordings/{other}")["thumbs"][0]["url"]
+    assert operator.http.get(thumb).status_code == 200
 
 
 def test_a_full_disk_is_told_before_a_byte_is_sent(
