@@ -131,10 +131,13 @@ def session_factory(engine: Engine) -> SessionFactory:
 
 @contextmanager
 def reading(factory: SessionFactory) -> Iterator[Session]:
-    """A session that only reads; whatever it did is rolled back at the end."""
+    """A session that only reads one state of the database; whatever it did is rolled back at the end."""
     session = factory()
     try:
         with explained():
+            if engine_of(factory).dialect.name == "postgresql":
+                # SQLite's transactions see one state anyway; here each statement would see another one.
+                session.connection(execution_options={"isolation_level": "REPEATABLE READ"})
             yield session
     finally:
         session.rollback()

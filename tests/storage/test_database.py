@@ -44,6 +44,17 @@ def test_reading_goes_on_while_somebody_writes(factory: database.SessionFactory)
         assert [one.name for one in surveys.list_all(other)] == ["seen later"]
 
 
+def test_reading_sees_one_state_to_its_end(factory: database.SessionFactory) -> None:
+    """An export is many queries: what is stored between two of them must be in none or in all."""
+    with database.reading(factory) as session:
+        before = surveys.list_all(session)
+        with database.writing(factory) as other:
+            surveys.create(other, name="Meanwhile", actor=None)
+        assert surveys.list_all(session) == before
+    with database.reading(factory) as session:
+        assert len(surveys.list_all(session)) == len(before) + 1
+
+
 def test_what_reading_changed_is_rolled_back(factory: database.SessionFactory) -> None:
     with database.reading(factory) as session:
         surveys.create(session, name="never", actor=None)
