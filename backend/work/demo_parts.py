@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import closing
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import islice
 from pathlib import Path
+from threading import Event, Lock
 from typing import Any
 
 from backend.demonstration import (
@@ -22,8 +25,9 @@ from backend.demonstration import (
     truth_document,
 )
 from backend.geometry.calibration import CalibrationResult, calibrate
-from backend.geometry.corners import Board, Corners, Gray, detect
+from backend.geometry.corners import Board, Gray, detect
 from backend.geometry.road_pose import Reference
+from backend.media.cancelling import check_cancelled
 from backend.media.decode import frames_of
 from backend.media.images import png, read_image
 from backend.media.ingest import Ingested, ingest
@@ -33,11 +37,11 @@ from backend.work.calibrating import Seen
 from backend.work.demo_rendering import SCENES, Image, rendered, scene_named
 from backend.work.ingesting import pack_thumbnails, thumbnails_key_of
 from backend.work.packaging import json_bytes
-from backend.work.posing import Solved, frames_to_try, solve
+from backend.work.posing import BoardSeen, Solved, frames_to_try, look, solve
 from backend.work.services import Services
 
 FILES = {"day": "daytime.mp4", "low_light": "low-light.mp4"}
-RENDERING, READING = 0.80, 0.90
+READ = 0.95
 LAB_BOARD = Board(LAB_COLUMNS, LAB_ROWS, LAB_SQUARE_M)
 
 Progress = Callable[[float, str], None]
@@ -53,7 +57,7 @@ class Video:
     sha256: str
     size_bytes: int
     found: Ingested
-    still: tuple[Corners, ...]
+    still: BoardSeen
     truth: tuple[PassTruth, ...]
 
 
@@ -75,12 +79,25 @@ class Parts:
     poses: tuple[Solved, ...]
 
 
-def make_parts(
-    services: Services,
-    progress: Progress,
-    is_cancelled: Callable[[], bool],
-    scenes: Sequence[str] = SCENES,
-) -> Parts:
+@dataclass(eq=False)
+class _Drawing:
+    """What the threads that draw share: how far they are, and whether to stop."""
+
+    total: int
+    drawn: int = 0
+    stop: Event = field(default_factory=Event)
+    _counting: Lock = field(default_factory=Lock)
+
+    def counted(self, frames: Iterator[Image]) -> Iterator[Image]:
+        """The frames, counted. Raises IngestCancelled when it is to stop."""
+        for frame in frames:
+            check_cancelled(self.stop.is_set)
+            with self._counting:
+                self.drawn += 1
+            yield frame
+
+
+def make_parts(services: Services, progress: Progress, scenes: Sequence[str] = SCENES) -> Parts:
     """Render, encode, ingest, calibrate and pose; files of an earlier, interrupted try are thrown away.
 
     Everything slow is done here, so that the transaction that stores the survey is short.
@@ -89,43 +106,63 @@ def make_parts(
     shutil.rmtree(scratch, ignore_errors=True)
     scratch.mkdir(parents=True)
     try:
-        paths = render_videos(scratch, progress, scenes)
-        videos = tuple(
-            _read(services, name, path, scratch, progress, is_cancelled) for name, path in paths.items()
-        )
+        videos, (lab, calibration) = _side_by_side(services, scratch, progress, scenes)
     finally:
         shutil.rmtree(scratch, ignore_errors=True)
-    progress(READING, "Calibrating the demonstration's lens.")
-    lab = tuple(_lab_picture(services, index) for index in range(LAB_COUNT))
-    calibration = calibrate(
-        [(one.seen.name, one.seen.corners, one.seen.size) for one in lab], LAB_BOARD, "brown"
-    )
     progress(0.96, "Solving for the demonstration's road poses.")
     poses = tuple(_pose(video, calibration) for video in videos)
     return Parts(videos, lab, calibration, poses)
 
 
-def render_videos(folder: Path, progress: Progress, scenes: Sequence[str]) -> dict[str, Path]:
-    """The videos as files, by what the scenes were asked for as."""
-    total = sum(scene_named(name).frames for name in scenes)
-    done = 0
+def _side_by_side(
+    services: Services, scratch: Path, progress: Progress, scenes: Sequence[str]
+) -> tuple[tuple[Video, ...], tuple[tuple[LabPicture, ...], CalibrationResult]]:
+    """A thread for each video, and the lens for the one that ends first: no core waits for another.
 
-    def told(frames: Iterator[Image], name: str) -> Iterator[Image]:
-        nonlocal done
-        for frame in frames:
-            yield frame
-            done += 1
-            if done % 10 == 0:
-                progress(
-                    RENDERING * done / total, f"Drawing {file_of(name)}: frame {done} of {total} in all."
-                )
+    The shorter video is read while the longer one is still drawn, and each scene's road and vehicles are
+    painted by as few processes as there are cores for.
+    """
+    drawing = _Drawing(sum(scene_named(name).frames for name in scenes))
+    with ThreadPoolExecutor(len(scenes), "demonstration") as pool:
+        try:
+            videos = [pool.submit(_video, services, name, scratch, drawing, len(scenes)) for name in scenes]
+            lens = pool.submit(_lens, services)
+            _watch([*videos, lens], drawing, progress)
+        except BaseException:
+            drawing.stop.set()
+            lens.cancel()
+            raise
+    return tuple(video.result() for video in videos), lens.result()
 
-    paths = {}
-    for name in scenes:
-        paths[name] = folder / file_of(name)
-        with closing(rendered(name)) as frames:
-            write_mp4(paths[name], told(frames, name), scene_named(name).fps)
-    return paths
+
+def _watch(futures: "Sequence[Future[Any]]", drawing: _Drawing, progress: Progress) -> None:
+    """Tell how far it is until all are done. Raises what one of them raised, or what `progress` does."""
+    waiting = set(futures)
+    while waiting:
+        done, waiting = wait(waiting, timeout=0.5, return_when=FIRST_COMPLETED)
+        for one in done:
+            one.result()
+        if drawing.drawn < drawing.total:
+            told = f"Drawing the videos: frame {drawing.drawn} of {drawing.total}."
+        else:
+            told = "Reading the videos."
+        progress(READ * drawing.drawn / drawing.total, told)
+
+
+def _video(services: Services, name: str, scratch: Path, drawing: _Drawing, side_by_side: int) -> Video:
+    """Draw a scene, encode it, and read it as an upload would be."""
+    path = scratch / file_of(name)
+    cores = max(1, (os.cpu_count() or 1) // side_by_side)
+    with closing(rendered(name, cores)) as frames:
+        write_mp4(path, drawing.counted(frames), scene_named(name).fps)
+    return _read(services, name, path, scratch, drawing.stop.is_set)
+
+
+def _lens(services: Services) -> tuple[tuple[LabPicture, ...], CalibrationResult]:
+    """The lab pictures and the calibration from them."""
+    lab = tuple(_lab_picture(services, index) for index in range(LAB_COUNT))
+    seen = [(one.seen.name, one.seen.corners, one.seen.size) for one in lab]
+    return lab, calibrate(seen, LAB_BOARD, "brown")
 
 
 def file_of(name: str) -> str:
@@ -138,12 +175,10 @@ def _read(
     name: str,
     path: Path,
     scratch: Path,
-    progress: Progress,
     is_cancelled: Callable[[], bool],
 ) -> Video:
     """Ingest a video and put it, with its thumbnails, into the media store."""
     scene = scene_named(name)
-    progress(RENDERING, f"Reading {path.name}.")
     thumbs = scratch / f"thumbs-{scene.name}"
     found = ingest(path, lambda _: None, is_cancelled, thumbs, work_dir=scratch, name=path.name)
     sha256 = sha256_of(path)
@@ -154,12 +189,12 @@ def _read(
     return Video(scene, path.name, key, sha256, path.stat().st_size, found, still, truth(scene))
 
 
-def board_corners(path: Path, scene: Scene) -> tuple[Corners, ...]:
+def board_corners(path: Path, scene: Scene) -> BoardSeen:
     """The board as our own detector sees it in the decoded video, in some of its frames."""
     wanted = set(frames_to_try(0, scene.board_frames - 1))
     board = Board(scene.board.columns, scene.board.rows, scene.board.square_m)
     pictures: Iterator[tuple[int, int, Gray]] = islice(frames_of(path), scene.board_frames)
-    return tuple(detect(gray, board) for n, _pts, gray in pictures if n in wanted)
+    return look((gray for n, _pts, gray in pictures if n in wanted), board)
 
 
 def _lab_picture(services: Services, index: int) -> LabPicture:

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from backend.errors import BadInput
+from backend.geometry.arrays import Floats
 from backend.geometry.camera import Camera, project
 from backend.geometry.corners import Board, Corners, Gray, detect
 from backend.geometry.documents import pose_to_dict
 from backend.geometry.height import COVERAGE_95
+from backend.geometry.mean_picture import MeanPicture
 from backend.geometry.pose import expected_u, pose_from_corners
 from backend.geometry.road import axes_at_contact, iso_heights, road_grid
 from backend.geometry.road_pose import Reference, RoadPose
@@ -39,6 +41,25 @@ class BoardView:
     corners_px: list[list[float]]
     outline_px: list[list[float]]
     order_note: str
+
+
+@dataclass(frozen=True, eq=False)
+class BoardSeen:
+    """The board in frames of a span: its corners in each, and the mean picture of the still ones."""
+
+    corners: tuple[Corners, ...]
+    mean_picture: Floats | None
+
+
+def look(pictures: Iterable[Gray], board: Board) -> BoardSeen:
+    """Detect the board in grey pictures in time order; where it is not found, the reason stays."""
+    mean, found = MeanPicture(), []
+    for gray in pictures:
+        corners = detect(gray, board)
+        found.append(corners)
+        if corners.found:
+            mean.add(gray, corners)
+    return BoardSeen(tuple(found), mean.result())
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,32 +100,32 @@ def frames_to_try(first: int, last: int, most: int = MOST_FRAMES) -> list[int]:
     return sorted({round(float(n)) for n in np.linspace(first, last, count)})
 
 
-def corners_in_span(
+def board_in_span(
     gray_of: Callable[[int], Gray], first: int, last: int, board: Board, progress: Progress
-) -> list[Corners]:
-    """Detect the board in frames of the span. Raises BadInput, saying why, where no frame shows it."""
+) -> BoardSeen:
+    """The board in frames of the span. Raises BadInput, saying why, where no frame shows it."""
     wanted = frames_to_try(first, last)
-    found: list[Corners] = []
-    reasons: Counter[str] = Counter()
-    for index, n in enumerate(wanted):
-        progress(0.05 + 0.75 * index / len(wanted), f"Looking for the board in frame {n}.")
-        corners = detect(gray_of(n), board)
-        if corners.found:
-            found.append(corners)
-        else:
-            reasons[corners.reason or "the board was not found"] += 1
-    if not found:
+
+    def pictures() -> Iterator[Gray]:
+        for index, n in enumerate(wanted):
+            progress(0.05 + 0.75 * index / len(wanted), f"Looking for the board in frame {n}.")
+            yield gray_of(n)
+
+    seen = look(pictures(), board)
+    if not any(corners.found for corners in seen.corners):
+        reasons = Counter(corners.reason or "the board was not found" for corners in seen.corners)
         reason = reasons.most_common(1)[0][0].rstrip(".")
         raise BadInput(f"No frame from {first} to {last} shows the board: {reason[:1].lower()}{reason[1:]}.")
-    return found
+    return seen
 
 
-def solve(camera: Camera, found: Sequence[Corners], board: Board, reference: Reference) -> Solved:
-    """The road pose from detected corners, with its verdict and drawing.
+def solve(camera: Camera, seen: BoardSeen, board: Board, reference: Reference) -> Solved:
+    """The road pose from the board as seen, with its verdict and drawing.
 
     Raises BadInput with the reason (board or camera moved, board seen edge-on, height that cannot be).
     """
-    pose = pose_from_corners(camera, list(found), board, reference)
+    found = [corners for corners in seen.corners if corners.found]
+    pose = pose_from_corners(camera, list(seen.corners), board, reference, seen.mean_picture)
     expected = [_expected(*at) for at in expected_u(pose, EXPECTED_AT_M)]
     distance_m = None if pose.board is None else pose.board.distance_m
     return Solved(

@@ -16,7 +16,7 @@ from backend.geometry.road_pose import Reference
 from backend.storage import calibrations, poses, recordings
 from backend.storage.records import Job, Recording
 from backend.work import jobs
-from backend.work.posing import BoardView, Solved, board_view, check_fits, corners_in_span, solve
+from backend.work.posing import BoardView, Solved, board_in_span, board_view, check_fits, solve
 from backend.work.services import Services, open_services
 
 KIND = "pose"
@@ -98,7 +98,7 @@ def solve_pose(context: jobs.JobContext) -> jobs.Outcome:
         with services.reading() as session:
             recording = recordings.get(session, wanted.recording_id)
             camera = fitting_camera(session, recording, wanted.calibration_id)
-        found = corners_in_span(
+        seen = board_in_span(
             lambda n: services.stills.gray(wanted.recording_id, n),
             wanted.first_frame,
             wanted.last_frame,
@@ -108,7 +108,7 @@ def solve_pose(context: jobs.JobContext) -> jobs.Outcome:
     finally:
         services.close()
     context.progress(0.85, "Solving for the camera's place.")
-    solved = solve(camera, found, wanted.board, wanted.tape)
+    solved = solve(camera, seen, wanted.board, wanted.tape)
     return storing(wanted, solved, context.actor)
 
 

@@ -103,7 +103,7 @@ def corners() -> Iterator[Row]:
         yield row(f"corner rms, VGA, {name}", f"{limit} px", reached, ours <= limit)
     for how in ("disk", "gamma", "shading", "motion"):
         ours, opencv = corner_errors(spoiled(how))
-        limit = 0.7 if how == "motion" else 0.6
+        limit = 0.6
         reached = f"{ours / opencv:.2f} x ({ours:.4f} px)"
         yield row(f"corner rms against cornerSubPix, {how}", f"{limit} x", reached, ours <= limit * opencv)
 
