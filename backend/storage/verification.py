@@ -2,7 +2,8 @@
 
 The chain is walked (ids without gap, each hash from the one before, the anchor and every export's head in
 place), then every row that is written once (revisions, reviews, calibrations, poses) and every frame table
-is hashed again and compared with what its audit event says.
+is hashed again and compared with what its audit event says, and every vehicle record with what its events
+made of it.
 """
 
 import json
@@ -13,7 +14,7 @@ from sqlalchemy import Table, inspect, select
 from sqlalchemy.orm import Session
 
 from backend.storage import frames
-from backend.storage.chain import GENESIS, chain_hash
+from backend.storage.chain import GENESIS, chain_hash, plain
 from backend.storage.database import DatabaseAway, lock_chain, make_engine, reading, session_factory
 from backend.storage.records import Verification
 from backend.storage.rows import row_hash
@@ -25,6 +26,7 @@ from backend.storage.tables_of_work import (
     measurement_series,
     measurements,
     reviews,
+    vehicles,
 )
 
 Promises = dict[tuple[str, int], str]
@@ -71,6 +73,7 @@ class _Walk:
         self.head = GENESIS
         self.hashes: list[str] = [GENESIS]
         self.promised: Promises = {}
+        self.vehicles: dict[int, dict[str, Any]] = {}
 
     def chain(self, session: Session) -> None:
         """Every event in order: number, link and hash."""
@@ -92,6 +95,8 @@ class _Walk:
             self.promised[(row["entity"], row_id)] = after["content_sha256"]
         if "frames_sha256" in after:
             self.promised[("frames", row["entity_id"])] = after["frames_sha256"]
+        if row["entity"] == "vehicle":
+            self.vehicles.setdefault(row["entity_id"], {"deleted": False}).update(after)
         if (row["entity"], row["action"]) == ("measurement", "create"):
             place = {"survey_id": row["survey_id"], "vehicle_id": after["vehicle_id"]}
             self.promised[("series", row["entity_id"])] = str(sorted(place.items()))
@@ -130,6 +135,20 @@ def _rows(session: Session, walk: _Walk) -> None:
         _compare(walk.promised, entity, words, found)
     _compare(walk.promised, "series", "measurement", _series(session))
     _compare(walk.promised, "frames", "frame table of recording", _frame_tables(session))
+    _vehicles(session, walk)
+
+
+def _vehicles(session: Session, walk: _Walk) -> None:
+    """Every vehicle record is what its events made of it, for heights are compared with the maker's."""
+    missing = set(walk.vehicles)
+    for row in _all(session, vehicles):
+        now = {**row, "deleted": row["deleted_at"] is not None}
+        told = walk.vehicles.get(row["id"])
+        if told is None or any(plain(now.get(name)) != value for name, value in told.items()):
+            raise _Problem(f"The vehicle {row['id']} is not what its events say; restore a backup.")
+        missing.discard(row["id"])
+    if missing:
+        raise _Problem(f"The vehicle {min(missing)} was removed behind the program's back; restore a backup.")
 
 
 def _compare(promised: Promises, entity: str, words: str, found: Iterator[tuple[int, str]]) -> None:

@@ -9,6 +9,7 @@ from sqlalchemy.exc import DBAPIError
 
 from backend.errors import SightlineError
 from backend.storage import audit, database, exports, people, recordings, reviews, vehicles, verification
+from backend.storage.records import VehicleChanges
 from backend.storage.verification import verify_database
 from tests.storage import samples
 
@@ -79,6 +80,12 @@ TAMPERED: dict[str, tuple[tuple[str, ...], str]] = {
     "the tail cut off": (("DELETE FROM audit_events WHERE id > 8",), "ends at event 8"),
     "all events removed": (("DELETE FROM audit_events",), "ends at event 0"),
     "the anchor removed": (("DELETE FROM audit_anchor",), "not where it ended"),
+    "a maker's height": (
+        ("UPDATE vehicles SET manufacturer_height_m = 1.7 WHERE id = 1",),
+        "vehicle 1 is not what its events say",
+    ),
+    "a deleted vehicle": (("UPDATE vehicles SET deleted_at = created_at WHERE id = 2",), "vehicle 2 is not"),
+    "a vehicle removed": (("DELETE FROM vehicles WHERE id = 2",), "vehicle 2 was removed"),
     "a height": (("UPDATE measurements SET height_m = 1.5 WHERE id = 1",), "measurement revision 1 is not"),
     "a click": (
         ("UPDATE measurements SET point_x_px = point_x_px + 1e-9 WHERE id = 2",),
@@ -157,6 +164,17 @@ def test_a_deleted_recording_takes_its_frames_along(filled: database.SessionFact
     with database.writing(filled) as session:
         made = samples.add_recording(session, 1, None)
         recordings.remove(session, made.id, actor=None)
+        assert audit.verify(session).ok
+
+
+def test_a_vehicle_that_was_changed_deleted_and_restored_is_sound(filled: database.SessionFactory) -> None:
+    facts: VehicleChanges = {"manufacturer_height_m": 1.1 + 0.2, "make": "Škoda", "notes": "", "year": 2019}
+    with database.writing(filled) as session:
+        vehicles.update(session, 2, facts, version=1, actor=None)
+        assert audit.verify(session).ok
+        vehicles.remove(session, 2, actor=None)
+        assert audit.verify(session).ok
+        vehicles.restore(session, 2, actor=None)
         assert audit.verify(session).ok
 
 
