@@ -25,6 +25,7 @@ class SignIn:
         self._secure = secure
         self._lookup = lookup
         self._known: dict[int, tuple[float, Person]] = {}
+        self._age = 0
         self._lock = threading.Lock()
 
     def person_of(self, request: Request) -> Person | None:
@@ -56,19 +57,22 @@ class SignIn:
     def _person(self, person_id: int) -> Person | None:
         now = time.monotonic()
         with self._lock:
-            known = self._known.get(person_id)
+            known, age = self._known.get(person_id), self._age
         if known is not None and now - known[0] < BELIEVED_S:
             return known[1]
         person = self._lookup(person_id)
         if person is not None:
             with self._lock:
-                self._known[person_id] = (now, person)
+                # What was read before a change must not be believed after it.
+                if age == self._age:
+                    self._known[person_id] = (now, person)
         return person
 
     def forget(self) -> None:
         """Read people afresh; called after every change to an account."""
         with self._lock:
             self._known.clear()
+            self._age += 1
 
     def remember(self, response: Response, person: Person, *, by_link: bool) -> None:
         """Put the person's cookie on the answer."""

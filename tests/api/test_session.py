@@ -1,12 +1,13 @@
 """Signing in and out: links, passwords, limits, and what a cookie is worth."""
 
 import pytest
-from fastapi import FastAPI
+from fastapi import FastAPI, Request
 from fastapi.testclient import TestClient
 
 from backend.api.sign_in import COOKIE
 from backend.errors import BadInput
 from backend.storage import people
+from backend.storage.records import Person
 from backend.work.people import first_sign_in_link, new_sign_in_link
 from backend.work.services import Services
 from tests.api.conftest import Client, error_of
@@ -131,6 +132,27 @@ def test_a_copied_cookie_is_worth_nothing_after_signing_out(app: FastAPI, operat
     assert copied.get("/session").status_code == 401
     # Whoever is nobody any more cannot sign the person out again from wherever they are by then.
     assert copied.delete("/session").status_code == 204
+
+
+def test_what_was_read_before_a_change_is_not_believed_after_it(app: FastAPI, operator: Client) -> None:
+    """A request that looks the person up while another one ends their session."""
+    cookies = app.state.sign_in
+    request = Request(
+        {"type": "http", "headers": [(b"cookie", f"{COOKIE}={operator.http.cookies[COOKIE]}".encode())]}
+    )
+    look_up, looked_up = cookies._lookup, []
+
+    def and_then_sign_out(person_id: int) -> Person | None:
+        person = look_up(person_id)
+        if not looked_up:
+            looked_up.append(person_id)
+            assert operator.delete("/session").status_code == 204
+        return person  # type: ignore[no-any-return]
+
+    cookies.forget()
+    cookies._lookup = and_then_sign_out
+    cookies.person_of(request)
+    assert looked_up and cookies.person_of(request) is None
 
 
 def test_whoever_is_switched_off_is_out_at_once(admin: Client, operator: Client) -> None:
