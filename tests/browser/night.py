@@ -75,3 +75,10 @@ def at(page: Page, pixel: Pixel) -> tuple[float, float]:
     """Where an image pixel lies in the window."""
     spot = page.evaluate("([x, y]) => window.__sightline.imageToScreen(x, y)", list(pixel))
     return float(spot["x"]), float(spot["y"])
+
+
+def click_at(page: Page, pixel: Pixel) -> None:
+    """Moves the pointer to an image pixel and clicks."""
+    x, y = at(page, pixel)
+    page.mouse.move(x, y)
+    page.mouse.click(x, y)

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import pytest
 from playwright.sync_api import Browser, BrowserContext, Locator, Page, Route, expect
 
-from .night import Untouched, at, stored, until, untouched
+from .night import Untouched, click_at, stored, until, untouched
 from .server import Server
 
 
@@ -103,9 +103,7 @@ def test_two_tabs_of_one_person_see_each_other(context: BrowserContext, page: Pa
 
 
 def click(page: Page, one: Untouched, name: str) -> None:
-    x, y = at(page, one.pixels[name])
-    page.mouse.move(x, y)
-    page.mouse.click(x, y)
+    click_at(page, one.pixels[name])
 
 
 def click_roof(page: Page, one: Untouched) -> None:
