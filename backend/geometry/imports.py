@@ -52,7 +52,12 @@ class _Found:
 
 
 class _Loader(yaml.SafeLoader):
-    """Safe YAML that also reads OpenCV's matrices."""
+    """Safe YAML that also reads OpenCV's matrices; without aliases, which can make a small file huge."""
+
+    def compose_node(self, parent: yaml.Node | None, index: int) -> yaml.Node | None:
+        if self.check_event(yaml.AliasEvent):
+            raise yaml.YAMLError("aliases are not read")
+        return super().compose_node(parent, index)
 
 
 def _matrix_node(loader: yaml.SafeLoader, node: yaml.Node) -> Any:

@@ -240,10 +240,12 @@ def import_calibration(
         raise BadInput(
             f"{file_name} is not a text file; choose a calibration as YAML, JSON or cameramodel."
         ) from error
-    from backend.geometry.imports import camera_from_text  # with its YAML only when it is asked for
+    from backend.geometry.imports import read_camera  # with its YAML only when it is asked for
 
-    camera = camera_from_text(text, file_name)
-    warnings = [] if camera.covariance is not None else [NO_COVARIANCE]
+    imported = read_camera(text, file_name)
+    camera = imported.camera
+    # What had to be guessed (the lens model, which of several cameras) is said wherever the camera is used.
+    warnings = [*imported.notes, *([] if camera.covariance is not None else [NO_COVARIANCE])]
     with services.writing() as session:
         return calibrations.add(
             session,

@@ -179,6 +179,9 @@ def test_import_and_choice(operator: Client, camera_id: int, survey_id: int) -> 
     first = made.json()
     assert first["source"] == "import" and first["document"]["fx_px"] == 535.9
     assert first["warnings"] and first["coverage"] == [] and first["views"] == []
+    four = OPENCV.replace("rows: 5", "rows: 4").replace(", 0.238 ]", " ]")
+    guessed = operator.post(path, files={"file": ("four.yml", four.encode())}).json()
+    assert any("does not name its distortion model" in warning for warning in guessed["warnings"])
     second = operator.post(path, files={"file": ("left.yml", OPENCV.replace("535.9", "540").encode())}).json()
     assert operator.seen(f"/cameras/{camera_id}")["current_calibration_id"] == second["id"]
     choice = f"/cameras/{camera_id}/current-calibration"

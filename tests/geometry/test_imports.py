@@ -128,6 +128,13 @@ def test_refusals_are_one_sentence_that_names_the_file(text: str) -> None:
     assert "\n" not in caught.value.message and caught.value.message.endswith(".")
 
 
+def test_a_small_file_cannot_be_a_huge_one() -> None:
+    rows = ["a0: &a0 [1, 1, 1, 1, 1, 1, 1, 1, 1, 1]"]
+    rows += [f"a{n}: &a{n} [{', '.join([f'*a{n - 1}'] * 10)}]" for n in range(1, 9)]
+    with pytest.raises(BadInput, match="no readable camera file"):
+        read_camera("\n".join([*rows, "camera_matrix: *a8"]), "bomb.yml")
+
+
 def test_real_files() -> None:
     published = camera_from_text(
         shared("calibration", "opencv_left", "left_intrinsics.yml").read_text(), "left.yml"
