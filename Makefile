@@ -5,7 +5,7 @@ PYTHON ?= python3
 BIN := .venv/bin
 PIP := $(BIN)/python -m pip --quiet --disable-pip-version-check
 NPM := npm --prefix frontend --no-fund --no-audit --loglevel=error
-DATABASE_TESTS := tests/storage tests/jobs tests/api tests/cli
+DATABASE_TESTS := tests/storage tests/jobs tests/api tests/cli tests/deployment
 WEB_SOURCES := $(shell find frontend/src frontend/public frontend/index.html frontend/vite.config.ts -type f 2>/dev/null)
 
 .PHONY: run test setup check lock types bench clean

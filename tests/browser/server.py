@@ -58,15 +58,17 @@ class Server:
                 self.process.wait(10)
 
 
-def start(command: str, data_dir: Path, *, port: int | None = None) -> Server:
-    """`sightline COMMAND` on a free port with its data in `data_dir`."""
+def start(
+    command: str, data_dir: Path, *, port: int | None = None, extra: dict[str, str] | None = None
+) -> Server:
+    """`sightline COMMAND` on a free port with its data in `data_dir`; `extra` joins the environment."""
     port = port or free_port()
     log = data_dir / f"server-{port}-{time.time_ns()}.log"
     data_dir.mkdir(parents=True, exist_ok=True)
     environment = {name: value for name, value in os.environ.items() if not name.startswith("SIGHTLINE_")}
-    environment |= {"SIGHTLINE_PORT": str(port), "PYTHONUNBUFFERED": "1"}
+    environment |= {"SIGHTLINE_PORT": str(port), "PYTHONUNBUFFERED": "1", **(extra or {})}
     process = subprocess.Popen(
-        [str(SIGHTLINE), command, "--data-dir", str(data_dir)],
+        [str(SIGHTLINE), *command.split(), "--data-dir", str(data_dir)],
         stdout=log.open("w"),
         stderr=subprocess.STDOUT,
         cwd=data_dir,

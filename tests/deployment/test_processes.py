@@ -1,0 +1,64 @@
+"""The processes of docker-compose.yml run by hand: app without a worker, PostgreSQL, S3 storage, a worker beside."""
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+import boto3
+import httpx
+import pytest
+from moto.server import ThreadedMotoServer
+
+from backend.media.images import read_image_bgr
+from backend.media.writer import write_mp4
+from tests.browser.server import Server, start
+from tests.media.clips import painted, read_number
+from tests.real.client import Client
+
+SERVER = os.environ.get("SIGHTLINE_TEST_DATABASE_URL", "")
+pytestmark = pytest.mark.skipif(not SERVER, reason="SIGHTLINE_TEST_DATABASE_URL names no PostgreSQL")
+
+
+@pytest.fixture
+def environment() -> Iterator[dict[str, str]]:
+    """What the compose file sets, with a bucket on a local server of the S3 protocol."""
+    storage = ThreadedMotoServer(ip_address="127.0.0.1", port=0, verbose=False)
+    storage.start()
+    host, port = storage.get_host_and_port()
+    endpoint = f"http://{host}:{port}"
+    keys = {"AWS_ACCESS_KEY_ID": "key", "AWS_SECRET_ACCESS_KEY": "secret", "AWS_DEFAULT_REGION": "us-east-1"}
+    session = boto3.Session("key", "secret", region_name="us-east-1")
+    session.client("s3", endpoint_url=endpoint).create_bucket(Bucket="sightline")
+    yield keys | {
+        "SIGHTLINE_MEDIA_URL": f"s3://sightline?endpoint={endpoint}",
+        "SIGHTLINE_SECRET": "thirty-two characters at the least",
+        "SIGHTLINE_WORKERS": "0",
+    }
+    storage.stop()
+
+
+def test_app_and_worker_share_postgresql_and_storage(
+    migrated: str, environment: dict[str, str], tmp_path: Path
+) -> None:
+    clip = tmp_path / "clip.mp4"
+    write_mp4(clip, (painted(n) for n in range(40)), 25)
+    shared = environment | {"SIGHTLINE_DATABASE_URL": migrated}
+    running: list[Server] = []
+    try:
+        app = start("serve", tmp_path / "app", extra=shared)
+        running.append(app)
+        app.wait()
+        client = Client(app.url)
+        client.sign_in(app.sign_in_link())
+        survey = client.post("/surveys", name="Agency", site="", description="")
+        recording = client.upload(survey["id"], clip)
+        assert client.get(f"/recordings/{recording}")["state"] == "ingesting"
+        # With one worker's folder empty and apart, all that lasts must pass through database and storage.
+        running.append(start("worker", tmp_path / "worker", extra=shared | {"SIGHTLINE_WORKERS": "1"}))
+        assert client.ready(recording)["frame_count"] == 40
+        still: httpx.Response = client.http.get(f"/api/recordings/{recording}/frames/17.jpg")
+        assert still.status_code == 200, still.text
+        assert read_number(read_image_bgr(still.content, "17.jpg")) == 17
+    finally:
+        for one in reversed(running):
+            one.stop()
