@@ -1,4 +1,4 @@
-"""The processes of docker-compose.yml run by hand: app without a worker, PostgreSQL, S3 storage, a worker beside."""
+"""The processes of docker-compose.yml run by hand: app without a worker, PostgreSQL, S3, a worker beside."""
 
 import os
 from collections.abc import Iterator
