@@ -45,7 +45,7 @@ def make_demonstration(context: jobs.JobContext) -> jobs.Outcome:
         known = surveys.demo_survey_id(session)
     if known is not None:
         return {"survey_id": known}
-    parts = make_parts(services, context.progress, context.is_cancelled)
+    parts = make_parts(services, context.progress)
     context.progress(0.98, "Storing the demonstration survey.")
 
     def store(session: Session) -> Mapping[str, Any]:

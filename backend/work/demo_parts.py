@@ -91,7 +91,7 @@ class _Drawing:
     def counted(self, frames: Iterator[Image]) -> Iterator[Image]:
         """The frames, counted. Raises IngestCancelled when it is to stop."""
         for frame in frames:
-            check_cancelled(self.stop.is_set)
+            check_cancelled(self.stop.is_set, "the demonstration")
             with self._counting:
                 self.drawn += 1
             yield frame
@@ -135,7 +135,7 @@ def _side_by_side(
     return tuple(video.result() for video in videos), lens.result()
 
 
-def _watch(futures: "Sequence[Future[Any]]", drawing: _Drawing, progress: Progress) -> None:
+def _watch(futures: Sequence[Future[Any]], drawing: _Drawing, progress: Progress) -> None:
     """Tell how far it is until all are done. Raises what one of them raised, or what `progress` does."""
     waiting = set(futures)
     while waiting:

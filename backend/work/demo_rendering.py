@@ -8,6 +8,7 @@ children of multiprocessing's kind, and a child whose reader was killed ends by 
 
 from __future__ import annotations
 
+import fcntl
 import os
 import queue
 import subprocess
@@ -32,6 +33,7 @@ MOST_PROCESSES = 8
 # A frame is 0.9 MB: as many as this may wait, in each process's queue, to be encoded.
 AHEAD = 64
 _CHUNK = 32
+_PIPE_BYTES = 1 << 20
 
 
 def scene_named(name: str) -> Scene:
@@ -81,6 +83,9 @@ class _Child:
         self._process = subprocess.Popen(
             command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, env={**os.environ, "PYTHONPATH": paths}
         )
+        assert self._process.stdout is not None
+        with suppress(OSError, AttributeError):  # fewer turns for a frame; where it is not Linux, as it is
+            fcntl.fcntl(self._process.stdout, fcntl.F_SETPIPE_SZ, _PIPE_BYTES)
         self._shape = (scene.camera.height_px, scene.camera.width_px, 3)
         self._frames: queue.Queue[Image | None] = queue.Queue(AHEAD)
         self._stopped = threading.Event()

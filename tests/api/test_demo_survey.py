@@ -3,6 +3,7 @@
 import functools
 import json
 import math
+import threading
 from collections.abc import Callable
 from typing import Any
 
@@ -15,6 +16,7 @@ from backend.storage.records import Job
 from backend.work import demo, demo_parts
 from backend.work.demo_rendering import chunks_of, rendered, scene_named
 from backend.work.demo_request import ensure_requested
+from backend.work.jobs import Cancelled
 from backend.work.services import Services
 from tests.api.conftest import Client
 
@@ -124,3 +126,13 @@ def test_processes_give_the_frames_that_one_process_gives() -> None:
     frames.close()
     for n in (0, 31, 32, 33):
         assert np.array_equal(shared[n], render_frame(scene, n)), n
+
+
+def test_cancelled_in_the_middle_it_leaves_nothing(services: Services) -> None:
+    def cancelled(_fraction: float, _message: str) -> None:
+        raise Cancelled("Cancelled.")
+
+    with pytest.raises(Cancelled):
+        demo_parts.make_parts(services, cancelled, (SCENE,))
+    assert not any(services.scratch.iterdir())
+    assert not [one for one in threading.enumerate() if one.name.startswith("demonstration")]
