@@ -43,9 +43,13 @@ def test_three_targets_by_keyboard_and_back_again(page: Page, demonstration: Ser
     page.goto(f"/surveys/{one.survey}/measure?recording={before['recording_id']}&vehicle={before['id']}")
     expect(page.get_by_test_id(f"pass-{number - 1}")).to_have_attribute("aria-current", "true")
 
+    box = page.get_by_test_id("frame-box")
+    left = box.input_value()
     page.keyboard.press("n")
     expect(page.get_by_test_id(f"pass-{number}")).to_have_attribute("aria-current", "true")
+    expect(box).not_to_have_value(left)
     page.keyboard.press("g")
+    expect(box).to_be_focused()
     page.keyboard.type(str(one.frame))
     page.keyboard.press("Enter")
     page.wait_for_url(re.compile(rf"[?&]frame={one.frame}\b"))
