@@ -19,6 +19,7 @@ export interface AxesWish {
 export interface HeightWish extends AxesWish {
   readonly point: ImagePoint;
   readonly frame: number;
+  readonly sigma_px: number | null;
 }
 
 export interface Live {
@@ -81,9 +82,16 @@ export class Geometry {
   }
 
   /** The live answer if it is for exactly this click: then it can be shown while the server stores. */
-  answerFor(contact: ImagePoint, point: ImagePoint, target: Target): HeightAnswer | null {
+  answerFor(
+    contact: ImagePoint,
+    point: ImagePoint,
+    target: Target,
+    inset: Inset | null,
+  ): HeightAnswer | null {
     const live = this.live.value;
     if (!live || live.wish.target !== target) return null;
+    if (live.wish.inset?.inset_m !== inset?.inset_m || live.wish.inset?.u_inset_m !== inset?.u_inset_m)
+      return null;
     return samePoint(live.wish.point, point) && samePoint(live.wish.contact, contact) ? live.answer : null;
   }
 
@@ -108,8 +116,10 @@ export function askHeight({
   target,
   frame,
   inset,
+  sigma_px,
 }: HeightWish): Promise<HeightAnswer> {
-  const body = { contact: [...contact], point: [...point], target, frame, ...(inset ?? {}) };
+  const sigma = sigma_px === null ? {} : { sigma_px };
+  const body = { contact: [...contact], point: [...point], target, frame, ...(inset ?? {}), ...sigma };
   return api.post<HeightAnswer>(`/recordings/${recordingId}/geometry/height`, body, LIVE);
 }
 
@@ -119,6 +129,7 @@ function sameAxes(a: AxesWish, b: AxesWish | null): boolean {
     a.recordingId === b.recordingId &&
     a.target === b.target &&
     samePoint(a.contact, b.contact) &&
-    a.inset?.inset_m === b.inset?.inset_m
+    a.inset?.inset_m === b.inset?.inset_m &&
+    a.inset?.u_inset_m === b.inset?.u_inset_m
   );
 }

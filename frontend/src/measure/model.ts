@@ -205,9 +205,9 @@ export class MeasureModel {
     if (vehicle) this.showRecording(vehicle.recording_id, bestFrame(vehicle));
   }
 
-  /** The inset a click would be stored with; null for the survey's own. */
+  /** The inset a click would be stored with: chosen now, or of the measurement it revises; null: the survey's. */
   insetOf(target: Target): Inset | null {
-    return this.chosenInsets.value.get(target) ?? null;
+    return this.chosenInsets.value.get(target) ?? this.points.revised(target)?.values.inset ?? null;
   }
 
   /** Chooses the inset of a target of this vehicle, for what is measured of it and for the clicks to come. */
@@ -288,7 +288,8 @@ export class MeasureModel {
 
   private async takeOut(vehicle: Vehicle): Promise<void> {
     await this.vehicles.flush(vehicle.id);
-    await server.removeVehicle(vehicle.id);
+    const now = this.vehicles.shown(vehicle.id) ?? vehicle;
+    await server.removeVehicle(vehicle.id, now.version);
     const next = neighbour(this.list.value, vehicle, 1) ?? neighbour(this.list.value, vehicle, -1);
     this.vehicles.drop(vehicle.id);
     if (this.vehicleId.value !== vehicle.id) return;

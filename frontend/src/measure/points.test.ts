@@ -10,6 +10,7 @@ import { MeasureModel } from "./model";
 class FakeServer {
   readonly stored = new Map<number, Measurement>();
   readonly writes: string[] = [];
+  readonly asked: Record<string, unknown>[] = [];
 
   readonly fetch = async (url: string, init: RequestInit): Promise<Response> => {
     const path = url.replace("/api", "").split("?")[0] ?? "";
@@ -17,6 +18,7 @@ class FakeServer {
     const body = init.body ? JSON.parse(String(init.body)) : {};
     const write = method !== "GET" && !path.includes("/geometry/");
     if (write) this.writes.push(`${method} ${path}`);
+    if (path.endsWith("/geometry/height")) this.asked.push(body);
     return new Response(JSON.stringify(this.answer(method, path, body)), { status: 200 });
   };
 
@@ -187,6 +189,36 @@ describe("measuring with clicks", () => {
     await model.undo.undo();
     await quiet();
     expect(server.stored.get(1)?.point).toEqual([101, 250]);
+  });
+
+  it("shows live what it will store when a target with an inset and sigma of its own is clicked again", async () => {
+    const own = { inset_m: 1.15, u_inset_m: 0.15, sigma_px: 0.4 };
+    const eye = {
+      ...own,
+      target: "driver_eye",
+      frame: 40,
+      contact: [100, 400],
+      point: [90, 300],
+      revision: 1,
+    };
+    server.stored.set(3, {
+      ...eye,
+      id: 3,
+      vehicle_id: 7,
+      withdrawn: false,
+      review: { verdict: "to_review" },
+    } as unknown as Measurement);
+    const stored = vehicle([...server.stored.values()]);
+    model.vehicles.takeAll([stored]);
+    model.records.take(stored);
+    model.open(stored);
+    model.dispatch({ type: "choose", target: "driver_eye" });
+    model.points.hover(at(92, 299));
+    await quiet();
+    expect(server.asked.at(-1)).toMatchObject(own);
+    model.points.place(at(92, 299));
+    await quiet();
+    expect(server.stored.get(3)).toMatchObject({ ...own, point: [92, 299] });
   });
 
   it("withdraws the selected measurement and asks for it again", async () => {

@@ -66,6 +66,7 @@ export class Points {
       point,
       target,
       inset,
+      sigma_px: this.revised(target)?.values.sigma_px ?? null,
     });
   }
 
@@ -265,18 +266,17 @@ export class Points {
     this.model.undo.push({ label: "contact point", undo: set(before), redo: set(point) });
   }
 
-  /** A measurement of this target is revised; "other" always makes a new one. */
   private store(effect: Extract<Effect, { type: "store" }>): void {
     const { vehicleId, target, frame, contact, point } = effect;
     const { records, geometry } = this.model;
-    const preview = geometry.answerFor(contact, point, target);
     const inset = this.model.insetOf(target);
-    const old = target === "other" ? undefined : this.standing(target);
+    const preview = geometry.answerFor(contact, point, target, inset);
+    const old = this.revised(target);
     if (old) this.replace(old, { frame, contact, point, ...(inset ? { inset } : {}) }, preview);
     else {
       const key = records.create(
         vehicleId,
-        { target, frame, contact, point, inset, withdrawn: false },
+        { target, frame, contact, point, inset, sigma_px: null, withdrawn: false },
         preview,
       );
       this.model.undo.push({
@@ -311,7 +311,9 @@ export class Points {
     this.model.dispatch({ type: "choose", target: withdrawn ? target : (this.missing()[0] ?? null) });
   }
 
-  private standing(target: Target): Entry | undefined {
+  /** The measurement that a click at this target would revise; "other" always makes a new one. */
+  revised(target: Target): Entry | undefined {
+    if (target === "other") return undefined;
     return this.model.entries.value.findLast(
       (entry) => entry.values.target === target && !entry.values.withdrawn && entry.state !== "conflict",
     );

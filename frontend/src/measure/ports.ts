@@ -30,6 +30,7 @@ export const listRecordings = (surveyId: number) => api.get<Recording[]>(`/surve
 export const readVehicle = (id: number) => api.get<Vehicle>(`/vehicles/${id}`);
 export const addVehicle = (recordingId: number, first_frame: number, last_frame: number) =>
   api.post<Vehicle>(`/recordings/${recordingId}/vehicles`, { first_frame, last_frame });
-export const removeVehicle = (id: number) => api.del(`/vehicles/${id}`);
+/** Refused when somebody else changed the vehicle since `version`. */
+export const removeVehicle = (id: number, version: number) => api.del(`/vehicles/${id}?version=${version}`);
 export const restoreVehicle = (id: number) =>
   api.post<Vehicle>(`/vehicles/${id}/restore`, {}, { retry: true });

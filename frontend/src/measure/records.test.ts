@@ -12,6 +12,7 @@ const values: Values = {
   contact: imagePoint(100, 400),
   point: imagePoint(101, 250),
   inset: null,
+  sigma_px: null,
   withdrawn: false,
 };
 

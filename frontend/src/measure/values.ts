@@ -14,6 +14,8 @@ export interface Values {
   readonly point: ImagePoint;
   /** An inset of its own; null for the survey's. */
   readonly inset: Inset | null;
+  /** The click's own uncertainty, kept from one revision to the next; null for the survey's. */
+  readonly sigma_px: number | null;
   readonly withdrawn: boolean;
 }
 
@@ -24,6 +26,7 @@ export function valuesOf(m: Measurement): Values {
     contact: fromServer(m.contact),
     point: fromServer(m.point),
     inset: { inset_m: m.inset_m, u_inset_m: m.u_inset_m },
+    sigma_px: m.sigma_px,
     withdrawn: m.withdrawn,
   };
 }
@@ -51,6 +54,7 @@ export function sameValues(a: Values, b: Values): boolean {
 
 /** The body of a POST or PUT. */
 export function clickBody(values: Values): Record<string, unknown> {
-  const { target, frame, contact, point, inset } = values;
-  return { target, frame, contact: [...contact], point: [...point], ...(inset ?? {}) };
+  const { target, frame, contact, point, inset, sigma_px } = values;
+  const sigma = sigma_px === null ? {} : { sigma_px };
+  return { target, frame, contact: [...contact], point: [...point], ...(inset ?? {}), ...sigma };
 }

@@ -193,6 +193,7 @@ export class ReviewModel {
       contact: fix.contact,
       point: fix.point,
       inset,
+      sigma_px: m.sigma_px,
     });
   }
 

@@ -1,5 +1,5 @@
 /** Step buttons, play, the frame box, the time. */
-import { useRef } from "preact/hooks";
+import { useLayoutEffect, useRef } from "preact/hooks";
 import { Button } from "../components";
 import { type ActionId, hint, type KeyHandlers } from "../keys";
 import { formatFrameTime } from "../times";
@@ -8,6 +8,7 @@ import type { Stage } from "./stage";
 
 export function Transport({ player, stage }: { player: Player; stage: Stage }) {
   const box = useRef<HTMLInputElement>(null);
+  const typed = useRef(false);
   const frame = player.frame.value;
   const time = player.timeOf(frame);
   const count = player.count.value;
@@ -16,6 +17,14 @@ export function Transport({ player, stage }: { player: Player; stage: Stage }) {
     if (Number.isFinite(wanted)) player.go(wanted);
     if (box.current) box.current.value = String(player.frame.value);
   };
+  // A frame that arrives while the box has the focus keeps its text selected, and never mixes with typed digits.
+  useLayoutEffect(() => {
+    const input = box.current;
+    const focused = document.activeElement === input;
+    if (!input || (focused && typed.current)) return;
+    input.value = String(frame);
+    if (focused) input.select();
+  }, [frame]);
   return (
     <div class="transport">
       <Step label="Ten frames back" action="framePreviousTen" text="−10" onClick={() => player.step(-10)} />
@@ -37,9 +46,15 @@ export function Transport({ player, stage }: { player: Player; stage: Stage }) {
           class="input input--num"
           data-testid="frame-box"
           inputMode="numeric"
-          value={frame}
+          defaultValue={frame}
           title={`Go to a frame${hint("frameGo")}`}
-          onFocus={(event) => event.currentTarget.select()}
+          onFocus={(event) => {
+            typed.current = false;
+            event.currentTarget.select();
+          }}
+          onInput={() => {
+            typed.current = true;
+          }}
           onBlur={go}
           onKeyDown={(event) => {
             if (event.key !== "Enter" && event.key !== "Escape") return;
