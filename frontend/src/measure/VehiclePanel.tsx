@@ -135,7 +135,7 @@ function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
             onChange={(category) => model.edit({ category: category === "" ? null : category })}
           />
           <CommitField
-            label="Manufacturer height"
+            label="Maker's height"
             value={lengthText(vehicle.manufacturer_height_m, unit)}
             numeric
             unit={unit}

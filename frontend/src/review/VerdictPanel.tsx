@@ -147,8 +147,14 @@ function Verdict({ model, item }: { model: ReviewModel; item: ReviewItem }) {
   }
   if (model.rejecting.value) return <Reject model={model} />;
   if (model.fix.value) {
+    const changed = model.poseChanged(item.measurement);
     return (
       <footer class="review__verdict">
+        {changed && (
+          <Notice kind="warning">
+            The recording has another road pose since this was measured; the fix is computed with the new one.
+          </Notice>
+        )}
         <div class="row">
           <span class="grow" data-testid="review-save-fix">
             <Button kind="primary" busy={model.busy.value} onClick={() => void model.judge("fixed")}>

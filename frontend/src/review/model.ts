@@ -49,6 +49,13 @@ export class ReviewModel {
   );
 
   private recordings: readonly Recording[] = [];
+
+  /** Whether a fix would be computed with another road pose than the measurement was: then its words say so. */
+  poseChanged(m: Measurement): boolean {
+    const now = this.recordings.find((one) => one.id === m.recording_id)?.pose_id;
+    return now !== undefined && m.pose_id !== null && now !== m.pose_id;
+  }
+
   private readonly stops: (() => void)[] = [];
 
   constructor(readonly surveyId: number) {
