@@ -1,7 +1,8 @@
 """The audit chain: one event per write, in the same transaction, each hashed with the one before.
 
-hash = sha256(previous_hash + canonical JSON of the row). Ids leave no gap, the anchor row holds the length
-and the last hash, and exports carry both, so changed, missing and cut-off events are all found (`verify`).
+hash = sha256(previous_hash + content_sha256), content_sha256 = sha256(canonical JSON of the event). Ids leave
+no gap, the anchor row holds the length and the last hash, and exports carry both, so changed, missing and
+cut-off events are all found (`verify`).
 """
 
 import json
@@ -12,7 +13,7 @@ from typing import Any
 from sqlalchemy import Row, insert, select, update
 from sqlalchemy.orm import Session
 
-from backend.storage.chain import chain_hash, plain
+from backend.storage.chain import chain_hash, event_hash, plain
 from backend.storage.columns import canonical_json, now
 from backend.storage.database import lock_chain
 from backend.storage.records import AuditEvent, AuditHead, JsonObject, Who
@@ -108,6 +109,7 @@ def _event(row: Row[Any]) -> AuditEvent:
         after=_object(row.after),
         hash=row.hash,
         previous_hash=row.previous_hash,
+        content_sha256=event_hash({column.name: getattr(row, column.name) for column in audit_events.c}),
     )
 
 

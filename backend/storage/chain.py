@@ -13,10 +13,22 @@ from backend.storage.columns import canonical_json
 GENESIS = "0" * 64
 
 
+_LINKS = ("hash", "previous_hash")
+
+
 def chain_hash(row: Mapping[str, Any]) -> str:
-    """sha256 over the previous hash and the row's canonical JSON (all columns but `hash`)."""
-    content = {key: value for key, value in row.items() if key not in ("hash", "previous_hash")}
-    return hashlib.sha256((str(row["previous_hash"]) + canonical_json(content)).encode()).hexdigest()
+    """The hash of an event by its row: the previous hash and the hash of its content."""
+    return link_hash(str(row["previous_hash"]), event_hash(row))
+
+
+def link_hash(previous_hash: str, content_sha256: str) -> str:
+    """sha256 over both, so that a link can be checked by who may not see its content."""
+    return hashlib.sha256((previous_hash + content_sha256).encode()).hexdigest()
+
+
+def event_hash(row: Mapping[str, Any]) -> str:
+    """sha256 over the canonical JSON of an event: all columns but the links of the chain."""
+    return content_hash({key: value for key, value in row.items() if key not in _LINKS})
 
 
 def content_hash(content: Mapping[str, Any]) -> str:

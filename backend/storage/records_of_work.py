@@ -263,6 +263,7 @@ class AuditEvent:
     after: JsonObject | None
     hash: str
     previous_hash: str
+    content_sha256: str
 
 
 @dataclass(frozen=True, slots=True)

@@ -297,6 +297,7 @@ def audit_row(event: AuditEvent, withheld: bool) -> dict[str, Cell]:
     links: dict[str, Cell] = {
         "id": event.id,
         "previous_hash": event.previous_hash,
+        "content_sha256": event.content_sha256,
         "hash": event.hash,
         "withheld": withheld,
     }

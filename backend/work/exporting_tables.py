@@ -303,8 +303,10 @@ PEOPLE = Table(
 
 AUDIT = Table(
     "audit",
-    "Who did what, when, chained by hash: hash = SHA-256 of previous_hash and the canonical JSON of the row. "
-    "Rows of other surveys and of accounts are links of the chain only: their content is withheld.",
+    "Who did what, when, chained by hash: hash = SHA-256 of previous_hash followed by content_sha256, "
+    "content_sha256 = SHA-256 of the canonical JSON (keys sorted, no spaces, empty cells null) of id, at, "
+    "actor_id, action, entity, entity_id, survey_id, before and after. Rows of other surveys and of accounts "
+    "are links of the chain only: their content is withheld, their hashes can still be computed again.",
     (
         _id("id", "audit event"),
         Column("at", "string", "when (ISO 8601, UTC), as it was hashed"),
@@ -316,6 +318,7 @@ AUDIT = Table(
         Column("before", "string", "the thing before, as JSON"),
         Column("after", "string", "the thing after, as JSON"),
         Column("previous_hash", "string", "hash of the event before", required=True),
+        Column("content_sha256", "string", "hash of this event's content, withheld or not", required=True),
         Column("hash", "string", "hash of this event", required=True),
         Column("withheld", "boolean", "true where only the hashes are given", required=True),
     ),

@@ -15,13 +15,14 @@ from typing import Any, cast
 from backend.errors import BadInput, Damaged
 from backend.geometry.documents import pose_from_dict
 from backend.geometry.road_pose import RoadPose
-from backend.storage.chain import chain_hash
+from backend.storage.chain import event_hash, link_hash
 from backend.storage.records import Target
 from backend.work.answering import Clicks, answer
 from backend.work.packaging import CHECKSUMS, sha256_hex
 
 Files = Mapping[str, bytes]
 _CHAINED = ("actor_id", "entity_id", "survey_id")
+_TOLD = ("at", "action", "entity", "before", "after")
 # Half of the last decimal that a CSV carries, and a hair for the rounding of the last binary digit.
 _HEIGHT_TOLERANCE_M = 0.51e-6
 
@@ -94,7 +95,10 @@ def table(files: Files, path: str) -> Iterator[dict[str, str]]:
 
 
 def chain(files: Files) -> Iterator[dict[str, str]]:
-    """The events of audit.csv, each checked against its hash and the one before. Raises Damaged."""
+    """The events of audit.csv, each checked against its hash and the one before. Raises Damaged.
+
+    A withheld event's link is computed again like every other; only its content is taken by its hash.
+    """
     before: dict[str, str] | None = None
     for row in table(files, "audit.csv"):
         if before is not None and (
@@ -103,16 +107,22 @@ def chain(files: Files) -> Iterator[dict[str, str]]:
             raise Damaged(
                 f"audit.csv: event {row['id']} does not follow from the one before; it was changed."
             )
-        if row["withheld"] != "true" and chain_hash(_hashed(row)) != row["hash"]:
+        if link_hash(row["previous_hash"], row["content_sha256"]) != row["hash"] or not _content_holds(row):
             raise Damaged(f"audit.csv: event {row['id']} is not the one that was hashed; it was changed.")
         yield row
         before = row
 
 
+def _content_holds(row: Mapping[str, str]) -> bool:
+    """What a row tells is what was hashed; a withheld row tells nothing, for nothing would vouch for it."""
+    if row["withheld"] == "true":
+        return not any(row[name] for name in (*_TOLD, *_CHAINED))
+    return event_hash(_hashed(row)) == row["content_sha256"]
+
+
 def _hashed(row: Mapping[str, str]) -> dict[str, Any]:
     """The row as it was hashed: numbers as numbers, empty as nothing."""
-    names = ("at", "action", "entity", "before", "after", "previous_hash")
-    values: dict[str, Any] = {"id": int(row["id"]), **{name: row[name] or None for name in names}}
+    values: dict[str, Any] = {"id": int(row["id"]), **{name: row[name] or None for name in _TOLD}}
     values |= {name: int(row[name]) if row[name] else None for name in _CHAINED}
     return values
 

@@ -12,11 +12,12 @@ import pytest
 from frictionless import Package as Frictionless
 
 from backend.cli import main
+from backend.storage.chain import event_hash, link_hash
 from backend.storage.records import Job
 from backend.work import exporting
 from backend.work.packaging import write_directory
 from backend.work.services import Services
-from backend.work.verifying import read_package, verify_package
+from backend.work.verifying import _hashed, read_package, verify_package
 from tests.api.conftest import Client
 from tests.api.ground import Ground, add_vehicle, clicks, lay_ground, measure
 
@@ -214,3 +215,60 @@ def test_a_row_or_file_that_is_taken_out_is_missed(
     lines = (place / "audit.csv").read_text("utf-8").splitlines()
     change(place, "audit.csv", lines[3] + "\n", "")
     assert "does not follow" in str(verify_package(read_package(place)).problem)
+
+
+@pytest.fixture
+def followed(operator: Client, worked: Ground, services: Services, tmp_path: Path) -> Path:
+    """An export in which an event of another survey, withheld, stands between two of this one."""
+    operator.made("/surveys", {"name": "Other"})
+    add_vehicle(operator, worked.recording_id)
+    return written(services, worked.survey_id, tmp_path / "export")
+
+
+def rewrite(place: Path, events: list[dict[str, str]]) -> None:
+    """Write audit.csv anew and sum it."""
+    text = io.StringIO(newline="")
+    writer = csv.DictWriter(text, list(events[0]), lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(events)
+    change(place, "audit.csv", (place / "audit.csv").read_text("utf-8"), text.getvalue())
+
+
+def before_withheld(events: list[dict[str, str]]) -> int:
+    """Where an event of this survey is followed by a withheld one."""
+    held = [event["withheld"] for event in events]
+    return next(n for n in range(len(held) - 2, -1, -1) if held[n : n + 2] == ["false", "true"])
+
+
+def test_an_event_forged_with_the_link_of_the_withheld_one_after_it_is_found(followed: Path) -> None:
+    events = rows(followed, "audit.csv")
+    at = before_withheld(events)
+    assert events[at]["entity"] == "measurement" and len(events) > at + 2
+    rewrite(followed, events)
+    assert verify_package(read_package(followed)).ok  # writing it anew alone changes nothing
+    events[at]["actor_id"] = str(int(events[at]["actor_id"]) + 1)
+    events[at]["content_sha256"] = event_hash(_hashed(events[at]))
+    events[at]["hash"] = link_hash(events[at]["previous_hash"], events[at]["content_sha256"])
+    events[at + 1]["previous_hash"] = events[at]["hash"]
+    rewrite(followed, events)
+    problem = str(verify_package(read_package(followed)).problem)
+    assert f"event {events[at + 1]['id']} is not the one that was hashed" in problem
+
+
+def test_a_forger_who_hashes_the_withheld_one_anew_breaks_the_next_link(followed: Path) -> None:
+    events = rows(followed, "audit.csv")
+    at = before_withheld(events) + 1
+    events[at]["content_sha256"] = "0" * 64
+    events[at]["hash"] = link_hash(events[at]["previous_hash"], events[at]["content_sha256"])
+    rewrite(followed, events)
+    assert "does not follow" in str(verify_package(read_package(followed)).problem)
+
+
+def test_an_event_that_is_withheld_tells_nothing(followed: Path) -> None:
+    """Else a forged measurement would be vouched for by an event whose content nobody checks."""
+    events = rows(followed, "audit.csv")
+    at = before_withheld(events)
+    events[at]["withheld"] = "true"
+    rewrite(followed, events)
+    problem = str(verify_package(read_package(followed)).problem)
+    assert f"event {events[at]['id']} is not the one that was hashed" in problem
