@@ -91,7 +91,8 @@ def _entries(
     return out
 
 
-def _flags(pose: RoadPose, seen: Sight, u_m: float) -> tuple[str, ...]:
+def left_out(pose: RoadPose) -> list[str]:
+    """What the uncertainty of a height lacks because the pose does not say it, one sentence each."""
     out = []
     if pose.covariance is None:
         out.append("The uncertainty of lens and pose is unknown and left out.")
@@ -99,6 +100,11 @@ def _flags(pose: RoadPose, seen: Sight, u_m: float) -> tuple[str, ...]:
         out.append("The uncertainty of the lens is unknown; only what the pose file states is included.")
     if pose.board is None:
         out.append("The board is unknown, so its lean and height are left out of the uncertainty.")
+    return out
+
+
+def _flags(pose: RoadPose, seen: Sight, u_m: float) -> tuple[str, ...]:
+    out = left_out(pose)
     norm = np.sqrt(seen.target[0] ** 2 + seen.target[1] ** 2 + 1.0)
     if abs(float(seen.w_target_y[0])) < _EDGE_FLAG * float(norm[0]):
         out.append("The side plane is seen at less than 10 degrees.")

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 
 from backend.geometry.arrays import Floats, skew
 from backend.geometry.camera import project_with_jacobians, undistort
-from backend.geometry.height import COVERAGE_95, BudgetEntry, Height, not_measurable
+from backend.geometry.height import COVERAGE_95, BudgetEntry, Height, left_out, not_measurable
 from backend.geometry.road_pose import RoadPose
 from backend.geometry.sight import BAD_SIGMA, BELOW_ROAD, NO_CROSSING, OK, REASONS, contact_on_road, sight
 
@@ -264,13 +264,13 @@ def _reported(
         inset,
         u_inset,
         tuple(BudgetEntry(name, float(np.sqrt(v[-1]))) for name, v in found[0].items()),
-        _flags(at, theta, sigma, u_inset),
+        _flags(pose, at, theta, sigma, u_inset),
     )
     return MultiHeight(result, inset, u_inset, heading, u_heading_out, abs(float(theta[frames])), frames)
 
 
-def _flags(at: _Linear, theta: Floats, sigma: float, u_inset: float) -> tuple[str, ...]:
-    out = []
+def _flags(pose: RoadPose, at: _Linear, theta: Floats, sigma: float, u_inset: float) -> tuple[str, ...]:
+    out = left_out(pose)
     freedom = len(at.residual) - len(theta)
     if at.residual @ at.residual / sigma**2 > _CHI2_999.get(freedom, freedom + 4.0 * np.sqrt(2.0 * freedom)):
         out.append("The clicks disagree with straight, level travel; are the points the same in every frame?")

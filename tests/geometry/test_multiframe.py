@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 
-from backend.geometry.height import COVERAGE_95
+from backend.geometry.height import COVERAGE_95, measure_height
 from backend.geometry.multiframe import measure_frames
 from backend.geometry.road_pose import BoardOnRoad, RoadPose
 from tests.geometry.scenes import LENSES, pose_of
@@ -126,3 +126,22 @@ def test_clicks_that_do_not_belong_together_are_flagged() -> None:
     contacts, targets = clicks(SQUARE_ON, (0.0, 2.0))
     found = measure_frames(pose_of(SQUARE_ON), contacts, targets + np.array([[0, 0], [0, 25.0]]))
     assert found.height.status == "not_measurable" or any("disagree" in f for f in found.height.flags)
+
+
+@pytest.mark.parametrize("lens_known", [True, False])
+def test_what_the_pose_does_not_say_is_told_as_for_one_frame(lens_known) -> None:
+    contacts, targets = clicks(SQUARE_ON, (0.0, 2.0))
+    bare = pose_of(SQUARE_ON)
+    board = BoardOnRoad(6, 4, 0.1, "top", 0.9, 0.003, 0.005, 3.0)
+    camera = dataclasses.replace(bare.camera, covariance=np.eye(9) * 1e-9) if lens_known else bare.camera
+    full = dataclasses.replace(bare, camera=camera, covariance=np.eye(15) * 1e-9, board=board)
+    for pose, lacking in ((bare, 2), (full, 0 if lens_known else 1)):
+        told = [
+            {f for f in found.flags if "left out" in f or "of the lens is unknown" in f}
+            for found in (
+                measure_frames(pose, contacts, targets).height,
+                measure_height(pose, contacts[0], targets[0]),
+            )
+        ]
+        assert told[0] == told[1]
+        assert len(told[0]) == lacking
