@@ -3,7 +3,7 @@
 from datetime import datetime
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict, Field, field_validator
 
 Finite = Annotated[float, Field(allow_inf_nan=False)]
 Point = Annotated[list[Finite], Field(min_length=2, max_length=2, examples=[[320.5, 240.25]])]
@@ -19,6 +19,14 @@ class In(BaseModel):
     """A body that comes in: unknown keys are refused, so that a misspelt one is never silently dropped."""
 
     model_config = ConfigDict(extra="forbid")
+
+    @field_validator("*", mode="after")
+    @classmethod
+    def _without_nul(cls, value: Any) -> Any:
+        """PostgreSQL's texts hold no NUL; SQLite's would, and could then not be moved there."""
+        if isinstance(value, str) and "\x00" in value:
+            raise ValueError("a text cannot hold the NUL character")
+        return value
 
 
 class Out(BaseModel):

@@ -8,7 +8,7 @@ from fastapi import FastAPI, Request
 from fastapi.encoders import jsonable_encoder
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import JSONResponse
-from sqlalchemy.exc import OperationalError
+from sqlalchemy.exc import DataError, OperationalError
 from starlette.exceptions import HTTPException
 
 from backend.errors import NoRoom, SightlineError
@@ -71,6 +71,11 @@ def unexpected(request: Request, error: Exception) -> JSONResponse:
     if isinstance(error, OperationalError):
         said = explanation(error)
         return answer(said.status, said.code, said.message)
+    if isinstance(error, DataError):
+        # Out of a query string, a file name or an imported table: the bodies are checked before.
+        return answer(
+            422, "bad_input", "A text or number in the request cannot be stored; correct it and send it again."
+        )
     if isinstance(error, OSError) and error.errno in (errno.ENOSPC, errno.EDQUOT):
         return answer(FULL.status, FULL.code, FULL.message)
     log.error("%s %s failed", request.method, request.url.path, exc_info=error)
@@ -85,5 +90,6 @@ def install(app: FastAPI) -> None:
     app.add_exception_handler(RequestValidationError, malformed)
     app.add_exception_handler(HTTPException, plain_http)
     app.add_exception_handler(OperationalError, unexpected)
+    app.add_exception_handler(DataError, unexpected)
     app.add_exception_handler(OSError, unexpected)
     app.add_exception_handler(Exception, unexpected)

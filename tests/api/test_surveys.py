@@ -34,6 +34,14 @@ def test_two_people_change_one_survey(operator: Client, reviewer: Client, survey
     assert operator.seen(path)["name"] == "Rouen"
 
 
+def test_text_with_nul_is_refused_on_every_database(operator: Client, viewer: Client) -> None:
+    refused = operator.post("/surveys", {"name": "a\x00b", "site": "", "description": ""})
+    assert refused.status_code == 422
+    assert "NUL" in error_of(refused)
+    # In an address SQLite looks for it and PostgreSQL refuses it; neither breaks.
+    assert viewer.get("/catalogue?q=%00").status_code in (200, 422)
+
+
 def test_insets_left_out_stay(operator: Client, survey_id: int) -> None:
     path = f"/surveys/{survey_id}"
     before = operator.seen(path)["insets"]
