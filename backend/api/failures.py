@@ -74,7 +74,7 @@ def unexpected(request: Request, error: Exception) -> JSONResponse:
     if isinstance(error, DataError):
         # Out of a query string, a file name or an imported table: the bodies are checked before.
         return answer(
-            422, "bad_input", "A text or number in the request cannot be stored; correct it and send it again."
+            422, "bad_input", "A value in the request cannot be stored; correct it and send it again."
         )
     if isinstance(error, OSError) and error.errno in (errno.ENOSPC, errno.EDQUOT):
         return answer(FULL.status, FULL.code, FULL.message)

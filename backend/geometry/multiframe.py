@@ -21,7 +21,10 @@ from backend.geometry.sight import BAD_SIGMA, BELOW_ROAD, NO_CROSSING, OK, REASO
 
 U_HEADING_RAD = float(np.deg2rad(1.0))  # how well a board is set parallel to the traffic (estimate)
 LEAST_TRAVEL_M = 0.15
+_UNSETTLED = "The clicks do not settle on one travelling vehicle; click the same two points in every frame."
 _ROUNDS = 50
+# Settled: what is left to gain in chi-square; its root is the largest step left, in standard uncertainties.
+_LEFT_TO_GAIN = 1e-6
 _CHI2_999 = {1: 10.83, 3: 16.27, 5: 20.52, 7: 24.32}
 
 
@@ -83,7 +86,7 @@ def measure_frames(
     sigma = max(sigma_px, 1e-6)
     solved = _solve(pose, contacts, targets, start, sigma, u_heading_rad)
     if solved is None:
-        return MultiHeight(not_measurable("The clicks of the frames do not fit one travelling vehicle."))
+        return MultiHeight(not_measurable(_UNSETTLED))
     return _reported(pose, contacts, targets, solved, sigma, u_heading_rad)
 
 
@@ -199,7 +202,22 @@ def _solve(
             damping *= 10.0
             if damping > 1e10:
                 break
-    return theta if np.isfinite(theta).all() else None
+    return theta if _left_to_gain(now, theta, prior, sigma) <= _LEFT_TO_GAIN else None
+
+
+def _left_to_gain(at: _Linear, theta: Floats, prior: Floats, sigma: float) -> float:
+    """How much an undamped step would still lower the cost; infinite where there is no such step.
+
+    Rounds may run out, and damping grow without end, far from the minimum as well as at it.
+    """
+    normal = at.jacobian.T @ at.jacobian / sigma**2 + np.diag(prior)
+    gain = at.jacobian.T @ at.residual / sigma**2 - prior * theta
+    scale = 1.0 / np.sqrt(np.maximum(np.diag(normal), 1e-300))
+    try:
+        left = float(gain * scale @ np.linalg.solve(normal * np.outer(scale, scale), gain * scale))
+    except np.linalg.LinAlgError:
+        return np.inf
+    return abs(left) if np.isfinite(left) else np.inf
 
 
 def _cost(at: _Linear, theta: Floats, prior: Floats, sigma: float) -> float:
