@@ -23,8 +23,8 @@ U_HEADING_RAD = float(np.deg2rad(1.0))  # how well a board is set parallel to th
 LEAST_TRAVEL_M = 0.15
 _UNSETTLED = "The clicks do not settle on one travelling vehicle; click the same two points in every frame."
 _ROUNDS = 50
-# Settled: what is left to gain in chi-square; its root is the largest step left, in standard uncertainties.
-_LEFT_TO_GAIN = 1e-6
+# Settled: left to gain of 1 + chi-square; its root is the step left in uncertainties (scaled by the misfit).
+_LEFT_TO_GAIN = 1e-8
 _CHI2_999 = {1: 10.83, 3: 16.27, 5: 20.52, 7: 24.32}
 
 
@@ -202,7 +202,8 @@ def _solve(
             damping *= 10.0
             if damping > 1e10:
                 break
-    return theta if _left_to_gain(now, theta, prior, sigma) <= _LEFT_TO_GAIN else None
+    left = _left_to_gain(now, theta, prior, sigma)
+    return theta if left <= _LEFT_TO_GAIN * (1.0 + cost) else None
 
 
 def _left_to_gain(at: _Linear, theta: Floats, prior: Floats, sigma: float) -> float:

@@ -5,6 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 
+from backend.geometry import multiframe
 from backend.geometry.height import COVERAGE_95, measure_height
 from backend.geometry.multiframe import measure_frames
 from backend.geometry.road_pose import BoardOnRoad, RoadPose
@@ -145,3 +146,20 @@ def test_what_the_pose_does_not_say_is_told_as_for_one_frame(lens_known) -> None
         ]
         assert told[0] == told[1]
         assert len(told[0]) == lacking
+
+
+def test_clicks_that_do_not_settle_have_a_reason_instead_of_a_height() -> None:
+    contacts, targets = [[127.0, 425.0], [335.0, 300.0]], [[97.0, 174.0], [320.0, 354.0]]
+    found = measure_frames(pose_of(SQUARE_ON), contacts, targets)
+    assert (found.height.status, found.height.height_m) == ("not_measurable", None)
+    assert "do not settle" in str(found.height.reason)
+
+
+@pytest.mark.parametrize("sigma_px", [1.0, 0.0])
+def test_rounds_that_run_out_give_no_height(monkeypatch: pytest.MonkeyPatch, sigma_px: float) -> None:
+    contacts, targets = clicks(SQUARE_ON, (0.0, 2.0))
+    targets = targets + np.array([[3.0, -2.0], [-4.0, 1.0]])
+    assert measure_frames(pose_of(SQUARE_ON), contacts, targets, sigma_px).height.status == "ok"
+    monkeypatch.setattr(multiframe, "_ROUNDS", 1)
+    found = measure_frames(pose_of(SQUARE_ON), contacts, targets, sigma_px)
+    assert "do not settle" in str(found.height.reason) and found.solved_inset_m is None
