@@ -26,7 +26,7 @@ class Settings(BaseSettings):
     host: str = "127.0.0.1"
     port: int = Field(default=8000, ge=0, le=65535)
     #: a SQLite file in the data folder, unless named
-    database_url: str = Field(default_factory=lambda data: f"sqlite:///{_absolute(data) / 'sightline.db'}")
+    database_url: str = Field(default_factory=lambda data: sqlite_url(_absolute(data) / "sightline.db"))
     #: a folder in the data folder, unless named
     media_url: str = Field(default_factory=lambda data: str(_absolute(data) / "media"))
     frontend_dir: Path = Field(default_factory=default_frontend_dir)
@@ -45,6 +45,13 @@ def load_settings(**overrides: Any) -> Settings:
     Raises pydantic.ValidationError, which names the variable that cannot be used.
     """
     return Settings(**{name: value for name, value in overrides.items() if value is not None})
+
+
+def sqlite_url(path: Path) -> str:
+    """The address of a SQLite file of any name: `?` and `%` mean something else in an address."""
+    from sqlalchemy import URL
+
+    return URL.create("sqlite", database=str(path)).render_as_string(hide_password=False)
 
 
 def _checkout() -> Path | None:

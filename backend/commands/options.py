@@ -52,8 +52,12 @@ def settings_of(**overrides: object) -> Settings:
 
 def require_database(settings: Settings) -> None:
     """Raise BadInput where the settings name a SQLite file that is not there: reading must not make one."""
-    kind, _, path = settings.database_url.partition(":///")
-    if kind == "sqlite" and not Path(path).is_file():
+    if not settings.database_url.startswith("sqlite:///"):
+        return
+    from sqlalchemy import make_url
+
+    path = make_url(settings.database_url).database or ""
+    if not Path(path).is_file():
         raise BadInput(f"There is no database at {path}; name its folder with --data-dir.")
 
 

@@ -10,6 +10,7 @@ import click
 
 from backend.commands.options import json_option, print_json
 from backend.errors import BadInput, Damaged
+from backend.settings import sqlite_url
 
 DATABASE = "sightline.db"
 
@@ -42,7 +43,7 @@ def check(place: str) -> dict[str, Any]:
         path = path / DATABASE
     if path.is_dir() or path.suffix == ".zip":
         return check_export(path)
-    return check_database(f"sqlite:///{path.absolute()}", str(path))
+    return check_database(sqlite_url(path.absolute()), str(path))
 
 
 def check_export(path: Path) -> dict[str, Any]:

@@ -70,3 +70,23 @@ def test_a_row_changed_behind_our_back_is_found(
     assert main(["verify", str(path)]) == 1
     said = capsys.readouterr().err
     assert "sightline.db" in said and said.count("\n") == 1
+
+
+@pytest.mark.parametrize("name", ["what?mode=ro", "a%20b", "a b#c", "é%3F"])
+def test_a_data_folder_of_any_name_holds_its_own_database(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], name: str
+) -> None:
+    folder = tmp_path / name
+    folder.mkdir()
+    monkeypatch.delenv("SIGHTLINE_DATABASE_URL", raising=False)
+    engine = database.make_engine(Settings(data_dir=folder).database_url)
+    database.migrate(engine)
+    with database.writing(database.session_factory(engine)) as session:
+        surveys.create(session, name="Road", actor=None)
+    engine.dispose()
+    assert (folder / "sightline.db").is_file()
+    assert [path.name for path in tmp_path.iterdir()] == [name]
+    for place in (folder, folder / "sightline.db"):
+        assert main(["verify", str(place)]) == 0, capsys.readouterr()
+    exported = ["export", "--data-dir", str(folder), "--survey", "Road", "-o", str(tmp_path / "out")]
+    assert main(exported) == 0, capsys.readouterr()
