@@ -63,6 +63,10 @@ def verify_package(files: Files) -> PackageCheck:
         told_alike(files, events)
     except (Damaged, BadInput) as error:
         return PackageCheck(False, len(files), checked, heights, head, error.message)
+    except (KeyError, ValueError) as error:
+        # Checksums agree, yet a column is missing or holds what it cannot: another version, or a forger's.
+        problem = f"A table lacks or cannot hold {error}; export the survey again with this version."
+        return PackageCheck(False, len(files), checked, heights, head, " ".join(problem.split()))
     return PackageCheck(True, len(files), checked, heights, head, None)
 
 

@@ -272,3 +272,13 @@ def test_an_event_that_is_withheld_tells_nothing(followed: Path) -> None:
     rewrite(followed, events)
     problem = str(verify_package(read_package(followed)).problem)
     assert f"event {events[at]['id']} is not the one that was hashed" in problem
+
+
+@pytest.mark.parametrize("column", ["content_sha256", "previous_hash"])
+def test_a_column_that_is_missing_is_told_in_one_sentence(followed: Path, column: str) -> None:
+    events = rows(followed, "audit.csv")
+    for event in events:
+        del event[column]
+    rewrite(followed, events)
+    check = verify_package(read_package(followed))
+    assert not check.ok and column in str(check.problem) and "\n" not in str(check.problem)
