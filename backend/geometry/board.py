@@ -7,12 +7,14 @@ detection is brought
 into the order as seen: first corner at the top left, columns to the right, rows down.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from backend.errors import BadInput
 from backend.geometry.arrays import Floats
+from backend.geometry.charuco import Charuco, require_charuco
 from backend.geometry.road_pose import Side
 
 MAX_ROLL_RAD = np.deg2rad(62.0)  # a board given as columns x rows is believed up to this roll of the camera
@@ -20,18 +22,26 @@ MAX_ROLL_RAD = np.deg2rad(62.0)  # a board given as columns x rows is believed u
 
 @dataclass(frozen=True)
 class Board:
-    """A checkerboard by its inner corners: `columns` across, `rows` down, squares of `square_m`."""
+    """A checkerboard by its inner corners: `columns` across, `rows` down, squares of `square_m`; `charuco`
+    where its white squares carry markers.
+    """
 
     columns: int
     rows: int
     square_m: float
+    charuco: Charuco | None = None
 
     def transposed(self) -> "Board":
-        return Board(self.rows, self.columns, self.square_m)
+        return replace(self, columns=self.rows, rows=self.columns)
 
     @property
     def corners(self) -> int:
         return self.columns * self.rows
+
+    @property
+    def clear_share(self) -> float:
+        """Radius round a corner, in squares, in which a fit meets nothing but the four squares."""
+        return 0.42 if self.charuco is None else min(0.42, 0.95 * self.charuco.clear_share(self.square_m))
 
 
 def require_board(board: Board) -> None:
@@ -45,6 +55,8 @@ def require_board(board: Board) -> None:
         raise BadInput(
             f"A square of {board.square_m} m cannot be right; give the side of one square in metres."
         )
+    if board.charuco is not None:
+        require_charuco(board.charuco, board.columns, board.rows, board.square_m)
 
 
 def board_points(board: Board) -> Floats:
@@ -82,7 +94,27 @@ def canonical_order(points_px: Floats, board: Board) -> tuple[Floats, Board]:
     if best[1] > MAX_ROLL_RAD and board.columns != board.rows:
         best = min((_upright(grid) for grid in grids if not _fits(grid, board)), key=lambda found: found[1])
     grid = best[0]
-    return np.ascontiguousarray(grid), Board(grid.shape[1], grid.shape[0], board.square_m)
+    return np.ascontiguousarray(grid), replace(board, columns=grid.shape[1], rows=grid.shape[0])
+
+
+def numbered_as_seen(
+    numbers: NDArray[np.intp], points_px: Floats, board: Board
+) -> tuple[NDArray[np.intp], Floats, Board]:
+    """Corners of a numbered board, seen in part, in the order as seen: their places in the grid as seen (N,),
+    rising, and pixels (N, 2) in that order.
+
+    numbers: row by row as printed. The whole grid is carried on from what is seen and ordered like any other.
+    """
+    at = np.column_stack([numbers % board.columns, numbers // board.columns, np.ones(len(numbers))])
+    to_px = np.linalg.lstsq(at, points_px, rcond=None)[0]
+    row, column = np.mgrid[0 : board.rows, 0 : board.columns]
+    whole = np.stack([column, row, np.ones_like(row)], axis=-1) @ to_px
+    printed = np.arange(board.corners).reshape(board.rows, board.columns, 1)
+    ordered, as_seen = canonical_order(np.concatenate([whole, printed], axis=2), board)
+    place = np.empty(board.corners, dtype=np.intp)
+    place[ordered[..., 2].ravel().astype(np.intp)] = np.arange(board.corners)
+    order = np.argsort(place[numbers])
+    return place[numbers][order], points_px[order], as_seen
 
 
 def _fits(grid: Floats, board: Board) -> bool:

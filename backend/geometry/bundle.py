@@ -1,7 +1,8 @@
 """Least squares over a lens and the poses of all its views at once (bundle adjustment of a calibration).
 
-Used where OpenCV's fisheye solver, which has one fixed start, ends in a false minimum: here several focal
-lengths are tried, each with poses from both planar solutions, and the best is refined to its minimum.
+It ends what OpenCV's solvers begin, and takes the board's shape in as well where the board is not flat.
+OpenCV's fisheye solver has one fixed start and can end in a false minimum: then several focal lengths are
+tried here, each with poses from both planar solutions, and the best is refined to its minimum.
 """
 
 from collections.abc import Sequence
@@ -26,28 +27,71 @@ def refine_all(
     seen: Sequence[Floats],
 ) -> tuple[Camera, tuple[PlanarPose, ...]]:
     """Levenberg-Marquardt over the lens's parameters and every pose (Schur complement over the poses)."""
-    now, cost, damping = tuple(poses), sum(p.cost for p in poses), 1e-4
+    flat = [np.empty((len(points), 0)) for points in objects]
+    camera, found, _ = refine_bent(camera, poses, objects, seen, flat)
+    return camera, found
+
+
+def refine_bent(
+    camera: Camera,
+    poses: Sequence[PlanarPose],
+    objects: Sequence[Floats],
+    seen: Sequence[Floats],
+    bases: Sequence[Floats],
+) -> tuple[Camera, tuple[PlanarPose, ...], Floats]:
+    """As `refine_all`, and over the board's shape: `bases` (N, m) are the corners' heights out of the board's
+    plane per unit of each of m coefficients, which come back (m,), metres. The poses' `lens_jacobian` then
+    holds m further columns, those of the shape.
+    """
+    n, shape = 4 + len(camera.distortion), np.zeros(bases[0].shape[1])
+    now = _all_turned(camera, poses, [np.zeros(6)] * len(poses), shape, objects, seen, bases)
+    cost, damping = sum(p.cost for p in now), 1e-4
     for _ in range(_ROUNDS):
         step, turns = _step(now, damping)
-        tried_camera = _moved(camera, step)
+        tried_camera, tried_shape = _moved(camera, step[:n]), shape + step[n:]
         if tried_camera is None:
             damping *= 10.0
             continue
-        tried = tuple(
-            _turned(tried_camera, pose, turn, o, s)
-            for pose, turn, o, s in zip(now, turns, objects, seen, strict=True)
-        )
+        tried = _all_turned(tried_camera, now, turns, tried_shape, objects, seen, bases)
         new_cost = sum(p.cost for p in tried)
         if np.isfinite(new_cost) and new_cost <= cost:
             done = cost - new_cost <= 1e-11 * cost
-            camera, now, cost, damping = tried_camera, tried, new_cost, max(0.1 * damping, 1e-10)
+            camera, shape, now, cost, damping = (
+                tried_camera,
+                tried_shape,
+                tried,
+                new_cost,
+                max(0.1 * damping, 1e-10),
+            )
             if done:
                 break
         else:
             damping *= 10.0
             if damping > 1e8:
                 break
-    return camera, now
+    return camera, now, shape
+
+
+def _all_turned(
+    camera: Camera,
+    poses: Sequence[PlanarPose],
+    turns: Sequence[Floats],
+    shape: Floats,
+    objects: Sequence[Floats],
+    seen: Sequence[Floats],
+    bases: Sequence[Floats],
+) -> tuple[PlanarPose, ...]:
+    return tuple(
+        _turned(camera, pose, turn, raised(o, b, shape), s, b)
+        for pose, turn, o, s, b in zip(poses, turns, objects, seen, bases, strict=True)
+    )
+
+
+def raised(points: Floats, basis: Floats, shape: Floats) -> Floats:
+    """The flat board's points (N, 3) with the heights of its shape."""
+    if not shape.size:
+        return points
+    return np.column_stack([points[:, :2], points[:, 2] + basis @ shape])
 
 
 def _step(poses: Sequence[PlanarPose], damping: float) -> tuple[Floats, list[Floats]]:
@@ -80,9 +124,16 @@ def _moved(camera: Camera, step: Floats) -> Camera | None:
     return replace(camera, fx_px=fx, fy_px=fy, cx_px=cx, cy_px=cy, distortion=camera.distortion + step[4:])
 
 
-def _turned(camera: Camera, pose: PlanarPose, step: Floats, points: Floats, seen: Floats) -> PlanarPose:
+def _turned(
+    camera: Camera, pose: PlanarPose, step: Floats, points: Floats, seen: Floats, basis: Floats
+) -> PlanarPose:
     turn = exp_rotation(step[:3])
-    return linearise(camera, turn @ pose.rotation, turn @ pose.translation + step[3:], points, seen)
+    at = linearise(camera, turn @ pose.rotation, turn @ pose.translation + step[3:], points, seen)
+    if not basis.shape[1]:
+        return at
+    by_height = at.jacobian[:, 3:] @ at.rotation[:, 2]  # a corner that moves along the board's normal
+    by_shape = by_height[:, None] * np.repeat(basis, 2, axis=0)
+    return replace(at, lens_jacobian=np.concatenate([at.lens_jacobian, by_shape], axis=1))
 
 
 def from_scratch(

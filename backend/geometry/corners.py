@@ -11,15 +11,17 @@ from numpy.typing import NDArray
 
 from backend.geometry.arrays import Floats, frozen
 from backend.geometry.board import Board as Board
-from backend.geometry.board import canonical_order, require_board
+from backend.geometry.board import canonical_order, numbered_as_seen, require_board
+from backend.geometry.charuco import Charuco, find_charuco
 from backend.geometry.extent import goes_on
-from backend.geometry.saddle import refine_saddles
+from backend.geometry.saddle import refine_saddles, refine_saddles_at
 
 Gray = NDArray[np.uint8]
 
 _CLASSIC = cv2.CALIB_CB_ADAPTIVE_THRESH | cv2.CALIB_CB_NORMALIZE_IMAGE
 _FAST = _CLASSIC | cv2.CALIB_CB_FAST_CHECK
 _SB = cv2.CALIB_CB_NORMALIZE_IMAGE
+_CLASSIC_PIXELS = 0.5e6
 _STOP = (cv2.TERM_CRITERIA_EPS + cv2.TERM_CRITERIA_MAX_ITER, 60, 1e-4)
 # seconds per megapixel that an attempt may take where there is no board (measured, doubled)
 _COST = {
@@ -27,6 +29,7 @@ _COST = {
     "sector": 0.25,
     "classic, full": 1.2,
     "classic, enlarged": 0.5,
+    "classic, reduced and full": 0.5,
     "sector, enlarged": 1.2,
 }
 
@@ -35,7 +38,8 @@ _COST = {
 class Corners:
     """A detection. `points_px` (rows, columns, 2) of `board_as_seen`: [0, 0] top left as seen, columns to the
     right, rows down; empty with a `reason` where nothing was found. `sharpness`: width in pixels of the edges
-    from 10 to 90 per cent (smaller is sharper), 0 where unknown.
+    from 10 to 90 per cent (smaller is sharper), 0 where unknown. `ids` is None where every corner was seen;
+    else points_px is (N, 2) and `ids` (N,) says which they are, counted row by row in `board_as_seen`.
     """
 
     found: bool
@@ -44,6 +48,12 @@ class Corners:
     reason: str | None
     sharpness: float
     detector: str
+    ids: NDArray[np.intp] | None = None
+
+    @property
+    def which(self) -> NDArray[np.intp]:
+        """Places (N,) of the corners seen in the board's points, row by row."""
+        return np.arange(self.board_as_seen.corners) if self.ids is None else self.ids
 
 
 def not_found(board: Board, reason: str) -> Corners:
@@ -61,19 +71,41 @@ def _sector(gray: Gray, board: Board) -> Floats | None:
     return np.asarray(points, dtype=np.float64).reshape(-1, 2) if found else None
 
 
-def _enlarged(gray: Gray, search: Callable[[Gray], Floats | None]) -> Floats | None:
-    twice: Any = cv2.resize(gray, None, fx=2.0, fy=2.0, interpolation=cv2.INTER_CUBIC)
-    points = search(twice)
-    return None if points is None else (points + 0.5) / 2.0 - 0.5
+def _scaled(gray: Gray, scale: float, search: Callable[[Gray], Floats | None]) -> Floats | None:
+    how = cv2.INTER_CUBIC if scale > 1.0 else cv2.INTER_AREA
+    size: Any = (round(gray.shape[1] * scale), round(gray.shape[0] * scale))
+    by = np.array(size) / (gray.shape[1], gray.shape[0])
+    resized: Any = cv2.resize(gray, size, interpolation=how)
+    points = search(resized)
+    return None if points is None else np.asarray((points + 0.5) / by - 0.5, dtype=np.float64)
 
 
-def _attempts(board: Board) -> Sequence[tuple[str, Callable[[Gray], Floats | None]]]:
+def _attempts(board: Board, pixels: int) -> Sequence[tuple[str, Callable[[Gray], Floats | None]]]:
+    """Searches in their order. The classic one takes milliseconds where the board is, but up to twenty
+    seconds for a large picture without one, and cannot be stopped: large pictures it only sees reduced.
+    """
+    small = float(np.sqrt(_CLASSIC_PIXELS / pixels))
+    sector = ("sector", lambda gray: _sector(gray, board))
+    enlarged = ("sector, enlarged", lambda gray: _scaled(gray, 2.0, lambda big: _sector(big, board)))
+    if small < 0.9:
+        return (
+            (
+                "classic, reduced",
+                lambda gray: _scaled(gray, small, lambda less: _classic(less, board, _FAST)),
+            ),
+            sector,
+            (
+                "classic, reduced and full",
+                lambda gray: _scaled(gray, small, lambda less: _classic(less, board, _CLASSIC)),
+            ),
+            enlarged,
+        )
     return (
         ("classic", lambda gray: _classic(gray, board, _FAST)),
-        ("sector", lambda gray: _sector(gray, board)),
+        sector,
         ("classic, full", lambda gray: _classic(gray, board, _CLASSIC)),
-        ("classic, enlarged", lambda gray: _enlarged(gray, lambda big: _classic(big, board, _FAST))),
-        ("sector, enlarged", lambda gray: _enlarged(gray, lambda big: _sector(big, board))),
+        ("classic, enlarged", lambda gray: _scaled(gray, 2.0, lambda big: _classic(big, board, _FAST))),
+        enlarged,
     )
 
 
@@ -81,18 +113,20 @@ def detect(gray: Gray, board: Board, time_limit_s: float = 2.0) -> Corners:
     """Find `board` in a grey picture (H, W) uint8.
 
     The classic detector with its quick rejection first, the sector-based one next (Duda and Frese 2018),
-    then the classic one in full and both on the enlarged picture. No attempt starts that could outlast
-    `time_limit_s`. Raises BadInput for an impossible board; a picture without the board is a result with
-    its reason.
+    then the classic one in full (small pictures only) and both on the enlarged picture. No attempt starts
+    that could outlast `time_limit_s`. Raises BadInput for an impossible board; a picture without the board is
+    a result with its reason.
     """
     require_board(board)
     if gray.ndim != 2 or min(gray.shape) < 32:
         return not_found(board, "The picture is too small to hold a board.")
+    if board.charuco is not None:
+        return _numbered(gray, board, board.charuco)
     started = perf_counter()
     megapixels = gray.size / 1e6
     doubt: str | None = None
     skipped = False
-    for index, (name, search) in enumerate(_attempts(board)):
+    for index, (name, search) in enumerate(_attempts(board, gray.size)):
         if index and perf_counter() - started + _COST[name] * megapixels > time_limit_s:
             skipped = True
             continue
@@ -103,6 +137,38 @@ def detect(gray: Gray, board: Board, time_limit_s: float = 2.0) -> Corners:
                 return corners
             doubt = doubt or corners.reason
     return not_found(board, doubt or _advice(board, skipped))
+
+
+def _numbered(gray: Gray, board: Board, charuco: Charuco) -> Corners:
+    """The corners seen of a board with markers: all of them as a grid, or a part with their ids."""
+    found = find_charuco(gray, charuco, board.columns, board.rows, board.square_m)
+    if found is None:
+        return not_found(
+            board,
+            f"No ChArUco board of {board.columns}x{board.rows} inner corners with {charuco.dictionary} "
+            "markers was found, or too little of it; it must be sharp and of that dictionary.",
+        )
+    ids, rough, as_seen = numbered_as_seen(*found, board)
+    if spacing_px(rough) < 3.0:
+        return not_found(board, "The squares are smaller than 3 px; bring the board closer.")
+    right, down = neighbours(ids, rough, as_seen)
+    points = refine_saddles_at(gray, rough, right, down, board.clear_share).points_px
+    whole = len(ids) == board.corners
+    grid = points.reshape(as_seen.rows, as_seen.columns, 2) if whole else points
+    return Corners(True, frozen(grid), as_seen, None, 0.0, "charuco", None if whole else ids)
+
+
+def neighbours(ids: NDArray[np.intp], points: Floats, board: Board) -> tuple[Floats, Floats]:
+    """Vectors (N, 2) from corners (N, 2) of a board to where their neighbours right and below are."""
+    at = np.column_stack([ids % board.columns, ids // board.columns]).astype(np.float64)
+    to_px: Any = cv2.findHomography(at, points)[0]
+
+    def moved(by: tuple[float, float]) -> Floats:
+        shifted = np.column_stack([at + by, np.ones(len(at))]) @ to_px.T
+        return np.asarray(shifted[:, :2] / shifted[:, 2:], dtype=np.float64)
+
+    right, down = (moved(step) - moved((-step[0], -step[1])) for step in ((0.5, 0.0), (0.0, 0.5)))
+    return right, down
 
 
 def _advice(board: Board, skipped: bool) -> str:
@@ -133,21 +199,29 @@ def _accepted(gray: Gray, points: Floats, board: Board, name: str) -> Corners:
 
 
 def spacing_px(grid: Floats) -> float:
-    """Smallest distance between neighbours of a grid (rows, columns, 2)."""
-    right = np.linalg.norm(np.diff(grid, axis=1), axis=2).min()
-    down = np.linalg.norm(np.diff(grid, axis=0), axis=2).min()
-    return float(min(right, down))
+    """Smallest distance between neighbours of a grid (rows, columns, 2), or of some corners of it (N, 2)."""
+    if grid.ndim == 2:
+        apart = np.linalg.norm(grid[:, None] - grid[None], axis=2)
+        return float(apart[~np.eye(len(grid), dtype=bool)].min())
+    right, down = grid[:, 1:] - grid[:, :-1], grid[1:] - grid[:-1]
+    least = min((step * step).sum(axis=2).min() for step in (right, down))
+    return float(np.sqrt(least))
 
 
-def refine_subpixel(gray: Gray, grid: Floats, stop: tuple[int, int, float] = _STOP) -> Floats:
-    """OpenCV's cornerSubPix, its window kept inside the squares: a wider one falls onto the neighbours."""
-    most = 5 if min(gray.shape) <= 600 else 11
-    half = int(np.clip(0.4 * spacing_px(grid), 1, most))
+def refine_subpixel(
+    gray: Gray, grid: Floats, stop: tuple[int, int, float] = _STOP, share: float = 0.4
+) -> Floats:
+    """OpenCV's cornerSubPix, its window kept inside the squares (`share` of one): a wider one falls onto the
+    neighbours.
+    """
+    spacing = spacing_px(grid)
+    half = int(np.clip(share * spacing, 1, 5 if min(gray.shape) <= 600 else 11))
     start = grid.reshape(-1, 1, 2).astype(np.float32)
-    moved: Any = cv2.cornerSubPix(gray, start.copy(), (half, half), (-1, -1), stop)
+    moved: Any = cv2.cornerSubPix(gray, start, (half, half), (-1, -1), stop)
     out = np.asarray(moved, dtype=np.float64).reshape(grid.shape)
-    lost = np.linalg.norm(out - grid, axis=2) > max(2.0, 0.3 * spacing_px(grid))
-    return np.where(lost[..., None], grid, out)
+    shift = out - grid
+    lost = (shift * shift).sum(axis=-1) > max(2.0, 0.3 * spacing) ** 2
+    return np.where(lost[..., None], grid, out) if lost.any() else out
 
 
 def flaw(gray: Gray, grid: Floats) -> str | None:

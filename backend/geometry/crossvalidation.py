@@ -11,92 +11,153 @@ from dataclasses import dataclass
 import numpy as np
 
 from backend.errors import BadInput
-from backend.geometry.arrays import Floats
-from backend.geometry.board import Board, board_points, road_points
-from backend.geometry.calibration import NamedCorners, calibrate
-from backend.geometry.camera import Camera, project
-from backend.geometry.corners import Corners
-from backend.geometry.height import measure_height
+from backend.geometry.board import Board, board_points
+from backend.geometry.board_shape import BoardShape
+from backend.geometry.calibration import (
+    LEAST_BENT_VIEWS,
+    LEAST_VIEWS,
+    NamedCorners,
+    fitted_lens,
+    usable_views,
+)
+from backend.geometry.camera import Camera
+from backend.geometry.height_effect import HeightDifference, height_differences
 from backend.geometry.lens import Model
-from backend.geometry.plan import level_pose
-from backend.geometry.planar import planar_roots
-from backend.geometry.pose import pose_from_corners
-from backend.geometry.road_pose import Reference, RoadPose
+from backend.geometry.planar import planar_roots, refine
 
-_LEAST_VIEWS = 6
-_CAMERA_M, _BOARD_M, _HEIGHT_M = 1.5, 3.0, 1.16
-_BOARD = Board(6, 4, 0.1)
-_TOP_M = 0.9
+EXCEEDS = 2.5  # times the standard uncertainty that the covariances give it; noise alone: one set in 80
+LARGE_M = 0.003  # at the board's distance, where errors of the lens nearly vanish
+_NEGLIGIBLE_M = 0.002
+_HELD_OUT_RATIO = 1.5
 
 
 @dataclass(frozen=True)
 class CrossValidation:
-    """`held_out_rms_px`: residual of each half's views under the other half's lens; `height_differences_m`:
-    at each distance, height by the first half minus height by the second (None where the picture does not
-    show it).
+    """`views`: how many are in each half. `fit_rms_px`: residual of all views under the lens found from them
+    all; `held_out_rms_px`: residual of each half's views under the other half's lens.
+    `height_differences`: height by the first half minus height by the second.
     """
 
+    views: tuple[int, int]
+    fit_rms_px: float
     held_out_rms_px: tuple[float, float]
-    height_differences_m: tuple[tuple[float, float | None], ...]
+    height_differences: tuple[HeightDifference, ...]
 
     @property
     def worst_m(self) -> float | None:
-        known = [abs(d) for _, d in self.height_differences_m if d is not None]
+        known = [abs(d.difference_m) for d in self.height_differences if d.difference_m is not None]
         return max(known, default=None)
+
+    @property
+    def all_held_out_rms_px(self) -> float:
+        """Over both halves together."""
+        (n1, n2), (second, first) = self.views, self.held_out_rms_px
+        return float(np.sqrt((n2 * second**2 + n1 * first**2) / (n1 + n2)))
 
 
 def cross_validate(
-    views: Sequence[NamedCorners],
-    board: Board,
-    model: Model = "brown",
-    distances_m: Sequence[float] = (2.0, 3.0, 5.0),
+    views: Sequence[NamedCorners], board: Board, model: Model = "brown", bent_board: bool = False
 ) -> CrossValidation | str:
-    """Calibrate from every other view, twice, and compare; or the reason why that cannot be done.
+    """Calibrate from every other usable view, twice, and compare; or the reason why that cannot be done.
 
-    The comparison is that of a level camera 1.5 m high with a board at 3 m and an eye at 1.16 m.
+    The arguments are those of `calibration.calibrate`; the set-up is that of `height_effect`.
     """
-    usable = [view for view in views if view[1].found]
-    if len(usable) < _LEAST_VIEWS:
-        return f"Two halves need at least {_LEAST_VIEWS} views with a board; there are {len(usable)}."
+    usable = usable_views(views)[0]
+    least = 2 * (LEAST_BENT_VIEWS if bent_board else LEAST_VIEWS)
+    if len(usable) < least:
+        return (
+            f"Two halves need at least {least} usable views{' of a bent board' if bent_board else ''}; there "
+            f"are {len(usable)}. Take more pictures."
+        )
     halves = usable[::2], usable[1::2]
     try:
-        whole = calibrate(usable, board, model).camera
-        first, second = (calibrate(half, board, model).camera for half in halves)
+        whole, _ = fitted_lens(usable, board, model, bent_board)
+        (first, bow1), (second, bow2) = (
+            fitted_lens(half, board, model, bent_board, whole) for half in halves
+        )
     except BadInput as error:
-        return error.message
-    held_out = (_residual(first, halves[1], board), _residual(second, halves[0], board))
-    return CrossValidation(held_out, tuple((d, _difference(whole, first, second, d)) for d in distances_m))
+        return f"The halves could not be calibrated apart: {error.message}"
+    held_out = (
+        _residual(whole, first, bow1, halves[1], board),
+        _residual(whole, second, bow2, halves[0], board),
+    )
+    if not np.isfinite(held_out).all():
+        return "A board lies where the lens model has no inverse; take more pictures that reach the corners."
+    return CrossValidation(
+        (len(halves[0]), len(halves[1])),
+        whole.rms_px or 0.0,
+        held_out,
+        height_differences(whole, first, second),
+    )
 
 
-def _residual(camera: Camera, views: Sequence[NamedCorners], board: Board) -> float:
-    """RMS point residual of views under a lens that they did not help to find."""
+def _residual(
+    whole: Camera, half: Camera, shape: BoardShape | None, views: Sequence[NamedCorners], board: Board
+) -> float:
+    """RMS point residual of views under a lens that they did not help to find; infinite where a board cannot
+    be placed. The poses start from the whole's: the half's model may have no inverse where it saw no corner.
+    """
     squares, count = 0.0, 0
     for _, corners, _ in views:
         seen_as = Board(corners.board_as_seen.columns, corners.board_as_seen.rows, board.square_m)
         seen = corners.points_px.reshape(-1, 2)
-        roots = planar_roots(camera, board_points(seen_as), seen)
-        if roots:
-            squares, count = squares + roots[0].cost, count + len(seen)
-    return float(np.sqrt(squares / count)) if count else float("inf")
+        flat = board_points(seen_as)[corners.which]
+        points = flat if shape is None else shape.points(seen_as)[corners.which]
+        roots = planar_roots(whole, flat, seen)
+        if not roots:
+            return float("inf")
+        pose = refine(half, roots[0].rotation, roots[0].translation, points, seen)
+        squares, count = squares + pose.cost, count + len(seen)
+    return float(np.sqrt(squares / count))
 
 
-def _difference(whole: Camera, first: Camera, second: Camera, distance_m: float) -> float | None:
-    """Height by one half minus height by the other, from the pixels that the whole calibration predicts."""
-    truth = level_pose(whole, _CAMERA_M, _BOARD_M)
-    seen = project(whole, truth.to_camera(road_points(_BOARD, "top", _TOP_M)))
-    x, y = float(truth.centre_m[0]), float(truth.centre_m[1]) + distance_m
-    clicks = project(whole, truth.to_camera(np.array([[x, y, 0.0], [x, y, _HEIGHT_M]])))
-    if not (np.isfinite(seen).all() and np.isfinite(clicks).all() and whole.inside(clicks).all()):
-        return None
-    heights = [_height(camera, seen, clicks) for camera in (first, second)]
-    return None if heights[0] is None or heights[1] is None else heights[0] - heights[1]
+def in_words(found: CrossValidation | str) -> str:
+    """The comparison in one line."""
+    if isinstance(found, str):
+        return f"no cross-validation: {found}"
+    told = [
+        f"{1000 * abs(d.difference_m):.1f} mm at {d.distance_m:g} m"
+        for d in found.height_differences
+        if d.difference_m is not None
+    ]
+    heights = f"differ by {', '.join(told)} in a height" if told else "cannot be compared in a height"
+    return f"two halves, calibrated apart, {heights}; held-out residual {found.all_held_out_rms_px:.3f} px"
 
 
-def _height(camera: Camera, seen: Floats, clicks: Floats) -> float | None:
-    grid = seen.reshape(_BOARD.rows, _BOARD.columns, 2)
-    corners = Corners(True, grid, _BOARD, None, 0.0, "predicted")
-    try:
-        pose: RoadPose = pose_from_corners(camera, [corners], _BOARD, Reference("top", _TOP_M))
-    except BadInput:
-        return None
-    return measure_height(pose, clicks[0], clicks[1]).height_m
+def cross_validation_warnings(found: CrossValidation) -> tuple[str, ...]:
+    """What the comparison says against the calibration, with what to do; empty where nothing.
+
+    A difference counts where it is more than 2.5 times its standard uncertainty and over 2 mm, or over 3 mm
+    at the board's distance.
+    """
+    out = []
+    worst = _worst(found)
+    if worst is not None and worst.difference_m is not None:
+        by = "" if worst.expected_m is None else f", {1000 * worst.expected_m:.1f} mm expected"
+        size = 1000 * abs(worst.difference_m)
+        out.append(
+            f"Two halves of the pictures, calibrated apart, differ by {size:.1f} mm in a "
+            f"height at {worst.distance_m:g} m{by}: more than the corners' noise explains. The lens may "
+            "need the other model, the board may be bent, or zoom or focus changed between pictures."
+        )
+    held_out, fit = found.all_held_out_rms_px, found.fit_rms_px
+    if held_out > _HELD_OUT_RATIO * fit:
+        out.append(
+            f"Pictures that did not help to find the lens fit it much worse ({held_out:.2f} px against "
+            f"{fit:.2f} px); take more pictures, in every part of the picture and tilted."
+        )
+    return tuple(out)
+
+
+def _worst(found: CrossValidation) -> HeightDifference | None:
+    """The difference that exceeds its expectation most, if any counts."""
+    counted = [d for d in found.height_differences if _counts(d)]
+    return max(counted, key=lambda d: abs(d.difference_m or 0.0) / (d.expected_m or 1e-3), default=None)
+
+
+def _counts(d: HeightDifference) -> bool:
+    if d.difference_m is None:
+        return False
+    size = abs(d.difference_m)
+    beyond = d.expected_m is not None and size > max(EXCEEDS * d.expected_m, _NEGLIGIBLE_M)
+    return beyond or (size > LARGE_M and d.distance_m == 3.0)

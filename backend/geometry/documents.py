@@ -8,6 +8,7 @@ import numpy as np
 
 from backend.errors import BadInput
 from backend.geometry.arrays import Floats, is_covariance
+from backend.geometry.board_errors import BOWS
 from backend.geometry.camera import Camera, View
 from backend.geometry.lens import Model
 from backend.geometry.road_pose import (
@@ -97,6 +98,10 @@ class _Reader:
 
     def optional(self, key: str) -> float | None:
         return None if self.data.get(key) is None else self.number(key)
+
+    def doubt(self, key: str) -> float | None:
+        """A standard uncertainty, None where it is not stated."""
+        return None if self.data.get(key) is None else self.not_negative(key, 0.0)
 
     def whole(self, key: str, least: int, default: int | None = None) -> int:
         value = self.data.get(key, default)
@@ -205,6 +210,11 @@ def _board(data: object, what: str) -> BoardOnRoad | None:
         read.not_negative("u_reference_height_m", DEFAULT_U_HEIGHT_M),
         read.not_negative("u_lean_rad", DEFAULT_U_LEAN_RAD),
         read.number("distance_m", default=0.0),
+        read.doubt("u_square_m"),
+        read.doubt("u_bow_m"),
+        None
+        if read.data.get("bow_response") is None
+        else tuple(map(tuple, read.array("bow_response", (BOWS, len(POSE_NAMES))).tolist())),
     )
 
 

@@ -18,15 +18,11 @@ from backend.geometry.sight import Sight
 
 @dataclass(frozen=True, eq=False)
 class Gradient:
-    """Derivatives of N heights: by click (2, N), by lens and pose parameters (n, N), by lean, board height,
-    inset.
-    """
+    """Derivatives of N heights: by click (2, N), by lens and pose parameters (n + 6, N), by inset."""
 
     contact: Floats
     target: Floats
     parameters: Floats
-    lean: Floats
-    reference_height: Floats
     inset: Floats
 
 
@@ -53,7 +49,7 @@ def _by_click(
 def gradient(pose: RoadPose, seen: Sight) -> Gradient:
     """All first derivatives of the N heights in `seen`; garbage where `seen.code` is not 0."""
     r, centre = pose.rotation, pose.centre_m
-    c_z, c_y = float(centre[2]), float(centre[1])
+    c_z = float(centre[2])
     s, q, plane = seen.s, seen.q, seen.plane_m
     lever = 1.0 - s * q
     a = -c_z * q / seen.w_contact_z  # dh/ds * ds/dw
@@ -70,5 +66,4 @@ def gradient(pose: RoadPose, seen: Sight) -> Gradient:
         parameters[n + 2] += g[0] * y - g[1] * x
     for i in range(3):
         parameters[n + 3 + i] = -lever * r[i, 2]
-    lean = -lever * c_y - c_z * q * (1.0 + s * s) - plane * (1.0 + q * q)
-    return Gradient(np.stack(contact), np.stack(target), parameters, lean, lever, q)
+    return Gradient(np.stack(contact), np.stack(target), parameters, q)

@@ -1,18 +1,20 @@
 """Heights with their uncertainty: one click pair with its budget, or a million."""
 
 from dataclasses import dataclass, field
+from math import sqrt
 from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from backend.geometry.arrays import Floats
+from backend.geometry.board_errors import board_covariance, board_parts, unknown_parts
 from backend.geometry.gradient import Gradient, gradient
 from backend.geometry.road_pose import RoadPose
 from backend.geometry.sight import BAD_SIGMA, OK, REASONS, Sight, contact_on_road, sight
 
 COVERAGE_95 = 1.959963984540054  # the 97.5 % point of the normal distribution
-_CHUNK = 16384  # rows at a time: the working set stays in the processor's cache
+_CHUNK = 8192  # rows at a time: the working set stays in the processor's cache
 _EDGE_FLAG = np.sin(np.deg2rad(10.0))
 
 Status = Literal["ok", "not_measurable"]
@@ -72,22 +74,35 @@ def not_measurable(reason: str, inset_m: float = 0.0, u_inset_m: float = 0.0) ->
     return Height("not_measurable", reason, None, None, None, None, None, None, inset_m, u_inset_m)
 
 
-def _entries(
-    pose: RoadPose, g: Gradient, sigma_px: Floats | float, u_inset_m: Floats | float
-) -> dict[str, Floats]:
-    """Variance of each source, (N,) each."""
-    click = np.square(sigma_px)
+def _entries(pose: RoadPose, g: Gradient, sigma_px: float, u_inset_m: float) -> dict[str, float]:
+    """Variance of each source, for the first height of `g`."""
+    click = sigma_px**2
     out = {
-        "click, target": click * (g.target[0] ** 2 + g.target[1] ** 2),
-        "click, contact": click * (g.contact[0] ** 2 + g.contact[1] ** 2),
-        "inset": np.square(g.inset * u_inset_m),
+        "click, target": click * float(g.target[:, 0] @ g.target[:, 0]),
+        "click, contact": click * float(g.contact[:, 0] @ g.contact[:, 0]),
+        "inset": (float(g.inset[0]) * u_inset_m) ** 2,
     }
+    by_parameters = g.parameters[:, 0]
     if pose.covariance is not None:
-        variance = np.einsum("ij,ij->j", pose.covariance @ g.parameters, g.parameters)
-        out["lens and pose"] = np.maximum(variance, 0.0)
-    if pose.board is not None:
-        out["board lean"] = np.square(g.lean * pose.board.u_lean_rad)
-        out["board height"] = np.square(g.reference_height * pose.board.u_reference_height_m)
+        out["lens and pose"] = max(float(by_parameters @ pose.covariance @ by_parameters), 0.0)
+    for source, part in board_parts(pose).items():
+        out[source] = float(np.square(by_parameters[-6:] @ part).sum())
+    return out
+
+
+def _variance(g: Gradient, systematic: Floats, sigma_px: Floats | float, u_inset_m: Floats | float) -> Floats:
+    """Variance of every height (N,), all sources together; `systematic` (n + 6, n + 6): lens, pose, board."""
+    clicks = (g.target**2).sum(axis=0) + (g.contact**2).sum(axis=0)
+    rest = np.einsum("ij,ij->j", systematic @ g.parameters, g.parameters)
+    total = np.square(sigma_px) * clicks + np.maximum(rest, 0.0) + np.square(g.inset * u_inset_m)
+    return np.asarray(total, dtype=np.float64)
+
+
+def systematic_covariance(pose: RoadPose) -> Floats:
+    """Covariance (n + 6, n + 6) of lens, pose and what the board may be off by; unknown parts left out."""
+    n = len(pose.parameters)
+    out = np.zeros((n, n)) if pose.covariance is None else np.array(pose.covariance)
+    out[-6:, -6:] += board_covariance(pose)
     return out
 
 
@@ -98,9 +113,8 @@ def left_out(pose: RoadPose) -> list[str]:
         out.append("The uncertainty of lens and pose is unknown and left out.")
     elif pose.camera.covariance is None:
         out.append("The uncertainty of the lens is unknown; only what the pose file states is included.")
-    if pose.board is None:
-        out.append("The board is unknown, so its lean and height are left out of the uncertainty.")
-    return out
+    missing = unknown_parts(pose)
+    return out if missing is None else [*out, missing]
 
 
 def _flags(pose: RoadPose, seen: Sight, u_m: float) -> tuple[str, ...]:
@@ -144,7 +158,7 @@ def measure_height(
     if seen.code[0] != OK:
         return not_measurable(REASONS[int(seen.code[0])], inset_m, u_inset_m)
     variances = _entries(pose, gradient(pose, seen), sigma_px, u_inset_m)
-    u = float(np.sqrt(sum(float(v[0]) for v in variances.values())))
+    u = sqrt(sum(variances.values()))
     x, y, distance = contact_on_road(pose, seen)
     return Height(
         "ok",
@@ -157,7 +171,7 @@ def measure_height(
         float(distance[0]),
         inset_m,
         u_inset_m,
-        tuple(BudgetEntry(source, float(np.sqrt(v[0]))) for source, v in variances.items()),
+        tuple(BudgetEntry(source, sqrt(v)) for source, v in variances.items()),
         _flags(pose, seen, u),
     )
 
@@ -196,11 +210,12 @@ def measure_heights(
     )
     code = np.zeros(n, dtype=np.int8)
     out = np.full((5, n), np.nan)
+    systematic = systematic_covariance(pose) if with_uncertainty else None
     for start in range(0, n, _CHUNK):
         part = slice(start, start + _CHUNK)
         _measure_part(
             pose, contacts[part], targets[part], sigma[part], inset[part], u_inset[part],
-            with_uncertainty, code[part], out[:, part],
+            systematic, code[part], out[:, part],
         )  # fmt: skip
     return Heights(code, *out)
 
@@ -212,7 +227,7 @@ def _measure_part(
     sigma: Floats,
     inset: Floats,
     u_inset: Floats,
-    with_uncertainty: bool,
+    systematic: Floats | None,
     code: NDArray[np.int8],
     out: Floats,
 ) -> None:
@@ -223,8 +238,7 @@ def _measure_part(
     code[~fine] = BAD_SIGMA
     out[0] = seen.height_m
     out[2], out[3], out[4] = contact_on_road(pose, seen)
-    if with_uncertainty:
+    if systematic is not None:
         with np.errstate(all="ignore"):
-            entries = _entries(pose, gradient(pose, seen), sigma, u_inset)
-        out[1] = np.sqrt(sum(entries.values()))
+            out[1] = np.sqrt(_variance(gradient(pose, seen), systematic, sigma, u_inset))
     out[:, code != OK] = np.nan

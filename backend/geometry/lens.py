@@ -102,11 +102,14 @@ def by_coefficients(model: Model, k: Floats, x: Floats, y: Floats) -> tuple[Floa
         theta = np.arctan(r)
         powers = np.stack([theta ** (2 * i + 1) / r for i in range(1, 5)])
         return powers * x, powers * y
-    k4, k5, k6 = _brown_coefficients(k)[5:]
-    bottom = 1.0 + r2 * (k4 + r2 * (k5 + r2 * k6))
-    gain = _brown_gain(k, r2)[0]
-    radial = [r2 / bottom, r2**2 / bottom, r2**3 / bottom]
-    radial += [-gain * r2 / bottom, -gain * r2**2 / bottom, -gain * r2**3 / bottom]
-    by_x = [radial[0] * x, radial[1] * x, 2.0 * x * y, r2 + 2.0 * x * x, *(v * x for v in radial[2:])]
-    by_y = [radial[0] * y, radial[1] * y, r2 + 2.0 * y * y, 2.0 * x * y, *(v * y for v in radial[2:])]
+    radial = [r2, r2 * r2, r2 * r2 * r2]
+    if len(k) > 5:
+        k4, k5, k6 = _brown_coefficients(k)[5:]
+        bottom = 1.0 + r2 * (k4 + r2 * (k5 + r2 * k6))
+        radial = [power / bottom for power in radial]
+        gain = _brown_gain(k, r2)[0]
+        radial += [-gain * power for power in radial]
+    xy2 = 2.0 * x * y
+    by_x = [radial[0] * x, radial[1] * x, xy2, r2 + 2.0 * x * x, *(v * x for v in radial[2:])]
+    by_y = [radial[0] * y, radial[1] * y, r2 + 2.0 * y * y, xy2, *(v * y for v in radial[2:])]
     return np.stack(by_x[: len(k)]), np.stack(by_y[: len(k)])

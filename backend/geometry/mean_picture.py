@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from backend.geometry.arrays import Floats
 from backend.geometry.corners import Corners, Gray
-from backend.geometry.stillness import STILL_PX, displacements_px
+from backend.geometry.stillness import STILL_PX, displaced_px, smooth_basis
 
 _MARGIN_PX = 14  # a saddle fit reaches 9 px from a corner
 
@@ -27,6 +27,7 @@ class MeanPicture:
         self._sum: NDArray[np.float32] | None = None
         self._count = 0
         self._at: Floats | None = None
+        self._basis: Floats = np.empty((0, 3))
         self._box = (slice(0), slice(0))
         self._shape = (0, 0)
         self._best: tuple[int, Floats] | None = None
@@ -39,12 +40,13 @@ class MeanPicture:
             and self._at is not None
             and self._shape == gray.shape
             and self._at.shape == points.shape
-            and displacements_px((points - self._at)[None], self._at)[0] <= STILL_PX
+            and displaced_px((points - self._at)[None], self._basis)[0] <= STILL_PX
         )
         if not still:
             self._keep()
             self._box, self._shape = _box_of(points, gray.shape), gray.shape
             self._sum, self._count, self._at = np.zeros(gray[self._box].shape, np.float32), 0, points
+            self._basis = smooth_basis(points)
         assert self._sum is not None
         cv2.accumulate(gray[self._box], self._sum)
         self._count += 1

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from backend.geometry.arrays import Floats, skew
+from backend.geometry.board_errors import board_parts
 from backend.geometry.camera import project_with_jacobians, undistort
 from backend.geometry.height import COVERAGE_95, BudgetEntry, Height, left_out, not_measurable
 from backend.geometry.road_pose import RoadPose
@@ -32,8 +33,8 @@ _CHI2_999 = {1: 10.83, 3: 16.27, 5: 20.52, 7: 24.32}
 class MultiHeight:
     """A height from several frames; the solved numbers are None where it is not measurable.
 
-    `heading_rad`: direction of travel against the road's X axis; `travel_m`: from the first frame to the
-    last.
+    `heading_rad`: direction of travel against the road's X axis; `travel_m`: between the two frames that lie
+    furthest apart. The frames may come in any order; the contact point is that of the first given.
     """
 
     height: Height
@@ -52,8 +53,6 @@ class _Linear:
     residual: Floats
     jacobian: Floats  # (4F, F + 5)
     by_lens_pose: Floats  # (4F, n + 6)
-    by_lean: Floats
-    by_board_height: Floats
 
 
 def measure_frames(
@@ -67,7 +66,7 @@ def measure_frames(
 
     u_heading_rad: standard uncertainty of the traffic's direction against the road's X axis, None to know
     nothing. Least squares in pixels; the uncertainty comes from the clicks, the heading, lens and pose
-    (through the implicit function of the minimum), board lean and board height. Never raises for what was
+    (through the implicit function of the minimum) and what the board may be off by. Never raises for what was
     clicked.
     """
     contacts = np.asarray(contacts_px, dtype=np.float64).reshape(-1, 2)
@@ -76,7 +75,7 @@ def measure_frames(
     if reason is not None:
         return MultiHeight(not_measurable(reason))
     start = _start(pose, contacts, targets)
-    travel = abs(float(start[len(contacts)]))
+    travel = _span(start, len(contacts))
     if travel < LEAST_TRAVEL_M:
         return MultiHeight(
             not_measurable(
@@ -111,7 +110,7 @@ def _start(pose: RoadPose, contacts: Floats, targets: Floats) -> Floats:
     """
     x, y, _ = contact_on_road(pose, sight(pose, contacts, targets, 0.0))
     ground = np.stack([x, y], axis=1)
-    step = ground[-1] - ground[0]
+    step = ground[int(np.argmax(np.linalg.norm(ground - ground[0], axis=1)))] - ground[0]
     forward = -1.0 if step[0] < 0 else 1.0
     heading = float(np.arctan2(forward * step[1], forward * step[0]))
     axes = _axes(heading)
@@ -123,6 +122,11 @@ def _start(pose: RoadPose, contacts: Floats, targets: Floats) -> Floats:
     point = np.linalg.lstsq(across.sum(axis=0), np.einsum("fij,fj->i", across, eye), rcond=None)[0]
     travel = (ground - ground[0]) @ axes[0]
     return np.concatenate([ground[0], travel[1:], [heading], axes @ point[:2], point[2:]])
+
+
+def _span(theta: Floats, frames: int) -> float:
+    """How far the vehicle came between the two frames that lie furthest apart."""
+    return float(np.ptp([0.0, *theta[2 : frames + 1]]))
 
 
 def _axes(heading: float) -> Floats:
@@ -155,16 +159,12 @@ def _linearise(pose: RoadPose, contacts: Floats, targets: Floats, theta: Floats)
     at_cam = pose.to_camera(points)
     pixels, by_point, by_lens = project_with_jacobians(pose.camera, at_cam)
     by_road = by_point @ pose.rotation
-    pivot = points - [0.0, 0.0, 0.0 if pose.board is None else pose.board.reference_height_m]
-    lean = np.stack([np.zeros(2 * frames), -pivot[:, 2], pivot[:, 1]], axis=1)  # e_x cross (x - pivot)
     by_pose = np.concatenate([by_point @ -skew(at_cam), by_point], axis=2)
     rows = 4 * frames
     return _Linear(
         (np.concatenate([contacts, targets]) - pixels).ravel(),
         (by_road @ by_theta).reshape(rows, frames + 5),
         np.concatenate([by_lens, by_pose], axis=2).reshape(rows, -1),
-        np.einsum("nij,nj->ni", by_road, lean).ravel(),
-        -by_road[:, :, 2].ravel(),
     )
 
 
@@ -240,15 +240,15 @@ def _budget(
         return None
     covariance = np.linalg.inv(scaled) * np.outer(scale, scale)
     answer = -covariance @ at.jacobian.T / sigma**2
-    out = {"clicks": np.diag(covariance @ information @ covariance)}
+    # a variance of 0 may come out of rounding as less
+    out = {"clicks": np.maximum(np.diag(covariance @ information @ covariance), 0.0)}
     if u_heading is not None:
-        out["heading"] = np.diag(covariance @ np.diag(prior) @ covariance)
+        out["heading"] = np.maximum(np.diag(covariance @ np.diag(prior) @ covariance), 0.0)
+    moved = answer @ at.by_lens_pose
     if pose.covariance is not None:
-        moved = answer @ at.by_lens_pose
         out["lens and pose"] = np.maximum(np.einsum("ij,jk,ik->i", moved, pose.covariance, moved), 0.0)
-    if pose.board is not None:
-        out["board lean"] = np.square(answer @ at.by_lean * pose.board.u_lean_rad)
-        out["board height"] = np.square(answer @ at.by_board_height * pose.board.u_reference_height_m)
+    for source, part in board_parts(pose).items():
+        out[source] = np.square(moved[:, -6:] @ part).sum(axis=1)
     return out, np.asarray(covariance, dtype=np.float64)
 
 
@@ -285,7 +285,7 @@ def _reported(
         tuple(BudgetEntry(name, float(np.sqrt(v[-1]))) for name, v in found[0].items()),
         _flags(pose, at, theta, sigma, u_inset),
     )
-    return MultiHeight(result, inset, u_inset, heading, u_heading_out, abs(float(theta[frames])), frames)
+    return MultiHeight(result, inset, u_inset, heading, u_heading_out, _span(theta, frames), frames)
 
 
 def _flags(pose: RoadPose, at: _Linear, theta: Floats, sigma: float, u_inset: float) -> tuple[str, ...]:

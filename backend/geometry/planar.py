@@ -82,23 +82,37 @@ def planar_roots(camera: Camera, flat_points: Floats, seen: Floats) -> list[Plan
     rays = undistort(camera, seen)
     if not rays.ok.all():
         return []
-    count, turns, shifts, _ = cv2.solvePnPGeneric(
-        flat_points.reshape(-1, 1, 3),
-        rays.points.reshape(-1, 1, 2),
-        np.eye(3),
-        np.zeros(5),
-        flags=cv2.SOLVEPNP_IPPE,
-    )
     found = []
-    for index in range(int(count)):
-        rotation = nearest_rotation(np.asarray(cv2.Rodrigues(turns[index])[0], dtype=np.float64))
-        translation = np.asarray(shifts[index], dtype=np.float64).reshape(3)
-        if not np.isfinite(rotation).all() or not np.isfinite(translation).all():
-            continue
+    for turn, translation in _starts(flat_points, rays.points):
+        rotation = nearest_rotation(np.asarray(cv2.Rodrigues(turn)[0], dtype=np.float64))
         if (flat_points @ rotation[2] + translation[2] > 0).all():
             found.append(refine(camera, rotation, translation, flat_points, seen))
     found.sort(key=lambda pose: pose.cost)
     return [pose for i, pose in enumerate(found) if i == 0 or _turn_between(pose, found[0]) > _SAME_RAD]
+
+
+def _starts(flat_points: Floats, rays: Floats) -> list[tuple[Floats, Floats]]:
+    """Rotation vectors and translations to start from: both of IPPE's roots, else one of another solver.
+
+    OpenCV's IPPE answers NaN to some ordinary boards; a picture a millionth larger it answers well.
+    """
+    for points, flag in (
+        (rays, cv2.SOLVEPNP_IPPE),
+        (rays * (1.0 + 1e-6) + 1e-7, cv2.SOLVEPNP_IPPE),
+        (rays, cv2.SOLVEPNP_SQPNP),
+    ):
+        try:
+            _, turns, shifts, _ = cv2.solvePnPGeneric(
+                flat_points.reshape(-1, 1, 3), points.reshape(-1, 1, 2), np.eye(3), np.zeros(5), flags=flag
+            )
+        except cv2.error:
+            continue
+        pairs = zip(turns, shifts, strict=True)
+        starts = [(np.asarray(r, np.float64).ravel(), np.asarray(t, np.float64).ravel()) for r, t in pairs]
+        starts = [start for start in starts if np.isfinite(start).all()]
+        if starts:
+            return starts
+    return []
 
 
 def _turn_between(a: PlanarPose, b: PlanarPose) -> float:

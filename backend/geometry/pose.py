@@ -8,11 +8,12 @@ import numpy as np
 from backend.errors import BadInput
 from backend.geometry.arrays import Floats
 from backend.geometry.board import Board, board_points, require_board, road_points
+from backend.geometry.board_errors import bow_profiles, bow_response
 from backend.geometry.camera import Camera, project, undistort
 from backend.geometry.corners import Corners, spacing_px
 from backend.geometry.height import measure_height
 from backend.geometry.planar import PlanarPose, linearise, planar_roots
-from backend.geometry.road_pose import BoardOnRoad, RoadPose
+from backend.geometry.road_pose import DEFAULT_U_SQUARE, BoardOnRoad, RoadPose
 from backend.geometry.road_pose import Reference as Reference
 from backend.geometry.saddle import refine_saddles
 from backend.geometry.stillness import STILL_PX, Still, displacements_px, find_still, mean_sigma_px
@@ -36,16 +37,16 @@ def pose_from_corners(
     All still frames share one pose; least squares over them equals least squares on their mean corners, so
     that is what is solved (Gauss-Newton from both planar solutions). The covariance is joint with the
     lens's: an error of the lens moves the pose, A = -(J'J)^-1 J'J_lens. It comes from the residuals and
-    their correlation in time and is never divided by the number of frames; lean and reference height are
+    their correlation in time and is never divided by the number of frames; what the board may be off by is
     left to the height's budget. mean_picture: the mean
     of the still frames (mean_picture.py), on which the corners are then fitted again. Raises BadInput with a
     reason: no detection, board or camera moving, board edge-on, wrong board or camera.
     """
     require_board(board)
     _require_reference(reference)
-    used = [c for c in frames if c.found]
+    used = [c for c in frames if c.found and c.ids is None]
     if not used:
-        reason = frames[0].reason if frames and frames[0].reason else "No frame was given."
+        reason = _why_none(frames)
         raise BadInput(f"The board was found in none of the {len(frames)} frames. {reason}")
     seen_as = used[0].board_as_seen
     used = [c for c in used if c.points_px.shape == used[0].points_px.shape]
@@ -64,10 +65,23 @@ def pose_from_corners(
     return _on_road(camera, best, seen_board, reference, still, warnings)
 
 
+def _why_none(frames: Sequence[Corners]) -> str:
+    if not frames:
+        return "No frame was given."
+    parts = [len(c.ids) for c in frames if c.ids is not None]
+    if parts:
+        whole = frames[0].board_as_seen.corners
+        return f"At most {max(parts)} of its {whole} corners are seen; show the whole board."
+    return frames[0].reason or "No board was found."
+
+
 def _require_reference(reference: Reference) -> None:
-    numbers = (reference.height_m, reference.u_height_m, reference.u_lean_rad)
-    if not np.isfinite(numbers).all() or reference.u_height_m < 0 or reference.u_lean_rad < 0:
-        raise BadInput("The reference height and its uncertainties must be numbers, in metres and radians.")
+    doubts = (reference.u_height_m, reference.u_lean_rad, reference.u_square_m or 0.0, reference.u_bow_m)
+    if not np.isfinite((reference.height_m, *doubts)).all() or min(doubts) < 0:
+        raise BadInput(
+            "The reference height and the board's uncertainties must be numbers, in metres and radians, the "
+            "uncertainties not negative."
+        )
     if not 0.0 <= reference.height_m <= 20.0:
         raise BadInput(
             f"A reference row {reference.height_m} m above the road cannot be right; give the height of "
@@ -89,7 +103,7 @@ def _require_still(frames_px: Floats) -> Still:
 def _on_mean(mean_picture: Floats, still: Still, board: Board) -> Still:
     """Corners fitted on the mean picture instead of the mean of the corners, where both agree."""
     grid = still.mean_px.reshape(board.rows, board.columns, 2)
-    fitted = refine_saddles(mean_picture, grid)
+    fitted = refine_saddles(mean_picture, grid, board.clear_share)
     if (
         not fitted.ok.all()
         or displacements_px((fitted.points_px - still.mean_px)[None], still.mean_px)[0] > STILL_PX
@@ -161,22 +175,32 @@ def _on_road(
             f"The reference height of {reference.height_m} m puts the camera below the road; give the height "
             f"of the {reference.side} row of inner corners above the road, in metres."
         )
-    middle = points.mean(axis=0)
     return replace(
         pose,
-        board=BoardOnRoad(
-            board.columns,
-            board.rows,
-            board.square_m,
-            reference.side,
-            reference.height_m,
-            reference.u_height_m,
-            reference.u_lean_rad,
-            float(np.linalg.norm(pose.centre_m - middle)),
-        ),
+        board=board_on_road(board, reference, at, points),
         frames_used=len(still.kept),
         rms_px=float(np.sqrt(at.cost / len(points))),
         warnings=warnings,
+    )
+
+
+def board_on_road(board: Board, reference: Reference, at: PlanarPose, points: Floats) -> BoardOnRoad:
+    """The board as it stood, with what it may be off by; `at`: the solution for its `points` (N, 3), road
+    frame.
+    """
+    square = DEFAULT_U_SQUARE * board.square_m if reference.u_square_m is None else reference.u_square_m
+    return BoardOnRoad(
+        board.columns,
+        board.rows,
+        board.square_m,
+        reference.side,
+        reference.height_m,
+        reference.u_height_m,
+        reference.u_lean_rad,
+        float(np.linalg.norm(at.rotation @ points.mean(axis=0) + at.translation)),
+        square,
+        reference.u_bow_m,
+        tuple(tuple(float(v) for v in one) for one in bow_response(at, bow_profiles(board)).T),
     )
 
 

@@ -43,14 +43,20 @@ class _Patches:
     weight: Floats
 
 
-def refine_saddles(picture: NDArray[Any], grid: Floats) -> Saddles:
+def refine_saddles(picture: NDArray[Any], grid: Floats, share: float = _SHARE) -> Saddles:
     """Fit every corner of `grid` (rows, columns, 2), found to within a pixel, in a grey picture (H, W).
 
-    A corner whose fit does not settle, leaves its start by over a pixel or explains little keeps its start.
+    share: radius of the disc in squares. A corner whose fit does not settle, leaves its start by over a
+    pixel or explains little keeps its start.
     """
-    start = grid.reshape(-1, 2)
-    right, down = _directions(grid)
-    radius = np.clip(_SHARE * np.minimum(_length(right), _length(down)), _LEAST_PX, _MOST_PX)
+    return refine_saddles_at(picture, grid.reshape(-1, 2), *_directions(grid), share)
+
+
+def refine_saddles_at(
+    picture: NDArray[Any], start: Floats, right: Floats, down: Floats, share: float = _SHARE
+) -> Saddles:
+    """As `refine_saddles`, of corners (N, 2) with their vectors (N, 2) to the next ones right and below."""
+    radius = np.clip(share * np.minimum(_length(right), _length(down)), _LEAST_PX, _MOST_PX)
     patches, inside = _cut(picture, start, radius)
     theta = _first_guess(patches, right, down)
     theta, cost = _fit(patches, theta)

@@ -54,10 +54,19 @@ def _probes(frames_px: Floats) -> list[int]:
 
 def displacements_px(shifts: Floats, at: Floats) -> Floats:
     """Root mean square (F,) of the affine part of F displacement fields (F, N, 2) over points (N, 2)."""
-    basis = np.column_stack([np.ones(len(at)), at - at.mean(axis=0)])
-    q, _ = np.linalg.qr(basis)
-    smooth = q.T @ shifts  # q's columns are orthonormal, so the length of the smooth part is that of q' shift
-    return np.asarray(np.sqrt(np.square(smooth).sum(axis=(1, 2)) / len(at)), dtype=np.float64)
+    return displaced_px(shifts, smooth_basis(at))
+
+
+def smooth_basis(at: Floats) -> Floats:
+    """Orthonormal basis (N, 3) of the affine functions over points (N, 2)."""
+    q, _ = np.linalg.qr(np.column_stack([np.ones(len(at)), at - at.mean(axis=0)]))
+    return np.asarray(q, dtype=np.float64)
+
+
+def displaced_px(shifts: Floats, basis: Floats) -> Floats:
+    """As `displacements_px`, with the basis at hand."""
+    smooth = basis.T @ shifts  # the columns are orthonormal, so the length of the smooth part is that of this
+    return np.asarray(np.sqrt(np.square(smooth).sum(axis=(1, 2)) / len(basis)), dtype=np.float64)
 
 
 def _temporal(noise: Floats) -> tuple[float, float]:

@@ -17,11 +17,16 @@ _PARALLEL_RAD = np.deg2rad(15.0)
 _HIGH_RMS = 1.0  # px per 1000 px of picture width, at least 0.5 px
 _BETTER = 0.8  # the other model leaves less than this share of the residual
 _OUTLIER = 3.0
+_SAME_VIEW = 0.005  # of the picture's width
+_SMALL_SQUARE_PX = 10.0
 
 
 @dataclass(frozen=True, eq=False)
 class Evidence:
-    """What a verdict rests on. `normals` are the boards' normals in the camera frame, one per used view."""
+    """What a verdict rests on. Per used view: `normals`, the boards' normals in the camera frame;
+    `corners_px` (N, 2); `spacings_px`, the smallest distance between neighbouring corners. `other_size`: the
+    pictures left out for their size; `missed`: how many were left out otherwise.
+    """
 
     camera: Camera
     coverage: Floats
@@ -29,6 +34,10 @@ class Evidence:
     rms_px: tuple[float, ...]
     normals: tuple[Floats, ...]
     other_rms_px: float | None
+    other_size: tuple[str, ...]
+    missed: int
+    corners_px: tuple[Floats, ...]
+    spacings_px: tuple[float, ...]
 
 
 def calibration_warnings(evidence: Evidence) -> tuple[tuple[str, ...], bool]:
@@ -39,17 +48,44 @@ def calibration_warnings(evidence: Evidence) -> tuple[tuple[str, ...], bool]:
         *_model(evidence),
         *_precision(evidence.camera),
     ]
-    return (*serious, *_corners(evidence.camera), *_outliers(evidence)), not serious
+    mild = [
+        *_corners(evidence.camera),
+        *_small_squares(evidence),
+        *_outliers(evidence),
+        *_left_out(evidence),
+    ]
+    return (*serious, *mild), not serious
 
 
 def _views(evidence: Evidence) -> list[str]:
+    """Few views, or few that differ: a board that did not move between two pictures is one view."""
     count = len(evidence.files)
-    if count >= _FEW_VIEWS:
-        return []
-    return [
-        f"Only {count} views were used; with fewer than {_FEW_VIEWS} a small residual proves little; "
-        "take 15 to 25."
-    ]
+    if count < _FEW_VIEWS:
+        return [
+            f"Only {count} views were used; with fewer than {_FEW_VIEWS} a small residual proves little; "
+            "take 15 to 25."
+        ]
+    different = different_views(evidence)
+    if different < _FEW_VIEWS:
+        return [
+            f"Only {different} of the {count} views differ, for the board hardly moved between the others; "
+            "move and tilt it between pictures, or take frames further apart."
+        ]
+    return []
+
+
+def different_views(evidence: Evidence) -> int:
+    """How many views differ from every earlier one, by over half a per cent of the picture's width."""
+    kept: list[Floats] = []
+    for points in evidence.corners_px:
+        same = (
+            float(np.abs(points - other).max()) < _SAME_VIEW * evidence.camera.width_px
+            for other in kept
+            if other.shape == points.shape
+        )
+        if not any(same):
+            kept.append(points)
+    return len(kept)
 
 
 def _spread(evidence: Evidence) -> list[str]:
@@ -131,6 +167,35 @@ def _corners(camera: Camera) -> list[str]:
         "The lens model cannot be inverted in the corners of the picture and nothing will be measured there; "
         "views that reach the corners help."
     ]
+
+
+def _small_squares(evidence: Evidence) -> list[str]:
+    """Below some ten pixels a corner is fitted from a handful of pixels."""
+    small = sum(spacing < _SMALL_SQUARE_PX for spacing in evidence.spacings_px)
+    if 2 * small <= len(evidence.spacings_px):
+        return []
+    return [
+        f"In {small} of {len(evidence.spacings_px)} views the squares are smaller than "
+        f"{_SMALL_SQUARE_PX:.0f} px and their corners inexact; bring the board nearer or use larger squares."
+    ]
+
+
+def _left_out(evidence: Evidence) -> list[str]:
+    """Pictures of several sizes, and boards that were mostly not found."""
+    out = []
+    camera, used = evidence.camera, len(evidence.files)
+    if evidence.other_size:
+        out.append(
+            f"Pictures of several sizes: {len(evidence.other_size)} left out that are not "
+            f"{camera.width_px}x{camera.height_px} px ({evidence.other_size[0]} first); a calibration holds "
+            "for one size only, so use pictures of the recordings' size."
+        )
+    if evidence.missed > used:
+        out.append(
+            f"The board was used in only {used} of {used + evidence.missed} pictures; "
+            "count its inner corners again, and show the whole board, sharp and evenly lit."
+        )
+    return out
 
 
 def _outliers(evidence: Evidence) -> list[str]:

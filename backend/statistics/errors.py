@@ -29,6 +29,7 @@ _RESAMPLES = 4999
 _BATCH_NUMBERS = 2_000_000  # resampled values held at once: bounds the memory whatever n is
 _SEED = 20190403  # intervals of the same rows are the same numbers
 _LEAST_FOR_INTERVALS = 5
+MOST_FOR_BOOTSTRAP = 1000
 
 
 @dataclass(frozen=True)
@@ -95,6 +96,37 @@ def _figures(error: Floats, height: Floats, axis: int = -1) -> Floats:
 
 
 def _intervals(error: Floats, height: Floats) -> Floats:
+    """(7, 2) intervals at 95 %: BCa bootstrap, and for many rows, where it costs minutes and changes nothing,
+    the normal ones of the figures' influence values.
+    """
+    return _bootstrap(error, height) if len(error) <= MOST_FOR_BOOTSTRAP else _of_many(error, height)
+
+
+def _of_many(error: Floats, height: Floats) -> Floats:
+    """(7, 2) normal intervals, variances by the infinitesimal jackknife (Efron 1982, chapter 6)."""
+    values = _figures(error, height)
+    n, absolute = len(error), np.abs(error)
+    mean, mae, rmse, mse, sd = (float(v) for v in values[:5])
+    with np.errstate(invalid="ignore", divide="ignore"):
+        influence = [
+            error - mean,
+            absolute - mae,
+            (error * error - mse) / (2.0 * rmse),
+            error * error - mse,
+            ((error - mean) ** 2 - sd * sd) / (2.0 * sd),
+            _pearson_influence(error, height, float(values[5])),
+            _pearson_influence(absolute, height, float(values[6])),
+        ]
+    half = stats.norm.ppf(0.975) * np.array([np.sqrt(np.mean(np.square(v)) / n) for v in influence])
+    return np.stack([values - half, values + half], axis=1)
+
+
+def _pearson_influence(a: Floats, b: Floats, r: float) -> Floats:
+    x, y = (a - a.mean()) / a.std(), (b - b.mean()) / b.std()
+    return np.asarray(x * y - 0.5 * r * (x * x + y * y), dtype=np.float64)
+
+
+def _bootstrap(error: Floats, height: Floats) -> Floats:
     """(7, 2) BCa bootstrap intervals at 95 % (Efron 1987), rows resampled together."""
     batch = max(1, min(_RESAMPLES, _BATCH_NUMBERS // len(error)))
     with np.errstate(all="ignore"), warnings.catch_warnings():

@@ -108,10 +108,23 @@ def checker(across, down, columns, rows):
     return np.where(inside & black, 40.0, np.where(inside | margin, 205.0, 118.0))
 
 
-def picture(scene: Scene, columns, rows, square, top_m, *, samples=8, blur=0.8, noise=2.0, seed=0, turn=None):
+def picture(
+    scene: Scene,
+    columns,
+    rows,
+    square,
+    top_m,
+    *,
+    samples=8,
+    blur=0.8,
+    noise=2.0,
+    seed=0,
+    turn=None,
+    paint=checker,
+):
     """A grey uint8 picture of a board standing at Y = 0, supersampled, blurred, with noise.
 
-    turn: optional 3x3 rotation of the board about its first corner (road frame).
+    turn: optional 3x3 rotation of the board about its first corner (road frame); paint: as `checker`.
     """
     lens = scene.lens
     turn = np.eye(3) if turn is None else turn
@@ -119,7 +132,7 @@ def picture(scene: Scene, columns, rows, square, top_m, *, samples=8, blur=0.8, 
     box = _board_box(scene, columns, rows, square, top_m, turn)
     if box is not None:
         x0, x1, y0, y1 = box
-        grey[y0:y1, x0:x1] = _cast(scene, box, (columns, rows, square, top_m), samples, turn)
+        grey[y0:y1, x0:x1] = _cast(scene, box, (columns, rows, square, top_m), samples, turn, paint)
     if blur > 0:
         grey = _gauss(grey, blur)
     grey = grey + np.random.default_rng(seed).normal(0, noise, grey.shape)
@@ -137,7 +150,7 @@ def _board_box(scene, columns, rows, square, top_m, turn):
     return (x0, x1, y0, y1) if x1 > x0 and y1 > y0 else None
 
 
-def _cast(scene, box, board, samples, turn):
+def _cast(scene, box, board, samples, turn, paint):
     lens = scene.lens
     x0, x1, y0, y1 = box
     columns, rows, square, top_m = board
@@ -152,7 +165,7 @@ def _cast(scene, box, board, samples, turn):
     m = scene.axes() @ turn  # rows: the camera's axes in the board's own
     d = [a * m[0, i] + b * m[1, i] + m[2, i] for i in range(3)]
     far = -eye[1] / d[1]
-    grey = checker((eye[0] + far * d[0]) / square, -(eye[2] + far * d[2]) / square, columns, rows)
+    grey = paint((eye[0] + far * d[0]) / square, -(eye[2] + far * d[2]) / square, columns, rows)
     grey = np.where(far > 0, grey, 118.0)
     return grey.reshape(y1 - y0, samples, x1 - x0, samples).mean(axis=(1, 3))
 

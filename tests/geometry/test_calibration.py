@@ -10,7 +10,6 @@ from backend.errors import BadInput
 from backend.geometry.arrays import frozen
 from backend.geometry.calibration import calibrate
 from backend.geometry.corners import Board, Corners, detect, not_found
-from backend.geometry.crossvalidation import cross_validate
 from tests.geometry.scenes import shared
 from tests.geometry.simulate import Lens, Scene
 
@@ -158,15 +157,3 @@ def test_real_sets_reach_the_reference(folder, size, square, left_out) -> None:
         got = (camera.fx_px, camera.fy_px, camera.cx_px, camera.cy_px)
         for value, name in zip(got, ("fx", "fy", "cx", "cy"), strict=True):
             assert value == pytest.approx(wanted[key][name], abs=0.003 * wanted[key]["fx"]), name
-
-
-def test_cross_validation_is_small_for_the_right_model_and_says_why_not() -> None:
-    given = views(Lens(), 20, 12)
-    found = cross_validate(given, BOARD)
-    assert not isinstance(found, str)
-    assert found.held_out_rms_px == pytest.approx((0.21, 0.21), rel=0.1)
-    assert found.worst_m is not None and 0 < found.worst_m < 0.01
-    assert [d for d, _ in found.height_differences_m] == [2.0, 3.0, 5.0]
-    at_board = dict(found.height_differences_m)[3.0]
-    assert at_board is not None and abs(at_board) < 0.002  # errors pivot at the board's distance
-    assert "at least 6" in str(cross_validate(given[:4], BOARD))

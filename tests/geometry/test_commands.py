@@ -250,8 +250,21 @@ def test_import_and_plan(tmp_path, capsys) -> None:
     eye = next(t for t in planned["targets"] if t["target"] == "driver_eye")
     assert eye["bias_if_ignored_m"] == pytest.approx((1.5 - 1.15) * 0.45 / 3.45)
     assert 0.008 < eye["u_height_m"] < 0.03 and planned["advice"]
+    assert eye["two_frames"]["u_height_m"] < eye["u_height_m"]
+    assert {"driver_eye", "driver_eye_far"} <= {t["target"] for t in planned["targets"]}
+    curve = next(c for c in planned["U95_over_distance"] if c["target"] == "driver_eye")
+    here = next(p for p in curve["points"] if p["distance_m"] == 3.0)
+    assert here["U95_height_m"] == pytest.approx(eye["U95_height_m"])
     assert run("plan", "--camera", out, "--camera-height", -1, "--distance", 3) == 2
     assert run("plan", "--camera", out, "--camera-height", 1.5, "--distance", 3) == 0
     source.write_text("nothing")
     assert run("import-camera", source, "-o", out) == 2
     assert "cam.yaml" in capsys.readouterr().err
+
+
+def test_plan_without_a_calibration(capsys) -> None:
+    site = ("--camera-height", 1.5, "--distance", 3)
+    assert run("plan", "--size", "640x480", "--field-of-view", 67, *site) == 0
+    assert "driver_eye_far" in capsys.readouterr().out
+    assert run("plan", "--size", "640x480", *site) == 2
+    assert "--field-of-view" in capsys.readouterr().err

@@ -1,6 +1,6 @@
 """Detection: found where it is, refused with a reason where it is not, in bounded time."""
 
-from time import perf_counter
+from time import perf_counter, process_time
 
 import cv2
 import numpy as np
@@ -37,6 +37,21 @@ def test_clutter_holds_no_board(seed: int) -> None:
     assert not found.found and found.reason
     assert found.points_px.shape == (0, 0, 2)
     assert perf_counter() - started < 10.0
+
+
+def test_a_large_picture_without_a_board_is_answered_in_seconds() -> None:
+    """The classic detector alone takes 16 s for this one, and cannot be stopped."""
+    started = process_time()
+    assert not detect(clutter(1, 1080, 1920), BOARD).found
+    assert process_time() - started < 5.0
+
+
+def test_a_board_in_a_large_picture_is_found_reduced_and_measured_in_full() -> None:
+    large = Scene(Lens(1088.0, 959.5, 539.5, width=1920, height=1080), (-0.7, -3.0, 1.4), 18.0, 4.0)
+    found = detect(picture(large, 6, 4, 0.1, 1.5, samples=4), BOARD)
+    truth = large.look(large.board(6, 4, 0.1, 1.5).reshape(-1, 3)).reshape(4, 6, 2)
+    assert found.found and found.detector == "classic, reduced"
+    assert np.sqrt(np.square(found.points_px - truth).mean()) < 0.06
 
 
 def test_a_board_cut_by_the_border_is_refused() -> None:

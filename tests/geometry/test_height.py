@@ -142,7 +142,7 @@ def test_budget_adds_up() -> None:
     assert found.u_height_m is not None and found.U95_height_m is not None
     assert found.u_height_m == pytest.approx(np.sqrt(sum(e.u_m**2 for e in found.budget)), rel=1e-12)
     assert found.U95_height_m == pytest.approx(COVERAGE_95 * found.u_height_m)
-    assert len({e.source for e in found.budget}) == 6
+    assert len({e.source for e in found.budget}) == 7
     no_covariance = dataclasses.replace(pose, covariance=None)
     bare = measure_height(no_covariance, clicks[0], clicks[1], 1.3, inset, 0.1)
     assert any("unknown" in flag for flag in bare.flags)

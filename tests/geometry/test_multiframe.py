@@ -78,7 +78,7 @@ def test_budget_holds_lens_pose_lean_and_board_height() -> None:
     pose = dataclasses.replace(pose_of(SQUARE_ON), covariance=a @ a.T, board=board)
     found = measure_frames(pose, *clicks(SQUARE_ON, (0, 2.0)))
     entries = {e.source: e.u_m for e in found.height.budget}
-    assert set(entries) == {"clicks", "heading", "lens and pose", "board lean", "board height"}
+    assert set(entries) == {"clicks", "heading", "lens and pose", "board lean", "board roll", "board height"}
     assert found.height.u_height_m == pytest.approx(np.sqrt(sum(v**2 for v in entries.values())))
     # a road plane 3 mm off scales every height by 3 mm / Hc
     assert entries["board height"] == pytest.approx(1.16 / 1.5 * 0.003, rel=0.05)
@@ -133,7 +133,8 @@ def test_clicks_that_do_not_belong_together_are_flagged() -> None:
 def test_what_the_pose_does_not_say_is_told_as_for_one_frame(lens_known) -> None:
     contacts, targets = clicks(SQUARE_ON, (0.0, 2.0))
     bare = pose_of(SQUARE_ON)
-    board = BoardOnRoad(6, 4, 0.1, "top", 0.9, 0.003, 0.005, 3.0)
+    bow = ((0.0,) * 6,) * 2
+    board = BoardOnRoad(6, 4, 0.1, "top", 0.9, 0.003, 0.005, 3.0, 1e-4, 5e-4, bow)
     camera = dataclasses.replace(bare.camera, covariance=np.eye(9) * 1e-9) if lens_known else bare.camera
     full = dataclasses.replace(bare, camera=camera, covariance=np.eye(15) * 1e-9, board=board)
     for pose, lacking in ((bare, 2), (full, 0 if lens_known else 1)):

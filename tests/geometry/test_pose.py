@@ -92,7 +92,7 @@ def test_uncertainty_is_that_of_repeated_boards() -> None:
     rng = np.random.default_rng(2)
     clicks = scene.look([(0.9, 1.0, 0.0), (0.8, 1.0, 1.16)])
     heights, stated, hits = [], [], 0
-    reference = dataclasses.replace(REFERENCE, u_height_m=0.0, u_lean_rad=0.0)
+    reference = dataclasses.replace(REFERENCE, u_height_m=0.0, u_lean_rad=0.0, u_square_m=0.0, u_bow_m=0.0)
     for _ in range(250):
         noisy = corners(scene, rng.normal(0, 0.15, (4, 6, 2)))
         pose = pose_from_corners(camera_of(Lens()), [noisy], BOARD, reference)
@@ -114,7 +114,7 @@ def test_lens_error_and_pose_answer_each_other() -> None:
     lens[0, 1] = lens[1, 0] = 3.9
     camera = camera_of(Lens(), lens)
     seen = corners(scene)
-    reference = dataclasses.replace(REFERENCE, u_height_m=0.0, u_lean_rad=0.0)
+    reference = dataclasses.replace(REFERENCE, u_height_m=0.0, u_lean_rad=0.0, u_square_m=0.0, u_bow_m=0.0)
     pose = pose_from_corners(camera, [seen], BOARD, reference)
     clicks = scene.look([(0.9, 1.5, 0.0), (0.8, 1.5, 1.16)])
     stated = measure_height(pose, *clicks, sigma_px=0.0).u_height_m

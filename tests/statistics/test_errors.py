@@ -14,7 +14,7 @@ from scipy import stats
 
 from backend.commands.errors import errors
 from backend.errors import BadInput
-from backend.statistics.errors import FIGURES, error_group, error_table, round_to_cm
+from backend.statistics.errors import FIGURES, MOST_FOR_BOOTSTRAP, error_group, error_table, round_to_cm
 
 
 def rows(n: int, seed: int = 1) -> tuple[np.ndarray, np.ndarray]:
@@ -50,6 +50,24 @@ def test_overall_is_the_pool_of_rows_and_not_of_figures() -> None:
     table = error_table(measured, reference, lighting, "none")
     assert [table[g].n for g in ("daytime", "low_light", "overall")] == [18, 7, 30]
     assert table["overall"].figures["mae_m"] == pytest.approx(np.mean(np.abs(measured - reference)))
+
+
+def test_intervals_of_many_rows_are_those_of_the_bootstrap() -> None:
+    measured, reference = rows(MOST_FOR_BOOTSTRAP)
+    few = error_group(measured - reference, reference)
+    error, height = (np.concatenate([v, v[:1]]) for v in (measured - reference, reference))
+    many = error_group(error, height)
+    for name in FIGURES:
+        one, other = few.ci95[name], many.ci95[name]
+        assert one is not None and other is not None
+        width = one.high - one.low
+        assert abs(other.low - one.low) < 0.08 * width and abs(other.high - one.high) < 0.08 * width, name
+    rng = np.random.default_rng(9)
+    large = error_group(rng.normal(0.004, 0.02, 100_000), rng.normal(1.5, 0.1, 100_000))
+    assert large.ci95["bias_m"] is not None
+    assert large.ci95["bias_m"].high - large.ci95["bias_m"].low == pytest.approx(
+        2 * 1.96 * 0.02 / 316.2, rel=0.01
+    )
 
 
 def test_too_few_rows_have_a_reason_and_no_interval() -> None:

@@ -1,0 +1,58 @@
+"""Mean of values that scatter by more than their own uncertainties: vehicles differ among themselves."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.optimize import brentq
+
+_LEAST_U = 1e-9
+_FAR = 4.0
+
+
+@dataclass(frozen=True)
+class Spread:
+    """Weighted mean, its standard uncertainty, and the standard deviation between the things themselves."""
+
+    mean: float
+    u_mean: float
+    between: float
+    count: int
+
+
+def mean_and_spread(values: ArrayLike, u: ArrayLike) -> Spread:
+    """Mean of N >= 1 values with standard uncertainties u (N,), each thing having a value of its own.
+
+    The spread between things is that which makes the weighted squares come out as N - 1 (Paule and Mandel
+    1982), 0 where the uncertainties explain all scatter. One value tells nothing of a spread.
+    """
+    x = np.asarray(values, dtype=np.float64).ravel()
+    variance = np.maximum(np.asarray(u, dtype=np.float64).ravel(), _LEAST_U) ** 2
+
+    def excess(between2: float) -> float:
+        w = 1.0 / (variance + between2)
+        mean = float(w @ x) / float(w.sum())
+        return float(w @ (x - mean) ** 2) - (len(x) - 1)
+
+    between2 = 0.0
+    if len(x) > 1 and excess(0.0) > 0.0:
+        high = float(np.square(x - x.mean()).sum()) + float(variance.max())
+        between2 = float(brentq(excess, 0.0, high)) if excess(high) < 0.0 else high
+    w = 1.0 / (variance + between2)
+    return Spread(float(w @ x / w.sum()), float(w.sum() ** -0.5), float(np.sqrt(between2)), len(x))
+
+
+def strays(
+    values: ArrayLike, u: ArrayLike = 0.0, *, least: float = 0.0
+) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
+    """Which of N values lie far from the median: beyond four times their own u and the others' scatter, (N,).
+
+    The scatter is 1.4826 times the median distance, at least `least`. Below five values nothing can be told
+    and none strays.
+    """
+    x = np.asarray(values, dtype=np.float64).ravel()
+    if len(x) < 5:
+        return np.zeros(len(x), dtype=np.bool_)
+    away = np.abs(x - np.median(x))
+    scale = max(1.4826 * float(np.median(away)), least, _LEAST_U)
+    return np.asarray(away > _FAR * np.hypot(scale, np.asarray(u, dtype=np.float64)), dtype=np.bool_)

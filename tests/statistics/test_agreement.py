@@ -1,0 +1,106 @@
+"""Trend, limits of agreement, the reference's part and the corrections, against SciPy and by simulation."""
+
+import numpy as np
+import pytest
+from scipy import stats
+
+from backend.statistics.agreement import bland_altman, reference_part, trend
+from backend.statistics.corrections import CORRECTIONS, Known, corrected
+
+U_TRUTH = 0.03 / np.sqrt(3)
+
+
+def test_trend_is_scipys_and_its_band_holds() -> None:
+    rng = np.random.default_rng(1)
+    height = rng.normal(1.5, 0.12, 80)
+    held = []
+    for _ in range(400):
+        error = 0.01 - 0.05 * (height - 1.5) + rng.normal(0, 0.02, 80)
+        found = trend(height, error)
+        assert not isinstance(found, str)
+        true = 0.01 - 0.05 * (found.at[10] - 1.5)
+        held.append(found.low[10] <= true <= found.high[10])
+        held.append(found.slope_ci95.low <= -0.05 <= found.slope_ci95.high)
+    assert np.mean(held) == pytest.approx(0.95, abs=0.025)
+    assert not isinstance(found, str)
+    line = stats.linregress(height, error)
+    assert (found.slope, found.intercept) == pytest.approx((line.slope, line.intercept))
+    interval = stats.pearsonr(height, error).confidence_interval()
+    assert (found.correlation_ci95.low, found.correlation_ci95.high) == pytest.approx(tuple(interval))
+    assert "at least 4" in str(trend([1.0], [0.0])) and "same" in str(trend([1.0] * 9, np.arange(9.0)))
+
+
+def test_limits_of_agreement() -> None:
+    error = np.random.default_rng(3).normal(0.01, 0.02, 200)
+    found = bland_altman(error)
+    assert not isinstance(found, str)
+    assert found.bias_m == pytest.approx(error.mean())
+    assert found.upper_m - found.bias_m == pytest.approx(1.959964 * error.std(ddof=1), rel=1e-6)
+    rng = np.random.default_rng(4)
+    held = []
+    for _ in range(500):
+        one = bland_altman(rng.normal(0.0, 0.02, 120))
+        assert not isinstance(one, str)
+        held.append(one.upper_ci95.low <= 1.959964 * 0.02 <= one.upper_ci95.high)
+    assert np.mean(held) == pytest.approx(0.95, abs=0.03)
+    assert "at least 4" in str(bland_altman([0.1]))
+
+
+def test_what_an_uncertain_reference_explains() -> None:
+    """A perfect camera against +-3 cm: everything; the negative correlation it makes is foretold."""
+    rng = np.random.default_rng(7)
+    true = rng.normal(1.5, 0.115, 40_000)
+    reference = true + rng.uniform(-0.03, 0.03, len(true))
+    for camera_sd in (0.0067, 0.019):
+        error = true + rng.normal(0, camera_sd, len(true)) - reference
+        found = reference_part(error, reference, U_TRUTH)
+        assert not isinstance(found, str) and found.camera_sd_m is not None
+        assert found.camera_sd_m == pytest.approx(camera_sd, rel=0.06)
+        assert found.share_of_variance == pytest.approx(U_TRUTH**2 / (U_TRUTH**2 + camera_sd**2), rel=0.03)
+        assert found.correlation_alone == pytest.approx(float(np.corrcoef(error, reference)[0, 1]), abs=0.015)
+    nothing = reference_part(0.5 * (true - reference), reference, U_TRUTH)
+    assert not isinstance(nothing, str) and nothing.camera_sd_m is None and "all of" in nothing.words
+    rounded = reference_part(error, reference, U_TRUTH, rounded=True)
+    assert not isinstance(rounded, str) and rounded.camera_sd_m is not None
+    assert rounded.rounding_share * np.var(error, ddof=1) == pytest.approx(2 * 0.01**2 / 12)
+
+
+def simulated(n: int = 4000) -> tuple[np.ndarray, np.ndarray, np.ndarray, Known]:
+    """(true eye heights, corrected by inset, the paper's, known roofs), camera 1.5 m high, inset .45."""
+    rng = np.random.default_rng(11)
+    camera_m, distance_m = 1.5, rng.uniform(1.5, 5.0, n)
+    eye = rng.normal(1.2, 0.08, n)
+    noise = rng.normal(0, 0.006, n)
+    paper = eye + (camera_m - eye) * 0.45 / (distance_m + 0.45) + noise
+    roof = rng.normal(1.52, 0.1, 400)
+    seen = roof + (camera_m - roof) * 0.3 / (3.0 + 0.3) + rng.normal(0, 0.006, 400)
+    return eye, eye + noise, paper, Known(seen, seen - roof)
+
+
+def test_corrections_as_the_paper_may_be_read() -> None:
+    eye, by_inset, paper, known = simulated()
+    apart = {}
+    for kind in CORRECTIONS:
+        found = corrected(kind, by_inset, paper, known, camera_sd_m=0.006)
+        assert not isinstance(found, str) and found.words
+        apart[kind] = 1000 * (np.percentile(found.height_m, 50) - np.percentile(eye, 50))
+    # raw is tens of millimetres too high, a shift by roofs does not mend it, the inset does
+    assert apart["none"] > 25 and apart["shift"] > 25 and abs(apart["inset"]) < 2
+    shifted = corrected("shift", by_inset, paper, known)
+    assert not isinstance(shifted, str)
+    assert np.allclose(shifted.height_m, paper - known.error_m.mean())
+    regressed = corrected("regression", by_inset, paper, known)
+    assert not isinstance(regressed, str) and regressed.warning and "extrapolates" in regressed.warning
+    narrower = corrected("deconvolution", by_inset, paper, known, camera_sd_m=0.03)
+    assert not isinstance(narrower, str)
+    assert np.var(narrower.height_m, ddof=1) == pytest.approx(np.var(paper, ddof=1) - 0.03**2)
+
+
+def test_corrections_that_cannot_be_made_say_why() -> None:
+    _, by_inset, paper, known = simulated(50)
+    few = Known(known.measured_m[:2], known.error_m[:2])
+    assert "at least 4" in str(corrected("shift", by_inset, paper, few))
+    assert "not known" in str(corrected("deconvolution", by_inset, paper, known, None))
+    assert "nothing would be left" in str(corrected("deconvolution", by_inset, paper, known, 0.5))
+    level = Known(np.full(9, 1.5), np.linspace(0.0, 0.08, 9))
+    assert "one height" in str(corrected("regression", by_inset, paper, level))
