@@ -27,6 +27,15 @@ class MemoryCache(Generic[Value]):
     def held_bytes(self) -> int:
         return self._held
 
+    @property
+    def most_bytes(self) -> int:
+        return self._most
+
+    def keys(self) -> list[Hashable]:
+        """What is held now."""
+        with self._lock:
+            return list(self._items)
+
     def get(self, key: Hashable) -> Value | None:
         with self._lock:
             item = self._items.get(key)
@@ -84,6 +93,20 @@ class DiskCache:
             path.unlink(missing_ok=True)
             return None
         return body
+
+    def size(self, key: str) -> int | None:
+        """Bytes kept under `key`, or None; they are not read, but they count as used."""
+        path = self._folder / key
+        try:
+            os.utime(path)
+            return path.stat().st_size - 4
+        except OSError:
+            return None
+
+    def names(self, folder: str) -> list[str]:
+        """The names of what is kept anywhere below `folder`, without their suffix."""
+        walked = os.walk(self._folder / folder)
+        return [name[:-4] for _, _, names in walked for name in names if name.endswith(".jpg")]
 
     def put(self, key: str, data: bytes) -> None:
         path = self._folder / key

@@ -29,8 +29,8 @@ from backend.media.decode import (
 from backend.media.picture import Layout, layout_of, luma_crc
 from backend.media.remux import WorkingCopy, make_copy, needs_copy
 from backend.media.report import IngestReport, report_of
-from backend.media.store import no_room_told
-from backend.media.thumbnails import Thumbnail, ThumbnailWriter
+from backend.media.store import check_room, no_room_told
+from backend.media.thumbnails import ROOM_BYTES, Thumbnail, ThumbnailWriter
 
 PROGRESS_EVERY_S = 0.25
 OTHER_SIZE_SHARE = 0.05
@@ -127,6 +127,8 @@ def _ingest_open(
     watch.size = media_path.stat().st_size
     with no_room_told(f"what {watch.name} needs"):
         with closing(container):
+            thumb_dir.mkdir(parents=True, exist_ok=True)
+            check_room(thumb_dir, ROOM_BYTES, f"the thumbnails of {watch.name}")
             stream = video_stream(container, watch.name)
             facts, rows, thumbs = _decode_all(container, stream, damage, watch, thumb_dir)
         if damage.any:

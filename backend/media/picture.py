@@ -24,6 +24,9 @@ from numpy.typing import NDArray
 Gray = NDArray[np.uint8]
 Bgr = NDArray[np.uint8]
 _OF_THREAD = threading.local()
+# Formats whose first plane is 8-bit luminance, 16 to 235 (ITU-R BT.601) unless the frame says otherwise.
+_STUDIO_RANGE = frozenset(("yuv420p", "yuv422p", "yuv444p", "nv12"))
+_TO_FULL_RANGE = np.clip(np.rint((np.arange(256) - 16.0) * 255.0 / 219.0), 0, 255).astype(np.uint8)
 
 
 @dataclass(frozen=True)
@@ -96,7 +99,18 @@ def upright(frame: av.VideoFrame, layout: Layout) -> Bgr:
 
 def upright_gray(frame: av.VideoFrame, layout: Layout) -> Gray:
     """Like `upright`, but luminance alone, (height_px, width_px), stretched to the full range 0-255."""
-    return _turned(_converted(frame, "gray"), layout)
+    return _turned(_luma(frame), layout)
+
+
+def _luma(frame: av.VideoFrame) -> Gray:
+    """Luminance in full range. Of the usual formats it is read from its plane: FFmpeg's result to the
+    bit in less than half its time; the others are converted.
+    """
+    if frame.format.name not in _STUDIO_RANGE or int(frame.color_range) > 1:
+        return _converted(frame, "gray")
+    plane = frame.planes[0]
+    rows = np.frombuffer(memoryview(plane), np.uint8).reshape(plane.height, plane.line_size)
+    return np.asarray(cv2.LUT(rows[:, : plane.width], _TO_FULL_RANGE), np.uint8)
 
 
 def upright_small(frame: av.VideoFrame, layout: Layout, width_px: int) -> Bgr:

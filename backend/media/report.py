@@ -13,6 +13,8 @@ from backend.media.remux import WorkingCopy
 RATE_TOLERANCE = 0.02
 ROUNDING = 1.001
 JITTER = 0.05
+# Containers that write down how long they are but not how many frames; other durations may be estimates.
+DURATION_IN_HEADER = ("matroska,webm",)
 
 
 @dataclass(frozen=True)
@@ -50,8 +52,9 @@ def report_of(
         *_time_notes(facts, time_s, rate, vfr, copy),
         *_order_notes(duplicates, unordered),
         *_damage_notes(facts, len(pts), damage),
+        *_duration_notes(facts, pts, time_s),
     ]
-    damaged = damage.any or _cut_short(facts, len(pts), time_s)
+    damaged = damage.any or _cut_short(facts, pts, time_s)
     return IngestReport(vfr, duplicates, unordered, damaged, rate, tuple(notes))
 
 
@@ -150,9 +153,27 @@ def _damage_notes(facts: VideoFacts, count: int, damage: Damage) -> list[str]:
     return notes
 
 
-def _cut_short(facts: VideoFacts, count: int, time_s: NDArray[np.float64]) -> bool:
+def _duration_notes(facts: VideoFacts, pts: NDArray[np.int64], time_s: NDArray[np.float64]) -> list[str]:
+    """Where the header counts no frames, its duration alone tells that some are gone."""
+    if facts.reported_frames is not None or not _cut_short(facts, pts, time_s):
+        return []
+    end_s = _end_s(facts, pts, time_s)
+    return [
+        f"The header speaks of {facts.duration_s:.1f} s, the pictures end after {end_s:.1f} s; the file may "
+        "have been cut off."
+    ]
+
+
+def _cut_short(facts: VideoFacts, pts: NDArray[np.int64], time_s: NDArray[np.float64]) -> bool:
     """Whether the recording ends long before its header says (an edit list or empty chunks do not count)."""
-    claimed = facts.reported_frames
-    if claimed is None or count >= claimed or facts.duration_s is None or count == 0:
+    claimed, count = facts.reported_frames, len(pts)
+    if facts.duration_s is None or count == 0:
         return False
-    return bool(time_s.max() < 0.95 * facts.duration_s - 1.0)
+    if count >= claimed if claimed is not None else facts.container not in DURATION_IN_HEADER:
+        return False
+    return bool(_end_s(facts, pts, time_s) < 0.95 * facts.duration_s - 1.0)
+
+
+def _end_s(facts: VideoFacts, pts: NDArray[np.int64], time_s: NDArray[np.float64]) -> float:
+    """When the last picture is shown; by its stamp where that is later (durations may count from 0)."""
+    return max(float(time_s.max()), float(pts.max()) * float(facts.time_base))

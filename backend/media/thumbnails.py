@@ -17,6 +17,8 @@ WIDTH_PX = 160
 MOST = 400
 AT_LEAST = 20
 QUALITY = 80
+# what they need at most on disk: a noisy picture of this size and quality takes about 12 kB
+ROOM_BYTES = MOST * 16_000
 
 
 @dataclass(frozen=True)

@@ -163,6 +163,24 @@ def test_a_cut_file_is_reported_in_words(tmp_path: Path, take_in: Ingest) -> Non
     assert any("90 frames" in note for note in report.notes), report.notes
 
 
+def test_a_cut_matroska_file_is_told_by_its_duration(tmp_path: Path, take_in: Ingest) -> None:
+    whole = write(tmp_path / "a.mkv", Spec("a.mkv"), 90)
+    assert not take_in(whole).report.damaged
+    path = tmp_path / "cut.mkv"
+    content = whole.read_bytes()
+    path.write_bytes(content[: len(content) * 5 // 10])
+    report = take_in(path).report
+    assert report.damaged
+    assert any("3.6 s" in note and "cut off" in note for note in report.notes), report.notes
+
+
+def test_a_late_first_stamp_is_no_cut(tmp_path: Path, take_in: Ingest) -> None:
+    """Matroska's duration counts from 0, wherever the first picture stands."""
+    spec = Spec("late.mkv", pts_of=lambda n: 900_000 + 3600 * n)
+    report = take_in(write(tmp_path / "late.mkv", spec, 60)).report
+    assert not report.damaged and not any("cut off" in note for note in report.notes)
+
+
 def test_flipped_bytes_are_skipped_and_the_rest_is_served(tmp_path: Path, take_in: Ingest) -> None:
     data = bytearray(write(tmp_path / "a.mp4", Spec("a.mp4", gop=12), 96).read_bytes())
     start = data.find(b"mdat") + 4

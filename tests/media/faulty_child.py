@@ -1,0 +1,52 @@
+"""A decoding process that crashes, hangs or eats memory at certain frames of files called so."""
+
+from __future__ import annotations
+
+import ctypes
+import time
+from typing import Any
+
+from backend.media import decode_child, seeker, window
+
+AT = 40
+HELD: list[bytearray] = []
+
+
+def main() -> None:
+    """The child's own main with a seeker that has faults."""
+    find = seeker.Seeker.find
+
+    def faulty(self: seeker.Seeker, n: int, *rest: Any) -> Any:
+        name = self._media.path.name
+        if n >= AT and name.startswith("crash"):
+            ctypes.string_at(0)
+        if n >= AT and name.startswith("late"):
+            time.sleep(0.6)
+            ctypes.string_at(0)
+        if n >= AT and name.startswith("hang"):
+            time.sleep(3600)
+        if n >= AT and name.startswith("stuck"):
+            ctypes.PyDLL(None).sleep(3600)  # and nothing else in the process gets on either
+        while n >= AT and name.startswith("greedy"):
+            HELD.append(bytearray(b"x" * 16_000_000))
+        if n >= AT and name.startswith("slow"):
+            for _ in range(20):
+                time.sleep(0.1)
+                if not rest[0]():
+                    return None
+        return find(self, n, *rest)
+
+    image = window.Window.image
+
+    def faulty_image(self: window.Window, data: bytes, name: str, *, colour: bool) -> Any:
+        if name.startswith("crash"):
+            ctypes.string_at(0)
+        return image(self, data, name, colour=colour)
+
+    seeker.Seeker.find = faulty  # type: ignore[method-assign]
+    window.Window.image = faulty_image  # type: ignore[method-assign]
+    decode_child.main()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,232 @@
+"""Stills decoded in a child process: a hostile file may end that process, and nothing else."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from backend.errors import BadInput, Damaged
+from backend.media.decode_blame import Blame, CannotDecode
+from backend.media.decode_host import DecodeHost
+from backend.media.decode_wire import Limits
+from backend.media.frames import FrameServer, NotWanted, RecordingMedia
+from backend.media.images import png, read_image_bgr
+from backend.media.window import always
+from tests.media.clips import Spec, read_number
+from tests.media.conftest import ROOT, Clip, Ingest, media_of
+from tests.media.faulty_child import AT
+
+LIMITS = Limits(memory_bytes=500_000_000, silence_s=2.0)
+FAULTS = "tests.media.faulty_child"
+
+
+@pytest.fixture
+def host() -> Iterator[DecodeHost]:
+    made = DecodeHost(20_000_000, LIMITS, entry=FAULTS)
+    yield made
+    made.close()
+
+
+@pytest.fixture
+def served(host: DecodeHost, tmp_path: Path) -> FrameServer:
+    return FrameServer(tmp_path / "c", 4_000_000, 4_000_000, pictures=host)
+
+
+@pytest.fixture
+def plain(clip: Clip, take_in: Ingest) -> RecordingMedia:
+    return media_of(take_in(clip(Spec("plain.mp4"))))
+
+
+def named(media: RecordingMedia, name: str, folder: Path) -> RecordingMedia:
+    """The same recording under a name at which the decoder has its fault."""
+    path = folder / f"{name}.mp4"
+    shutil.copy(media.path, path)
+    return RecordingMedia(path, media.pts, media.crc, media.key)
+
+
+def is_gone(pid: int) -> bool:
+    """Whether the process ended and was waited for."""
+    return not Path(f"/proc/{pid}").exists()
+
+
+def test_the_child_gives_what_a_decoder_here_gives(
+    plain: RecordingMedia, served: FrameServer, server: FrameServer
+) -> None:
+    for n in (33, 5, 34):
+        assert served.still(plain, n) == server.still(plain, n)
+        assert read_number(served.bgr(plain, n)) == n
+        assert np.array_equal(served.gray(plain, n), server.gray(plain, n))
+    crop = (20, 100, -6, 41, 31, 2, "bright")
+    assert served.crop_png(plain, *crop) == server.crop_png(plain, *crop)
+    assert served.is_warm(plain, 34) and not served.is_warm(plain, 70)
+    with pytest.raises(BadInput, match="out of bounds"):
+        served.crop_png(plain, 0, 0, 0, 90_000, 90_000)
+
+
+def test_checksums_are_verified_in_the_child(plain: RecordingMedia, served: FrameServer) -> None:
+    crc = plain.crc.copy()
+    crc[12] ^= 1
+    with pytest.raises(Damaged, match="Frame 12 cannot be shown"):
+        served.still(RecordingMedia(plain.path, plain.pts, crc, plain.key), 12)
+    gone = RecordingMedia(plain.path.with_name("gone.mp4"), plain.pts, plain.crc, plain.key)
+    with pytest.raises(Damaged, match="missing"):
+        served.still(gone, 12)
+
+
+@pytest.mark.parametrize(
+    ("fault", "words"),
+    [
+        ("crash", "crashed"),
+        ("hang", "no progress for 2 s"),
+        ("stuck", "no progress for 2 s"),
+        ("greedy", "0.5 GB of memory"),
+    ],
+)
+def test_a_fault_costs_the_child_and_one_sentence(
+    fault: str,
+    words: str,
+    plain: RecordingMedia,
+    host: DecodeHost,
+    served: FrameServer,
+    tmp_path: Path,
+) -> None:
+    hostile = named(plain, fault, tmp_path)
+    assert read_number(served.bgr(hostile, 3)) == 3
+    before = host.process_id
+    assert before is not None
+    with pytest.raises(CannotDecode) as refused:
+        served.still(hostile, AT)
+    assert f"cannot be decoded at frame {AT}: the decoder" in refused.value.message
+    assert words in refused.value.message and refused.value.message.endswith(".")
+    assert read_number(read_image_bgr(served.still(plain, 50))) == 50
+    assert host.process_id != before and is_gone(before)
+
+
+def test_a_recording_that_does_it_again_and_again_is_set_aside(
+    plain: RecordingMedia, host: DecodeHost, served: FrameServer, tmp_path: Path
+) -> None:
+    hostile = named(plain, "crash", tmp_path)
+    for n in range(AT, AT + 3):
+        with pytest.raises(CannotDecode, match=f"at frame {n}"):
+            served.still(hostile, n)
+    served.still(plain, 7)
+    before = host.process_id
+    for n in (AT, 3):
+        with pytest.raises(CannotDecode, match="3 times and is set aside; convert"):
+            served.still(hostile, n)
+    assert read_number(served.bgr(plain, 60)) == 60
+    assert host.process_id == before, "nobody was asked"
+
+
+def test_others_are_asked_again_and_not_blamed(
+    plain: RecordingMedia, served: FrameServer, tmp_path: Path
+) -> None:
+    hostile = named(plain, "late", tmp_path)
+    slow = named(plain, "slow", tmp_path)
+    with ThreadPoolExecutor(2) as pool:
+        bad = pool.submit(served.still, hostile, AT)
+        good = pool.submit(served.bgr, slow, AT + 1)
+        assert read_number(good.result(30)) == AT + 1
+        with pytest.raises(CannotDecode, match=f"at frame {AT}"):
+            bad.result(30)
+
+
+def test_still_pictures_are_decoded_there_too(plain: RecordingMedia, served: FrameServer) -> None:
+    picture = np.arange(600, dtype=np.uint8).reshape(20, 30)
+    data = png(picture)
+    assert np.array_equal(served.image(data, "board.png"), picture)
+    assert served.image_bgr(data, "board.png").shape == (20, 30, 3)
+    with pytest.raises(BadInput, match=r"^notes.txt is not a picture"):
+        served.image(b"not a picture", "notes.txt")
+    with pytest.raises(CannotDecode, match=r"^crash.png cannot be decoded: the decoder crashed; save it"):
+        served.image(data, "crash.png")
+    assert read_number(served.bgr(plain, 50)) == 50
+
+
+def test_giving_up_reaches_the_child(plain: RecordingMedia, served: FrameServer, tmp_path: Path) -> None:
+    slow = named(plain, "slow", tmp_path)
+    served.still(slow, 1)
+    give_up = threading.Event()
+    threading.Timer(0.2, give_up.set).start()
+    started = time.monotonic()
+    with pytest.raises(NotWanted):
+        served.still(slow, AT, wanted=lambda: not give_up.is_set())
+    assert time.monotonic() - started < 1.5
+    assert read_number(served.bgr(slow, 9)) == 9
+
+
+def test_signs_of_life_are_no_hang(plain: RecordingMedia, tmp_path: Path) -> None:
+    impatient = DecodeHost(20_000_000, Limits(silence_s=1.5), entry=FAULTS)
+    impatient.start()
+    slow = named(plain, "slow", tmp_path)
+    impatient.gray(slow, 1, always)
+    assert read_number(impatient.gray(slow, AT, always)) == AT, "2 s, with a sign every second"
+    impatient.close()
+
+
+def test_frames_prepared_ahead_are_ready_and_leave_the_window_alone(
+    plain: RecordingMedia, served: FrameServer
+) -> None:
+    served.still(plain, 10)
+    size = served.prepare(plain, 60)
+    assert size == served.prepare(plain, 60) == len(served.still(plain, 60))
+    assert not served.is_warm(plain, 60)
+    assert (60, 60) in served.ready(plain)
+
+
+def test_it_ends_with_the_server_and_leaves_no_zombie(plain: RecordingMedia) -> None:
+    host = DecodeHost(20_000_000)
+    host.gray(plain, 1, always)
+    child = host.process_id
+    assert child is not None
+    host.close()
+    assert is_gone(child)
+    assert read_number(host.gray(plain, 2, always)) == 2, "and starts again when asked"
+    host.close()
+
+
+def test_it_ends_when_the_server_is_killed() -> None:
+    code = (
+        "import time; from backend.media.decode_host import DecodeHost; host = DecodeHost(1000000);"
+        "host.start(); print(host.process_id, flush=True); time.sleep(60)"
+    )
+    with subprocess.Popen(
+        [sys.executable, "-c", code], cwd=ROOT, stdout=subprocess.PIPE, text=True
+    ) as server:
+        assert server.stdout is not None
+        child = int(server.stdout.readline())
+        os.kill(server.pid, signal.SIGKILL)
+        server.wait()
+    until = time.monotonic() + 10
+    while Path(f"/proc/{child}").exists() and time.monotonic() < until:
+        time.sleep(0.05)
+    # where nobody reaps orphans it stays as a dead entry
+    left = Path(f"/proc/{child}/stat")
+    assert not left.exists() or ") Z " in left.read_text()
+
+
+def test_blame_needs_a_recording_alone_or_seen_before() -> None:
+    now = [0.0]
+    blame = Blame(Limits(kills=2, aside_s=60), lambda: now[0])
+    assert blame.died({"a", "b"}) == set()
+    with blame.turn("b"):
+        pass
+    assert blame.died({"a", "c"}) == {"a"}, "a was suspected, c is new"
+    assert blame.died({"c"}) == {"c"}
+    blame.check("a")
+    assert blame.died({"a", "b"}) == {"a"}, "b had answered alone"
+    with pytest.raises(CannotDecode, match="set aside"):
+        blame.check("a")
+    now[0] = 61
+    blame.check("a")
