@@ -81,11 +81,15 @@ def add_image(
     rows: int,
     sharpness: float | None,
     actor: int | None,
+    ids: Sequence[int] | None = None,
+    dictionary: str | None = None,
+    marker_share: float | None = None,
 ) -> CalibrationImage:
     """A stored image with what was detected in it; `reason` says why no board was found."""
     camera = get_row(session, cameras, camera_id, "camera")
     content = {"name": name, "media_key": media_key, "width_px": width_px, "height_px": height_px}
-    detected = _detection(found, reason, corners_px, columns, rows, sharpness)
+    seen = _seen(corners_px, ids, dictionary, marker_share)
+    detected = _detection(found, reason, seen, columns, rows, sharpness)
     stamps = {"camera_id": camera_id, "created_at": now(), "created_by": actor}
     image_id = add_row(session, calibration_images, {**content, **detected, **stamps})
     after = {"camera_id": camera_id, **content, "found": found, "reason": reason}
@@ -104,11 +108,15 @@ def set_detection(
     rows: int,
     sharpness: float | None,
     actor: int | None,
+    ids: Sequence[int] | None = None,
+    dictionary: str | None = None,
+    marker_share: float | None = None,
 ) -> CalibrationImage:
     """What was found when looking again, for a board of another size."""
     before = get_row(session, calibration_images, image_id, "calibration image")
     camera = get_row(session, cameras, before["camera_id"], "camera")
-    detected = _detection(found, reason, corners_px, columns, rows, sharpness)
+    seen = _seen(corners_px, ids, dictionary, marker_share)
+    detected = _detection(found, reason, seen, columns, rows, sharpness)
     change_row(session, calibration_images, image_id, detected)
     what = audit.changed(before, detected, ("found", "reason", "columns", "rows"))
     audit.record(session, actor, "detect", "calibration_image", image_id, camera["survey_id"], *what)
@@ -134,16 +142,31 @@ def image_in_use(session: Session, media_key: str) -> bool:
 def _detection(
     found: bool,
     reason: str | None,
-    corners_px: Sequence[Sequence[float]],
+    seen: Any,
     columns: int,
     rows: int,
     sharpness: float | None,
 ) -> dict[str, Any]:
     if not found and not reason:
         raise BadInput("An image without a board needs the reason why; say what was looked for.")
-    corners = [[float(x), float(y)] for x, y in corners_px]
     size = {"columns": columns, "rows": rows, "sharpness": sharpness}
-    return {"found": found, "reason": reason, "corners_px": corners, **size}
+    return {"found": found, "reason": reason, "corners_px": seen, **size}
+
+
+def _seen(
+    corners_px: Sequence[Sequence[float]],
+    ids: Sequence[int] | None,
+    dictionary: str | None,
+    marker_share: float | None,
+) -> Any:
+    """The document of the column corners_px: the list of points, as it always was, or for a board with
+    markers an object that holds them with what else is known.
+    """
+    points = [[float(x), float(y)] for x, y in corners_px]
+    if dictionary is None:
+        return points
+    numbers = None if ids is None else [int(n) for n in ids]
+    return {"points": points, "ids": numbers, "dictionary": dictionary, "marker_share": marker_share}
 
 
 def _cameras(session: Session, rows: Sequence[Mapping[str, Any]]) -> tuple[Camera, ...]:
@@ -172,4 +195,7 @@ def _cameras(session: Session, rows: Sequence[Mapping[str, Any]]) -> tuple[Camer
 
 def _image(row: Mapping[Any, Any]) -> CalibrationImage:
     values = {key: value for key, value in row.items() if key not in ("created_at", "created_by")}
+    if isinstance(values["corners_px"], Mapping):
+        seen = dict(values.pop("corners_px"))
+        values |= {"corners_px": seen.pop("points"), **seen}
     return CalibrationImage(**values)

@@ -1,19 +1,23 @@
-"""What a click on a recording needs to become a height, in one query: pose in force, survey's insets."""
+"""What a click on a recording needs to become a height, in one query: pose, insets, the person's sigma."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from sqlalchemy import select
+from sqlalchemy import ScalarSelect, select
 from sqlalchemy.orm import Session
 
 from backend.storage.records import Inset
 from backend.storage.rows import missing
 from backend.storage.tables import recordings, road_poses, surveys
+from backend.storage.tables_of_work import click_sigmas
 
 
 @dataclass(frozen=True, slots=True)
 class ClickContext:
-    """`pose_id` and `calibration_id` are None while the recording has no road pose."""
+    """`pose_id` and `calibration_id` are None while the recording has no road pose.
+
+    `own_sigma_px`: what was chosen for this person's clicks from their repeats; None: the usual one.
+    """
 
     recording_id: int
     survey_id: int
@@ -22,10 +26,11 @@ class ClickContext:
     calibration_id: int | None
     size_px: tuple[int | None, int | None]
     insets: Mapping[str, Inset]
+    own_sigma_px: float | None
 
 
-def of_recording(session: Session, recording_id: int) -> ClickContext:
-    """The context of clicks on a recording. Raises NotFound (also when it was deleted)."""
+def of_recording(session: Session, recording_id: int, person_id: int | None = None) -> ClickContext:
+    """The context of a person's clicks on a recording. Raises NotFound (also when it was deleted)."""
     query = (
         select(
             recordings.c.survey_id,
@@ -35,6 +40,7 @@ def of_recording(session: Session, recording_id: int) -> ClickContext:
             recordings.c.width_px,
             recordings.c.height_px,
             surveys.c.insets,
+            _own_sigma(person_id).label("own_sigma_px"),
         )
         .join(surveys, surveys.c.id == recordings.c.survey_id)
         .outerjoin(road_poses, road_poses.c.id == recordings.c.pose_id)
@@ -45,4 +51,15 @@ def of_recording(session: Session, recording_id: int) -> ClickContext:
         raise missing("recording", recording_id)
     insets = {target: Inset(**values) for target, values in row.insets.items()}
     pose, size_px = (row.pose_id, row.calibration_id), (row.width_px, row.height_px)
-    return ClickContext(recording_id, row.survey_id, row.name, *pose, size_px, insets)
+    return ClickContext(recording_id, row.survey_id, row.name, *pose, size_px, insets, row.own_sigma_px)
+
+
+def _own_sigma(person_id: int | None) -> ScalarSelect[float | None]:
+    """The newest choice for the person in the recording's survey (see `click_sigmas`)."""
+    newest = (
+        select(click_sigmas.c.sigma_px)
+        .where(click_sigmas.c.survey_id == recordings.c.survey_id, click_sigmas.c.person_id == person_id)
+        .order_by(click_sigmas.c.id.desc())
+        .limit(1)
+    )
+    return newest.correlate(recordings).scalar_subquery()

@@ -6,7 +6,8 @@ from typing import Any
 from sqlalchemy import ColumnElement, Row, Select, exists, func, select
 from sqlalchemy.orm import Session
 
-from backend.storage.records import Measurement, ReviewState
+from backend.storage.drift_flags import flagged
+from backend.storage.records import FurtherFrame, Measurement, ReviewState
 from backend.storage.rows import who
 from backend.storage.tables import people
 from backend.storage.tables_of_work import measurement_series, measurements, reviews
@@ -27,6 +28,8 @@ _newest_review = (
     .correlate(measurements)
     .scalar_subquery()
 )
+#: False for those that repeat another one: they stand in no list and count for no result.
+is_first: ColumnElement[bool] = series.c.repeat_of.is_(None)
 #: The verdict on a revision; what was reopened waits for a reviewer again.
 verdict: ColumnElement[str] = func.coalesce(reviews.c.verdict, "to_review")
 waits: ColumnElement[bool] = verdict.in_(("to_review", "reopened"))
@@ -47,15 +50,17 @@ def with_verdict(*columns: Any) -> Select[Any]:
 _m = measurements.c
 _FIELDS = (
     (_m.series_id, _m.revision, _m.id, series.c.survey_id, series.c.vehicle_id, series.c.recording_id),
+    (series.c.repeat_of,),
     (_m.target, _m.frame, _m.pts, _m.time_s, _m.frame_crc),
     (_m.contact_x_px, _m.contact_y_px, _m.point_x_px, _m.point_y_px),
     (_m.sigma_px, _m.pose_id, _m.calibration_id, _m.inset_m, _m.u_inset_m),
     (_m.height_m, _m.uncorrected_height_m, _m.u_height_m, _m.U95_height_m, _m.distance_m),
     (_m.status, _m.reason, _m.flags, _m.budget, _m.code_version),
+    (_m.more_frames, _m.solved_inset_m, _m.u_solved_inset_m),
     (_m.created_by, _maker.c.name, _m.created_at, _m.withdrawn),
     (reviews.c.verdict, reviews.c.reason, reviews.c.created_by, _reviewer.c.name, reviews.c.created_at),
 )
-_POINTS, _MAKER, _REVIEW = 11, 30, 34
+_POINTS, _MORE, _MAKER, _REVIEW = 12, 31, 34, 38
 
 
 def revisions() -> Select[Any]:
@@ -69,12 +74,12 @@ def revisions() -> Select[Any]:
 
 def fetch(session: Session, query: Select[Any]) -> tuple[Measurement, ...]:
     """Run a `revisions()` query."""
-    return tuple([measurement(row) for row in session.execute(query).all()])
+    return flagged(session, tuple([measurement(row) for row in session.execute(query).all()]))
 
 
 def of_vehicles(session: Session, conditions: Iterable[ColumnElement[bool]]) -> dict[int, list[Measurement]]:
-    """The standing measurements (current, not withdrawn) by vehicle, in the order of their making."""
-    query = revisions().where(is_current, ~measurements.c.withdrawn, *conditions)
+    """The standing measurements (current, not withdrawn, no repeats) by vehicle, in the order of making."""
+    query = revisions().where(is_current, ~measurements.c.withdrawn, is_first, *conditions)
     found: dict[int, list[Measurement]] = {}
     for one in fetch(session, query.order_by(measurements.c.series_id)):
         found.setdefault(one.vehicle_id, []).append(one)
@@ -88,8 +93,15 @@ def measurement(row: Row[Any]) -> Measurement:
     maker, maker_name, created_at, withdrawn = values[_MAKER:_REVIEW]
     points = ((contact_x, contact_y), (point_x, point_y))
     made = (who(maker, maker_name), created_at, withdrawn, _review(*values[_REVIEW:]))
-    fields: tuple[Any, ...] = (*values[:_POINTS], *points, *values[_POINTS + 4 : _MAKER], *made)
+    more = tuple([_further(one) for one in values[_MORE]])
+    solved = (more, *values[_MORE + 1 : _MAKER])
+    fields: tuple[Any, ...] = (*values[:_POINTS], *points, *values[_POINTS + 4 : _MORE], *solved, *made)
     return Measurement(*fields)
+
+
+def _further(one: dict[str, Any]) -> FurtherFrame:
+    points = {word: (one[word][0], one[word][1]) for word in ("contact", "point")}
+    return FurtherFrame(**{**one, **points})
 
 
 def _review(verdict: Any, reason: Any, reviewer: Any, name: Any, at: Any) -> ReviewState:

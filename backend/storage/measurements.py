@@ -8,8 +8,9 @@ from sqlalchemy.orm import Session
 
 from backend.errors import BadInput, Conflict
 from backend.storage import audit, frames
+from backend.storage.chain import plain
 from backend.storage.columns import now
-from backend.storage.measurement_query import fetch, is_current, revisions
+from backend.storage.measurement_query import fetch, is_current, is_first, revisions
 from backend.storage.records import Measurement, MeasurementHistory, MeasurementValues
 from backend.storage.reviews_query import of_series
 from backend.storage.rows import add_row, get_row, missing, name_of, stored_hash
@@ -20,12 +21,19 @@ _TOLD = ("target", "frame", "contact", "point", "height_m", "U95_height_m", "sta
 
 
 def add(
-    session: Session, vehicle_id: int, *, client_key: str, values: MeasurementValues, actor: int | None
+    session: Session,
+    vehicle_id: int,
+    *,
+    client_key: str,
+    values: MeasurementValues,
+    repeat_of: int | None = None,
+    actor: int | None,
 ) -> Measurement:
     """Store the first revision of a measurement; the same `client_key` again gives the same one back.
 
-    Raises NotFound for a deleted vehicle, Conflict for a key used on another vehicle or a frame that is not
-    the stored one.
+    `repeat_of`: the measurement of the same target and vehicle that this one repeats (for a repeat, the one
+    that it repeats itself). Raises NotFound for a deleted vehicle, Conflict for a key used on another vehicle
+    or a frame that is not the stored one.
     """
     known = select(measurement_series).where(measurement_series.c.client_key == client_key)
     series = session.execute(known).mappings().one_or_none()
@@ -36,10 +44,9 @@ def add(
     vehicle = get_row(session, vehicles, vehicle_id, "vehicle", vehicles.c.deleted_at.is_(None))
     place = {key: vehicle[key] for key in ("survey_id", "recording_id")}
     _check(session, place, values)
-    series_id = add_row(
-        session, measurement_series, {**place, "vehicle_id": vehicle_id, "client_key": client_key}
-    )
-    _append(session, series_id, 1, {**place, "vehicle_id": vehicle_id}, values, False, None, "create", actor)
+    place |= {"vehicle_id": vehicle_id, "repeat_of": _repeated(session, vehicle_id, repeat_of, values.target)}
+    series_id = add_row(session, measurement_series, {**place, "client_key": client_key})
+    _append(session, series_id, 1, place, values, False, None, "create", actor)
     return get(session, series_id)
 
 
@@ -50,6 +57,8 @@ def revise(
     before = seen(session, series_id, seen_revision)
     if before.withdrawn:
         raise Conflict("This measurement is withdrawn; restore it before you change it.")
+    if before.repeat_of is not None:
+        raise Conflict("A repeat stands as it was clicked; withdraw it and click it again.")
     append_revision(session, before, values, withdrawn=False, action="revise", actor=actor)
     return get(session, series_id)
 
@@ -90,7 +99,12 @@ def history(session: Session, series_id: int) -> MeasurementHistory:
 
 
 def list_for_survey(
-    session: Session, survey_id: int, *, every_revision: bool = False, include_withdrawn: bool = False
+    session: Session,
+    survey_id: int,
+    *,
+    every_revision: bool = False,
+    include_withdrawn: bool = False,
+    include_repeats: bool = False,
 ) -> tuple[Measurement, ...]:
     """A survey's measurements of vehicles that were not deleted; current ones unless told otherwise."""
     query = revisions().join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
@@ -99,6 +113,8 @@ def list_for_survey(
         query = query.where(is_current)
     if not include_withdrawn and not every_revision:
         query = query.where(~measurements.c.withdrawn)
+    if not include_repeats:
+        query = query.where(is_first)
     return fetch(session, query.order_by(measurements.c.series_id, measurements.c.revision))
 
 
@@ -135,8 +151,8 @@ def append_revision(
     actor: int | None,
 ) -> int:
     """Write the revision after `before` with its audit event; returns its number."""
-    place = {"survey_id": before.survey_id, "recording_id": before.recording_id}
-    place["vehicle_id"] = before.vehicle_id
+    place: dict[str, Any] = {"survey_id": before.survey_id, "recording_id": before.recording_id}
+    place |= {"vehicle_id": before.vehicle_id, "repeat_of": before.repeat_of}
     _check(session, place, values)
     then = {name: getattr(before, name) for name in _TOLD} | {"revision": before.revision}
     number = before.revision + 1
@@ -158,6 +174,7 @@ def _append(
     row = asdict(values)
     (row["contact_x_px"], row["contact_y_px"]) = row.pop("contact")
     (row["point_x_px"], row["point_y_px"]) = row.pop("point")
+    row["more_frames"] = [plain(one) for one in values.more_frames]
     stamps = {"series_id": series_id, "revision": revision, "withdrawn": withdrawn}
     row_id = add_row(session, measurements, {**row, **stamps, "created_at": now(), "created_by": actor})
     after = {name: getattr(values, name) for name in _TOLD} | {
@@ -167,13 +184,30 @@ def _append(
         "withdrawn": withdrawn,
         "content_sha256": stored_hash(session, measurements, row_id),
     }
+    if place["repeat_of"] is not None:
+        after["repeat_of"] = place["repeat_of"]
+    if values.more_frames:
+        after["more_frames"] = [[one.frame, one.contact, one.point] for one in values.more_frames]
     audit.record(session, actor, action, "measurement", series_id, place["survey_id"], before, after)
 
 
+def _repeated(session: Session, vehicle_id: int, repeat_of: int | None, target: str) -> int | None:
+    """The first measurement that a new one repeats. Raises BadInput for another vehicle's or target's."""
+    if repeat_of is None:
+        return None
+    first = get(session, repeat_of)
+    if (first.vehicle_id, first.target) != (vehicle_id, target):
+        raise BadInput("A repeat needs the vehicle and the target of the measurement that it repeats.")
+    return first.repeat_of or first.id
+
+
 def _check(session: Session, place: dict[str, Any], values: MeasurementValues) -> None:
-    frame = frames.get(session, place["recording_id"], values.frame)
-    if (frame.pts, frame.crc32) != (values.pts, values.frame_crc):
-        raise Conflict(f"Frame {values.frame} is not the picture that was clicked on; load it again.")
+    clicked_on = [(values.frame, values.pts, values.frame_crc)]
+    clicked_on += [(one.frame, one.pts, one.frame_crc) for one in values.more_frames]
+    for n, pts, crc in clicked_on:
+        frame = frames.get(session, place["recording_id"], n)
+        if (frame.pts, frame.crc32) != (pts, crc):
+            raise Conflict(f"Frame {n} is not the picture that was clicked on; load it again.")
     pose = get_row(session, road_poses, values.pose_id, "road pose")
     if pose["survey_id"] != place["survey_id"]:
         raise BadInput(f"Road pose {values.pose_id} belongs to another survey; choose one of this survey's.")

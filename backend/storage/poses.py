@@ -31,9 +31,14 @@ def add(
     expected: Sequence[JsonObject],
     overlay: JsonObject,
     attach: bool = True,
+    turned_from: int | None = None,
+    turned_by_rad: float | None = None,
     actor: int | None,
 ) -> Pose:
-    """Store a pose taken from frames of a recording and (by default) make it that recording's pose."""
+    """Store a pose taken from frames of a recording and (by default) make it that recording's pose.
+
+    turned_from, turned_by_rad: the pose that it was before it was turned about the road's normal.
+    """
     recording = get_row(session, recordings, recording_id, "recording", recordings.c.deleted_at.is_(None))
     _calibration_of_survey(session, calibration_id, recording["survey_id"])
     content: dict[str, Any] = {
@@ -49,6 +54,8 @@ def add(
         "warnings": list(warnings),
         "expected": list(expected),
         "overlay": overlay,
+        "turned_from": turned_from,
+        "turned_by_rad": turned_by_rad,
         "created_at": now(),
         "created_by": actor,
     }

@@ -8,10 +8,10 @@ from sqlalchemy import ColumnElement, select
 from sqlalchemy.orm import Session
 
 from backend.errors import BadInput, Conflict
-from backend.storage import audit, frames, jobs
+from backend.storage import audit, drift_flags, frames, jobs
 from backend.storage.columns import columns_of, now
-from backend.storage.records import Facts, FrameTable, Recording, RecordingChanges
-from backend.storage.rows import add_row, change_row, get_row
+from backend.storage.records import Facts, FrameTable, JsonObject, Recording, RecordingChanges
+from backend.storage.rows import add_row, change_row, get_row, name_of
 from backend.storage.tables import cameras, recordings, road_poses, surveys
 from backend.storage.tables_of_work import measurement_series
 
@@ -125,6 +125,60 @@ def remove(session: Session, recording_id: int, *, actor: int | None) -> Recordi
     before = {"name": gone.name, "sha256": gone.sha256}
     audit.record(session, actor, "delete", "recording", recording_id, gone.survey_id, before, None)
     return gone
+
+
+def drift_found(
+    session: Session, recording_id: int, pose_id: int, check: JsonObject, *, actor: int | None
+) -> Recording:
+    """What was found of a camera that moved since a road pose; what was found against others stays."""
+    before = _row(session, recording_id)
+    known = before["drift"] or {"checks": {}}
+    drift = {"checks": {**known["checks"], str(pose_id): check}}
+    change_row(session, recordings, recording_id, {"drift": drift})
+    old = drift_flags.check_of(known, pose_id)
+    then = {"pose_id": pose_id, "drift": None if old is None else old["words"]}
+    after = {"pose_id": pose_id, "drift": check["words"], "bumps": check["bumps"]}
+    audit.record(session, actor, "check_drift", "recording", recording_id, before["survey_id"], then, after)
+    return get(session, recording_id)
+
+
+def decide_drift(session: Session, recording_id: int, reason: str, *, actor: int | None) -> Recording:
+    """A person lets the pose in force stand although the camera moved. Raises Conflict if it did not."""
+    before = _row(session, recording_id)
+    check = drift_flags.check_of(before["drift"], before["pose_id"])
+    if check is None or check["state"] != "moved":
+        raise Conflict(
+            "The camera was not found to have moved since the road pose; there is nothing to decide."
+        )
+    if not reason.strip():
+        raise BadInput("Say why the road pose is still good, so that an audit can follow it.")
+    decision = {
+        "pose_id": before["pose_id"],
+        "spans": [one for one in check["spans"] if one["moved"]],
+        "reason": reason.strip(),
+        "by": name_of(session, actor),
+        "by_id": actor,
+        "at": now().isoformat(timespec="seconds"),
+    }
+    return _drift_decision(session, before, decision, "decide_drift", actor)
+
+
+def take_back_drift_decision(session: Session, recording_id: int, *, actor: int | None) -> Recording:
+    """The measurements after the bump are flagged again. Raises Conflict where nothing was decided."""
+    before = _row(session, recording_id)
+    if before["drift_decision"] is None:
+        raise Conflict("Nothing was decided about this recording's camera, so there is nothing to take back.")
+    return _drift_decision(session, before, None, "take_back_drift_decision", actor)
+
+
+def _drift_decision(
+    session: Session, before: Mapping[str, Any], decision: JsonObject | None, action: str, actor: int | None
+) -> Recording:
+    recording_id = before["id"]
+    change_row(session, recordings, recording_id, {"drift_decision": decision})
+    then, after = {"drift_decision": before["drift_decision"]}, {"drift_decision": decision}
+    audit.record(session, actor, action, "recording", recording_id, before["survey_id"], then, after)
+    return get(session, recording_id)
 
 
 def media_in_use(session: Session, media_key: str) -> bool:

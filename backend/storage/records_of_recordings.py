@@ -111,6 +111,10 @@ class Calibration:
 
 @dataclass(frozen=True, slots=True)
 class CalibrationImage:
+    """A picture of the board and what was found in it. `ids`: which corners were seen, row by row, None for
+    all; `dictionary` and `marker_share` (of a square's side): of a board with markers.
+    """
+
     id: int
     camera_id: int
     name: str
@@ -123,6 +127,9 @@ class CalibrationImage:
     columns: int
     rows: int
     sharpness: float | None
+    ids: list[int] | None = None
+    dictionary: str | None = None
+    marker_share: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -195,6 +202,8 @@ class Recording:
     pose_id: int | None
     lighting: Lighting | None
     lighting_proposed: Lighting | None
+    drift: JsonObject | None
+    drift_decision: JsonObject | None
     created_at: datetime
 
 
@@ -243,11 +252,16 @@ class PoseSummary:
     rms_px: float | None
     distance_m: float | None
     summary: str
+    turned_from: int | None
+    turned_by_rad: float | None
 
 
 @dataclass(frozen=True, slots=True)
 class Pose:
-    """A road pose with its pose.json `document`; never changed once written."""
+    """A road pose with its pose.json `document`; never changed once written.
+
+    `turned_from`: the pose that it was before it was turned about the road's normal by `turned_by_rad`.
+    """
 
     id: int
     survey_id: int
@@ -264,3 +278,5 @@ class Pose:
     warnings: list[str]
     expected: list[JsonObject]
     overlay: JsonObject
+    turned_from: int | None
+    turned_by_rad: float | None

@@ -6,6 +6,7 @@ from typing import TypedDict
 
 from backend.storage.words import (
     Category,
+    Direction,
     JobState,
     JsonObject,
     Lighting,
@@ -13,6 +14,7 @@ from backend.storage.words import (
     Point,
     ReviewVerdict,
     Target,
+    VehicleOrigin,
     VehicleState,
     Verdict,
 )
@@ -102,6 +104,21 @@ class VehicleChanges(TypedDict, total=False):
     height_source: str | None
     lighting: Lighting | None
     notes: str
+    origin: VehicleOrigin
+    direction: Direction | None
+    detection: JsonObject | None
+
+
+@dataclass(frozen=True, slots=True)
+class FurtherFrame:
+    """The same two points, clicked on another frame of the pass."""
+
+    frame: int
+    pts: int
+    time_s: float
+    frame_crc: int
+    contact: Point
+    point: Point
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,6 +147,9 @@ class MeasurementValues:
     flags: list[str]
     budget: list[JsonObject]
     code_version: str
+    more_frames: tuple[FurtherFrame, ...] = ()
+    solved_inset_m: float | None = None
+    u_solved_inset_m: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,7 +164,10 @@ class ReviewState:
 
 @dataclass(frozen=True, slots=True)
 class Measurement:
-    """One revision of a measurement (`id` is the series); lists and lookups give the current one."""
+    """One revision of a measurement (`id` is the series); lists and lookups give the current one.
+
+    `repeat_of`: the measurement that this one repeats, which then stands in no list and counts for no result.
+    """
 
     id: int
     revision: int
@@ -152,6 +175,7 @@ class Measurement:
     survey_id: int
     vehicle_id: int
     recording_id: int
+    repeat_of: int | None
     target: Target
     frame: int
     pts: int
@@ -174,10 +198,53 @@ class Measurement:
     flags: list[str]
     budget: list[JsonObject]
     code_version: str
+    more_frames: tuple[FurtherFrame, ...]
+    solved_inset_m: float | None
+    u_solved_inset_m: float | None
     created_by: Who | None
     created_at: datetime
     withdrawn: bool
     review: ReviewState
+    #: Derived when read, never stored: the camera had moved on this frame.
+    drift_flag: str | None = None
+
+    @property
+    def all_flags(self) -> list[str]:
+        """What was stored, and what was found out since about the camera."""
+        return self.flags if self.drift_flag is None else [*self.flags, self.drift_flag]
+
+
+@dataclass(frozen=True, slots=True)
+class WheelPair:
+    """Both tyre contacts of a vehicle on one frame; `pose_id` is the recording's pose in force."""
+
+    id: int
+    vehicle_id: int
+    vehicle_number: int
+    recording_id: int
+    frame: int
+    pts: int
+    time_s: float
+    frame_crc: int
+    first: Point
+    second: Point
+    withdrawn: bool
+    pose_id: int | None
+    created_by: Who | None
+    created_at: datetime
+
+
+@dataclass(frozen=True, slots=True)
+class ClickSigma:
+    """A person's own click sigma in a survey, from `pairs` repeats; None: the usual one."""
+
+    id: int
+    survey_id: int
+    person: Who | None
+    sigma_px: float | None
+    pairs: int
+    created_by: Who | None
+    created_at: datetime
 
 
 @dataclass(frozen=True, slots=True)
@@ -220,6 +287,9 @@ class Vehicle:
     height_source: str | None
     lighting: Lighting | None
     notes: str
+    origin: VehicleOrigin
+    direction: Direction | None
+    detection: JsonObject | None
     version: int
     updated_by: Who | None
     updated_at: datetime

@@ -1,16 +1,18 @@
 """Reviews: append-only verdicts on measurements. Nobody reviews a revision of their own."""
 
+from collections.abc import Sequence
 from typing import Any, Literal
 
+from sqlalchemy import ColumnElement, FromClause, and_, or_, select
 from sqlalchemy.orm import Session
 
 from backend.errors import BadInput, Conflict, NotAllowed
 from backend.storage import audit, measurements, vehicles
 from backend.storage.columns import now
-from backend.storage.measurement_query import fetch, is_current, revisions, verdict, waits
+from backend.storage.measurement_query import fetch, is_current, is_first, revisions, verdict, waits
 from backend.storage.records import Measurement, MeasurementValues, QueueItem, Review, ReviewVerdict
 from backend.storage.reviews_query import of_series
-from backend.storage.rows import add_row, stored_hash
+from backend.storage.rows import add_row, missing, stored_hash
 from backend.storage.tables_of_work import measurement_series, reviews
 from backend.storage.tables_of_work import measurements as revision_rows
 from backend.storage.tables_of_work import vehicles as vehicle_rows
@@ -53,25 +55,69 @@ def add(
 
 
 def queue(
-    session: Session, survey_id: int, *, state: QueueState = "to_review", actor: int | None
+    session: Session,
+    survey_id: int,
+    *,
+    state: QueueState = "to_review",
+    after: int | None = None,
+    only: int | None = None,
+    limit: int | None = None,
+    actor: int | None,
 ) -> tuple[QueueItem, ...]:
-    """A survey's standing measurements by what was said of them; reopened ones are "to_review" again."""
+    """A survey's standing measurements by what was said of them; reopened ones are "to_review" again.
+
+    In the order of the vehicles' numbers; a page of at most `limit` starts `after` a measurement (also one
+    that left the queue meanwhile). `only`: that measurement alone, if it is in this state.
+    """
     query = (
         revisions()
         .join(vehicle_rows, vehicle_rows.c.id == measurement_series.c.vehicle_id)
         .where(measurement_series.c.survey_id == survey_id, vehicle_rows.c.deleted_at.is_(None))
-        .where(is_current, ~revision_rows.c.withdrawn)
+        .where(is_current, ~revision_rows.c.withdrawn, is_first)
     )
     if state == "to_review":
         query = query.where(waits)
     elif state != "all":
         query = query.where(verdict == state)
-    found = fetch(session, query.order_by(vehicle_rows.c.number, revision_rows.c.series_id))
-    by_id = {vehicle.id: vehicle for vehicle in vehicles.list_for_survey(session, survey_id)}
-    return tuple(
-        QueueItem(one, by_id[one.vehicle_id], one.created_by is not None and one.created_by.id == actor)
-        for one in found
+    if only is not None:
+        query = query.where(revision_rows.c.series_id == only)
+    if after is not None:
+        query = query.where(_later_than(session, after))
+    found = fetch(session, query.order_by(vehicle_rows.c.number, revision_rows.c.series_id).limit(limit))
+    chosen = vehicles.list_by_ids(session, (one.vehicle_id for one in found))
+    by_id = {vehicle.id: vehicle for vehicle in chosen}
+    mine = _of_own_points(session, found, actor)
+    return tuple(QueueItem(one, by_id[one.vehicle_id], one.id in mine) for one in found)
+
+
+def _later_than(session: Session, series_id: int) -> ColumnElement[bool]:
+    """What stands behind a measurement in the order of the queue. Raises NotFound."""
+    place = select(vehicle_rows.c.number).join(
+        measurement_series, measurement_series.c.vehicle_id == vehicle_rows.c.id
     )
+    number = session.execute(place.where(measurement_series.c.id == series_id)).scalar_one_or_none()
+    if number is None:
+        raise missing("measurement", series_id)
+    same = and_(vehicle_rows.c.number == number, revision_rows.c.series_id > series_id)
+    return or_(vehicle_rows.c.number > number, same)
+
+
+def _of_own_points(session: Session, found: Sequence[Measurement], actor: int | None) -> set[int]:
+    """Those whose current revision, or the points that stand in it, are the actor's (see `_not_own`)."""
+    mine = revision_rows.alias("mine")
+    query = (
+        select(revision_rows.c.series_id)
+        .join(mine, mine.c.series_id == revision_rows.c.series_id)
+        .where(revision_rows.c.series_id.in_([one.id for one in found]), is_current)
+        .where(mine.c.created_by == actor)
+        .where(or_(mine.c.revision == revision_rows.c.revision, _same_points(mine)))
+    )
+    return set(session.execute(query).scalars())
+
+
+def _same_points(other: FromClause) -> ColumnElement[bool]:
+    names = ("frame", "contact_x_px", "contact_y_px", "point_x_px", "point_y_px")
+    return and_(*(other.c[name] == revision_rows.c[name] for name in names))
 
 
 def list_for_survey(session: Session, survey_id: int) -> tuple[Review, ...]:
@@ -96,6 +142,8 @@ def _allowed(
 ) -> None:
     if before.withdrawn:
         raise Conflict("This measurement is withdrawn; there is nothing to review.")
+    if before.repeat_of is not None:
+        raise Conflict("A repeat is not reviewed; review the measurement that it repeats.")
     if verdict == "rejected" and not (reason or "").strip():
         raise BadInput("A rejection needs a reason; say what is wrong so that it can be put right.")
     if (verdict == "fixed") != (fixed is not None):

@@ -12,6 +12,14 @@ from backend.storage.chain import content_hash
 from backend.storage.records import Who
 from backend.storage.tables import people
 
+_CAME_LATER: Mapping[str, Any] = {
+    "more_frames": [],
+    "solved_inset_m": None,
+    "u_solved_inset_m": None,
+    "turned_from": None,
+    "turned_by_rad": None,
+}
+
 
 def add_row(session: Session, table: Table, values: Mapping[str, Any]) -> int:
     """Insert one row and return its id."""
@@ -66,5 +74,12 @@ def stored_hash(session: Session, table: Table, row_id: int) -> str:
 
 
 def row_hash(row: Mapping[Any, Any]) -> str:
-    """The hash of a row's content, without its id."""
-    return content_hash({str(key): value for key, value in row.items() if key != "id"})
+    """The hash of a row's content, without its id.
+
+    Columns that came later are part of it only where they hold something: rows from before keep their hash.
+    """
+    content = {str(key): value for key, value in row.items() if key != "id"}
+    for name, nothing in _CAME_LATER.items():
+        if name in content and content[name] == nothing:
+            del content[name]
+    return content_hash(content)

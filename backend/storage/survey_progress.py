@@ -7,7 +7,7 @@ from typing import Any
 from sqlalchemy import ColumnElement, Select, and_, case, distinct, func, select
 from sqlalchemy.orm import Session
 
-from backend.storage.measurement_query import is_current, verdict, waits, with_verdict
+from backend.storage.measurement_query import is_current, is_first, verdict, waits, with_verdict
 from backend.storage.records import REQUIRED_TARGETS, Step, StepKey, SurveyCounts
 from backend.storage.tables import cameras, recordings
 from backend.storage.tables_of_work import exports, measurement_series, measurements, vehicles
@@ -32,7 +32,7 @@ class _Facts:
 
 
 _ALIVE: ColumnElement[bool] = vehicles.c.deleted_at.is_(None)
-_STANDING = [is_current, ~measurements.c.withdrawn, _ALIVE]
+_STANDING = [is_current, is_first, ~measurements.c.withdrawn, _ALIVE]
 
 
 def progress_of(session: Session, survey_ids: Sequence[int]) -> dict[int, Progress]:

@@ -143,6 +143,9 @@ recordings = Table(
     Column("pose_id", ForeignKey("road_poses.id", use_alter=True)),
     Column("lighting", String(20)),
     Column("lighting_proposed", String(20)),
+    # whether the camera moved since its pose was taken, and what a person decided about it
+    Column("drift", Document),
+    Column("drift_decision", Document),
     Column("created_at", Moment, nullable=False),
     Column("created_by", ForeignKey("people.id")),
     Column("deleted_at", Moment),
@@ -198,6 +201,9 @@ road_poses = Table(
     Column("warnings", Document, nullable=False),
     Column("expected", Document, nullable=False),
     Column("overlay", Document, nullable=False),
+    # a pose turned about the road's normal after the traffic's own direction
+    Column("turned_from", ForeignKey("road_poses.id")),
+    Column("turned_by_rad", Float),
     Column("created_at", Moment, nullable=False),
     Column("created_by", ForeignKey("people.id")),
     CheckConstraint("first_frame >= 0 AND last_frame >= first_frame", name="span_forward"),

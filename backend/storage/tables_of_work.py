@@ -38,6 +38,10 @@ vehicles = Table(
     Column("height_source", Text),
     Column("lighting", String(20)),
     Column("notes", Text, nullable=False),
+    # found by the job that looks for passes, or marked by a person; where it goes in the picture
+    Column("origin", String(20), nullable=False, server_default="person"),
+    Column("direction", String(20)),
+    Column("detection", Document),
     Column("version", Integer, nullable=False),
     Column("created_at", Moment, nullable=False),
     Column("created_by", ForeignKey("people.id")),
@@ -47,6 +51,8 @@ vehicles = Table(
     UniqueConstraint("survey_id", "number"),
     one_of("category", ("hatchback", "saloon", "estate", "suv", "van", "lorry", "other")),
     one_of("lighting", LIGHTING),
+    one_of("origin", ("person", "found")),
+    one_of("direction", ("right", "left")),
     CheckConstraint("first_frame >= 0 AND last_frame >= first_frame", name="span_forward"),
     CheckConstraint("version >= 1", name="version_counts"),
 )
@@ -60,6 +66,8 @@ measurement_series = Table(
     Column("recording_id", ForeignKey("recordings.id"), nullable=False, index=True),
     Column("vehicle_id", ForeignKey("vehicles.id"), nullable=False, index=True),
     Column("client_key", String(36), nullable=False),
+    # the measurement that this one repeats: shown and counted with the repeats only
+    Column("repeat_of", ForeignKey("measurement_series.id"), index=True),
     UniqueConstraint("client_key"),
 )
 
@@ -94,6 +102,10 @@ measurements = Table(
     Column("flags", Document, nullable=False),
     Column("budget", Document, nullable=False),
     Column("code_version", String(60), nullable=False),
+    # the same two points in further frames: then the inset is solved for
+    Column("more_frames", Document, nullable=False, server_default="[]"),
+    Column("solved_inset_m", Float),
+    Column("u_solved_inset_m", Float),
     Column("withdrawn", Boolean, nullable=False),
     Column("created_at", Moment, nullable=False),
     Column("created_by", ForeignKey("people.id")),
@@ -106,6 +118,41 @@ measurements = Table(
         "(status = 'ok' AND height_m IS NOT NULL) OR (status <> 'ok' AND reason IS NOT NULL)",
         name="height_or_reason",
     ),
+)
+
+# Both tyre contacts of a vehicle on one frame: its direction of travel. The newest row of a vehicle counts.
+wheel_pairs = Table(
+    "wheel_pairs",
+    metadata,
+    identity(),
+    Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
+    Column("recording_id", ForeignKey("recordings.id"), nullable=False),
+    Column("vehicle_id", ForeignKey("vehicles.id"), nullable=False, index=True),
+    Column("frame", Integer, nullable=False),
+    Column("pts", BigInteger, nullable=False),
+    Column("time_s", Float, nullable=False),
+    Column("frame_crc", BigInteger, nullable=False),
+    Column("first_x_px", Float, nullable=False),
+    Column("first_y_px", Float, nullable=False),
+    Column("second_x_px", Float, nullable=False),
+    Column("second_y_px", Float, nullable=False),
+    Column("withdrawn", Boolean, nullable=False),
+    Column("created_at", Moment, nullable=False),
+    Column("created_by", ForeignKey("people.id")),
+)
+
+# A person's own click sigma in a survey, from repeats; the newest row counts, without a figure the usual one.
+click_sigmas = Table(
+    "click_sigmas",
+    metadata,
+    identity(),
+    Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
+    Column("person_id", ForeignKey("people.id"), nullable=False),
+    Column("sigma_px", Float),
+    Column("pairs", Integer, nullable=False),
+    Column("created_at", Moment, nullable=False),
+    Column("created_by", ForeignKey("people.id")),
+    CheckConstraint("sigma_px > 0", name="sigma_positive"),
 )
 
 # `revision` is what the reviewer saw, `result_revision` what the verdict holds for (a fix makes a new one).

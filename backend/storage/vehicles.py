@@ -1,6 +1,7 @@
 """Vehicle records. Their state follows from their measurements and is never stored."""
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from sqlalchemy import ColumnElement, func, select
@@ -13,7 +14,18 @@ from backend.storage.measurement_query import of_vehicles
 from backend.storage.records import REQUIRED_TARGETS, Measurement, Vehicle, VehicleChanges, VehicleState
 from backend.storage.rows import add_row, change_row, get_row, missing, name_of, who
 from backend.storage.tables import people, recordings
-from backend.storage.tables_of_work import measurement_series, vehicles
+from backend.storage.tables_of_work import measurement_series, measurements, vehicles, wheel_pairs
+from backend.storage.words import Direction
+
+
+@dataclass(frozen=True, slots=True)
+class PassSpan:
+    """From which frame to which a pass goes, and which way; None where nobody said."""
+
+    first_frame: int
+    last_frame: int
+    direction: Direction | None
+
 
 _ALIVE: ColumnElement[bool] = vehicles.c.deleted_at.is_(None)
 _FIELDS = frozenset(VehicleChanges.__annotations__)
@@ -60,6 +72,13 @@ def list_for_survey(
     return _fetch(session, where, of_these, False)
 
 
+def list_by_ids(session: Session, ids: Iterable[int]) -> tuple[Vehicle, ...]:
+    """Those of these vehicles that were not deleted, by number, with measurements; two queries."""
+    chosen = sorted(set(ids))
+    of_these = [measurement_series.c.vehicle_id.in_(chosen)]
+    return _fetch(session, [vehicles.c.id.in_(chosen)], of_these, False)
+
+
 def update(
     session: Session, vehicle_id: int, changes: VehicleChanges, *, version: int, actor: int | None
 ) -> Vehicle:
@@ -98,6 +117,31 @@ def restore(session: Session, vehicle_id: int, *, actor: int | None) -> Vehicle:
     return get(session, vehicle_id)
 
 
+def spans(session: Session, recording_id: int) -> tuple[PassSpan, ...]:
+    """The spans of all passes of a recording, discarded ones too."""
+    columns = (vehicles.c.first_frame, vehicles.c.last_frame, vehicles.c.direction)
+    query = select(*columns).where(vehicles.c.recording_id == recording_id).order_by(vehicles.c.first_frame)
+    return tuple(PassSpan(*row) for row in session.execute(query))
+
+
+def frames_used(session: Session, vehicle_id: int) -> tuple[tuple[int, ...], ...]:
+    """The frames of each measurement of a vehicle as it is now, withdrawn ones and repeats too."""
+    newest = (
+        select(measurements.c.series_id, func.max(measurements.c.revision).label("revision"))
+        .join(measurement_series, measurement_series.c.id == measurements.c.series_id)
+        .where(measurement_series.c.vehicle_id == vehicle_id)
+        .group_by(measurements.c.series_id)
+        .subquery()
+    )
+    query = select(measurements.c.frame, measurements.c.more_frames).join(
+        newest,
+        (newest.c.series_id == measurements.c.series_id) & (newest.c.revision == measurements.c.revision),
+    )
+    clicked = [(frame, *(int(one["frame"]) for one in more or ())) for frame, more in session.execute(query)]
+    pairs = select(wheel_pairs.c.frame).where(wheel_pairs.c.vehicle_id == vehicle_id)
+    return (*clicked, *((int(frame),) for frame in session.execute(pairs).scalars()))
+
+
 def state_of(found: Sequence[Measurement]) -> VehicleState:
     """What a vehicle's standing measurements make of it (roof, eye and taillight are asked for)."""
     verdicts = {one.review.verdict for one in found}
@@ -117,7 +161,7 @@ def _current(session: Session, vehicle_id: int, version: int | None) -> dict[str
 
 
 def _empty() -> dict[str, Any]:
-    return {**dict.fromkeys(_FIELDS, None), "notes": ""}
+    return {**dict.fromkeys(_FIELDS, None), "notes": "", "origin": "person"}
 
 
 def _span(row: Mapping[str, Any]) -> dict[str, Any]:

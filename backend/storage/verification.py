@@ -22,11 +22,13 @@ from backend.storage.tables import calibrations, recordings, road_poses
 from backend.storage.tables_of_work import (
     audit_anchor,
     audit_events,
+    click_sigmas,
     exports,
     measurement_series,
     measurements,
     reviews,
     vehicles,
+    wheel_pairs,
 )
 
 Promises = dict[tuple[str, int], str]
@@ -99,6 +101,7 @@ class _Walk:
             self.vehicles.setdefault(row["entity_id"], {"deleted": False}).update(after)
         if (row["entity"], row["action"]) == ("measurement", "create"):
             place = {"survey_id": row["survey_id"], "vehicle_id": after["vehicle_id"]}
+            place["repeat_of"] = after.get("repeat_of")
             self.promised[("series", row["entity_id"])] = str(sorted(place.items()))
         if (row["entity"], row["action"]) == ("recording", "delete"):
             self.promised.pop(("frames", row["entity_id"]), None)
@@ -129,6 +132,8 @@ def _rows(session: Session, walk: _Walk) -> None:
         ("review", "review", reviews),
         ("calibration", "calibration", calibrations),
         ("pose", "road pose", road_poses),
+        ("wheel_pair", "pair of tyre contacts", wheel_pairs),
+        ("click_sigma", "click sigma", click_sigmas),
     )
     for entity, words, table in kept:
         found = ((row["id"], row_hash(row)) for row in _all(session, table))
@@ -168,7 +173,7 @@ def _all(session: Session, table: Table) -> Iterator[Any]:
 
 def _series(session: Session) -> Iterator[tuple[int, str]]:
     for row in _all(session, measurement_series):
-        place = {"survey_id": row["survey_id"], "vehicle_id": row["vehicle_id"]}
+        place = {name: row[name] for name in ("survey_id", "vehicle_id", "repeat_of")}
         yield row["id"], str(sorted(place.items()))
 
 

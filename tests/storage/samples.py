@@ -4,9 +4,21 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+from sqlalchemy import insert
 from sqlalchemy.orm import Session
 
-from backend.storage import calibrations, cameras, measurements, people, poses, recordings, surveys, vehicles
+from backend.storage import (
+    calibrations,
+    cameras,
+    database,
+    measurements,
+    people,
+    poses,
+    recordings,
+    surveys,
+    vehicles,
+)
+from backend.storage.columns import now
 from backend.storage.records import (
     Calibration,
     Camera,
@@ -22,6 +34,10 @@ from backend.storage.records import (
     Target,
     Vehicle,
 )
+from backend.storage.tables_of_work import measurement_series
+from backend.storage.tables_of_work import measurements as revision_rows
+from backend.storage.tables_of_work import reviews as review_rows
+from backend.storage.tables_of_work import vehicles as vehicle_rows
 
 KEY = "00000000-0000-4000-8000-{:012d}"
 
@@ -158,3 +174,32 @@ def measure(session: Session, one: Sample, target: Target = "roof", key: int = 1
     return measurements.add(
         session, one.vehicle.id, client_key=KEY.format(key), values=content, actor=one.olga.id
     )
+
+
+def fill(factory: database.SessionFactory, count: int) -> Sample:
+    """`count` vehicles with three measurements each, a third of them reviewed, every fifth revised."""
+    with database.writing(factory) as session:
+        one = sample(session)
+        measured = measure(session, one)
+        revision = revision_rows.select().where(revision_rows.c.id == measured.revision_id)
+        row = session.execute(revision).mappings().one()
+        template = {key: value for key, value in row.items() if key != "id"}
+        span = {"first_frame": 1, "last_frame": 2, "notes": "", "version": 1}
+        stamps = {"created_at": now(), "updated_at": now(), "created_by": one.olga.id}
+        place = {"survey_id": one.survey.id, "recording_id": one.recording.id}
+        rows = [{"id": n, "number": n, **span, **stamps, **place} for n in range(2, count + 1)]
+        session.execute(insert(vehicle_rows), rows)
+        series, revisions, verdicts = [], [], []
+        for n, target in ((n, target) for n in range(2, count + 1) for target in range(3)):
+            number = n * 3 + target
+            series.append({"id": number, **place, "vehicle_id": n, "client_key": str(number)})
+            name = ("roof", "driver_eye", "taillight")[target]
+            content = {**template, "series_id": number, "target": name, "revision": 1}
+            revisions += [content, {**content, "revision": 2}] if number % 5 == 0 else [content]
+            verdict = {"series_id": number, "verdict": "accepted", "created_at": now()}
+            if number % 3 == 0:
+                verdicts.append({**verdict, "revision": 1, "result_revision": 1, "created_by": one.rene.id})
+        session.execute(insert(measurement_series), series)
+        session.execute(insert(revision_rows), revisions)
+        session.execute(insert(review_rows), verdicts)
+    return one

@@ -16,6 +16,7 @@ from backend.storage import (
     audit,
     cameras,
     catalogue,
+    click_sigmas,
     database,
     exports,
     jobs,
@@ -26,6 +27,7 @@ from backend.storage import (
     surveys,
     uploads,
     vehicles,
+    wheel_pairs,
 )
 from backend.storage.records import CatalogueRow
 from backend.storage.tables_of_work import audit_events
@@ -68,6 +70,23 @@ def _withdrawn(session: Session, one: Sample) -> Any:
 
 def _review(session: Session, one: Sample, made: Any) -> Any:
     return reviews.add(session, made.id, seen_revision=1, verdict="accepted", actor=one.rene.id)
+
+
+def _wheels(session: Session, one: Sample) -> Any:
+    crc = int(frame_table().crc32[20])
+    points: dict[str, Any] = {"first": (100.0, 400.0), "second": (300.5, 410.0)}
+    return wheel_pairs.add(session, one.vehicle.id, frame=20, frame_crc=crc, **points, actor=one.olga.id)
+
+
+def _moved(session: Session, one: Sample) -> Any:
+    spans = [{"first_frame": 50, "last_frame": 99, "moved": True}]
+    check = {"state": "moved", "words": "Moved at frame 50.", "bumps": [50], "spans": spans}
+    return recordings.drift_found(session, one.recording.id, one.pose.id, check, actor=None)
+
+
+def _decided(session: Session, one: Sample) -> Any:
+    _moved(session, one)
+    return recordings.decide_drift(session, one.recording.id, "A bird sat on it.", actor=one.olga.id)
 
 
 def _recording(session: Session, one: Sample) -> Any:
@@ -138,6 +157,15 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
         lambda s, o: None,
         lambda s, o, _: recordings.restart_ingest(s, o.recording.id, actor=o.olga.id),
     ),
+    "recordings.drift_found": (lambda s, o: None, lambda s, o, _: _moved(s, o)),
+    "recordings.decide_drift": (
+        _moved,
+        lambda s, o, _: recordings.decide_drift(s, o.recording.id, "A bird.", actor=o.olga.id),
+    ),
+    "recordings.take_back_drift_decision": (
+        _decided,
+        lambda s, o, _: recordings.take_back_drift_decision(s, o.recording.id, actor=o.olga.id),
+    ),
     "recordings.remove": (_recording, lambda s, o, made: recordings.remove(s, made.id, actor=o.olga.id)),
     "uploads.create": (lambda s, o: None, lambda s, o, _: _upload(s, o)),
     "uploads.finish": (
@@ -189,6 +217,17 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
         _withdrawn,
         lambda s, o, made: measurements.restore(s, made.id, seen_revision=2, actor=o.olga.id),
     ),
+    "wheel_pairs.add": (lambda s, o: None, lambda s, o, _: _wheels(s, o)),
+    "wheel_pairs.withdraw": (
+        _wheels,
+        lambda s, o, _: wheel_pairs.withdraw(s, o.vehicle.id, actor=o.olga.id),
+    ),
+    "click_sigmas.choose": (
+        lambda s, o: None,
+        lambda s, o, _: click_sigmas.choose(
+            s, o.survey.id, o.olga.id, sigma_px=0.6, pairs=12, actor=o.rene.id
+        ),
+    ),
     "reviews.add": (lambda s, o: samples.measure(s, o), _review),
     "exports.add": (
         lambda s, o: None,
@@ -229,7 +268,7 @@ HELPERS = {
     "verification",
 }
 WRITING = re.compile(
-    r"(?<![.\w])(insert|update|sql_update|delete|add_row|change_row|_append|_end|_back|_state)\("
+    r"(?<![.\w])(insert|update|sql_update|delete|add_row|change_row|_append|_end|_back|_state|_drift_decision)\("
     r"|append_revision\("
 )
 

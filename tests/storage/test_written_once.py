@@ -8,12 +8,32 @@ from sqlalchemy import Engine, text
 from sqlalchemy.exc import DBAPIError
 
 from backend.errors import SightlineError
-from backend.storage import audit, database, exports, people, recordings, reviews, vehicles, verification
+from backend.storage import (
+    audit,
+    click_sigmas,
+    database,
+    exports,
+    people,
+    recordings,
+    reviews,
+    vehicles,
+    verification,
+    wheel_pairs,
+)
 from backend.storage.records import VehicleChanges
 from backend.storage.verification import verify_database
 from tests.storage import samples
 
-WRITTEN_ONCE = ("audit_events", "measurement_series", "measurements", "reviews", "calibrations", "road_poses")
+WRITTEN_ONCE = (
+    "audit_events",
+    "measurement_series",
+    "measurements",
+    "reviews",
+    "calibrations",
+    "road_poses",
+    "wheel_pairs",
+    "click_sigmas",
+)
 
 
 @pytest.fixture
@@ -25,6 +45,10 @@ def filled(factory: database.SessionFactory) -> database.SessionFactory:
         reviews.add(session, made.id, seen_revision=1, verdict="accepted", actor=one.rene.id)
         samples.measure(session, one, "taillight", 2)
         vehicles.create(session, one.recording.id, {"first_frame": 50, "last_frame": 60}, actor=None)
+        crc = int(samples.frame_table().crc32[20])
+        points: dict[str, Any] = {"first": (1.0, 2.0), "second": (3.0, 2.0)}
+        wheel_pairs.add(session, one.vehicle.id, frame=20, frame_crc=crc, **points, actor=one.olga.id)
+        click_sigmas.choose(session, one.survey.id, one.olga.id, sigma_px=0.7, pairs=9, actor=None)
     return factory
 
 
