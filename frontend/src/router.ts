@@ -41,6 +41,13 @@ export const ROUTES: readonly Route[] = [
     load: () => import("./screens/survey/SurveyScreen"),
   },
   {
+    name: "planning",
+    pattern: "/surveys/:id/planning",
+    title: "Planning",
+    layout: "bench",
+    load: () => import("./screens/planning/PlanningScreen"),
+  },
+  {
     name: "camera",
     pattern: "/surveys/:id/camera",
     title: "Camera",
@@ -69,6 +76,13 @@ export const ROUTES: readonly Route[] = [
     load: () => import("./measure/MeasureScreen"),
   },
   {
+    name: "checks",
+    pattern: "/surveys/:id/checks",
+    title: "Checks",
+    layout: "bench",
+    load: () => import("./screens/checks/ChecksScreen"),
+  },
+  {
     name: "review",
     pattern: "/surveys/:id/review",
     title: "Review",
@@ -76,11 +90,32 @@ export const ROUTES: readonly Route[] = [
     load: () => import("./review/ReviewScreen"),
   },
   {
+    name: "repeats",
+    pattern: "/surveys/:id/repeats",
+    title: "Repeats",
+    layout: "bench",
+    load: () => import("./screens/repeats/RepeatsScreen"),
+  },
+  {
+    name: "click-again",
+    pattern: "/surveys/:id/repeats/click",
+    title: "Click again",
+    layout: "full",
+    load: () => import("./screens/repeats/ClickAgainScreen"),
+  },
+  {
     name: "export",
     pattern: "/surveys/:id/export",
     title: "Export",
     layout: "bench",
     load: () => import("./screens/export/ExportScreen"),
+  },
+  {
+    name: "statistics",
+    pattern: "/statistics",
+    title: "Statistics",
+    layout: "alone",
+    load: () => import("./screens/statistics/StatisticsScreen"),
   },
   {
     name: "audit",

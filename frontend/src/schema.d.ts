@@ -279,7 +279,7 @@ export interface paths {
         put?: never;
         /**
          * Detect Again
-         * @description The board is of another size: look in every image again.
+         * @description The board is of another size or kind: look in every image again.
          */
         post: operations["detect_again"];
         delete?: never;
@@ -568,6 +568,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/recordings/{recording_id}/frames/ready": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Ready Frames
+         * @description What is loaded on the server, for the timeline.
+         */
+        get: operations["ready_frames"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/recordings/{recording_id}/frames/{n}.jpg": {
         parameters: {
             query?: never;
@@ -620,6 +640,27 @@ export interface paths {
          * @description The thumbnail of a frame that has one.
          */
         get: operations["thumb"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/surveys/{survey_id}/plan": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Plan Survey
+         * @description The plan for a calibration of the survey, or for a plain camera of a picture size and a horizontal
+         *     field of view; nothing is stored.
+         */
+        get: operations["plan_survey"];
         put?: never;
         post?: never;
         delete?: never;
@@ -708,6 +749,166 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/surveys/{survey_id}/checks/insets": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Check Insets
+         * @description Insets from the survey itself beside those in force, and what they matter.
+         */
+        get: operations["check_insets"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/surveys/{survey_id}/checks/traffic": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Check Traffic
+         * @description The direction of travel of each vehicle against the road poses in force, and all tyre contacts.
+         */
+        get: operations["check_traffic"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/vehicles/{vehicle_id}/wheel-pair": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Add Wheel Pair
+         * @description Store both tyre contacts of a vehicle on one frame, in place of the pair before.
+         *
+         *     Refused, saying why, where they give no direction: contacts closer than a metre, or above the horizon.
+         */
+        post: operations["add_wheel_pair"];
+        /**
+         * Withdraw Wheel Pair
+         * @description Take a vehicle's tyre contacts out of the check; nothing is erased.
+         */
+        delete: operations["withdraw_wheel_pair"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/poses/{pose_id}/turn": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Preview Turn
+         * @description The pose turned to the traffic's mean direction, not stored: its drawing and what it would change.
+         */
+        get: operations["preview_turn"];
+        put?: never;
+        /**
+         * Turn Pose
+         * @description Store the turned pose, in force for the recordings that use the one before; measurements keep theirs.
+         *
+         *     A conflict where the traffic's mean is no longer the one that was shown.
+         */
+        post: operations["turn_pose"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/recordings/{recording_id}/drift": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Drift
+         * @description What was found of the camera since the road pose in force.
+         */
+        get: operations["get_drift"];
+        put?: never;
+        /**
+         * Look Again
+         * @description Look at the whole recording, in the background. A conflict without a road pose.
+         */
+        post: operations["look_again"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/recordings/{recording_id}/drift/decision": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Decide
+         * @description The road pose is still good although the camera moved: its measurements are flagged no more.
+         */
+        put: operations["decide"];
+        post?: never;
+        /**
+         * Take Back
+         * @description Take the decision back.
+         */
+        delete: operations["take_back"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/recordings/{recording_id}/frames/{n}/contact": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Propose Contact
+         * @description A proposal for the tyre's contact near the pointer; nothing is stored.
+         */
+        post: operations["propose_contact"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/recordings/{recording_id}/geometry/axes": {
         parameters: {
             query?: never;
@@ -742,6 +943,28 @@ export interface paths {
          * @description The height that these two points would be stored with.
          */
         post: operations["height_of_point"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/recordings/{recording_id}/geometry/second-frame": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Best Second Frame
+         * @description The frame of the pass on which clicking the same two points again would gain most, or why none would.
+         *
+         *     Where the points are expected there is a proposal to look at: it is stored only when it is clicked.
+         */
+        post: operations["best_second_frame"];
         delete?: never;
         options?: never;
         head?: never;
@@ -836,6 +1059,66 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/recordings/{recording_id}/find-passes": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Find Passes
+         * @description Look for vehicle passes in the background; those that are there or were discarded are left alone.
+         */
+        post: operations["find_passes"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/vehicles/{vehicle_id}/split": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Split Pass
+         * @description Two passes of one; the vehicle keeps the side on which it was measured.
+         */
+        post: operations["split_pass"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/vehicles/{vehicle_id}/join": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Join Passes
+         * @description One pass of two; refused where both were measured.
+         */
+        post: operations["join_passes"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/catalogue": {
         parameters: {
             query?: never;
@@ -917,6 +1200,8 @@ export interface paths {
         /**
          * Revise Measurement
          * @description A new revision; sigma and inset left out are the survey's, as while clicking.
+         *
+         *     Further frames left out are taken away: what is sent is what the revision stands on.
          */
         put: operations["revise_measurement"];
         post?: never;
@@ -979,7 +1264,7 @@ export interface paths {
         };
         /**
          * Review Queue
-         * @description The survey's standing measurements by verdict; `mine` are those that somebody else has to review.
+         * @description The survey's standing measurements by verdict, a page at a time; others have to review `mine`.
          */
         get: operations["review_queue"];
         put?: never;
@@ -1004,6 +1289,126 @@ export interface paths {
          * @description Accept, reject (with a reason), fix (with points: a new revision) or reopen; never one's own work.
          */
         post: operations["review_measurement"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/surveys/{survey_id}/repeats": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Repeats Of Survey
+         * @description Repeatability and reproducibility per target and per person, and every difference.
+         */
+        get: operations["repeats_of_survey"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/surveys/{survey_id}/repeats/sample": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Sample To Click Again
+         * @description Measurements for you to click again without seeing, in random order; repeat them with `repeat_of`.
+         */
+        get: operations["sample_to_click_again"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/measurements/{measurement_id}/repeats": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Repeats Of Measurement
+         * @description The repeats of a measurement, each with its difference and what the clicks let one expect (k = 2).
+         */
+        get: operations["repeats_of_measurement"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/surveys/{survey_id}/people/{person_id}/click-sigma": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /**
+         * Choose Click Sigma
+         * @description How a person's clicks count from now on; what is stored keeps its sigma.
+         */
+        put: operations["choose_click_sigma"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/statistics": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Statistics Of Measurements
+         * @description Error table, figures and distributions of the measurements that a filter leaves.
+         */
+        get: operations["statistics_of_measurements"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/statistics/sample-size": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Sample Size
+         * @description How many vehicles give a percentile's 95 % interval a wanted width.
+         */
+        get: operations["sample_size"];
+        put?: never;
+        post?: never;
         delete?: never;
         options?: never;
         head?: never;
@@ -1248,6 +1653,41 @@ export interface components {
             /** U Inset M */
             u_inset_m?: number | null;
         };
+        /** BlandAltmanBody */
+        BlandAltmanBody: {
+            /** N */
+            n: number;
+            /** Bias M */
+            bias_m: number;
+            bias_ci95: components["schemas"]["IntervalBody"];
+            /** Lower M */
+            lower_m: number;
+            lower_ci95: components["schemas"]["IntervalBody"];
+            /** Upper M */
+            upper_m: number;
+            upper_ci95: components["schemas"]["IntervalBody"];
+        };
+        /**
+         * BlindBody
+         * @description A measurement to be clicked again: neither its points nor its height.
+         */
+        BlindBody: {
+            /** Measurement Id */
+            measurement_id: number;
+            /** Vehicle Id */
+            vehicle_id: number;
+            /** Vehicle Number */
+            vehicle_number: number;
+            /** Recording Id */
+            recording_id: number;
+            /** Frame */
+            frame: number;
+            /**
+             * Target
+             * @enum {string}
+             */
+            target: "roof" | "driver_eye" | "taillight" | "headlight" | "other";
+        };
         /**
          * BoardBody
          * @description The board on one frame; where it was not found, why.
@@ -1265,18 +1705,82 @@ export interface components {
             corners_px: number[][];
             /** Outline Px */
             outline_px: number[][];
+            /**
+             * Ids
+             * @description Which corners were seen, counted row by row; null for all of them.
+             */
+            ids: number[] | null;
             /** Order Note */
             order_note: string;
         };
+        /**
+         * BoardShapeBody
+         * @description How far the board is from flat, from the pictures; `solved`: whether the calibration allows for it.
+         */
+        BoardShapeBody: {
+            /** Solved */
+            solved: boolean;
+            /**
+             * Bow M
+             * @description From the most forward to the rearmost corner.
+             */
+            bow_m: number;
+            /** Flat Rms Px */
+            flat_rms_px: number | null;
+            /** Bent Rms Px */
+            bent_rms_px: number | null;
+            /**
+             * Height Differences
+             * @description Taken as flat minus taken as bent.
+             */
+            height_differences: components["schemas"]["HeightDifferenceBody"][];
+        };
         /** BoardSize */
         BoardSize: {
+            /**
+             * Board Kind
+             * @default checkerboard
+             * @enum {string}
+             */
+            board_kind: "checkerboard" | "charuco";
+            /**
+             * Dictionary
+             * @description Of a ChArUco board's markers, such as 4X4_50.
+             */
+            dictionary?: string | null;
+            /**
+             * Marker M
+             * @description Side of a marker, ChArUco only.
+             */
+            marker_m?: number | null;
             /** Columns */
             columns: number;
             /** Rows */
             rows: number;
+            /**
+             * Square M
+             * @description Needed of a ChArUco board.
+             */
+            square_m?: number | null;
         };
         /** BoardWanted */
         BoardWanted: {
+            /**
+             * Board Kind
+             * @default checkerboard
+             * @enum {string}
+             */
+            board_kind: "checkerboard" | "charuco";
+            /**
+             * Dictionary
+             * @description Of a ChArUco board's markers, such as 4X4_50.
+             */
+            dictionary?: string | null;
+            /**
+             * Marker M
+             * @description Side of a marker, ChArUco only.
+             */
+            marker_m?: number | null;
             /** Frame */
             frame: number;
             /**
@@ -1289,6 +1793,11 @@ export interface components {
              * @description Inner corners: where four squares meet.
              */
             rows: number;
+            /**
+             * Square M
+             * @description Needed of a ChArUco board.
+             */
+            square_m?: number | null;
             /** Calibration Id */
             calibration_id?: number | null;
         };
@@ -1316,6 +1825,20 @@ export interface components {
             source: string;
             /** U M */
             u_m: number;
+        };
+        /** BumpBody */
+        BumpBody: {
+            /**
+             * After
+             * @description The last frame before it.
+             */
+            after: number;
+            /** Frame */
+            frame: number;
+            /** Time S */
+            time_s: number;
+            /** By Px */
+            by_px: number;
         };
         /** CalibrationBody */
         CalibrationBody: {
@@ -1345,6 +1868,14 @@ export interface components {
             document: {
                 [key: string]: unknown;
             };
+            /** @description Null for an import. */
+            cross_validation: components["schemas"]["CrossValidationBody"] | null;
+            board_shape: components["schemas"]["BoardShapeBody"] | null;
+            /**
+             * Reshoot
+             * @description What pictures are missing, in words.
+             */
+            reshoot: string[];
             /** Warnings */
             warnings: string[];
             /**
@@ -1382,6 +1913,21 @@ export interface components {
             rows: number;
             /** Sharpness */
             sharpness: number | null;
+            /**
+             * Ids
+             * @description Which corners were seen, row by row; null for all of them.
+             */
+            ids: number[] | null;
+            /**
+             * Dictionary
+             * @description Of a ChArUco board's markers; null for a checkerboard.
+             */
+            dictionary: string | null;
+            /**
+             * Marker Share
+             * @description Side of a marker over the side of a square.
+             */
+            marker_share: number | null;
             /** Url */
             url: string;
         };
@@ -1412,6 +1958,22 @@ export interface components {
          * @description From the camera's images, or with `recording_id` from every n-th frame of a span of a recording.
          */
         CalibrationWish: {
+            /**
+             * Board Kind
+             * @default checkerboard
+             * @enum {string}
+             */
+            board_kind: "checkerboard" | "charuco";
+            /**
+             * Dictionary
+             * @description Of a ChArUco board's markers, such as 4X4_50.
+             */
+            dictionary?: string | null;
+            /**
+             * Marker M
+             * @description Side of a marker, ChArUco only.
+             */
+            marker_m?: number | null;
             /** Columns */
             columns: number;
             /** Rows */
@@ -1432,6 +1994,12 @@ export interface components {
             first_frame?: number | null;
             /** Last Frame */
             last_frame?: number | null;
+            /**
+             * Bent Board
+             * @description Solve for the board's shape too.
+             * @default false
+             */
+            bent_board: boolean;
         };
         /** CameraBody */
         CameraBody: {
@@ -1466,6 +2034,8 @@ export interface components {
             images: components["schemas"]["CalibrationImageBody"][];
             /** Calibrations */
             calibrations: components["schemas"]["CalibrationSummaryBody"][];
+            /** @description A calibration that waits or runs, to be followed. */
+            calibrating: components["schemas"]["JobBody"] | null;
         };
         /** ChangedMeasurement */
         ChangedMeasurement: {
@@ -1493,6 +2063,11 @@ export interface components {
             inset_m?: number | null;
             /** U Inset M */
             u_inset_m?: number | null;
+            /**
+             * More Frames
+             * @description The same two points on further frames: then the inset is solved for.
+             */
+            more_frames?: components["schemas"]["ClickedFrame"][];
             /**
              * Revision
              * @description The revision that you saw.
@@ -1533,10 +2108,200 @@ export interface components {
              */
             version: number;
         };
+        /**
+         * ChangesBody
+         * @description Stored heights under the turned pose, the largest difference first; the list ends at 200.
+         */
+        ChangesBody: {
+            /** Count */
+            count: number;
+            /** Largest M */
+            largest_m: number;
+            /** Listed */
+            listed: components["schemas"]["HeightChangeBody"][];
+        };
+        /** CheckBody */
+        CheckBody: {
+            /** Pose Id */
+            pose_id: number;
+            /** Pose Recording Id */
+            pose_recording_id: number;
+            /**
+             * State
+             * @enum {string}
+             */
+            state: "still" | "moved" | "unknown";
+            /** Words */
+            words: string;
+            /** Reason */
+            reason: string | null;
+            /** Floor Px */
+            floor_px: number | null;
+            /** Floor M */
+            floor_m: number | null;
+            /** Target M */
+            target_m: number;
+            /** Distance M */
+            distance_m: number | null;
+            /** Looks */
+            looks: components["schemas"]["LookBody"][];
+            /** Bumps */
+            bumps: components["schemas"]["BumpBody"][];
+            /** Spans */
+            spans: components["schemas"]["SpanBody"][];
+            /** Checked At */
+            checked_at: string;
+            /** Code Version */
+            code_version: string;
+        };
         /** Choice */
         Choice: {
             /** Calibration Id */
             calibration_id: number;
+        };
+        /**
+         * ClaimBody
+         * @description What the repeats show against what the clicks' part of the budgets claims, m; ratio 1: as claimed.
+         */
+        ClaimBody: {
+            /** Ratio */
+            ratio: number | null;
+            /** Low */
+            low: number | null;
+            /** High */
+            high: number | null;
+            /** Claimed */
+            claimed: number | null;
+            /** Observed */
+            observed: number | null;
+            /** Freedom */
+            freedom: number;
+            /** Reason */
+            reason: string | null;
+        };
+        /** ClickSigmaBody */
+        ClickSigmaBody: {
+            /**
+             * Sigma Px
+             * @description None: the usual 1 px.
+             */
+            sigma_px: number | null;
+            /** Pairs */
+            pairs: number;
+            created_by: components["schemas"]["WhoBody"] | null;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+        };
+        /**
+         * ClickedFrame
+         * @description The same two points, clicked on another frame of the pass.
+         */
+        ClickedFrame: {
+            /** Frame */
+            frame: number;
+            /**
+             * Contact
+             * @example [
+             *       320.5,
+             *       240.25
+             *     ]
+             */
+            contact: number[];
+            /**
+             * Point
+             * @example [
+             *       320.5,
+             *       240.25
+             *     ]
+             */
+            point: number[];
+        };
+        /** ComparisonBody */
+        ComparisonBody: {
+            repeat: components["schemas"]["MeasurementBody"];
+            /** First Height M */
+            first_height_m: number | null;
+            /** Difference M */
+            difference_m: number | null;
+            /** Expected M */
+            expected_m: number | null;
+            /** Agrees */
+            agrees: boolean | null;
+            /** Reason */
+            reason: string | null;
+        };
+        /**
+         * ContactProposalBody
+         * @description Where the tyre seems to meet the road; `contact` is None with a `reason` where it cannot be told.
+         */
+        ContactProposalBody: {
+            /** Contact */
+            contact: number[] | null;
+            /**
+             * Outline
+             * @description The wheel's outline, px.
+             */
+            outline: number[][];
+            /** Radius M */
+            radius_m: number | null;
+            /**
+             * Expected Px
+             * @description How far off the proposal may be.
+             */
+            expected_px: number | null;
+            /** Words */
+            words: string;
+            /** Reason */
+            reason: string | null;
+        };
+        /** CorrectedBody */
+        CorrectedBody: {
+            /** N */
+            n: number;
+            /** Mean M */
+            mean_m: number | null;
+            /** Sd M */
+            sd_m: number | null;
+            /** Ecdf */
+            ecdf: components["schemas"]["EcdfBody"] | components["schemas"]["ReasonBody"];
+            /** Percentiles */
+            percentiles: components["schemas"]["PercentileBody"][];
+            /** Shares */
+            shares: components["schemas"]["ShareBody"][];
+            /**
+             * Words
+             * @description What was done.
+             */
+            words: string | null;
+            /** Warning */
+            warning: string | null;
+            /**
+             * Reason
+             * @description Why the correction could not be made; all else is then empty.
+             */
+            reason: string | null;
+        };
+        /** CountedBody */
+        CountedBody: {
+            /** Measurements */
+            measurements: number;
+            /** Vehicles */
+            vehicles: number;
+            /**
+             * With Reference
+             * @description Roofs of vehicles with a reference height.
+             */
+            with_reference: number;
+            /**
+             * Left Out
+             * @description Left out by the review state alone.
+             */
+            left_out: {
+                [key: string]: number;
+            };
         };
         /** Counts */
         Counts: {
@@ -1561,6 +2326,152 @@ export interface components {
             email: string;
             /** Password */
             password: string;
+        };
+        /**
+         * CrossValidationBody
+         * @description Two halves of the pictures, calibrated apart. Where that could not be done, `reason` says why.
+         */
+        CrossValidationBody: {
+            /** Reason */
+            reason: string | null;
+            /**
+             * Views
+             * @description How many are in each half.
+             */
+            views: number[] | null;
+            /** Fit Rms Px */
+            fit_rms_px: number | null;
+            /**
+             * Held Out Rms Px
+             * @description Of each half's views under the other half's lens.
+             */
+            held_out_rms_px: number | null;
+            /**
+             * Height Differences
+             * @description Camera level, 1.5 m high, board at 3 m, eye at 1.16 m; at 2, 3 and 5 m.
+             */
+            height_differences: components["schemas"]["HeightDifferenceBody"][];
+        };
+        /**
+         * CurveBody
+         * @description One line of a figure; a null is a point without a value.
+         */
+        CurveBody: {
+            /** Target */
+            target: string;
+            /** At M */
+            at_m: number[];
+            /** Value M */
+            value_m: (number | null)[];
+        };
+        /** Decision */
+        Decision: {
+            /**
+             * Reason
+             * @description Why the road pose is still good.
+             */
+            reason: string;
+        };
+        /** DecisionBody */
+        DecisionBody: {
+            /** Reason */
+            reason: string;
+            /** By */
+            by: string;
+            /** At */
+            at: string;
+            /** Pose Id */
+            pose_id: number;
+            /**
+             * Holds
+             * @description Whether it is about the pose in force.
+             */
+            holds: boolean;
+        };
+        /** DensityBody */
+        DensityBody: {
+            /** N */
+            n: number;
+            /** Bandwidth */
+            bandwidth: number;
+            /** Value */
+            value: number[];
+            /** Density */
+            density: number[];
+            /** Low */
+            low: number[];
+            /** High */
+            high: number[];
+        };
+        /**
+         * DifferenceBody
+         * @description A repeat minus what it repeats; `expected_m`: twice the combined uncertainty of the clicks.
+         */
+        DifferenceBody: {
+            /** First Id */
+            first_id: number;
+            /** Repeat Id */
+            repeat_id: number;
+            /** Vehicle Id */
+            vehicle_id: number;
+            /**
+             * Target
+             * @enum {string}
+             */
+            target: "roof" | "driver_eye" | "taillight" | "headlight" | "other";
+            first_person: components["schemas"]["WhoBody"];
+            person: components["schemas"]["WhoBody"];
+            /** Mean M */
+            mean_m: number;
+            /** Difference M */
+            difference_m: number;
+            /** Expected M */
+            expected_m: number;
+        };
+        /** DistributionBody */
+        DistributionBody: {
+            /** N */
+            n: number;
+            /** Mean M */
+            mean_m: number | null;
+            /** Sd M */
+            sd_m: number | null;
+            /** Ecdf */
+            ecdf: components["schemas"]["EcdfBody"] | components["schemas"]["ReasonBody"];
+            /** Percentiles */
+            percentiles: components["schemas"]["PercentileBody"][];
+            /** Shares */
+            shares: components["schemas"]["ShareBody"][];
+        };
+        /**
+         * DriftBody
+         * @description `check` is None while nobody has looked since the pose in force was taken.
+         */
+        DriftBody: {
+            /** Recording Id */
+            recording_id: number;
+            /** Pose Id */
+            pose_id: number | null;
+            check: components["schemas"]["CheckBody"] | null;
+            decision: components["schemas"]["DecisionBody"] | null;
+            /** Flagged */
+            flagged: components["schemas"]["OpenSpanBody"][];
+        };
+        /**
+         * EcdfBody
+         * @description Shares of a sample that are <= value, with a 95 % band that holds everywhere at once.
+         */
+        EcdfBody: {
+            /** N */
+            n: number;
+            /** Value */
+            value: number[];
+            /** Share */
+            share: number[];
+            /** Low */
+            low: number[];
+            /** High */
+            high: number[];
         };
         /** EntryBody */
         EntryBody: {
@@ -1606,6 +2517,110 @@ export interface components {
              */
             message: string;
         };
+        /**
+         * ErrorGroupBody
+         * @description One column of the error table; error = measured - reference.
+         */
+        ErrorGroupBody: {
+            /** Group */
+            group: string;
+            /**
+             * Title
+             * @description The column of the paper's table that it stands for.
+             */
+            title: string;
+            /** N */
+            n: number;
+            /** Figures */
+            figures: {
+                [key: string]: components["schemas"]["FigureBody"];
+            };
+            /**
+             * Reason
+             * @description Why a figure or its interval is missing.
+             */
+            reason: string | null;
+        };
+        /** ErrorsBody */
+        ErrorsBody: {
+            /**
+             * Rounding
+             * @enum {string}
+             */
+            rounding: "cm" | "none";
+            /**
+             * Words
+             * @description Which heights were compared, and how they were rounded.
+             */
+            words: string;
+            /** Groups */
+            groups: components["schemas"]["ErrorGroupBody"][];
+            /** Paper */
+            paper: components["schemas"]["PaperBody"][];
+            /** Reference Part */
+            reference_part: components["schemas"]["ReferencePartBody"] | components["schemas"]["ReasonBody"];
+            /** Bland Altman */
+            bland_altman: components["schemas"]["BlandAltmanBody"] | components["schemas"]["ReasonBody"];
+            /** Trend */
+            trend: components["schemas"]["TrendBody"] | components["schemas"]["ReasonBody"];
+            /** Absolute Trend */
+            absolute_trend: components["schemas"]["TrendBody"] | components["schemas"]["ReasonBody"];
+            /** Absolute */
+            absolute: {
+                [key: string]: components["schemas"]["EcdfBody"] | components["schemas"]["ReasonBody"];
+            };
+            /** Relative */
+            relative: {
+                [key: string]: components["schemas"]["EcdfBody"] | components["schemas"]["ReasonBody"];
+            };
+            /** Density */
+            density: {
+                [key: string]: components["schemas"]["DensityBody"] | components["schemas"]["ReasonBody"];
+            };
+            /** @description At most 1500, drawn at random but always the same. */
+            points: components["schemas"]["PointsBody"];
+        };
+        /**
+         * EstimateBody
+         * @description One way to an inset: a figure with its uncertainty, or the reason why there is none.
+         */
+        EstimateBody: {
+            /**
+             * Method
+             * @enum {string}
+             */
+            method: "known_heights" | "trend" | "two_frames";
+            /** Reason */
+            reason: string | null;
+            /** Inset M */
+            inset_m: number | null;
+            /** U Inset M */
+            u_inset_m: number | null;
+            /**
+             * Spread M
+             * @description Standard deviation between vehicles, where it is known.
+             */
+            spread_m: number | null;
+            /** Vehicles */
+            vehicles: number;
+            /**
+             * Caution
+             * @description Why it should not be used; null where it can be.
+             */
+            caution: string | null;
+            /**
+             * Left Out
+             * @description Vehicles that do not fit the others.
+             */
+            left_out: components["schemas"]["VehicleNameBody"][];
+            /**
+             * Difference M
+             * @description What it would change the typical height by.
+             */
+            difference_m: number | null;
+            /** @description What the survey's inset would become, with its note. */
+            offer: components["schemas"]["InsetBody"] | null;
+        };
         /** ExpectedHeight */
         ExpectedHeight: {
             /** Distance M */
@@ -1634,6 +2649,33 @@ export interface components {
             /** Url */
             url: string;
         };
+        /** FigureBody */
+        FigureBody: {
+            /** Value */
+            value: number | null;
+            ci95: components["schemas"]["IntervalBody"] | null;
+            /**
+             * Reason
+             * @description Why the interval alone is missing.
+             */
+            reason: string | null;
+        };
+        /** FindingsBody */
+        FindingsBody: {
+            /** Repeats */
+            repeats: number;
+            /** Targets */
+            targets: components["schemas"]["OfTargetBody"][];
+            /** People */
+            people: components["schemas"]["OfPersonBody"][];
+            /** Differences */
+            differences: components["schemas"]["DifferenceBody"][];
+            /**
+             * Not Compared
+             * @description Repeats on another frame, road pose or inset, or without height.
+             */
+            not_compared: number;
+        };
         /**
          * FrameRows
          * @description Frames `first`, `first + 1`, ...: columns of equal length.
@@ -1649,6 +2691,72 @@ export interface components {
             crc: number[];
             /** Key */
             key: boolean[];
+        };
+        /**
+         * FurtherFrameBody
+         * @description The same two points on another frame of the pass.
+         */
+        FurtherFrameBody: {
+            /** Frame */
+            frame: number;
+            /** Pts */
+            pts: number;
+            /** Time S */
+            time_s: number;
+            /** Frame Crc */
+            frame_crc: number;
+            /** Contact */
+            contact: number[];
+            /** Point */
+            point: number[];
+        };
+        /** GaugeBody */
+        GaugeBody: {
+            /**
+             * N
+             * @description Heights of items that were clicked more than once.
+             */
+            n: number;
+            /** Items */
+            items: number;
+            /**
+             * Persons
+             * @description Persons; of all targets together, each person and target.
+             */
+            persons: number;
+            /** @description The same person again, m. */
+            repeatability: components["schemas"]["SpreadBody"];
+            /** @description What another person adds, m. */
+            reproducibility: components["schemas"]["SpreadBody"];
+            /** Interaction P */
+            interaction_p: number | null;
+        };
+        /** GroupBody */
+        GroupBody: {
+            /** N */
+            n: number;
+            /** Mean M */
+            mean_m: number | null;
+            /** Sd M */
+            sd_m: number | null;
+            /** Ecdf */
+            ecdf: components["schemas"]["EcdfBody"] | components["schemas"]["ReasonBody"];
+            /** Percentiles */
+            percentiles: components["schemas"]["PercentileBody"][];
+            /** Shares */
+            shares: components["schemas"]["ShareBody"][];
+            /** Word */
+            word: string;
+        };
+        /** GroupingBody */
+        GroupingBody: {
+            /** Groups */
+            groups: components["schemas"]["GroupBody"][];
+            /**
+             * Left Out
+             * @description Smaller groups that are not listed.
+             */
+            left_out: number;
         };
         /** Health */
         Health: {
@@ -1691,6 +2799,51 @@ export interface components {
             budget: components["schemas"]["BudgetEntryBody"][];
             /** Flags */
             flags: string[];
+            /** Frames */
+            frames: number;
+            /** Solved Inset M */
+            solved_inset_m: number | null;
+            /** U Solved Inset M */
+            u_solved_inset_m: number | null;
+            /** Heading Rad */
+            heading_rad: number | null;
+            /** U Heading Rad */
+            u_heading_rad: number | null;
+            /** Travel M */
+            travel_m: number | null;
+            /** @description Beside a height from several frames. */
+            single: components["schemas"]["SingleFrameBody"] | null;
+        };
+        /** HeightChangeBody */
+        HeightChangeBody: {
+            /** Measurement Id */
+            measurement_id: number;
+            /** Vehicle Id */
+            vehicle_id: number;
+            /**
+             * Target
+             * @enum {string}
+             */
+            target: "roof" | "driver_eye" | "taillight" | "headlight" | "other";
+            /** Height M */
+            height_m: number;
+            /** Turned Height M */
+            turned_height_m: number;
+            /** Difference M */
+            difference_m: number;
+        };
+        /**
+         * HeightDifferenceBody
+         * @description What two lenses make of one height; `expected_m`: the standard uncertainty of the difference by the
+         *     lenses' covariances. Null where the picture does not show it.
+         */
+        HeightDifferenceBody: {
+            /** Distance M */
+            distance_m: number;
+            /** Difference M */
+            difference_m: number | null;
+            /** Expected M */
+            expected_m?: number | null;
         };
         /** HeightWanted */
         HeightWanted: {
@@ -1723,6 +2876,11 @@ export interface components {
             inset_m?: number | null;
             /** U Inset M */
             u_inset_m?: number | null;
+            /**
+             * More Frames
+             * @description The same two points on further frames: then the inset is solved for.
+             */
+            more_frames?: components["schemas"]["ClickedFrame"][];
         };
         /**
          * HistoryBody
@@ -1755,6 +2913,22 @@ export interface components {
              */
             note: string;
         };
+        /** InsetCaseBody */
+        InsetCaseBody: {
+            /**
+             * Target
+             * @enum {string}
+             */
+            target: "roof" | "driver_eye" | "taillight" | "headlight" | "other";
+            /** Words */
+            words: string;
+            /** Height M */
+            height_m: number;
+            /** Inset M */
+            inset_m: number;
+            /** Bias M */
+            bias_m: number[];
+        };
         /**
          * InsetChanges
          * @description Targets left out keep their inset.
@@ -1765,6 +2939,17 @@ export interface components {
             taillight?: components["schemas"]["InsetIn"] | null;
             headlight?: components["schemas"]["InsetIn"] | null;
             other?: components["schemas"]["InsetIn"] | null;
+        };
+        /** InsetCheckBody */
+        InsetCheckBody: {
+            /** Targets */
+            targets: components["schemas"]["TargetInsetsBody"][];
+            /** Camera Height M */
+            camera_height_m: number;
+            /** Cases At M */
+            cases_at_m: number[];
+            /** Cases */
+            cases: components["schemas"]["InsetCaseBody"][];
         };
         /** InsetChoice */
         InsetChoice: {
@@ -1794,6 +2979,13 @@ export interface components {
             taillight: components["schemas"]["InsetBody"];
             headlight: components["schemas"]["InsetBody"];
             other: components["schemas"]["InsetBody"];
+        };
+        /** IntervalBody */
+        IntervalBody: {
+            /** Low */
+            low: number;
+            /** High */
+            high: number;
         };
         /** Invited */
         Invited: {
@@ -1844,6 +3036,21 @@ export interface components {
             /** Finished At */
             finished_at: string | null;
         };
+        /** JoinWanted */
+        JoinWanted: {
+            /** Other Id */
+            other_id: number;
+            /**
+             * Version
+             * @description The version that you saw.
+             */
+            version: number;
+            /**
+             * Other Version
+             * @description The version that you saw.
+             */
+            other_version: number;
+        };
         /** Link */
         Link: {
             /**
@@ -1856,6 +3063,34 @@ export interface components {
         LinkToken: {
             /** Token */
             token: string;
+        };
+        /**
+         * LookBody
+         * @description One frame against the pose's: a motion in pixels with what it is worth in height, or a reason.
+         */
+        LookBody: {
+            /** Frame */
+            frame: number;
+            /** Time S */
+            time_s: number;
+            /** X Px */
+            x_px?: number | null;
+            /** Y Px */
+            y_px?: number | null;
+            /** Turn Rad */
+            turn_rad?: number | null;
+            /** Scale */
+            scale?: number | null;
+            /** Moved Px */
+            moved_px?: number | null;
+            /** U Px */
+            u_px?: number | null;
+            /** Points */
+            points?: number | null;
+            /** Change M */
+            change_m?: number | null;
+            /** Reason */
+            reason?: string | null;
         };
         /** Me */
         Me: {
@@ -1889,6 +3124,11 @@ export interface components {
             /** Recording Id */
             recording_id: number;
             /**
+             * Repeat Of
+             * @description The measurement that this one repeats.
+             */
+            repeat_of: number | null;
+            /**
              * Target
              * @enum {string}
              */
@@ -1915,6 +3155,15 @@ export interface components {
             inset_m: number;
             /** U Inset M */
             u_inset_m: number;
+            /**
+             * More Frames
+             * @description With any, the inset is solved for; `inset_m` is what one frame would assume.
+             */
+            more_frames: components["schemas"]["FurtherFrameBody"][];
+            /** Solved Inset M */
+            solved_inset_m: number | null;
+            /** U Solved Inset M */
+            u_solved_inset_m: number | null;
             /** Height M */
             height_m: number | null;
             /** Uncorrected Height M */
@@ -1932,7 +3181,10 @@ export interface components {
             status: "ok" | "not_measurable";
             /** Reason */
             reason: string | null;
-            /** Flags */
+            /**
+             * Flags
+             * @description As stored, and, derived when read, that the camera had moved on this frame.
+             */
             flags: string[];
             /** Budget */
             budget: {
@@ -1949,6 +3201,13 @@ export interface components {
             /** Withdrawn */
             withdrawn: boolean;
             review: components["schemas"]["ReviewBody"];
+        };
+        /** NamedBody */
+        NamedBody: {
+            /** Id */
+            id: number;
+            /** Name */
+            name: string;
         };
         /** NewCamera */
         NewCamera: {
@@ -2013,6 +3272,11 @@ export interface components {
             /** U Inset M */
             u_inset_m?: number | null;
             /**
+             * More Frames
+             * @description The same two points on further frames: then the inset is solved for.
+             */
+            more_frames?: components["schemas"]["ClickedFrame"][];
+            /**
              * Client Key
              * Format: uuid
              * @description Made by the client; sending it twice stores it once.
@@ -2023,6 +3287,11 @@ export interface components {
              * @enum {string}
              */
             target: "roof" | "driver_eye" | "taillight" | "headlight" | "other";
+            /**
+             * Repeat Of
+             * @description The measurement that these clicks repeat: it stands in no list or result.
+             */
+            repeat_of?: number | null;
         };
         /** NewPassword */
         NewPassword: {
@@ -2106,6 +3375,135 @@ export interface components {
             /** Notes */
             notes?: string | null;
         };
+        /** NewWheelPair */
+        NewWheelPair: {
+            /** Frame */
+            frame: number;
+            /**
+             * Frame Crc
+             * @description CRC-32 of the picture that was clicked on, as in the frame table.
+             */
+            frame_crc?: number | null;
+            /**
+             * First
+             * @example [
+             *       320.5,
+             *       240.25
+             *     ]
+             */
+            first: number[];
+            /**
+             * Second
+             * @example [
+             *       320.5,
+             *       240.25
+             *     ]
+             */
+            second: number[];
+        };
+        /** OfPersonBody */
+        OfPersonBody: {
+            person: components["schemas"]["WhoBody"];
+            /**
+             * Pairs
+             * @description How often they clicked their own measurements again.
+             */
+            pairs: number;
+            /** @description Of their own repeats, m. */
+            heights: components["schemas"]["SpreadBody"];
+            /** @description Each coordinate, px. */
+            contact: components["schemas"]["SpreadBody"];
+            /** @description Each coordinate, px. */
+            point: components["schemas"]["SpreadBody"];
+            /** @description Contact and target together, each coordinate, px. */
+            sigma: components["schemas"]["SpreadBody"];
+            /**
+             * Leaning M
+             * @description Their heights minus the others' of the same items, mean.
+             */
+            leaning_m: number | null;
+            /**
+             * Items
+             * @description Items that they and others clicked.
+             */
+            items: number;
+            chosen: components["schemas"]["ClickSigmaBody"] | null;
+            /** May Choose */
+            may_choose: boolean;
+        };
+        /** OfTargetBody */
+        OfTargetBody: {
+            /**
+             * Target
+             * @description None: all targets together.
+             */
+            target: ("roof" | "driver_eye" | "taillight" | "headlight" | "other") | null;
+            gauge: components["schemas"]["GaugeBody"];
+            claim: components["schemas"]["ClaimBody"];
+        };
+        /**
+         * OpenSpanBody
+         * @description Frames whose measurements are flagged.
+         */
+        OpenSpanBody: {
+            /** First Frame */
+            first_frame: number;
+            /** Last Frame */
+            last_frame: number;
+            /** Moved Px */
+            moved_px: number;
+            /** Change M */
+            change_m: number | null;
+        };
+        /**
+         * OutlookBody
+         * @description Where the picture's edges look: above the horizon, and from square across the road to +X.
+         */
+        OutlookBody: {
+            /** Top Rad */
+            top_rad: number | null;
+            /** Bottom Rad */
+            bottom_rad: number | null;
+            /** Left Rad */
+            left_rad: number | null;
+            /** Right Rad */
+            right_rad: number | null;
+        };
+        /**
+         * PaperBody
+         * @description A column of the paper's Table 1 as printed, and what is inconsistent in it.
+         */
+        PaperBody: {
+            /** Group */
+            group: string;
+            /** Title */
+            title: string;
+            /** N */
+            n: number;
+            /** Mae M */
+            mae_m: number;
+            /** Rmse M */
+            rmse_m: number;
+            /** Mse M2 */
+            mse_m2: number;
+            /** Sd M */
+            sd_m: number;
+            /** Note */
+            note: string;
+        };
+        /** PercentileBody */
+        PercentileBody: {
+            /** Percent */
+            percent: number;
+            /** Value */
+            value: number;
+            /** Low */
+            low: number | null;
+            /** High */
+            high: number | null;
+            /** Reason */
+            reason: string | null;
+        };
         /** PersonBody */
         PersonBody: {
             /** Id */
@@ -2143,6 +3541,123 @@ export interface components {
             /** Active */
             active: boolean;
         };
+        /** PlanBody */
+        PlanBody: {
+            camera: components["schemas"]["PlannedCamera"];
+            site: components["schemas"]["PlannedSite"];
+            board: components["schemas"]["PlannedBoard"];
+            /** Targets */
+            targets: components["schemas"]["PlannedTargetBody"][];
+            /** Advice */
+            advice: string[];
+            /** U95 Over Distance */
+            U95_over_distance: components["schemas"]["CurveBody"][];
+            /** Bias Over Camera Height */
+            bias_over_camera_height: components["schemas"]["CurveBody"][];
+            outlook: components["schemas"]["OutlookBody"];
+            /** Tilt Rad */
+            tilt_rad: number;
+            /** Track Shown M */
+            track_shown_m: number;
+        };
+        /** PlannedBoard */
+        PlannedBoard: {
+            /** Columns */
+            columns: number;
+            /** Rows */
+            rows: number;
+            /** Square M */
+            square_m: number;
+            /** Top M */
+            top_m: number;
+        };
+        /** PlannedCamera */
+        PlannedCamera: {
+            /** Name */
+            name: string;
+            /** Width Px */
+            width_px: number;
+            /** Height Px */
+            height_px: number;
+            /** Calibration Id */
+            calibration_id: number | null;
+            /**
+             * Lens Known
+             * @description Whether the lens's own uncertainty is known and counted.
+             */
+            lens_known: boolean;
+        };
+        /** PlannedSite */
+        PlannedSite: {
+            /** Camera Height M */
+            camera_height_m: number;
+            /** Distance M */
+            distance_m: number;
+            /** Board Distance M */
+            board_distance_m: number;
+            /** Sigma Px */
+            sigma_px: number;
+            /** Direction Deg */
+            direction_deg: number;
+            /** Travel M */
+            travel_m: number;
+        };
+        /** PlannedTargetBody */
+        PlannedTargetBody: {
+            /**
+             * Target
+             * @description A target, or driver_eye_far: the driver on the side away from the camera.
+             */
+            target: string;
+            /**
+             * Height M
+             * @description The height it is planned for; an estimate.
+             */
+            height_m: number;
+            /** Inset M */
+            inset_m: number;
+            /** U Inset M */
+            u_inset_m: number;
+            /**
+             * Status
+             * @enum {string}
+             */
+            status: "ok" | "not_measurable";
+            /** Reason */
+            reason: string | null;
+            /** U Height M */
+            u_height_m: number | null;
+            /** U95 Height M */
+            U95_height_m: number | null;
+            /** Bias If Ignored M */
+            bias_if_ignored_m: number;
+            /** Budget */
+            budget: components["schemas"]["BudgetEntryBody"][];
+            /** Flags */
+            flags: string[];
+            two_frames: components["schemas"]["TwoFramesBody"];
+        };
+        /** Pointer */
+        Pointer: {
+            /**
+             * Pointer
+             * @description Where the pointer stands, px; the wheel is looked for around it.
+             * @example [
+             *       320.5,
+             *       240.25
+             *     ]
+             */
+            pointer: number[];
+        };
+        /** PointsBody */
+        PointsBody: {
+            /** Reference M */
+            reference_m: number[];
+            /** Error M */
+            error_m: number[];
+            /** Lighting */
+            lighting: ("daytime" | "low_light" | "unknown")[];
+        };
         /** PoseBody */
         PoseBody: {
             /** Id */
@@ -2178,6 +3693,37 @@ export interface components {
             /** Expected */
             expected: components["schemas"]["ExpectedHeight"][];
             overlay: components["schemas"]["PoseOverlay"];
+        };
+        /**
+         * PoseCheckBody
+         * @description A road pose in force against the traffic of its recordings.
+         */
+        PoseCheckBody: {
+            /** Pose Id */
+            pose_id: number;
+            /** Recordings */
+            recordings: components["schemas"]["RecordingNameBody"][];
+            /** Turned From */
+            turned_from: number | null;
+            /** Turned By Rad */
+            turned_by_rad: number | null;
+            /** Vehicles */
+            vehicles: components["schemas"]["VehicleHeadingBody"][];
+            /** Used */
+            used: number;
+            /** Mean Rad */
+            mean_rad: number | null;
+            /** U Mean Rad */
+            u_mean_rad: number | null;
+            /** Spread Rad */
+            spread_rad: number | null;
+            /** Proposed */
+            proposed: boolean;
+            /** Reason */
+            reason: string | null;
+            /** Verdict */
+            verdict: string;
+            changes: components["schemas"]["ChangesBody"] | null;
         };
         /** PoseOverlay */
         PoseOverlay: {
@@ -2215,6 +3761,22 @@ export interface components {
         };
         /** PoseWanted */
         PoseWanted: {
+            /**
+             * Board Kind
+             * @default checkerboard
+             * @enum {string}
+             */
+            board_kind: "checkerboard" | "charuco";
+            /**
+             * Dictionary
+             * @description Of a ChArUco board's markers, such as 4X4_50.
+             */
+            dictionary?: string | null;
+            /**
+             * Marker M
+             * @description Side of a marker, ChArUco only.
+             */
+            marker_m?: number | null;
             /** Calibration Id */
             calibration_id: number;
             /** First Frame */
@@ -2250,6 +3812,17 @@ export interface components {
              * @default 0.005
              */
             u_lean_rad: number;
+            /**
+             * U Square M
+             * @description Of a square's side; null: 0.1 % of it, an estimate.
+             */
+            u_square_m?: number | null;
+            /**
+             * U Bow M
+             * @description Middle of the board out of plane.
+             * @default 0.0005
+             */
+            u_bow_m: number;
         };
         /** QueueItemBody */
         QueueItemBody: {
@@ -2260,6 +3833,22 @@ export interface components {
              * @description Whether you made this revision: then somebody else has to review it.
              */
             mine: boolean;
+        };
+        /**
+         * ReadyFrames
+         * @description Runs of frames, [first, last], that are answered without decoding.
+         */
+        ReadyFrames: {
+            /** Runs */
+            runs: [
+                number,
+                number
+            ][];
+        };
+        /** ReasonBody */
+        ReasonBody: {
+            /** Reason */
+            reason: string;
         };
         /** RecordingBody */
         RecordingBody: {
@@ -2330,6 +3919,28 @@ export interface components {
             /** Lighting */
             lighting?: ("daytime" | "low_light") | null;
         };
+        /** RecordingNameBody */
+        RecordingNameBody: {
+            /** Id */
+            id: number;
+            /** Name */
+            name: string;
+        };
+        /** ReferencePartBody */
+        ReferencePartBody: {
+            /** U Reference M */
+            u_reference_m: number;
+            /** Share Of Variance */
+            share_of_variance: number;
+            /** Rounding Share */
+            rounding_share: number;
+            /** Camera Sd M */
+            camera_sd_m: number | null;
+            /** Correlation Alone */
+            correlation_alone: number;
+            /** Words */
+            words: string;
+        };
         /** ReviewBody */
         ReviewBody: {
             /**
@@ -2352,12 +3963,237 @@ export interface components {
             /** Label */
             label: boolean;
         };
+        /** SampleSizeBody */
+        SampleSizeBody: {
+            /** Percent */
+            percent: number;
+            /** Width M */
+            width_m: number;
+            /** Vehicles */
+            vehicles: number;
+            /** Words */
+            words: string;
+        };
+        /**
+         * SecondFrameAnswer
+         * @description The frame proposed with what it would gain; where none would help, why.
+         */
+        SecondFrameAnswer: {
+            /** Ok */
+            ok: boolean;
+            /** Reason */
+            reason: string | null;
+            /** Frame */
+            frame: number | null;
+            /** Source */
+            source: ("followed" | "measured" | "assumed") | null;
+            /** Words */
+            words: string;
+            /** U Now M */
+            u_now_m: number | null;
+            /** U95 Now M */
+            U95_now_m: number | null;
+            /** U Then M */
+            u_then_m: number | null;
+            /** U95 Then M */
+            U95_then_m: number | null;
+            /** U Solved Inset M */
+            u_solved_inset_m: number | null;
+            /** Spots */
+            spots: components["schemas"]["SpotBody"][];
+        };
+        /**
+         * SecondFrameWanted
+         * @description What is clicked so far; the best frame to click next is looked for in the vehicle's pass.
+         */
+        SecondFrameWanted: {
+            /** Frame */
+            frame: number;
+            /**
+             * Contact
+             * @example [
+             *       320.5,
+             *       240.25
+             *     ]
+             */
+            contact: number[];
+            /**
+             * Point
+             * @example [
+             *       320.5,
+             *       240.25
+             *     ]
+             */
+            point: number[];
+            /** Sigma Px */
+            sigma_px?: number | null;
+            /** Inset M */
+            inset_m?: number | null;
+            /** U Inset M */
+            u_inset_m?: number | null;
+            /**
+             * More Frames
+             * @description The same two points on further frames: then the inset is solved for.
+             */
+            more_frames?: components["schemas"]["ClickedFrame"][];
+            /**
+             * Target
+             * @enum {string}
+             */
+            target: "roof" | "driver_eye" | "taillight" | "headlight" | "other";
+            /** Vehicle Id */
+            vehicle_id: number;
+        };
+        /**
+         * ShareBody
+         * @description The share of vehicles below a standard's height.
+         */
+        ShareBody: {
+            standard: components["schemas"]["StandardBody"];
+            /** Below */
+            below: number;
+            /** N */
+            n: number;
+            /** Share */
+            share: number;
+            /** Low */
+            low: number;
+            /** High */
+            high: number;
+        };
+        /** SigmaChoice */
+        SigmaChoice: {
+            /**
+             * Own
+             * @description True: the sigma of their repeats; false: the usual 1 px again.
+             */
+            own: boolean;
+        };
+        /**
+         * SingleFrameBody
+         * @description What the first frame alone would give, with the inset assumed.
+         */
+        SingleFrameBody: {
+            /** Height M */
+            height_m: number | null;
+            /** U Height M */
+            u_height_m: number | null;
+            /** U95 Height M */
+            U95_height_m: number | null;
+        };
         /** SkippedBody */
         SkippedBody: {
             /** Line */
             line: number;
             /** Reason */
             reason: string;
+        };
+        /** SpanBody */
+        SpanBody: {
+            /** First Frame */
+            first_frame: number;
+            /** Last Frame */
+            last_frame: number;
+            /** Moved */
+            moved: boolean;
+            /** Moved Px */
+            moved_px: number;
+            /** U Px */
+            u_px: number;
+            /** Change M */
+            change_m: number | null;
+        };
+        /** SplitBody */
+        SplitBody: {
+            earlier: components["schemas"]["VehicleBody"];
+            later: components["schemas"]["VehicleBody"];
+        };
+        /** SplitWanted */
+        SplitWanted: {
+            /**
+             * Frame
+             * @description The first frame of the later pass.
+             */
+            frame: number;
+            /**
+             * Version
+             * @description The version that you saw.
+             */
+            version: number;
+        };
+        /**
+         * SpotBody
+         * @description Where both points are expected on one frame, and what clicking them there would give.
+         */
+        SpotBody: {
+            /** Frame */
+            frame: number;
+            /** Travel M */
+            travel_m: number;
+            /** Contact */
+            contact: number[];
+            /** Point */
+            point: number[];
+            /** U Height M */
+            u_height_m: number;
+            /** U95 Height M */
+            U95_height_m: number;
+            /** U Solved Inset M */
+            u_solved_inset_m: number;
+            /** Assumed Kmh */
+            assumed_kmh: number | null;
+        };
+        /**
+         * SpreadBody
+         * @description A standard deviation with its 95 % interval; or why there is none.
+         */
+        SpreadBody: {
+            /** Sd */
+            sd: number | null;
+            /** Low */
+            low: number | null;
+            /** High */
+            high: number | null;
+            /** Freedom */
+            freedom: number;
+            /** Reason */
+            reason: string | null;
+        };
+        /** StandardBody */
+        StandardBody: {
+            /** Name */
+            name: string;
+            /**
+             * What
+             * @enum {string}
+             */
+            what: "driver_eye" | "object";
+            /** Height M */
+            height_m: number;
+            /** Source */
+            source: string;
+        };
+        /** StatisticsBody */
+        StatisticsBody: {
+            counted: components["schemas"]["CountedBody"];
+            errors: components["schemas"]["ErrorsBody"];
+            /** Targets */
+            targets: components["schemas"]["TargetBody"][];
+            /**
+             * Standards
+             * @description Heights of standards, and the asker's own.
+             */
+            standards: components["schemas"]["StandardBody"][];
+            /**
+             * Surveys
+             * @description What can be filtered by.
+             */
+            surveys: components["schemas"]["NamedBody"][];
+            /**
+             * Operators
+             * @description What can be filtered by.
+             */
+            operators: components["schemas"]["NamedBody"][];
         };
         /** StepBody */
         StepBody: {
@@ -2423,12 +4259,120 @@ export interface components {
             version: number;
             insets?: components["schemas"]["InsetChanges"] | null;
         };
+        /** TargetBody */
+        TargetBody: {
+            /**
+             * Target
+             * @enum {string}
+             */
+            target: "driver_eye" | "taillight" | "headlight" | "roof";
+            raw: components["schemas"]["DistributionBody"];
+            corrected: components["schemas"]["CorrectedBody"];
+            /** Density */
+            density: components["schemas"]["DensityBody"] | components["schemas"]["ReasonBody"];
+            /** Groups */
+            groups: {
+                [key: string]: components["schemas"]["GroupingBody"];
+            };
+        };
+        /** TargetInsetsBody */
+        TargetInsetsBody: {
+            /**
+             * Target
+             * @enum {string}
+             */
+            target: "roof" | "driver_eye" | "taillight" | "headlight" | "other";
+            in_force: components["schemas"]["InsetBody"];
+            /** Is Default */
+            is_default: boolean;
+            /** Measured */
+            measured: number;
+            /**
+             * Other Insets
+             * @description Measured as something else (driver on the far side); not used.
+             */
+            other_insets: number;
+            /** Typical Height M */
+            typical_height_m: number | null;
+            /** Typical Distance M */
+            typical_distance_m: number | null;
+            /** Estimates */
+            estimates: components["schemas"]["EstimateBody"][];
+        };
         /** Thumb */
         Thumb: {
             /** Frame */
             frame: number;
             /** Url */
             url: string;
+        };
+        /** TrafficCheckBody */
+        TrafficCheckBody: {
+            /** Poses */
+            poses: components["schemas"]["PoseCheckBody"][];
+            /** Pairs */
+            pairs: components["schemas"]["WheelPairBody"][];
+        };
+        /**
+         * TrendBody
+         * @description A line by least squares over the reference height, with the band of the line.
+         */
+        TrendBody: {
+            /** Slope */
+            slope: number;
+            slope_ci95: components["schemas"]["IntervalBody"];
+            /** Intercept */
+            intercept: number;
+            /** Correlation */
+            correlation: number;
+            correlation_ci95: components["schemas"]["IntervalBody"];
+            /** N */
+            n: number;
+            /** At */
+            at: number[];
+            /** Value */
+            value: number[];
+            /** Low */
+            low: number[];
+            /** High */
+            high: number[];
+        };
+        /** TurnWanted */
+        TurnWanted: {
+            /**
+             * Turn Rad
+             * @description The mean that was shown, radians.
+             */
+            turn_rad: number;
+        };
+        /**
+         * TurnedPose
+         * @description A pose turned to the traffic, before it is stored: what to draw, to say, and what it changes.
+         */
+        TurnedPose: {
+            /** Pose Id */
+            pose_id: number;
+            /** Turn Rad */
+            turn_rad: number;
+            /** U Turn Rad */
+            u_turn_rad: number;
+            /** Summary */
+            summary: string;
+            /** Warnings */
+            warnings: string[];
+            overlay: components["schemas"]["PoseOverlay"];
+            changes: components["schemas"]["ChangesBody"];
+        };
+        /** TwoFramesBody */
+        TwoFramesBody: {
+            /** Reason */
+            reason: string | null;
+            /** U Height M */
+            u_height_m: number | null;
+            /** U95 Height M */
+            U95_height_m: number | null;
+            /** U Inset M */
+            u_inset_m: number | null;
         };
         /** UploadBody */
         UploadBody: {
@@ -2482,6 +4426,23 @@ export interface components {
             lighting: ("daytime" | "low_light") | null;
             /** Notes */
             notes: string;
+            /**
+             * Origin
+             * @enum {string}
+             */
+            origin: "person" | "found";
+            /**
+             * Direction
+             * @description Which way it goes in the picture, where that is known.
+             */
+            direction: ("right" | "left") | null;
+            /**
+             * Detection
+             * @description What the search for passes saw of it.
+             */
+            detection: {
+                [key: string]: unknown;
+            } | null;
             /** Version */
             version: number;
             /**
@@ -2524,6 +4485,23 @@ export interface components {
             lighting: ("daytime" | "low_light") | null;
             /** Notes */
             notes: string;
+            /**
+             * Origin
+             * @enum {string}
+             */
+            origin: "person" | "found";
+            /**
+             * Direction
+             * @description Which way it goes in the picture, where that is known.
+             */
+            direction: ("right" | "left") | null;
+            /**
+             * Detection
+             * @description What the search for passes saw of it.
+             */
+            detection: {
+                [key: string]: unknown;
+            } | null;
             /** Version */
             version: number;
             /**
@@ -2533,6 +4511,39 @@ export interface components {
             state: "to_do" | "partial" | "measured" | "rejected" | "accepted";
             /** Measurements */
             measurements: components["schemas"]["MeasurementBody"][];
+        };
+        /** VehicleHeadingBody */
+        VehicleHeadingBody: {
+            /** Vehicle Id */
+            vehicle_id: number;
+            /** Number */
+            number: number;
+            /** Recording Id */
+            recording_id: number;
+            /** Frame */
+            frame: number;
+            /**
+             * Source
+             * @enum {string}
+             */
+            source: "tyres" | "two_frames";
+            /** Heading Rad */
+            heading_rad: number | null;
+            /** U Heading Rad */
+            u_heading_rad: number | null;
+            /** Base M */
+            base_m: number | null;
+            /** Used */
+            used: boolean;
+            /** Reason */
+            reason: string | null;
+        };
+        /** VehicleNameBody */
+        VehicleNameBody: {
+            /** Id */
+            id: number;
+            /** Number */
+            number: number;
         };
         /** VerdictGiven */
         VerdictGiven: {
@@ -2588,6 +4599,34 @@ export interface components {
             corners_px: number[][];
             /** Residuals Px */
             residuals_px: number[][];
+        };
+        /**
+         * WheelPairBody
+         * @description Both tyre contacts of a vehicle on one frame.
+         */
+        WheelPairBody: {
+            /** Id */
+            id: number;
+            /** Vehicle Id */
+            vehicle_id: number;
+            /** Vehicle Number */
+            vehicle_number: number;
+            /** Recording Id */
+            recording_id: number;
+            /** Frame */
+            frame: number;
+            /** First */
+            first: number[];
+            /** Second */
+            second: number[];
+            /** Withdrawn */
+            withdrawn: boolean;
+            created_by: components["schemas"]["WhoBody"] | null;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
         };
         /** WhoBody */
         WhoBody: {
@@ -5138,6 +7177,14 @@ export interface operations {
                 columns?: number;
                 /** @description Inner corners. */
                 rows?: number;
+                /** @description Needed of a ChArUco board. */
+                square_m?: number | null;
+                /** @description Plain checkerboard, or one with markers. */
+                board_kind?: "checkerboard" | "charuco";
+                /** @description Of a ChArUco board's markers, such as 4X4_50. */
+                dictionary?: string | null;
+                /** @description Side of a marker, ChArUco only. */
+                marker_m?: number | null;
             };
             header?: never;
             path: {
@@ -8125,9 +10172,160 @@ export interface operations {
             };
         };
     };
-    still: {
+    ready_frames: {
         parameters: {
             query?: never;
+            header?: never;
+            path: {
+                recording_id: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ReadyFrames"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Method Not Allowed */
+            405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Precondition Failed */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Insufficient Storage */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+        };
+    };
+    still: {
+        parameters: {
+            query?: {
+                /** @description bright: to look at only, never measured on. */
+                display?: "plain" | "bright";
+            };
             header?: never;
             path: {
                 recording_id: number;
@@ -8288,6 +10486,8 @@ export interface operations {
                 y: number;
                 w: number;
                 h: number;
+                /** @description bright: to look at only, never measured on. */
+                display?: "plain" | "bright";
             };
             header?: never;
             path: {
@@ -8469,6 +10669,165 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content?: never;
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Method Not Allowed */
+            405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Precondition Failed */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Insufficient Storage */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+        };
+    };
+    plan_survey: {
+        parameters: {
+            query: {
+                camera_height_m: number;
+                distance_m: number;
+                board_distance_m?: number | null;
+                sigma_px?: number;
+                direction_deg?: number;
+                travel_m?: number;
+                calibration_id?: number | null;
+                width_px?: number | null;
+                height_px?: number | null;
+                field_of_view_deg?: number | null;
+            };
+            header?: never;
+            path: {
+                survey_id: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PlanBody"];
+                };
             };
             /** @description Bad Request */
             400: {
@@ -9198,6 +11557,1651 @@ export interface operations {
             };
         };
     };
+    check_insets: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                survey_id: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["InsetCheckBody"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Method Not Allowed */
+            405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Precondition Failed */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Insufficient Storage */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+        };
+    };
+    check_traffic: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                survey_id: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TrafficCheckBody"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Method Not Allowed */
+            405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Precondition Failed */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Insufficient Storage */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+        };
+    };
+    add_wheel_pair: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                vehicle_id: number;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["NewWheelPair"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WheelPairBody"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Method Not Allowed */
+            405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Precondition Failed */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Insufficient Storage */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+        };
+    };
+    withdraw_wheel_pair: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                vehicle_id: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WheelPairBody"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Method Not Allowed */
+            405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Precondition Failed */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Insufficient Storage */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+        };
+    };
+    preview_turn: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                pose_id: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TurnedPose"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Method Not Allowed */
+            405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Precondition Failed */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Insufficient Storage */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+        };
+    };
+    turn_pose: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                pose_id: number;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["TurnWanted"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PoseSummaryBody"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Method Not Allowed */
+            405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Precondition Failed */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Insufficient Storage */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+        };
+    };
+    get_drift: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                recording_id: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DriftBody"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Method Not Allowed */
+            405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Precondition Failed */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Insufficient Storage */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+        };
+    };
+    look_again: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                recording_id: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            202: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["JobBody"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Method Not Allowed */
+            405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Precondition Failed */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Insufficient Storage */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+        };
+    };
+    decide: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                recording_id: number;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Decision"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DriftBody"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Method Not Allowed */
+            405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Precondition Failed */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Insufficient Storage */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+        };
+    };
+    take_back: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                recording_id: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DriftBody"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Method Not Allowed */
+            405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Precondition Failed */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Insufficient Storage */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+        };
+    };
+    propose_contact: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                recording_id: number;
+                n: number;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["Pointer"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ContactProposalBody"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Method Not Allowed */
+            405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Precondition Failed */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Insufficient Storage */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+        };
+    };
     axes_through_contact: {
         parameters: {
             query?: never;
@@ -9372,6 +13376,158 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["HeightAnswer"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Method Not Allowed */
+            405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Precondition Failed */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Insufficient Storage */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+        };
+    };
+    best_second_frame: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                recording_id: number;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["SecondFrameWanted"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SecondFrameAnswer"];
                 };
             };
             /** @description Bad Request */
@@ -10263,6 +14419,458 @@ export interface operations {
             cookie?: never;
         };
         requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["VehicleBody"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Method Not Allowed */
+            405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Precondition Failed */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Insufficient Storage */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+        };
+    };
+    find_passes: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                recording_id: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            202: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["JobBody"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Method Not Allowed */
+            405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Precondition Failed */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Insufficient Storage */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+        };
+    };
+    split_pass: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                vehicle_id: number;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["SplitWanted"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SplitBody"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Method Not Allowed */
+            405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Precondition Failed */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Insufficient Storage */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+        };
+    };
+    join_passes: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                vehicle_id: number;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["JoinWanted"];
+            };
+        };
         responses: {
             /** @description Successful Response */
             200: {
@@ -11758,6 +16366,11 @@ export interface operations {
             query?: {
                 /** @description What was said of them so far. */
                 state?: "to_review" | "accepted" | "fixed" | "rejected" | "all";
+                /** @description Those behind this measurement. */
+                after?: number | null;
+                /** @description This one alone, if it is there. */
+                measurement?: number | null;
+                limit?: number;
             };
             header?: never;
             path: {
@@ -11926,6 +16539,919 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["MeasurementBody"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Method Not Allowed */
+            405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Precondition Failed */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Insufficient Storage */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+        };
+    };
+    repeats_of_survey: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                survey_id: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["FindingsBody"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Method Not Allowed */
+            405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Precondition Failed */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Insufficient Storage */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+        };
+    };
+    sample_to_click_again: {
+        parameters: {
+            query?: {
+                count?: number;
+                /** @description Only what you clicked yourself. */
+                only_own?: boolean;
+            };
+            header?: never;
+            path: {
+                survey_id: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BlindBody"][];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Method Not Allowed */
+            405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Precondition Failed */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Insufficient Storage */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+        };
+    };
+    repeats_of_measurement: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                measurement_id: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ComparisonBody"][];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Method Not Allowed */
+            405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Precondition Failed */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Insufficient Storage */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+        };
+    };
+    choose_click_sigma: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                survey_id: number;
+                person_id: number;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["SigmaChoice"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ClickSigmaBody"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Method Not Allowed */
+            405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Precondition Failed */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Insufficient Storage */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+        };
+    };
+    statistics_of_measurements: {
+        parameters: {
+            query?: {
+                survey?: number[];
+                lighting?: ("daytime" | "low_light") | null;
+                category?: ("hatchback" | "saloon" | "estate" | "suv" | "van" | "lorry" | "other") | null;
+                operator?: number | null;
+                first_day?: string | null;
+                last_day?: string | null;
+                state?: "accepted" | "to_review" | "rejected" | "all";
+                rounding?: "cm" | "none";
+                correction?: "none" | "inset" | "shift" | "regression" | "deconvolution";
+                /** @description Of a reference height without a u of its own. */
+                u_reference_m?: number;
+                /** @description Own limits beside the standards'. */
+                eye_limit_m?: number[];
+                /** @description Own limits beside the standards'. */
+                object_limit_m?: number[];
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["StatisticsBody"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Method Not Allowed */
+            405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Precondition Failed */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Insufficient Storage */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+        };
+    };
+    sample_size: {
+        parameters: {
+            query: {
+                percent: number;
+                width_m: number;
+                sd_m: number;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SampleSizeBody"];
                 };
             };
             /** @description Bad Request */

@@ -57,8 +57,13 @@ export type Camera = Schemas["CameraBody"];
 export type CameraDetail = With<Schemas["CameraDetail"], { images: CalibrationImage[] }>;
 
 export type Job = With<Schemas["JobBody"], { result: Record<string, number> | null }>;
+/** What was found of a camera that moved since its road pose. */
+export type Drift = Schemas["DriftBody"];
+export type DriftCheck = NonNullable<Drift["check"]>;
+export type ContactProposal = With<Schemas["ContactProposalBody"], { contact: Px | null; outline: Px[] }>;
 export type Recording = With<Schemas["RecordingBody"], { job: Job | null }>;
 export type FrameTable = Schemas["FrameRows"];
+export type ReadyFrames = Schemas["ReadyFrames"];
 export type UnfinishedUpload = Schemas["UploadBody"];
 
 export type BoardFinding = With<Schemas["BoardBody"], { corners_px: Px[]; outline_px: Px[] }>;
@@ -83,11 +88,16 @@ export type AxesAnswer = With<
 >;
 export type BudgetEntry = Schemas["BudgetEntryBody"];
 export type HeightAnswer = Schemas["HeightAnswer"];
+/** The second frame proposed: where both points are expected and what it gains. */
+export type SecondFrameAnswer = Schemas["SecondFrameAnswer"];
 
 export type Measurement = With<Schemas["MeasurementBody"], { contact: Px; point: Px; budget: BudgetEntry[] }>;
 export type Vehicle = With<Schemas["VehicleBody"], { measurements: Measurement[] }>;
 export type VehicleFields = Pick<
   Vehicle,
+  | "first_frame"
+  | "best_frame"
+  | "last_frame"
   | "make"
   | "model"
   | "year"
@@ -101,6 +111,14 @@ export type VehicleFields = Pick<
 export type CatalogueRow = Schemas["EntryBody"];
 export type History = With<Schemas["HistoryBody"], { revisions: Measurement[] }>;
 export type ReviewItem = With<Schemas["QueueItemBody"], { measurement: Measurement }>;
+
+export type Comparison = With<Schemas["ComparisonBody"], { repeat: Measurement }>;
+export type Repeats = Schemas["FindingsBody"];
+export type RepeatSpread = Schemas["SpreadBody"];
+export type PersonRepeats = Schemas["OfPersonBody"];
+export type TargetRepeats = Schemas["OfTargetBody"];
+export type RepeatDifference = Schemas["DifferenceBody"];
+export type ToClickAgain = Schemas["BlindBody"];
 
 export type ExportPackage = Schemas["ExportBody"];
 export type AuditEvent = Schemas["AuditEventBody"];

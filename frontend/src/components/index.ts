@@ -3,6 +3,8 @@ export { AskDialog, ask, Dialog } from "./Dialog";
 export { DropFiles } from "./DropFiles";
 export { Empty, JobProgress, Loading, Notice, Problem, Progress } from "./Feedback";
 export { Field, Segments, SelectField, TextField } from "./Field";
+export { FormDialog } from "./FormDialog";
 export { Icon, type IconName } from "./Icon";
 export { Menu } from "./Menu";
 export { type MarkShape, Shape, StateMark, type StateName, stateWord } from "./StateMark";
+export { TableScroll } from "./TableScroll";

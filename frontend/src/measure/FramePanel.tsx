@@ -9,10 +9,15 @@ import { loupeBelow } from "../viewer/Loupe";
 import { AxesLayer, InImage, KeyboardCursor, LadderLayer, Line, PointMark } from "../viewer/Overlay";
 import type { Player } from "../viewer/player";
 import { pair, samePoint } from "../viewer/points";
+import { AssistLayer, AssistNote } from "./assist/AssistLayer";
+import type { Assist } from "./assist/assist";
+import { DriftLine } from "./assist/DriftLine";
 import { type Selection, TARGET_HINTS, TARGET_WORDS } from "./flow";
 import { linesShown, type MeasureModel } from "./model";
+import { SecondMarks } from "./SecondFrameParts";
 
-export function FramePanel({ model, player }: { model: MeasureModel; player: Player }) {
+export function FramePanel(props: { model: MeasureModel; player: Player; assist: Assist }) {
+  const { model, player, assist } = props;
   const { stage, points } = model;
   const placing = canWork.value && model.hasPose.value && model.awaiting.value !== null;
   const selections = points.selectable();
@@ -31,7 +36,7 @@ export function FramePanel({ model, player }: { model: MeasureModel; player: Pla
         handles={handles}
         placing={placing}
         onPlace={(point) => {
-          if (placing) points.place(point);
+          if (placing) points.place(assist.snapped(point));
           else model.dispatch({ type: "select", selection: null });
         }}
         onHover={(point) => {
@@ -54,11 +59,18 @@ export function FramePanel({ model, player }: { model: MeasureModel; player: Pla
           <>
             <Hint model={model} />
             <LiveHeight model={model} />
+            <DriftLine
+              surveyId={model.surveyId}
+              recordingId={player.recordingId}
+              frame={model.seenFrame.value}
+            />
+            <AssistNote assist={assist} />
           </>
         }
       >
         <Lines model={model} />
         <Marks model={model} selections={selections} />
+        <AssistLayer assist={assist} stage={stage} />
       </FrameView>
       <Spoken model={model} />
     </section>
@@ -94,9 +106,10 @@ function Marks({ model, selections }: { model: MeasureModel; selections: readonl
         <InImage stage={stage}>
           {here
             .filter(({ key }) => key === selected.key)
-            .map(({ key, values }) => (
-              <Line key={key} points={[pair(values.contact), pair(values.point)]} kind="guide" />
-            ))}
+            .map((entry) => {
+              const { contact, point } = points.here(entry);
+              return <Line key={entry.key} points={[pair(contact), pair(point)]} kind="guide" />;
+            })}
         </InImage>
       )}
       {selections.map((one) => {
@@ -118,6 +131,7 @@ function Marks({ model, selections }: { model: MeasureModel; selections: readonl
           )
         );
       })}
+      <SecondMarks model={model} />
       {points.cursor.value && <KeyboardCursor stage={stage} at={points.cursor.value} />}
     </>
   );
@@ -126,7 +140,7 @@ function Marks({ model, selections }: { model: MeasureModel; selections: readonl
 /** One line at the top of the frame: what the next click does. */
 function Hint({ model }: { model: MeasureModel }) {
   const vehicle = model.vehicle.value;
-  const target = model.flow.value.target;
+  const target = model.second.now.value?.target ?? model.flow.value.target;
   return (
     <p class="frame-hint" id="measure-hint">
       {vehicle && <strong>{String(vehicle.number).padStart(2, "0")}</strong>}
@@ -143,6 +157,8 @@ function Hint({ model }: { model: MeasureModel }) {
 
 function hintWords(model: MeasureModel): string {
   const { target } = model.flow.value;
+  const second = model.second.words.value;
+  if (second) return second;
   if (!model.hasPose.value) return "This recording has no road pose yet, so nothing can be measured on it.";
   if (model.vehicleId.value === null) return "Choose a pass on the left, or mark a new one with [ and ].";
   if (!canWork.value) return "You may look, not measure.";

@@ -8,6 +8,7 @@ import { canWork } from "../state/session";
 import { toastProblem } from "../state/toasts";
 import { useTopTools } from "../state/topbar";
 import { frameKeys, HELD_KEYS } from "../viewer/Transport";
+import { Assist } from "./assist/assist";
 import { FramePanel } from "./FramePanel";
 import { TARGETS } from "./flow";
 import { linesShown, MeasureModel } from "./model";
@@ -20,6 +21,7 @@ import "./measure.css";
 
 export default function MeasureScreen({ surveyId }: ScreenProps) {
   const model = useMemo(() => new MeasureModel(surveyId), [surveyId]);
+  const assist = useMemo(() => new Assist(model), [model]);
   useEffect(() => {
     void model.load();
     // clicks survive in the outbox; what is typed does not, so leaving asks first
@@ -29,10 +31,11 @@ export default function MeasureScreen({ surveyId }: ScreenProps) {
     window.addEventListener("beforeunload", ask);
     return () => {
       window.removeEventListener("beforeunload", ask);
+      assist.close();
       model.close();
     };
   }, [model]);
-  useMeasureKeys(model);
+  useMeasureKeys(model, assist);
   useTabs(model);
   useUndoButtons(model);
 
@@ -50,7 +53,7 @@ export default function MeasureScreen({ surveyId }: ScreenProps) {
       <h1 class="visually-hidden">Measure</h1>
       <PassList model={model} />
       {player ? (
-        <FramePanel key={player.recordingId} model={model} player={player} />
+        <FramePanel key={player.recordingId} model={model} player={player} assist={assist} />
       ) : (
         <Loading what="the frame" />
       )}
@@ -116,10 +119,11 @@ function useUndoButtons(model: MeasureModel): void {
 /** Nudges that have not yet ended count as done first. */
 function takeBack(model: MeasureModel): void {
   model.points.endBurst();
+  if (model.second.takeBack()) return;
   void model.undo.undo().catch(toastProblem);
 }
 
-function useMeasureKeys(model: MeasureModel): void {
+function useMeasureKeys(model: MeasureModel, assist: Assist): void {
   const player = model.player.value;
   const { points } = model;
   const nudge = (dx: number, dy: number) => () => points.nudge(dx, dy);
@@ -137,7 +141,9 @@ function useMeasureKeys(model: MeasureModel): void {
         linesShown.value = !linesShown.value;
       },
       cursor: () => points.toggleCursor(),
+      proposeContact: () => assist.propose(),
       place: () => {
+        if (assist.take()) return true;
         const at = points.cursor.value;
         if (!at || !canWork.value) return false;
         points.place(at);
@@ -155,6 +161,9 @@ function useMeasureKeys(model: MeasureModel): void {
       target5: choose(4),
       newContact: () => model.dispatch({ type: "new-contact" }),
       selectNext: () => points.selectNext(),
+      secondFrame: () => {
+        if (canWork.value) void model.second.start();
+      },
       confirmNext: () => {
         if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
         model.confirmNext();
@@ -162,7 +171,9 @@ function useMeasureKeys(model: MeasureModel): void {
       undo: () => takeBack(model),
       redo: () => void model.undo.redo().catch(toastProblem),
       remove: () => points.removeSelected(),
-      cancel: () => cancel(model),
+      cancel: () => {
+        if (!assist.letGo()) cancel(model);
+      },
       nudgeLeft: nudge(-1, 0),
       nudgeRight: nudge(1, 0),
       nudgeUp: nudge(0, -1),
@@ -184,6 +195,7 @@ function useMeasureKeys(model: MeasureModel): void {
 function cancel(model: MeasureModel): void {
   const { points } = model;
   if (points.cursor.value) points.toggleCursor();
+  else if (model.second.now.value) model.second.leave();
   else if (model.passFrom.value !== null) model.passFrom.value = null;
   else {
     points.endBurst();

@@ -10,6 +10,7 @@ import { CommitField } from "./CommitField";
 import { lengthProblem, lengthText } from "./lengths";
 import type { MeasureModel } from "./model";
 import type { Entry } from "./records";
+import { Frames } from "./SecondFrameParts";
 
 import type { Inset } from "./values";
 
@@ -17,6 +18,7 @@ export function MeasurementDetail({ model, entry }: { model: MeasureModel; entry
   const source = entry.preview ?? entry.saved;
   return (
     <div class="height-detail">
+      <Frames model={model} entry={entry} />
       <InsetEditor model={model} entry={entry} />
       {source && source.budget.length > 0 && <Budget entries={source.budget} total_m={source.u_height_m} />}
       <dl class="facts small">
@@ -62,7 +64,11 @@ function InsetEditor({ model, entry }: { model: MeasureModel; entry: Entry }) {
     <div>
       <p class="small">
         <strong>Inset</strong> <span class="badge">estimate</span>{" "}
-        <span class="muted">how far the target lies behind the side of the vehicle</span>
+        <span class="muted">
+          {entry.values.more.length > 0
+            ? "not used while several frames are clicked: they solve for it"
+            : "how far the target lies behind the side of the vehicle"}
+        </span>
       </p>
       <div class="height-detail__inset">
         <CommitField

@@ -11,6 +11,7 @@ import { InsetChoice } from "./InsetChoice";
 import { MeasurementDetail } from "./MeasurementDetail";
 import type { MeasureModel } from "./model";
 import type { Entry } from "./records";
+import { FramesSaid } from "./SecondFrameParts";
 
 export function MeasurementList({ model }: { model: MeasureModel }) {
   const entries = model.entries.value.filter((entry) => !entry.values.withdrawn);
@@ -94,6 +95,7 @@ function Row({ model, target, index, entry, open, onOpen }: RowProps) {
           title="Show and select the point"
           onClick={() => {
             model.player.value?.go(entry.values.frame);
+            model.second.last = entry.key;
             model.points.pick({ key: entry.key, role: "point" });
             model.stage.focus();
           }}
@@ -154,6 +156,7 @@ function Said({ model, entry }: { model: MeasureModel; entry: Entry }) {
   const verdict = m.review.verdict;
   return (
     <>
+      <FramesSaid m={m} />
       {m.status !== "ok" && (
         <p class="height-row__said">
           <Icon name="warning" size={14} />

@@ -9,11 +9,17 @@ import { plural } from "../units";
 import { REQUIRED } from "./flow";
 import { filter, type MeasureModel, order } from "./model";
 import { FILTERS, type Filter, isOpen, ORDERS, type Order } from "./passes";
+import { readAgain } from "./passes/actions";
+import { FindPasses } from "./passes/FindPasses";
+import { PassMark } from "./passes/marks";
+import { PassMenu } from "./passes/PassMenu";
+import "./passes/passes.css";
 
 export function PassList({ model }: { model: MeasureModel }) {
   const all = model.vehicles.list.value;
   const list = model.list.value;
   const open = all.filter(isOpen).length;
+  const recording = model.recording.value;
   const box = useRef<HTMLUListElement>(null);
   useSignalEffect(() => {
     const id = model.vehicleId.value;
@@ -65,8 +71,11 @@ export function PassList({ model }: { model: MeasureModel }) {
         {list.length === 0 && (
           <li class="passes__none muted">
             {all.length === 0
-              ? "No passes yet. Go to the first frame of a vehicle and mark it."
+              ? "No passes yet. Let them be found, or go to the first frame of a vehicle and mark it."
               : "No pass is in this state."}
+            {all.length === 0 && recording && (
+              <FindPasses recording={recording} found={() => readAgain(model)} />
+            )}
           </li>
         )}
       </ul>
@@ -101,6 +110,7 @@ function Row({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
         <span class="pass__state">
           <StateMark state={vehicle.state} word={word} />
         </span>
+        <PassMark vehicle={vehicle} />
         {vehicle.lighting === "low_light" && (
           <span class="pass__light" title="Low light">
             <Moon />
@@ -162,6 +172,7 @@ function NewPass({ model }: { model: MeasureModel }) {
           <span class="small muted">{plural(Math.abs(model.seenFrame.value - from) + 1, "frame")}</span>
         </>
       )}
+      {from === null && <PassMenu model={model} />}
     </footer>
   );
 }

@@ -1,17 +1,24 @@
 /** Below the frame: recording, steps, frame and time, loupe; and the timeline with the passes. */
+import { useEffect } from "preact/hooks";
 import { Button } from "../components";
 import { hint } from "../keys";
 import type { Vehicle } from "../types";
+import { around } from "../viewer/ahead";
+import { BrightButton } from "../viewer/BrightButton";
 import type { Player } from "../viewer/player";
 import { type Span, Timeline } from "../viewer/Timeline";
 import { Transport } from "../viewer/Transport";
 import { linesShown, type MeasureModel } from "./model";
-import { isOpen } from "./passes";
+import { bestFrame, isOpen, nextOpen } from "./passes";
+import { passWords, spanLabel } from "./passes/marks";
 
 export function TimelinePanel({ model, player }: { model: MeasureModel; player: Player }) {
   const spans = model.vehicles.list.value
     .filter((vehicle) => vehicle.recording_id === player.recordingId)
     .map((vehicle) => spanOf(vehicle, model.vehicleId.value));
+  const next = nextOpen(model.list.value, model.vehicle.value);
+  const expected = next?.recording_id === player.recordingId ? bestFrame(next) : null;
+  useEffect(() => player.expect(expected === null ? [] : around(expected)), [player, expected]);
   const from = model.passFrom.value;
   if (from !== null) {
     const at = model.seenFrame.value;
@@ -49,6 +56,7 @@ export function TimelinePanel({ model, player }: { model: MeasureModel; player: 
         >
           Lines
         </Button>
+        <BrightButton />
         <Button
           small
           kind="quiet"
@@ -72,8 +80,10 @@ function spanOf(vehicle: Vehicle, current: number | null): Span {
     id: String(vehicle.id),
     first: vehicle.first_frame,
     last: vehicle.last_frame,
-    label: number,
-    title: `Pass ${number}: frames ${vehicle.first_frame} to ${vehicle.last_frame}`,
+    label: spanLabel(vehicle),
+    title: [`Pass ${number}: frames ${vehicle.first_frame} to ${vehicle.last_frame}`, passWords(vehicle)]
+      .filter(Boolean)
+      .join(", "),
     kind: vehicle.id === current ? "current" : isOpen(vehicle) ? "todo" : "done",
   };
 }

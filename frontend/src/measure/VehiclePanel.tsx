@@ -10,6 +10,7 @@ import { VehicleConflict } from "./Conflicts";
 import { lengthProblem, lengthText } from "./lengths";
 import { MeasurementList } from "./MeasurementList";
 import type { MeasureModel } from "./model";
+import { SpanEditor } from "./SpanEditor";
 import { TypingHold } from "./typing";
 
 const CATEGORIES: readonly { value: Category | ""; label: string }[] = [
@@ -59,6 +60,7 @@ export function VehiclePanel({ model }: { model: MeasureModel }) {
       </header>
       <VehicleConflict model={model} id={vehicle.id} />
       <MeasurementList model={model} />
+      <SpanEditor model={model} vehicle={vehicle} />
       <Facts model={model} vehicle={vehicle} />
     </aside>
   );

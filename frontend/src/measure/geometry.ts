@@ -1,10 +1,10 @@
 /** Asks the server for geometry while points move. Nothing is computed here. */
 import { signal } from "@preact/signals";
 import { api, explain } from "../api";
-import type { AxesAnswer, HeightAnswer, Target } from "../types";
+import type { AxesAnswer, HeightAnswer, SecondFrameAnswer, Target } from "../types";
 import { type ImagePoint, samePoint } from "../viewer/points";
 import { Latest } from "./latest";
-import type { Inset } from "./values";
+import { type FramePoints, framesOf, type Inset, moreBody, type Values } from "./values";
 
 /** How long the ladder of the next target waits for the click before it to be stored. */
 const AFTER_CLICK_MS = 150;
@@ -20,6 +20,7 @@ export interface HeightWish extends AxesWish {
   readonly point: ImagePoint;
   readonly frame: number;
   readonly sigma_px: number | null;
+  readonly more?: readonly FramePoints[];
 }
 
 export interface Live {
@@ -87,9 +88,11 @@ export class Geometry {
     point: ImagePoint,
     target: Target,
     inset: Inset | null,
+    more: readonly FramePoints[] = [],
   ): HeightAnswer | null {
     const live = this.live.value;
     if (!live || live.wish.target !== target) return null;
+    if ((live.wish.more ?? []).length !== more.length) return null;
     if (live.wish.inset?.inset_m !== inset?.inset_m || live.wish.inset?.u_inset_m !== inset?.u_inset_m)
       return null;
     return samePoint(live.wish.point, point) && samePoint(live.wish.contact, contact) ? live.answer : null;
@@ -117,10 +120,25 @@ export function askHeight({
   frame,
   inset,
   sigma_px,
+  more,
 }: HeightWish): Promise<HeightAnswer> {
   const sigma = sigma_px === null ? {} : { sigma_px };
-  const body = { contact: [...contact], point: [...point], target, frame, ...(inset ?? {}), ...sigma };
+  const clicked = { contact: [...contact], point: [...point], target, frame };
+  const body = { ...clicked, ...(inset ?? {}), ...sigma, more_frames: moreBody(more) };
   return api.post<HeightAnswer>(`/recordings/${recordingId}/geometry/height`, body, LIVE);
+}
+
+/** The frame that would gain most beside those that are clicked. */
+export function askSecondFrame(
+  recordingId: number,
+  vehicleId: number,
+  values: Values,
+): Promise<SecondFrameAnswer> {
+  const { target, inset, sigma_px } = values;
+  const [first, ...more] = framesOf(values);
+  const sigma = sigma_px === null ? {} : { sigma_px };
+  const body = { ...first, target, vehicle_id: vehicleId, ...(inset ?? {}), ...sigma, more_frames: more };
+  return api.post<SecondFrameAnswer>(`/recordings/${recordingId}/geometry/second-frame`, body, LIVE);
 }
 
 function sameAxes(a: AxesWish, b: AxesWish | null): boolean {

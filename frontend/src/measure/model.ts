@@ -20,6 +20,7 @@ import { bestFrame, type Filter, listed, neighbour, nextOpen, type Order } from 
 import { Points } from "./points";
 import * as server from "./ports";
 import { Records } from "./records";
+import { SecondFrame } from "./secondFrame";
 import { UndoStack } from "./undo";
 import type { Inset } from "./values";
 import { type Changes, Vehicles } from "./vehicles";
@@ -36,7 +37,7 @@ export class MeasureModel {
   readonly records: Records;
   readonly vehicles: Vehicles;
   readonly points: Points;
-
+  readonly second: SecondFrame;
   readonly recordings = signal<readonly Recording[]>([]);
   readonly player = signal<Player | null>(null);
   readonly flow = signal<Flow>(START);
@@ -53,8 +54,13 @@ export class MeasureModel {
   readonly entries = computed(() => this.records.of(this.vehicleId.value));
   /** The frame that is seen: clicks, contacts and marks belong to it. */
   readonly seenFrame = computed(() => this.player.value?.shown.value?.frame ?? -1);
-  readonly contact = computed(() => this.flow.value.contacts.get(this.seenFrame.value) ?? null);
-  readonly awaiting = computed(() => awaiting(this.flow.value, this.seenFrame.value));
+  readonly contact = computed(() => {
+    const flow = this.flow.value.contacts.get(this.seenFrame.value) ?? null;
+    return this.second.now.value ? this.second.contact.value : flow;
+  });
+  readonly awaiting = computed(() =>
+    this.second.now.value ? this.second.awaiting.value : awaiting(this.flow.value, this.seenFrame.value),
+  );
   readonly recording = computed(() =>
     this.recordings.value.find((one) => one.id === this.player.value?.recordingId),
   );
@@ -87,6 +93,7 @@ export class MeasureModel {
       (message) => toast(message),
     );
     this.points = new Points(this);
+    this.second = new SecondFrame(this);
     this.startFromAddress();
     this.stops.push(
       effect(() => this.followAxes()),
@@ -139,6 +146,7 @@ export class MeasureModel {
   }
 
   dispatch(event: FlowEvent): void {
+    if (event.type === "choose") this.second.leave();
     const outcome = step(this.flow.value, event);
     this.flow.value = outcome.flow;
     if (outcome.effect) this.points.carryOut(outcome.effect);
@@ -329,6 +337,7 @@ export class MeasureModel {
   private leave(): void {
     this.points.endBurst();
     this.points.cursor.value = null;
+    this.second.forget();
     this.geometry.forgetHeight();
     const id = this.vehicleId.value;
     if (id !== null && this.vehicles.drafts.value.has(id)) void this.vehicles.flush(id);

@@ -93,7 +93,9 @@ export class Outbox {
 function parse(text: string | null): OutboxItem | null {
   try {
     const item = JSON.parse(text ?? "null") as OutboxItem | null;
-    return item && typeof item.key === "string" && item.values ? item : null;
+    if (!item || typeof item.key !== "string" || !item.values) return null;
+    // kept by a page that knew of one frame only
+    return { ...item, values: { ...item.values, more: item.values.more ?? [] } };
   } catch {
     return null;
   }

@@ -50,6 +50,7 @@ class FakeServer {
     const made = {
       inset_m: 0.3,
       u_inset_m: 0.1,
+      more_frames: [],
       flags: [],
       budget: [],
       status: "ok",
@@ -199,6 +200,7 @@ describe("measuring with clicks", () => {
       frame: 40,
       contact: [100, 400],
       point: [90, 300],
+      more_frames: [],
       revision: 1,
     };
     server.stored.set(3, {

@@ -8,7 +8,7 @@ import { askHeight, type HeightWish } from "./geometry";
 import { Latest } from "./latest";
 import type { MeasureModel } from "./model";
 import type { Entry } from "./records";
-import type { Inset, Values } from "./values";
+import { type FramePoints, framesOf, type Inset, movedOn, ofFrames, pointsOn, type Values } from "./values";
 
 /** A run of nudges becomes one revision and one undo step when it has been quiet for so long. */
 const BURST_MS = 600;
@@ -46,11 +46,13 @@ export class Points {
     const frame = this.model.seenFrame.value;
     if (frame < 0) return;
     this.endBurst();
+    if (this.model.second.place(point)) return;
     this.model.dispatch({ type: "click", frame, point });
     if (this.model.awaiting.value !== "point") this.model.geometry.forgetHeight();
   }
 
   hover(point: ImagePoint | null): void {
+    if (this.model.second.hover(point)) return;
     const { contact, awaiting, player, flow, seenFrame, geometry } = this.model;
     const target = flow.value.target;
     if (!point || awaiting.value !== "point" || !contact.value || !player.value || !target) {
@@ -67,6 +69,7 @@ export class Points {
       target,
       inset,
       sigma_px: this.revised(target)?.values.sigma_px ?? null,
+      more: this.moreKept(target, seenFrame.value),
     });
   }
 
@@ -97,8 +100,9 @@ export class Points {
     const contacts: Selection[] = [];
     const seen: ImagePoint[] = [];
     for (const entry of here) {
-      if (seen.some((one) => samePoint(one, entry.values.contact))) continue;
-      seen.push(entry.values.contact);
+      const { contact } = this.here(entry);
+      if (seen.some((one) => samePoint(one, contact))) continue;
+      seen.push(contact);
       contacts.push({ key: entry.key, role: "contact" });
     }
     const contact = this.model.contact.value;
@@ -109,14 +113,19 @@ export class Points {
 
   positionOf(selection: Selection): ImagePoint | null {
     if (selection.key === null) return this.model.contact.value;
-    const values = this.model.records.find(selection.key)?.values;
-    return values ? values[selection.role] : null;
+    const entry = this.model.records.find(selection.key);
+    return entry ? this.here(entry)[selection.role] : null;
+  }
+
+  /** The points of a measurement on the frame that is seen; on any other, those of its first frame. */
+  here({ values }: Entry): FramePoints {
+    return pointsOn(values, this.model.seenFrame.value) ?? values;
   }
 
   entriesHere(): Entry[] {
     const frame = this.model.seenFrame.value;
     return this.model.entries.value.filter(
-      (entry) => entry.values.frame === frame && !entry.values.withdrawn,
+      (entry) => pointsOn(entry.values, frame) !== undefined && !entry.values.withdrawn,
     );
   }
 
@@ -171,8 +180,7 @@ export class Points {
     const contactAfter = this.model.flow.value.contacts.get(burst.frame) ?? null;
     const apply = (values: ReadonlyMap<string, Values>, contact: ImagePoint | null): void => {
       this.model.dispatch({ type: "set-contact", frame: burst.frame, point: contact });
-      for (const [key, one] of values)
-        records.change(key, { contact: one.contact, point: one.point }, { preview: null });
+      for (const [key, one] of values) records.change(key, ofFrames(framesOf(one)), { preview: null });
       for (const key of values.keys()) void this.rest(key);
     };
     this.model.undo.push({
@@ -190,7 +198,7 @@ export class Points {
     if (selection.key === null) {
       this.model.dispatch({ type: "escape", frame: this.model.seenFrame.value, used: false });
       this.model.dispatch({ type: "set-contact", frame: this.model.seenFrame.value, point: null });
-    } else this.withdraw(selection.key);
+    } else if (!this.model.second.removeHere(selection.key)) this.withdraw(selection.key);
   }
 
   withdraw(key: string): void {
@@ -270,15 +278,17 @@ export class Points {
     const { vehicleId, target, frame, contact, point } = effect;
     const { records, geometry } = this.model;
     const inset = this.model.insetOf(target);
-    const preview = geometry.answerFor(contact, point, target, inset);
+    const more = this.moreKept(target, frame);
+    const preview = geometry.answerFor(contact, point, target, inset, more);
     const old = this.revised(target);
-    if (old) this.replace(old, { frame, contact, point, ...(inset ? { inset } : {}) }, preview);
+    if (old) this.replace(old, { frame, contact, point, more, ...(inset ? { inset } : {}) }, preview);
     else {
       const key = records.create(
         vehicleId,
-        { target, frame, contact, point, inset, sigma_px: null, withdrawn: false },
+        { target, frame, contact, point, more, inset, sigma_px: null, withdrawn: false },
         preview,
       );
+      this.model.second.last = key;
       this.model.undo.push({
         label: TARGET_WORDS[target].toLowerCase(),
         undo: () => this.setWithdrawn(key, true, target),
@@ -319,8 +329,13 @@ export class Points {
     );
   }
 
+  private moreKept(target: Target, frame: number): readonly FramePoints[] {
+    const old = this.revised(target)?.values;
+    return old?.frame === frame ? old.more : [];
+  }
+
   /** Waits for the server; an undo that was refused says why. */
-  private async rest(key: string): Promise<void> {
+  async rest(key: string): Promise<void> {
     const entry = await this.model.records.settled(key);
     if (entry?.state === "failed" || entry?.state === "conflict")
       toast(entry.problem ?? "This could not be taken back.", { kind: "problem" });
@@ -343,19 +358,24 @@ export class Points {
     const entry = key === null ? undefined : this.model.records.find(key);
     if (!entry) return [];
     if (role === "point") return [entry];
-    return this.entriesHere().filter((other) => samePoint(other.values.contact, entry.values.contact));
+    const { contact } = this.here(entry);
+    return this.entriesHere().filter((other) => samePoint(this.here(other).contact, contact));
   }
 
   private startOf(burst: Burst): ImagePoint | null {
     const { key, role } = burst.selection;
-    return key === null ? burst.contactBefore : (burst.before.get(key)?.[role] ?? null);
+    const before = key === null ? undefined : burst.before.get(key);
+    return key === null ? burst.contactBefore : ((before && pointsOn(before, burst.frame)?.[role]) ?? null);
   }
 
   private moveTo(point: ImagePoint): void {
     const burst = this.burst;
     if (!burst) return;
     const role: Role = burst.selection.role;
-    for (const key of burst.before.keys()) this.model.records.show(key, { [role]: point });
+    for (const key of burst.before.keys()) {
+      const values = this.model.records.find(key)?.values;
+      if (values) this.model.records.show(key, movedOn(values, burst.frame, { [role]: point }));
+    }
     const start = this.startOf(burst);
     if (role === "contact" && (start === null || samePoint(start, burst.contactBefore))) {
       this.model.dispatch({ type: "set-contact", frame: burst.frame, point });

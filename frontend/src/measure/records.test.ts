@@ -13,6 +13,7 @@ const values: Values = {
   point: imagePoint(101, 250),
   inset: null,
   sigma_px: null,
+  more: [],
   withdrawn: false,
 };
 
@@ -80,7 +81,8 @@ class Server implements RecordsPort {
   private save(id: number, revision: number, vehicle_id: number, v: Values): Measurement {
     const { target, frame, contact, point, withdrawn } = v;
     const insets = v.inset ?? { inset_m: 0.6, u_inset_m: 0.1 };
-    const made = { id, revision, vehicle_id, target, frame, contact, point, withdrawn, ...insets };
+    const clicked = { target, frame, contact, point, more_frames: v.more, withdrawn };
+    const made = { id, revision, vehicle_id, ...clicked, ...insets };
     this.stored.set(id, made as unknown as Measurement);
     return this.get(id);
   }

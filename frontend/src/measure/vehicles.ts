@@ -7,6 +7,9 @@ import { ApiError, explain } from "../api";
 import type { Vehicle, VehicleFields } from "../types";
 
 export const FIELDS = [
+  "first_frame",
+  "best_frame",
+  "last_frame",
   "make",
   "model",
   "year",
@@ -21,6 +24,9 @@ export type Field = (typeof FIELDS)[number];
 export type Changes = Partial<VehicleFields>;
 
 export const FIELD_WORDS: Record<Field, string> = {
+  first_frame: "First frame",
+  best_frame: "Best frame",
+  last_frame: "Last frame",
   make: "Make",
   model: "Model",
   year: "Year",

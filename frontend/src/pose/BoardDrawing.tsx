@@ -1,12 +1,16 @@
+import { markerPath } from "../boards/markers";
+
 /** What is to be measured, drawn: the board on the road, the tape from the road to the reference row of inner corners. */
 export function BoardDrawing({
   reference,
   columns,
   rows,
+  markers,
 }: {
   reference: "top" | "bottom";
   columns: number;
   rows: number;
+  markers: boolean;
 }) {
   const across = Math.min(Math.max(columns, 2), 12) + 1;
   const down = Math.min(Math.max(rows, 2), 9) + 1;
@@ -44,6 +48,7 @@ export function BoardDrawing({
           />
         );
       })}
+      {markers && <path class="board-drawing__dark" d={markerPaths(left, top, side, across, down)} />}
       <rect class="board-drawing__edge" x={left} y={top} width={across * side} height={down * side} />
       <path class="board-drawing__row" d={`M${left + side} ${row}H${right + 26}`} />
       {Array.from({ length: across - 1 }, (_, i) => (
@@ -61,4 +66,12 @@ export function BoardDrawing({
       </text>
     </svg>
   );
+}
+
+function markerPaths(left: number, top: number, side: number, across: number, down: number): string {
+  const paths: string[] = [];
+  for (let y = 0; y < down; y++)
+    for (let x = 0; x < across; x++)
+      if ((x + y) % 2 === 1) paths.push(markerPath(left + x * side, top + y * side, side, 0.75, y * 17 + x));
+  return paths.join("");
 }

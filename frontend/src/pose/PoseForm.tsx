@@ -1,9 +1,12 @@
 /** The questions about the board, in the order of work, in words and with a drawing. */
+import { KindField, MarkerFields } from "../boards/MarkerFields";
 import { Button, JobProgress, Notice, Segments, SelectField, TextField } from "../components";
 import { hint } from "../keys";
+import { lengthText } from "../measure/lengths";
 import { canWork } from "../state/session";
 import { lengthUnit, plural } from "../units";
 import { BoardDrawing } from "./BoardDrawing";
+import { U_BOW_M, U_TAPE_M } from "./form";
 import type { PoseModel } from "./model";
 
 export function PoseForm({ model }: { model: PoseModel }) {
@@ -49,6 +52,7 @@ export function PoseForm({ model }: { model: PoseModel }) {
       </fieldset>
       <fieldset disabled={locked}>
         <legend>The board</legend>
+        <KindField value={form} change={(part) => model.set(part)} disabled={locked} />
         <div class="pose-form__three">
           <TextField
             label="Inner corners across"
@@ -72,8 +76,15 @@ export function PoseForm({ model }: { model: PoseModel }) {
             problem={show(problems.square)}
           />
         </div>
+        <MarkerFields
+          value={form}
+          unit={unit}
+          problem={show(problems.marker)}
+          change={(part) => model.set(part)}
+        />
         <p class="field__hint">
-          Inner corners are where four squares meet: a board of 10 by 7 squares has 9 by 6.
+          Inner corners are where four squares meet: a board of 10 by 7 squares has 9 by 6.{" "}
+          {form.kind === "charuco" && "A road pose needs the whole board in sight."}
         </p>
       </fieldset>
       <fieldset disabled={locked}>
@@ -113,7 +124,12 @@ export function PoseForm({ model }: { model: PoseModel }) {
           onChange={(reference) => model.set({ reference })}
           disabled={locked}
         />
-        <BoardDrawing reference={form.reference} columns={form.columns} rows={form.rows} />
+        <BoardDrawing
+          reference={form.reference}
+          columns={form.columns}
+          rows={form.rows}
+          markers={form.kind === "charuco"}
+        />
         <TextField
           label={`From the road up to the ${form.reference === "top" ? "uppermost" : "lowest"} row of inner corners`}
           numeric
@@ -131,6 +147,7 @@ export function PoseForm({ model }: { model: PoseModel }) {
               unit={unit}
               value={form.uReferenceHeight}
               onInput={(uReferenceHeight) => model.set({ uReferenceHeight })}
+              placeholder={lengthText(U_TAPE_M)}
             />
             <TextField
               label="± of the lean"
@@ -140,10 +157,28 @@ export function PoseForm({ model }: { model: PoseModel }) {
               onInput={(uLean) => model.set({ uLean })}
               problem={problems.uncertainty}
             />
+            <TextField
+              label="± of a square"
+              numeric
+              unit={unit}
+              value={form.uSquare}
+              onInput={(uSquare) => model.set({ uSquare })}
+              placeholder="0.1 %"
+            />
+            <TextField
+              label="± of the bow"
+              numeric
+              unit={unit}
+              value={form.uBow}
+              onInput={(uBow) => model.set({ uBow })}
+              placeholder={lengthText(U_BOW_M)}
+            />
           </div>
           <p class="field__hint">
-            Standard uncertainties. 3 mm is a steel tape read with care on asphalt; 0.3° is a board set with a
-            good spirit level. Both go into every height's budget under their own names.
+            Standard uncertainties, all estimates until you measure them: 3 mm is a steel tape read with care
+            on asphalt; 0.3° is a board set with a good spirit level, towards the camera and sideways alike; a
+            print is true to 0.1 % of a square; the middle of a stiff board is out of plane by 0.5 mm. Each
+            goes into every height's budget under its own name.
           </p>
         </details>
       </fieldset>

@@ -37,21 +37,22 @@ export function RoadOverlay({ overlay, stage }: { overlay: PoseOverlay; stage: S
   );
 }
 
-/** Corners as rings, the first one named, an arrow along the first row and one down the first column: no doubt about the order. */
+/** Corners seen as rings, the first one named, an arrow along the first row and one down the first column as far as their ends are seen: no doubt about the order. */
 export function FoundBoard({ finding, stage }: { finding: BoardFinding; stage: Stage }) {
-  const { corners_px: corners, columns } = finding;
+  const { corners_px: corners, columns, rows, ids } = finding;
   const view = stage.viewport.value;
-  const first = corners[0];
-  const rowEnd = corners[columns - 1];
-  const columnEnd = corners[corners.length - columns];
+  const corner = (number: number): Px | undefined => corners[ids === null ? number : ids.indexOf(number)];
+  const first = corner(0);
+  const rowEnd = corner(columns - 1);
+  const columnEnd = corner((rows - 1) * columns);
   return (
     <g data-testid="found-board">
       <InImage stage={stage}>
         <Line points={finding.outline_px} kind="board" />
       </InImage>
-      {corners.map((corner, i) => {
-        const [x, y] = view.toScreen(fromServer(corner));
-        return <circle key={i} class="corner" cx={x} cy={y} r={i === 0 ? 6 : 3} />;
+      {corners.map((seen, i) => {
+        const [x, y] = view.toScreen(fromServer(seen));
+        return <circle key={i} class="corner" cx={x} cy={y} r={seen === first ? 6 : 3} />;
       })}
       {first && rowEnd && <Arrow from={first} to={rowEnd} stage={stage} />}
       {first && columnEnd && <Arrow from={first} to={columnEnd} stage={stage} />}

@@ -1,5 +1,6 @@
 /** What the pose is worth, in plain words: the expected uncertainty of heights, warnings, and other poses to choose from. */
 import { Button, Notice, Shape } from "../components";
+import { DriftVerdict } from "../screens/recordings/Drift";
 import { canWork } from "../state/session";
 import { formatMoment } from "../times";
 import type { Pose } from "../types";
@@ -24,6 +25,7 @@ export function PoseResult({ model }: { model: PoseModel }) {
             )}
           </header>
           <Verdict pose={pose} />
+          {inUse && <DriftVerdict recordingId={recording.id} poseId={recording.pose_id} open />}
           {!inUse && canWork.value && (
             <Button onClick={() => void model.choose(pose.id)}>Use this pose for the recording</Button>
           )}

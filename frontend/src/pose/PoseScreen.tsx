@@ -114,17 +114,22 @@ function spansOf(model: PoseModel, player: Player): Span[] {
 
 function BoardHint({ model }: { model: PoseModel }) {
   const finding = model.finding.value;
+  const inUse = model.pose.value !== null;
+  const advice = inUse
+    ? "This recording has its road pose. To find it again, go to a frame in which the board stands still."
+    : "Go to a frame in which the board stands still.";
+  const problem = model.findingProblem.value;
   const words = finding?.found
     ? finding.order_note
     : model.looking.value
       ? "Looking for the board…"
-      : (model.findingProblem.value ?? "Go to a frame in which the board stands still.");
+      : inUse || problem === null
+        ? advice
+        : problem;
   return (
     <p class="frame-hint" id="pose-hint" role="status">
       {finding?.found && (
-        <strong class="nowrap">
-          {finding.columns} × {finding.rows} found
-        </strong>
+        <strong class="nowrap">{finding.ids ? "Part" : `${finding.columns} × ${finding.rows}`} found</strong>
       )}
       <span>{words}</span>
     </p>

@@ -9,7 +9,7 @@ import { toast, toastProblem } from "../state/toasts";
 import type { BoardFinding, Camera, Job, Pose, PoseSummary, Recording } from "../types";
 import { Player } from "../viewer/player";
 import { Stage } from "../viewer/stage";
-import { type BoardForm, EMPTY_FORM, fromPose, problemsOf, requestOf } from "./form";
+import { type BoardForm, boardOf, EMPTY_FORM, fromPose, problemsOf, requestOf } from "./form";
 
 /** A frame is looked at for the board when the operator rests on it for so long. */
 const REST_MS = 300;
@@ -52,16 +52,15 @@ export class PoseModel {
   });
   readonly problems = computed(() => problemsOf(this.form.value));
 
-  /** Changes only with the board's size, not with every letter typed. */
-  private readonly boardSize = computed(() => `${this.form.value.columns} ${this.form.value.rows}`);
+  /** Changes only with the board that is looked for, not with every letter typed. */
+  private readonly boardSought = computed(() => JSON.stringify(boardOf(this.form.value)));
 
   private readonly looker = new Latest<{ recordingId: number; frame: number }, BoardFinding>(
     ({ recordingId, frame }) => {
-      const { columns, rows, calibrationId } = this.form.value;
+      const { calibrationId } = this.form.value;
       const body = {
         frame,
-        columns,
-        rows,
+        ...boardOf(this.form.value),
         ...(calibrationId === null ? {} : { calibration_id: calibrationId }),
       };
       return api.post<BoardFinding>(`/recordings/${recordingId}/board`, body, { quiet: true });
@@ -148,7 +147,7 @@ export class PoseModel {
 
   lookNow(): void {
     const player = this.player.value;
-    if (!player || problemsOf(this.form.value).board) return;
+    if (!player || boardOf(this.form.value) === null) return;
     this.looking.value = true;
     this.looker.want({ recordingId: player.recordingId, frame: player.frame.value });
   }
@@ -241,11 +240,11 @@ export class PoseModel {
 
   private lookWhenResting(): void {
     const frame = this.player.value?.shown.value?.frame;
-    const [columns = 0, rows = 0] = this.boardSize.value.split(" ").map(Number);
+    const told = this.boardSought.value !== "null";
     clearTimeout(this.timer);
     this.finding.value = null;
     this.findingProblem.value = null;
-    if (frame === undefined || this.player.value?.playing.value || columns < 2 || rows < 2) return;
+    if (frame === undefined || this.player.value?.playing.value || !told) return;
     this.timer = setTimeout(() => this.lookNow(), REST_MS);
   }
 }

@@ -1,8 +1,9 @@
 /** The queue: which measurements, in which state, and which of them are one's own. */
 import { useSignalEffect } from "@preact/signals";
 import { useRef } from "preact/hooks";
-import { StateMark } from "../components";
+import { Button, StateMark } from "../components";
 import { TARGET_WORDS } from "../measure/flow";
+import { may } from "../state/session";
 import { survey } from "../state/survey";
 import type { ReviewItem } from "../types";
 import { formatHeight } from "../units";
@@ -45,6 +46,22 @@ export function Queue({ model }: { model: ReviewModel }) {
               </option>
             ))}
           </select>
+          {may("reviewer") && (
+            <select
+              class="input"
+              aria-label="Click blind"
+              title="Which measurements you click again before you see them"
+              data-testid="blind-plan"
+              value={model.oneIn.value}
+              onChange={(event) => model.plan(Number(event.currentTarget.value))}
+            >
+              {plansWith(model.oneIn.value).map((oneIn) => (
+                <option key={oneIn} value={oneIn}>
+                  {planWords(oneIn)}
+                </option>
+              ))}
+            </select>
+          )}
         </div>
         {counts && (
           <p class="small muted" data-testid="review-counts">
@@ -56,9 +73,27 @@ export function Queue({ model }: { model: ReviewModel }) {
         {items.map((item) => (
           <Row key={item.measurement.id} model={model} item={item} />
         ))}
+        {model.more.value && (
+          <li>
+            <Button small kind="quiet" onClick={() => void model.loadMore()}>
+              Show more
+            </Button>
+          </li>
+        )}
       </ul>
     </nav>
   );
+}
+
+const PLANS = [1, 2, 5, 10, 20, 0];
+
+function plansWith(oneIn: number): readonly number[] {
+  return PLANS.includes(oneIn) ? PLANS : [oneIn, ...PLANS];
+}
+
+function planWords(oneIn: number): string {
+  if (oneIn === 0) return "none blind";
+  return oneIn === 1 ? "all blind" : `1 in ${oneIn} blind`;
 }
 
 function Row({ model, item }: { model: ReviewModel; item: ReviewItem }) {
@@ -84,7 +119,11 @@ function Row({ model, item }: { model: ReviewModel; item: ReviewItem }) {
           m.review.verdict !== "to_review" && <StateMark state={m.review.verdict} hideWord />
         )}
         <span class="pass__name">
-          {m.status === "ok" ? formatHeight(m.height_m, m.U95_height_m) : "not measurable"}
+          {model.isHidden(item)
+            ? "click it again"
+            : m.status === "ok"
+              ? formatHeight(m.height_m, m.U95_height_m)
+              : "not measurable"}
         </span>
       </button>
     </li>

@@ -5,7 +5,7 @@ import { formatHeight, formatLength } from "../units";
 import { FrameView } from "../viewer/FrameView";
 import { AxesLayer, InImage, LadderLayer, Line, PointMark } from "../viewer/Overlay";
 import type { Player } from "../viewer/player";
-import { pair } from "../viewer/points";
+import { fromServer, pair } from "../viewer/points";
 import type { ReviewModel } from "./model";
 
 export function ReviewFrame({ model, player }: { model: ReviewModel; player: Player }) {
@@ -39,6 +39,7 @@ export function ReviewFrame({ model, player }: { model: ReviewModel; player: Pla
           <InImage stage={model.stage}>
             <Line points={[pair(contact), pair(point)]} kind="guide" />
           </InImage>
+          <SecondClicks model={model} />
           <PointMark stage={model.stage} at={contact} kind="contact" selected={fix?.selected === "contact"} />
           <PointMark
             stage={model.stage}
@@ -54,6 +55,24 @@ export function ReviewFrame({ model, player }: { model: ReviewModel; player: Pla
         </>
       )}
     </FrameView>
+  );
+}
+
+/** Where it was clicked again on this frame, and by whom; not while the points are being moved. */
+function SecondClicks({ model }: { model: ReviewModel }) {
+  const frame = model.current.value?.measurement.frame;
+  if (model.fix.value) return null;
+  return (
+    <g data-testid="second-clicks">
+      {(model.comparisons.value ?? [])
+        .filter(({ repeat }) => repeat.frame === frame)
+        .map(({ repeat }) => (
+          <g key={repeat.id}>
+            <PointMark stage={model.stage} at={fromServer(repeat.contact)} kind="contact" faint />
+            <PointMark stage={model.stage} at={fromServer(repeat.point)} kind="point" faint />
+          </g>
+        ))}
+    </g>
   );
 }
 

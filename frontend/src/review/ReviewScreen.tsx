@@ -6,7 +6,9 @@ import { linesShown } from "../measure/model";
 import type { ScreenProps } from "../router";
 import { may } from "../state/session";
 import { survey } from "../state/survey";
+import { BrightButton } from "../viewer/BrightButton";
 import { frameKeys, HELD_KEYS, Transport } from "../viewer/Transport";
+import { BlindFrame } from "./BlindFrame";
 import { ReviewModel, type Shown } from "./model";
 import { Queue } from "./Queue";
 import { ReviewFrame } from "./ReviewFrame";
@@ -40,7 +42,17 @@ export default function ReviewScreen({ surveyId }: ScreenProps) {
       ) : model.current.value && player ? (
         <>
           <section class="review__frame" aria-label="Frame">
-            <ReviewFrame key={player.recordingId} model={model} player={player} />
+            {model.hidden.value ? (
+              <BlindFrame
+                key={player.recordingId}
+                blind={model.blind}
+                player={player}
+                stage={model.stage}
+                geometry={model.geometry}
+              />
+            ) : (
+              <ReviewFrame key={player.recordingId} model={model} player={player} />
+            )}
           </section>
           <VerdictPanel model={model} item={model.current.value} />
           <section class="review__time frame-tools" aria-label="Frames">
@@ -54,6 +66,7 @@ export default function ReviewScreen({ surveyId }: ScreenProps) {
                 Back to frame {model.current.value.measurement.frame}
               </Button>
             )}
+            <BrightButton />
             <Button
               small
               kind="quiet"
@@ -102,7 +115,8 @@ function NothingHere({ surveyId, shown }: { surveyId: number; shown: Shown }) {
 
 function useReviewKeys(model: ReviewModel): void {
   const player = model.player.value;
-  const nudge = (dx: number, dy: number) => () => model.nudge(dx, dy);
+  const { blind } = model;
+  const nudge = (dx: number, dy: number) => () => model.nudge(dx, dy) || blind.nudge(dx, dy);
   const allowed = may("reviewer");
   useKeys(
     {
@@ -125,6 +139,11 @@ function useReviewKeys(model: ReviewModel): void {
         if (allowed) model.startFix();
       },
       place: () => {
+        const at = blind.cursor.value;
+        if (model.hidden.value && at) {
+          void blind.place(at, player?.shown.value?.frame ?? null);
+          return true;
+        }
         if (!model.fix.value) return false;
         void model.judge("fixed");
         return true;
@@ -133,7 +152,12 @@ function useReviewKeys(model: ReviewModel): void {
         const fix = model.fix.value;
         if (fix) model.fix.value = { ...fix, selected: fix.selected === "point" ? "contact" : "point" };
       },
-      cancel: () => model.cancel(),
+      cursor: () => {
+        if (model.hidden.value) blind.toggleCursor();
+      },
+      cancel: () => {
+        if (!blind.takeBack()) model.cancel();
+      },
       nudgeLeft: nudge(-1, 0),
       nudgeRight: nudge(1, 0),
       nudgeUp: nudge(0, -1),

@@ -10,6 +10,7 @@ import type { Measurement, Px, Recording, ReviewItem } from "../types";
 import { formatHeight, formatLength } from "../units";
 import { cropUrl } from "../viewer/frames";
 import { clamp } from "../viewer/viewport";
+import { BlindPanel, Comparisons } from "./Comparisons";
 import type { ReviewModel } from "./model";
 
 const REASONS = [
@@ -22,6 +23,7 @@ const REASONS = [
 
 export function VerdictPanel({ model, item }: { model: ReviewModel; item: ReviewItem }) {
   const m = item.measurement;
+  if (model.hidden.value) return <BlindPanel model={model} item={item} />;
   return (
     <aside class="review__side" aria-label="Measurement" key={m.id}>
       <header class="vehicle__head">
@@ -41,6 +43,7 @@ export function VerdictPanel({ model, item }: { model: ReviewModel; item: Review
             <Icon name="info" size={14} /> {flag}
           </p>
         ))}
+        <Comparisons model={model} />
         <Crops m={m} recording={model.player.value?.recording.value ?? null} />
         <Facts item={item} />
         <Revisions id={m.id} revision={m.revision} />
@@ -120,6 +123,12 @@ function Facts({ item }: { item: ReviewItem }) {
       <dd>
         {m.frame}, {formatFrameTime(m.time_s)}
       </dd>
+      {m.more_frames.length > 0 && (
+        <>
+          <dt>Further frames</dt>
+          <dd>{m.more_frames.map((one) => one.frame).join(", ")}</dd>
+        </>
+      )}
       <dt>Distance</dt>
       <dd>{formatLength(m.distance_m, 2)}</dd>
       <dt>Inset</dt>
@@ -166,6 +175,7 @@ function Verdict({ model, item }: { model: ReviewModel; item: ReviewItem }) {
       </footer>
     );
   }
+  const own = model.ownRepeat.value;
   const judged =
     item.measurement.review.verdict === "accepted" || item.measurement.review.verdict === "rejected";
   return (
@@ -204,6 +214,11 @@ function Verdict({ model, item }: { model: ReviewModel; item: ReviewItem }) {
           </Button>
         </span>
       </div>
+      {own && own.repeat.frame === item.measurement.frame && (
+        <Button small disabled={!model.mayJudge} onClick={() => model.startFix(own.repeat)}>
+          Fix it with my points
+        </Button>
+      )}
       {judged && (
         <Button small kind="quiet" onClick={() => void model.judge("reopened")}>
           Reopen it

@@ -1,14 +1,17 @@
 /** The review queue: one measurement at a time with its picture, its points and its history; a verdict for each. */
-import { batch, computed, effect, signal } from "@preact/signals";
+import { batch, computed, effect, type ReadonlySignal, signal } from "@preact/signals";
 import { api } from "../api";
 import { Geometry } from "../measure/geometry";
 import { setQuery } from "../router";
+import { may, me } from "../state/session";
+import { stored } from "../state/stored";
 import { refreshSurvey } from "../state/survey";
 import { toast, toastProblem } from "../state/toasts";
-import type { Measurement, Recording, ReviewItem, Verdict } from "../types";
+import type { Comparison, Measurement, Recording, ReviewItem, Verdict } from "../types";
 import { Player } from "../viewer/player";
 import { fromServer, type ImagePoint, imagePoint, pair } from "../viewer/points";
 import { Stage } from "../viewer/stage";
+import { BlindClicks, isDrawn } from "./blind";
 
 /** The states that the queue can be asked for; reopened ones are to review again. */
 export type Shown = Exclude<Verdict, "reopened"> | "all";
@@ -19,6 +22,12 @@ export interface Fix {
   readonly point: ImagePoint;
   readonly selected: "contact" | "point";
 }
+
+const PAGE = 200;
+const ONE_IN = 5;
+
+/** How many measurements are clicked blind before their points are shown: one in n, all (1) or none (0). */
+const plans = stored<Record<string, number>>("review.blind", {}, (v) => typeof v === "object" && v !== null);
 
 export class ReviewModel {
   readonly stage = new Stage();
@@ -31,10 +40,20 @@ export class ReviewModel {
   readonly fix = signal<Fix | null>(null);
   readonly rejecting = signal(false);
   readonly busy = signal(false);
+  /** True while the server has more of the queue than was read. */
+  readonly more = signal(false);
+  readonly oneIn: ReadonlySignal<number>;
+  /** The repeats of what is shown, each with its difference; null until they are here. */
+  readonly comparisons = signal<readonly Comparison[] | null>(null);
+  readonly blind = new BlindClicks(this.stage, this.geometry, (made) => this.clickedAgain(made));
+  private readonly revealed = signal<ReadonlySet<number>>(new Set());
 
   readonly current = computed(
     () => this.items.value?.find((item) => item.measurement.id === this.currentId.value) ?? null,
   );
+  /** Neither points nor height of what is open may be seen yet. */
+  readonly hidden = computed(() => this.current.value !== null && this.isHidden(this.current.value));
+  readonly ownRepeat = computed(() => this.comparisons.value?.filter(isOwn).at(-1) ?? null);
   readonly contact = computed<ImagePoint | null>(() => {
     const m = this.current.value?.measurement;
     return this.fix.value?.contact ?? (m ? fromServer(m.contact) : null);
@@ -59,21 +78,29 @@ export class ReviewModel {
   private readonly stops: (() => void)[] = [];
 
   constructor(readonly surveyId: number) {
+    const asked = new URLSearchParams(location.search).get("blind");
+    if (asked !== null && /^\d{1,3}$/.test(asked)) this.plan(Number(asked));
+    this.oneIn = computed(() => plans.value[String(surveyId)] ?? ONE_IN);
     this.stops.push(effect(() => this.followAxes()));
   }
 
   async load(): Promise<void> {
     this.problem.value = null;
     try {
-      const [items, recordings] = await Promise.all([
-        this.read(),
+      const wanted = Number(new URLSearchParams(location.search).get("measurement"));
+      const [page, alone, recordings] = await Promise.all([
+        this.read(`&limit=${PAGE}`),
+        wanted > 0 && wanted < 2 ** 31 ? this.read(`&measurement=${wanted}`) : [],
         this.recordings.length > 0
           ? this.recordings
           : api.get<Recording[]>(`/surveys/${this.surveyId}/recordings`),
       ]);
       this.recordings = recordings;
+      // what the address names comes first if it is not in the first page of a long queue
+      const known = page.some((item) => item.measurement.id === wanted);
+      const items = known ? page : [...alone, ...page];
       this.items.value = items;
-      const wanted = Number(new URLSearchParams(location.search).get("measurement"));
+      this.more.value = page.length === PAGE;
       const first =
         items.find((item) => item.measurement.id === wanted) ?? items.find((item) => !item.mine) ?? items[0];
       if (first) this.open(first);
@@ -86,6 +113,41 @@ export class ReviewModel {
   close(): void {
     for (const stop of this.stops) stop();
     this.player.value?.close();
+  }
+
+  async loadMore(): Promise<void> {
+    const items = this.items.value ?? [];
+    const last = items.at(-1);
+    if (!last || !this.more.value) return;
+    try {
+      const page = await this.read(`&limit=${PAGE}&after=${last.measurement.id}`);
+      const known = new Set(items.map((item) => item.measurement.id));
+      this.items.value = [...items, ...page.filter((item) => !known.has(item.measurement.id))];
+      this.more.value = page.length === PAGE;
+    } catch (error) {
+      toastProblem(error);
+    }
+  }
+
+  /** Which measurements this person clicks blind from now on in this survey. */
+  plan(oneIn: number): void {
+    plans.value = { ...plans.value, [String(this.surveyId)]: oneIn };
+    setQuery({ blind: oneIn });
+    const item = this.current?.value;
+    if (item) this.open(item);
+  }
+
+  isHidden(item: ReviewItem): boolean {
+    const m = item.measurement;
+    const waits = m.review.verdict === "to_review" || m.review.verdict === "reopened";
+    if (!waits || item.mine || m.status !== "ok" || !may("reviewer")) return false;
+    return isDrawn(m.id, this.oneIn.value) && !this.revealed.value.has(m.id);
+  }
+
+  /** The points and the height are shown, clicked again or not. */
+  reveal(id: number): void {
+    if (this.blind.wanted.value?.measurement_id === id) this.blind.start(null);
+    this.revealed.value = new Set(this.revealed.value).add(id);
   }
 
   async show(shown: Shown): Promise<void> {
@@ -101,10 +163,13 @@ export class ReviewModel {
       this.currentId.value = m.id;
       this.fix.value = null;
       this.rejecting.value = false;
+      this.comparisons.value = null;
       this.geometry.forgetHeight();
       this.showFrame(m);
+      this.blind.start(this.isHidden(item) ? { ...m, measurement_id: m.id } : null);
     });
     setQuery({ measurement: m.id });
+    void this.readComparisons(m.id);
   }
 
   /** Back to the frame on which the points were clicked. */
@@ -127,12 +192,13 @@ export class ReviewModel {
     const at = items.findIndex((item) => item.measurement.id === this.currentId.value);
     const next = items[at + step];
     if (next) this.open(next);
+    else if (step === 1 && this.more.value) void this.loadMore().then(() => this.go(1));
     else toast(step === 1 ? "This is the end of the queue." : "This is the start of the queue.");
   }
 
   /** True if this person may give a verdict on what is shown. */
   get mayJudge(): boolean {
-    return this.current.value !== null && !this.current.value.mine && !this.busy.value;
+    return this.current.value !== null && !this.current.value.mine && !this.hidden.value && !this.busy.value;
   }
 
   async judge(verdict: "accepted" | "rejected" | "fixed" | "reopened", reason?: string): Promise<void> {
@@ -157,14 +223,27 @@ export class ReviewModel {
     }
   }
 
-  startFix(): void {
-    const { contact, point } = { contact: this.contact.value, point: this.point.value };
+  /** Points to correct: those that stand, or this person's own second click. */
+  startFix(own: Measurement | null = null): void {
+    const contact = own ? fromServer(own.contact) : this.contact.value;
+    const point = own ? fromServer(own.point) : this.point.value;
     if (!contact || !point || !this.mayJudge) return;
     this.rejecting.value = false;
     this.fix.value = { contact, point, selected: "point" };
     const m = this.current.value?.measurement;
     if (m) this.player.value?.go(m.frame);
+    if (own) this.askHeight();
     this.stage.focus();
+  }
+
+  /** A second click that went wrong leaves the figures; what was seen stays seen. */
+  async takeBack(repeat: Measurement): Promise<void> {
+    try {
+      await api.del(`/measurements/${repeat.id}?revision=${repeat.revision}`);
+      if (repeat.repeat_of !== null) await this.readComparisons(repeat.repeat_of);
+    } catch (error) {
+      toastProblem(error);
+    }
   }
 
   move(role: "contact" | "point", to: ImagePoint): void {
@@ -238,13 +317,32 @@ export class ReviewModel {
     }
   }
 
-  private read(): Promise<ReviewItem[]> {
-    return api.get<ReviewItem[]>(`/surveys/${this.surveyId}/review-queue?state=${this.shown.value}`);
+  private read(more: string): Promise<ReviewItem[]> {
+    return api.get<ReviewItem[]>(`/surveys/${this.surveyId}/review-queue?state=${this.shown.value}${more}`);
+  }
+
+  private clickedAgain(made: Measurement): void {
+    const id = made.repeat_of;
+    if (id === null) return;
+    this.reveal(id);
+    void this.readComparisons(id);
+  }
+
+  private async readComparisons(id: number): Promise<void> {
+    try {
+      const found = await api.get<Comparison[]>(`/measurements/${id}/repeats`);
+      if (this.currentId.value !== id) return;
+      this.comparisons.value = found;
+      if (found.some(isOwn)) this.reveal(id);
+    } catch (error) {
+      toastProblem(error);
+    }
   }
 
   private followAxes(): void {
     const m = this.current.value?.measurement;
     const contact = this.contact.value;
+    if (this.hidden.value) return;
     const show = m && contact && this.onFrame.value;
     this.geometry.showAxes(
       show
@@ -257,4 +355,8 @@ export class ReviewModel {
         : null,
     );
   }
+}
+
+function isOwn(one: Comparison): boolean {
+  return one.repeat.created_by !== null && one.repeat.created_by.id === me.value?.person.id;
 }

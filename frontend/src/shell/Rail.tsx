@@ -27,6 +27,12 @@ export function Rail({ surveyId, name }: { surveyId: number; name: string }) {
       <div class="rail__sep" />
       <ul>
         <li>
+          <a class="rail__item" href={`/statistics?survey=${surveyId}`}>
+            <Icon name="chart" />
+            <span class="grow">Statistics</span>
+          </a>
+        </li>
+        <li>
           <a class="rail__item" href={`/audit?survey_id=${surveyId}`}>
             <Icon name="audit" />
             <span class="grow">Audit trail</span>

@@ -12,11 +12,14 @@ export interface WorkEntry {
 
 export const WORK: readonly WorkEntry[] = [
   { name: "survey", title: "Overview", path: "", icon: "overview", step: null },
+  { name: "planning", title: "Plan the site", path: "/planning", icon: "search", step: null },
   { name: "camera", title: "Camera", path: "/camera", icon: "camera", step: "camera" },
   { name: "recordings", title: "Recordings", path: "/recordings", icon: "film", step: "recordings" },
   { name: "pose", title: "Road pose", path: "/pose", icon: "road", step: "pose" },
   { name: "measure", title: "Measure", path: "/measure", icon: "ruler", step: "vehicles" },
+  { name: "checks", title: "Checks", path: "/checks", icon: "check", step: null },
   { name: "review", title: "Review", path: "/review", icon: "review", step: "review" },
+  { name: "repeats", title: "Repeats", path: "/repeats", icon: "retry", step: null },
   { name: "export", title: "Export", path: "/export", icon: "package", step: "results" },
 ];
 

@@ -2,11 +2,14 @@
 import { useSignalEffect } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef } from "preact/hooks";
+import { BRIGHT_WORDS, bright } from "./display";
 import { Loupe } from "./Loupe";
 import type { Player } from "./player";
 import { type ImagePoint, type ScreenPoint, screenDistance } from "./points";
 import type { Stage } from "./stage";
+import "./timeline.css";
 import "./viewer.css";
+import "./notes.css";
 
 /** A point that can be picked and dragged. */
 export interface Handle {
@@ -59,8 +62,12 @@ export function FrameView(props: FrameViewProps) {
 
   useSignalEffect(() => {
     const shown = player.shown.value;
+    const facts = player.recording.value;
     if (shown) stage.setImage(shown.picture);
-    if (canvas.current) draw(canvas.current, shown?.picture ?? null, stage);
+    else if (player.preview.value && facts?.width_px && facts.height_px)
+      stage.setImage({ width: facts.width_px, height: facts.height_px });
+    const seen = shown ?? player.preview.value;
+    if (canvas.current) draw(canvas.current, seen?.picture ?? null, stage);
   });
 
   const position = (event: PointerEvent): ScreenPoint => stage.fromClient(event.clientX, event.clientY);
@@ -91,7 +98,7 @@ export function FrameView(props: FrameViewProps) {
     if (now?.moved && now.pan) {
       stage.panned = true;
       stage.viewport.value = stage.viewport.value.panBy(at[0] - now.last[0], at[1] - now.last[1]);
-    } else if (now?.moved && now.handle && latest.current.onDrag) {
+    } else if (now?.moved && now.handle && latest.current.onDrag && !player.preview.value) {
       stage.dragging.value = true;
       dragTo(now, at, "move");
     }
@@ -112,7 +119,7 @@ export function FrameView(props: FrameViewProps) {
     const now = press.current;
     press.current = null;
     stage.dragging.value = false;
-    if (!now || now.pan) return;
+    if (!now || now.pan || player.preview.value) return;
     const at = position(event);
     if (now.moved) dragTo(now, at, "end");
     else if (now.handle && !latest.current.placing) latest.current.onPick?.(now.handle.id);
@@ -168,6 +175,11 @@ export function FrameView(props: FrameViewProps) {
         {props.children}
       </svg>
       {props.above}
+      {bright.value && (
+        <p class="frame-display" data-testid="display-only">
+          {BRIGHT_WORDS}
+        </p>
+      )}
       <Loupe player={player} stage={stage} />
       <FrameState player={player} />
     </div>
@@ -187,6 +199,13 @@ function FrameState({ player }: { player: Player }) {
     );
   }
   const waiting = player.loading.value;
+  const preview = player.preview.value;
+  if (preview)
+    return (
+      <div class="frame-loading frame-loading--on" role="status" data-testid="stand-in">
+        <span class="spinner" /> thumbnail of frame {preview.frame}; frame {player.frame.value} is coming
+      </div>
+    );
   return (
     <div class={`frame-loading${waiting ? " frame-loading--on" : ""}`} aria-hidden={!waiting}>
       <span class="spinner" /> frame {player.frame.value}

@@ -1,6 +1,7 @@
 /** Eight times the pixels under the pointer, lossless, with the exact position. Held with Z, switched, or while dragging. */
 import { useSignal, useSignalEffect } from "@preact/signals";
 import { useEffect, useMemo, useRef } from "preact/hooks";
+import { BRIGHT_WORDS, bright } from "./display";
 import { type Crop, cropUrl, fetchPicture } from "./frames";
 import type { Player } from "./player";
 import type { ImagePoint } from "./points";
@@ -27,7 +28,7 @@ export function Loupe({ player, stage }: { player: Player; stage: Stage }) {
     const shown = player.shown.value;
     const at = stage.pointer.value;
     if (!at || !shown || !(stage.loupe.value || stage.dragging.value)) return;
-    const tile = tiles.at(shown.frame, at, shown.picture);
+    const tile = tiles.at(shown.frame, at, shown.picture, bright.value);
     // the canvas appears with this same change, so draw once it is there
     requestAnimationFrame(() => canvas.current && draw(canvas.current, at, shown.picture, tile));
   });
@@ -39,6 +40,7 @@ export function Loupe({ player, stage }: { player: Player; stage: Stage }) {
       <canvas ref={canvas} width={SIDE_PX} height={SIDE_PX} />
       <p>
         x {at[0].toFixed(1)} y {at[1].toFixed(1)}
+        {bright.value && <span class="loupe__display">{BRIGHT_WORDS}</span>}
       </p>
     </div>
   );
@@ -77,13 +79,13 @@ class Tiles {
     private readonly changed: () => void,
   ) {}
 
-  at(frame: number, point: ImagePoint, size: Size): Tile | null {
+  at(frame: number, point: ImagePoint, size: Size, isBright: boolean): Tile | null {
     const crop = cropAround(point, size);
-    const key = `${frame}:${crop.x}:${crop.y}`;
+    const key = `${frame}:${crop.x}:${crop.y}:${isBright}`;
     const here = this.kept.get(key);
     if (here === undefined) {
       this.kept.set(key, null);
-      void this.load(key, frame, crop);
+      void this.load(key, frame, crop, isBright);
     }
     return here ?? null;
   }
@@ -93,9 +95,10 @@ class Tiles {
     this.kept.clear();
   }
 
-  private async load(key: string, frame: number, crop: Crop): Promise<void> {
+  private async load(key: string, frame: number, crop: Crop, isBright: boolean): Promise<void> {
     try {
-      this.kept.set(key, { crop, picture: await fetchPicture(cropUrl(this.recordingId, frame, crop)) });
+      const url = cropUrl(this.recordingId, frame, crop, isBright);
+      this.kept.set(key, { crop, picture: await fetchPicture(url) });
       for (const [old, tile] of this.kept) {
         if (this.kept.size <= KEEP_TILES) break;
         tile?.picture.close();

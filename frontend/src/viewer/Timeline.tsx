@@ -3,6 +3,7 @@ import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { formatFrameTime } from "../times";
 import type { Recording } from "../types";
+import { nearestThumb } from "./ahead";
 import type { Player } from "./player";
 import { clamp } from "./viewport";
 
@@ -83,6 +84,13 @@ export function Timeline({ player, spans }: { player: Player; spans: readonly Sp
           </div>
         ))}
       </div>
+      {player.ready.value.map(([first, last]) => (
+        <div
+          class="timeline__ready"
+          title="Decoded on the server"
+          style={{ left: place(first), width: place(last - first + 1) }}
+        />
+      ))}
       {player.ranges.value.map(([first, last]) => (
         <div class="timeline__loaded" style={{ left: place(first), width: place(last - first + 1) }} />
       ))}
@@ -117,12 +125,4 @@ function Thumbs({ recording, count }: { recording: Recording; count: number }) {
       ))}
     </div>
   );
-}
-
-function nearestThumb(thumbs: Recording["thumbs"], frame: number): Recording["thumbs"][number] | undefined {
-  let best = thumbs[0];
-  for (const thumb of thumbs) {
-    if (best && Math.abs(thumb.frame - frame) < Math.abs(best.frame - frame)) best = thumb;
-  }
-  return best;
 }

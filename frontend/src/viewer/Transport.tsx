@@ -3,6 +3,7 @@ import { useLayoutEffect, useRef } from "preact/hooks";
 import { Button } from "../components";
 import { type ActionId, hint, type KeyHandlers } from "../keys";
 import { formatFrameTime } from "../times";
+import { toggleBright } from "./display";
 import type { Player } from "./player";
 import type { Stage } from "./stage";
 
@@ -110,6 +111,7 @@ export function frameKeys(player: Player, stage: Stage): KeyHandlers {
     zoomIn: () => stage.zoom(1.25),
     zoomOut: () => stage.zoom(0.8),
     zoomFit: () => stage.fit(),
+    brightToggle: toggleBright,
   };
 }
 

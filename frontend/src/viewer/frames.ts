@@ -1,10 +1,12 @@
 /** Fetches stills and lossless crops of one recording; the server is the only decoder. */
 import { ApiError, toApiError } from "../api";
+import { displayQuery } from "./display";
 
 /** Address of a frame; with its checksum it may be kept for ever. */
-export function frameUrl(recordingId: number, frame: number, crc?: number): string {
-  const version = crc === undefined ? "" : `?v=${crc}`;
-  return `/api/recordings/${recordingId}/frames/${frame}.jpg${version}`;
+export function frameUrl(recordingId: number, frame: number, crc?: number, isBright = false): string {
+  const parts = [crc === undefined ? "" : `v=${crc}`, displayQuery(isBright)].filter(Boolean);
+  const query = parts.length > 0 ? `?${parts.join("&")}` : "";
+  return `/api/recordings/${recordingId}/frames/${frame}.jpg${query}`;
 }
 
 export interface Crop {
@@ -14,9 +16,10 @@ export interface Crop {
   readonly h: number;
 }
 
-export function cropUrl(recordingId: number, frame: number, crop: Crop): string {
+export function cropUrl(recordingId: number, frame: number, crop: Crop, isBright = false): string {
   const { x, y, w, h } = crop;
-  return `/api/recordings/${recordingId}/frames/${frame}/crop.png?x=${x}&y=${y}&w=${w}&h=${h}`;
+  const display = isBright ? `&${displayQuery(true)}` : "";
+  return `/api/recordings/${recordingId}/frames/${frame}/crop.png?x=${x}&y=${y}&w=${w}&h=${h}${display}`;
 }
 
 /** A picture, decoded; throws an ApiError with the server's sentence. */

@@ -105,3 +105,55 @@ describe("Player", () => {
     other.close();
   });
 });
+
+describe("Player, ahead and meanwhile", () => {
+  const withThumbs = {
+    ...recording,
+    thumbs: [0, 25, 50, 75].map((frame) => ({ frame, url: `/thumbs/${frame}` })),
+  };
+
+  it("shows the nearest thumbnail after a jump, and no frame that could be clicked on", async () => {
+    await letGo(10);
+    player.describe(withThumbs as unknown as Recording);
+    await settle();
+    player.go(60);
+    await settle();
+    expect(player.preview.value?.frame).toBe(50);
+    expect(player.shown.value).toBeNull();
+    await letGo(60);
+    expect(player.preview.value).toBeNull();
+    expect(player.shown.value?.frame).toBe(60);
+  });
+
+  it("keeps the picture for a small step", async () => {
+    await letGo(10);
+    player.describe(withThumbs as unknown as Recording);
+    player.go(11);
+    await settle();
+    expect(player.preview.value).toBeNull();
+    expect(player.shown.value?.frame).toBe(10);
+  });
+
+  it("fetches what is expected next when the neighbours are here", async () => {
+    player.describe(recording);
+    player.expect([70, 71]);
+    await letGo(10);
+    for (const n of [11, 12, 13, 14, 15, 16, 17, 18, 9, 8]) await letGo(n);
+    expect([...waiting.keys()]).toEqual([70]);
+    await letGo(70);
+    expect([...waiting.keys()]).toEqual([71]);
+    await letGo(71);
+    player.go(70);
+    expect(player.shown.value?.frame).toBe(70);
+  });
+
+  it("drops a request for a frame that is no longer wanted", async () => {
+    const asked = vi.spyOn(globalThis, "fetch");
+    player.describe(recording);
+    player.go(60);
+    const signal = asked.mock.calls.find(([url]) => String(url).includes("frames/60.jpg"))?.[1]?.signal;
+    expect(signal?.aborted).toBe(false);
+    player.go(20);
+    expect(signal?.aborted).toBe(true);
+  });
+});

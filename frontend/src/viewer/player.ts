@@ -4,14 +4,18 @@
  */
 import { batch, computed, signal } from "@preact/signals";
 import { api, explain } from "../api";
-import type { FrameTable, Recording } from "../types";
-import { FrameCache, neighbours } from "./frameCache";
-import { fetchFrame, frameUrl, isAbort } from "./frames";
+import type { FrameTable, ReadyFrames, Recording } from "../types";
+import { standIn, worthHaving } from "./ahead";
+import { bright } from "./display";
+import { FrameCache } from "./frameCache";
+import { fetchFrame, fetchPicture, frameUrl, isAbort } from "./frames";
 import { clamp } from "./viewport";
 
 /** 256 MB of decoded frames: 200 at 640x480, 30 at 1080p. */
 const CACHE_BYTES = 256e6;
 const TABLE_PAGE = 5000;
+/** The server's window is asked for no more often than this. */
+const READY_MS = 3000;
 
 export interface Shown {
   readonly frame: number;
@@ -21,10 +25,14 @@ export interface Shown {
 export class Player {
   readonly frame = signal(0);
   readonly shown = signal<Shown | null>(null);
+  /** A thumbnail that stands in after a jump until the frame is here; nothing is clicked on it. */
+  readonly preview = signal<Shown | null>(null);
   readonly loading = signal(false);
   readonly problem = signal<string | null>(null);
   readonly playing = signal(false);
   readonly ranges = signal<readonly [number, number][]>([]);
+  /** Runs of frames that the server answers without decoding. */
+  readonly ready = signal<readonly [number, number][]>([]);
   readonly recording = signal<Recording | null>(null);
   readonly count = computed(() => this.recording.value?.frame_count ?? null);
   readonly vfr = computed(() => this.recording.value?.vfr ?? false);
@@ -32,21 +40,45 @@ export class Player {
   private readonly times = signal<ReadonlyMap<number, number>>(new Map());
   private readonly checksums = new Map<number, number>();
   private readonly pages = new Set<number>();
-  private readonly cache: FrameCache<ImageBitmap>;
+  private readonly plain: FrameCache<ImageBitmap>;
+  private readonly brightened: FrameCache<ImageBitmap>;
+  private readonly stopWatching: () => void;
   private direction: 1 | -1 = 1;
+  private expected: readonly number[] = [];
   private rangesTimer: ReturnType<typeof setTimeout> | undefined;
+  private readyTimer: ReturnType<typeof setTimeout> | undefined;
   private closed = false;
 
   constructor(
     readonly recordingId: number,
     firstFrame: number,
   ) {
-    this.cache = new FrameCache<ImageBitmap>(
-      (frame, abort) => fetchFrame(frameUrl(recordingId, frame, this.checksums.get(frame)), frame, abort),
-      CACHE_BYTES,
+    this.plain = this.makeCache(false, CACHE_BYTES);
+    this.brightened = this.makeCache(true, CACHE_BYTES / 2);
+    this.go(firstFrame);
+    let before = bright.peek();
+    this.stopWatching = bright.subscribe((now) => {
+      if (now === before) return;
+      before = now;
+      this.go(this.frame.peek());
+      this.rangesSoon();
+    });
+  }
+
+  /** Pictures of the kind that is shown now. */
+  private get cache(): FrameCache<ImageBitmap> {
+    return bright.peek() ? this.brightened : this.plain;
+  }
+
+  private makeCache(isBright: boolean, bytes: number): FrameCache<ImageBitmap> {
+    return new FrameCache<ImageBitmap>(
+      (frame, abort) => {
+        const url = frameUrl(this.recordingId, frame, this.checksums.get(frame), isBright);
+        return fetchFrame(url, frame, abort);
+      },
+      bytes,
       () => this.rangesSoon(),
     );
-    this.go(firstFrame);
   }
 
   /** The recording's facts; the first frame may be on its way before they are known. */
@@ -55,12 +87,24 @@ export class Player {
     const count = recording.frame_count ?? 0;
     if (count > 0 && this.frame.value >= count) this.go(count - 1);
     else this.prefetch();
+    if (this.loading.value) void this.showStandIn(this.frame.value);
     void this.loadTable(this.frame.value);
+  }
+
+  /** Frames that are likely to be asked for next, wherever they are: fetched when there is nothing else to do. */
+  expect(frames: readonly number[]): void {
+    this.expected = frames;
+    if (!this.loading.value) this.prefetch();
   }
 
   /** Time of a frame in seconds, null until its part of the frame table is here. */
   timeOf(frame: number): number | null {
     return this.times.value.get(frame) ?? null;
+  }
+
+  /** Checksum of a frame's picture, undefined until its part of the frame table is here. */
+  checksumOf(frame: number): number | undefined {
+    return this.checksums.get(frame);
   }
 
   go(frame: number): void {
@@ -73,10 +117,13 @@ export class Player {
       this.frame.value = wanted;
       this.problem.value = null;
       this.loading.value = here === undefined;
-      if (here) this.shown.value = { frame: wanted, picture: here };
+      if (here) this.show(wanted, here);
     });
     if (here) this.prefetch();
-    else void this.load(wanted);
+    else {
+      void this.load(wanted);
+      void this.showStandIn(wanted);
+    }
   }
 
   step(frames: number): void {
@@ -118,7 +165,11 @@ export class Player {
     this.closed = true;
     this.stop();
     clearTimeout(this.rangesTimer);
-    this.cache.clear();
+    clearTimeout(this.readyTimer);
+    this.dropPreview();
+    this.stopWatching();
+    this.plain.clear();
+    this.brightened.clear();
   }
 
   retry(): void {
@@ -148,23 +199,25 @@ export class Player {
 
   private async load(frame: number): Promise<void> {
     const ahead = this.wanted(frame);
-    this.cache.keepOnly(new Set([frame, ...ahead]));
+    const cache = this.cache;
+    cache.keepOnly(new Set([frame, ...ahead]));
     try {
-      const picture = await this.cache.fetch(frame);
-      if (this.closed) return;
+      const picture = await cache.fetch(frame);
+      // of the other kind meanwhile: brightened and plain are never mixed up
+      if (this.closed || cache !== this.cache) return;
       const asked = this.frame.value;
       if (asked === frame) {
         batch(() => {
-          this.shown.value = { frame, picture };
+          this.show(frame, picture);
           this.loading.value = false;
         });
         this.prefetch();
       } else if (this.loading.value && this.isNearer(frame, asked)) {
         // a held key outruns the server: show the way, not a standing picture
-        this.shown.value = { frame, picture };
+        batch(() => this.show(frame, picture));
       }
     } catch (error) {
-      if (isAbort(error) || this.frame.value !== frame || this.closed) return;
+      if (isAbort(error) || this.frame.value !== frame || this.closed || cache !== this.cache) return;
       batch(() => {
         this.loading.value = false;
         this.problem.value = explain(error);
@@ -172,13 +225,40 @@ export class Player {
     }
   }
 
+  private show(frame: number, picture: ImageBitmap): void {
+    this.dropPreview();
+    this.shown.value = { frame, picture };
+  }
+
+  private dropPreview(): void {
+    this.preview.value?.picture.close();
+    this.preview.value = null;
+  }
+
+  /** The nearest thumbnail at once; then no frame is shown, so that nothing can be clicked on. */
+  private async showStandIn(frame: number): Promise<void> {
+    const thumb = standIn(this.recording.value, frame, this.shown.value?.frame ?? null);
+    const picture = thumb && (await fetchPicture(thumb.url).catch(() => null));
+    if (!thumb || !picture) return;
+    if (this.closed || !this.loading.value || this.frame.value !== frame) {
+      picture.close();
+      return;
+    }
+    batch(() => {
+      this.dropPreview();
+      this.preview.value = { frame: thumb.frame, picture };
+      this.shown.value = null;
+    });
+  }
+
   private isNearer(frame: number, asked: number): boolean {
-    const shown = this.shown.value;
+    const shown = this.shown.value ?? this.preview.value;
     return shown === null || Math.abs(frame - asked) < Math.abs(shown.frame - asked);
   }
 
   private wanted(frame: number): number[] {
-    return neighbours(frame, this.direction, this.count.value ?? 0);
+    const bytes = bright.peek() ? CACHE_BYTES / 2 : CACHE_BYTES;
+    return worthHaving(frame, this.direction, this.recording.value, this.expected, bytes);
   }
 
   /** Neighbours one after the other, nearest first, so that the frame asked for next is never queued behind. */
@@ -192,6 +272,7 @@ export class Player {
         await this.cache.fetch(next).catch(() => {});
       }
       void this.loadTable(frame);
+      this.readySoon();
     })();
   }
 
@@ -212,6 +293,19 @@ export class Player {
     } catch {
       this.pages.delete(first);
     }
+  }
+
+  private readySoon(): void {
+    if (this.readyTimer !== undefined || this.closed) return;
+    this.readyTimer = setTimeout(() => {
+      this.readyTimer = undefined;
+      void api
+        .get<ReadyFrames>(`/recordings/${this.recordingId}/frames/ready`)
+        .then((found) => {
+          if (!this.closed) this.ready.value = found.runs;
+        })
+        .catch(() => {});
+    }, READY_MS);
   }
 
   private rangesSoon(): void {

@@ -1,6 +1,6 @@
 import { useState } from "preact/hooks";
 import { api, explain } from "../../api";
-import { Button, Empty, Loading, Notice, Problem, SelectField } from "../../components";
+import { Button, Empty, Loading, Notice, Problem, SelectField, TableScroll } from "../../components";
 import { query, setQuery } from "../../router";
 import { useResource } from "../../state/resource";
 import { formatClock, formatDay } from "../../times";
@@ -22,6 +22,7 @@ const ENTITIES = [
   "vehicle",
   "measurement",
   "review",
+  "click_sigma",
   "export",
   "person",
   "sign_in_link",
@@ -110,7 +111,7 @@ export default function AuditScreen() {
         </div>
       )}
       {events.length > 0 && (
-        <div class="panel table-scroll">
+        <TableScroll label="Audit events" class="panel">
           <table class="table audit">
             <thead>
               <tr>
@@ -128,7 +129,7 @@ export default function AuditScreen() {
               ))}
             </tbody>
           </table>
-        </div>
+        </TableScroll>
       )}
       <Problem error={problem} again={() => void more()} />
       {events.length > 0 && !atEnd && (

@@ -1,5 +1,16 @@
+import { markerPath } from "../../boards/markers";
+
+interface Props {
+  columns: number;
+  rows: number;
+  square: string;
+  markers: boolean;
+  /** Side of a marker over the side of a square. */
+  share: number;
+}
+
 /** A checkerboard with its inner corners marked and counted: what "columns" and "rows" mean, drawn. */
-export function BoardDrawing({ columns, rows, square }: { columns: number; rows: number; square: string }) {
+export function BoardDrawing({ columns, rows, square, markers, share }: Props) {
   const n = Math.min(Math.max(columns, 3), 16);
   const m = Math.min(Math.max(rows, 3), 12);
   const u = Math.min(200 / (n + 1), 132 / (m + 1));
@@ -9,8 +20,11 @@ export function BoardDrawing({ columns, rows, square }: { columns: number; rows:
   const y0 = 24;
   const squares: string[] = [];
   for (let r = 0; r <= m; r++) {
-    for (let c = 0; c <= n; c++)
-      if ((r + c) % 2 === 0) squares.push(`M${x0 + c * u} ${y0 + r * u}h${u}v${u}h${-u}z`);
+    for (let c = 0; c <= n; c++) {
+      const [x, y] = [x0 + c * u, y0 + r * u];
+      if ((r + c) % 2 === 0) squares.push(`M${x} ${y}h${u}v${u}h${-u}z`);
+      else if (markers) squares.push(markerPath(x, y, u, share, r * 17 + c));
+    }
   }
   const corners: [number, number][] = [];
   for (let r = 1; r <= m; r++) for (let c = 1; c <= n; c++) corners.push([x0 + c * u, y0 + r * u]);
@@ -21,7 +35,7 @@ export function BoardDrawing({ columns, rows, square }: { columns: number; rows:
       width={x0 + width + 40}
       height={y0 + height + 24}
       role="img"
-      aria-label={`A board with ${columns} inner corners across and ${rows} down: the points where four squares meet. The outer edge does not count.`}
+      aria-label={`A ${markers ? "ChArUco board, markers in its white squares," : "board"} with ${columns} inner corners across and ${rows} down: the points where four squares meet. The outer edge does not count.`}
     >
       <rect x={x0} y={y0} width={width} height={height} fill="#fff" stroke="var(--line-strong)" />
       <path d={squares.join("")} fill="#3a3b37" />

@@ -1,12 +1,25 @@
+import { KindField, MarkerFields } from "../../boards/MarkerFields";
+import { PLAIN } from "../../boards/markers";
 import { TextField } from "../../components";
 import type { CameraDetail } from "../../types";
+import { parseNumber } from "../../units";
 import { BoardDrawing } from "./BoardDrawing";
 import { problemsOf, type TypedBoard } from "./board";
 
 /** The board as it was for this camera's images; the square as it was typed last on this machine. */
 export function firstBoard(camera: CameraDetail): TypedBoard {
   const image = camera.images.find((one) => !one.found) ?? camera.images[0];
-  return { columns: String(image?.columns ?? 9), rows: String(image?.rows ?? 6), square: lastSquare() };
+  const square = lastSquare();
+  const share = image?.marker_share ?? null;
+  const side = parseNumber(square);
+  return {
+    columns: String(image?.columns ?? 9),
+    rows: String(image?.rows ?? 6),
+    square,
+    kind: image?.dictionary ? "charuco" : "checkerboard",
+    dictionary: image?.dictionary ?? PLAIN.dictionary,
+    marker: share === null || side === null ? "" : String(Number((share * side).toFixed(3))),
+  };
 }
 
 const SQUARE = "sightline.square_mm";
@@ -38,9 +51,12 @@ export function BoardFields({ board, change }: { board: TypedBoard; change: (boa
   return (
     <div class="board">
       <div class="board__fields">
+        <KindField value={board} change={set} />
         <p>
           Count the <strong>inner corners</strong>: the points where four squares meet. A board of 10 by 7
-          squares has 9 by 6.
+          squares has 9 by 6.{" "}
+          {board.kind === "charuco" &&
+            "Makers of ChArUco boards often state the squares: one less each way. Part of the board in a picture is enough."}
         </p>
         <div class="board__inputs">
           <TextField
@@ -66,6 +82,7 @@ export function BoardFields({ board, change }: { board: TypedBoard; change: (boa
             problem={problems.square}
           />
         </div>
+        <MarkerFields value={board} unit="mm" problem={problems.marker} change={set} />
         <p class="field__hint">
           Measure across ten squares with a ruler and divide by ten: printers rarely keep the size.
         </p>
@@ -74,7 +91,15 @@ export function BoardFields({ board, change }: { board: TypedBoard; change: (boa
         columns={Number(board.columns) || 9}
         rows={Number(board.rows) || 6}
         square={board.square}
+        markers={board.kind === "charuco"}
+        share={markerShare(board)}
       />
     </div>
   );
+}
+
+/** How much of a square's side the marker takes in the drawing. */
+function markerShare(board: TypedBoard): number {
+  const [marker, square] = [parseNumber(board.marker), parseNumber(board.square)];
+  return marker && square && marker > 0 && marker < square ? Math.max(marker / square, 0.3) : 0.75;
 }

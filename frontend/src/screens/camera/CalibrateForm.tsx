@@ -7,6 +7,7 @@ import { parseNumber, plural } from "../../units";
 
 export interface Recipe {
   model: "brown" | "fisheye";
+  bent_board: boolean;
   recording_id?: number;
   every?: number;
   first_frame?: number;
@@ -30,6 +31,7 @@ interface Props {
 /** Which frames of a recording if it is one, which lens model; then the button. */
 export function CalibrateForm({ surveyId, source, usable, ready, busy, calibrate }: Props) {
   const [model, setModel] = useState<Recipe["model"]>("brown");
+  const [shape, setShape] = useState<"flat" | "bent">("flat");
   const [recordingId, setRecordingId] = useState("");
   const [every, setEvery] = useState("10");
   const [first, setFirst] = useState("");
@@ -44,8 +46,9 @@ export function CalibrateForm({ surveyId, source, usable, ready, busy, calibrate
   const wrong = source === "clip" && typeof span === "string" ? span : null;
   const possible = ready && (source === "images" ? usable >= 3 : clip !== undefined && wrong === null);
   const go = () => {
-    if (source === "images") calibrate({ model });
-    else if (clip && typeof span !== "string") calibrate({ model, recording_id: clip.id, ...span });
+    const how = { model, bent_board: shape === "bent" };
+    if (source === "images") calibrate(how);
+    else if (clip && typeof span !== "string") calibrate({ ...how, recording_id: clip.id, ...span });
   };
   return (
     <div class="stack calibrate">
@@ -92,6 +95,22 @@ export function CalibrateForm({ surveyId, source, usable, ready, busy, calibrate
           {model === "brown"
             ? "Pinhole with Brown distortion: up to about 100° of view."
             : "Equidistant with four terms: for lenses that see more than about 100°."}
+        </span>
+      </div>
+      <div class="row row--wrap calibrate__choices">
+        <Segments
+          label="Board"
+          value={shape}
+          onChange={setShape}
+          options={[
+            { value: "flat", label: "Flat board" },
+            { value: "bent", label: "May be bent" },
+          ]}
+        />
+        <span class="muted small grow">
+          {shape === "flat"
+            ? "On a stiff plate. The result says how flat it was."
+            : "Paper on a wall or thin sheet: its shape is solved for too. Needs six views, better 15."}
         </span>
         <Button kind="primary" busy={busy} disabled={!possible} onClick={go}>
           Calibrate

@@ -5,8 +5,9 @@ import { useResource } from "../../state/resource";
 import { formatMoment } from "../../times";
 import type { Calibration, CameraDetail, CameraView } from "../../types";
 import { fixed, plural } from "../../units";
+import { Checks } from "./Checks";
 import { CoverageMap } from "./CoverageMap";
-import { angleOfView, coveredShare, type Figure, figuresOf, listed, thinParts, worstView } from "./lens";
+import { angleOfView, coveredShare, type Figure, figuresOf, worstView } from "./lens";
 import { ViewPicture } from "./ViewPicture";
 
 interface Props {
@@ -62,6 +63,7 @@ export function CalibrationPanel({ id, camera, makeCurrent }: Props) {
           <Figures calibration={c} />
           <Coverage calibration={c} />
         </div>
+        <Checks calibration={c} />
         {c.views.length > 0 && <Views calibration={c} camera={camera} />}
       </div>
     </section>
@@ -132,15 +134,29 @@ function Coverage({ calibration }: { calibration: Calibration }) {
       <p class="muted">Which parts of the picture the boards covered is not known for this calibration.</p>
     );
   }
-  const thin = thinParts(coverage);
   return (
     <figure>
       <CoverageMap coverage={coverage} aspect={lens.width_px / lens.height_px} />
       <figcaption class="small muted">
-        Where corners were seen: {(coveredShare(coverage) * 100).toFixed(0)} % of the picture.{" "}
-        {thin.length > 0 ? `Hold the board more often in the ${listed(thin)}.` : "No part is left thin."}
+        Where corners were seen: {(coveredShare(coverage) * 100).toFixed(0)} % of the picture.
       </figcaption>
+      <Reshoot missing={calibration.reshoot} />
     </figure>
+  );
+}
+
+/** Which pictures to take next, from the places and tilts that are missing. */
+function Reshoot({ missing }: { missing: string[] }) {
+  if (missing.length === 0) return <p class="small">Every part of the picture was covered well enough.</p>;
+  return (
+    <div class="reshoot small">
+      <h3>What to shoot again</h3>
+      <ul>
+        {missing.map((sentence) => (
+          <li key={sentence}>{sentence}</li>
+        ))}
+      </ul>
+    </div>
   );
 }
 
@@ -175,7 +191,9 @@ function Views({ calibration, camera }: { calibration: Calibration; camera: Came
                   aria-pressed={view === shown}
                   onClick={() => setPicked(view)}
                 >
-                  <span class="clip bar__name">{view.file}</span>
+                  <span class="clip bar__name" title={view.file}>
+                    {view.file}
+                  </span>
                   <span class="bar__track" aria-hidden="true">
                     <span style={{ width: `${((view.rms_px ?? 0) / most) * 100}%` }} />
                   </span>

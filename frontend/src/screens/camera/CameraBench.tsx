@@ -114,6 +114,9 @@ function cancelIt(work: CameraWork): void {
 
 /** A board lying on its side is the same board: the detector names columns and rows as it sees them. */
 function sameBoard(image: CalibrationImage, board: Board): boolean {
+  if ((image.dictionary ?? undefined) !== board.dictionary) return false;
+  const share = (board.marker_m ?? 0) / board.square_m;
+  if (Math.abs((image.marker_share ?? 0) - share) > 1e-3) return false;
   const flat = image.columns === board.columns && image.rows === board.rows;
   return flat || (image.columns === board.rows && image.rows === board.columns);
 }
@@ -136,8 +139,8 @@ function OtherBoard({ board, work }: { board: Board; work: CameraWork }) {
         </Button>
       }
     >
-      The images were searched for another board size; look again for {board.columns} × {board.rows} inner
-      corners.
+      The images were searched for another board; look again for {board.columns} × {board.rows} inner corners
+      {board.dictionary ? ` and markers of ${board.dictionary}` : ""}.
     </Notice>
   );
 }

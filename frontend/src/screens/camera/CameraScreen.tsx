@@ -1,11 +1,12 @@
 import { useState } from "preact/hooks";
 import { api } from "../../api";
-import { Button, Dialog, Empty, Loading, Problem, TextField } from "../../components";
+import { Button, Empty, Loading, Problem } from "../../components";
 import { query, type ScreenProps, setQuery } from "../../router";
 import { useResource } from "../../state/resource";
 import { may } from "../../state/session";
 import { refreshSurvey } from "../../state/survey";
 import type { Camera, CameraDetail } from "../../types";
+import { AddCamera } from "./AddCamera";
 import { CameraBench } from "./CameraBench";
 import "./camera.css";
 
@@ -96,67 +97,4 @@ function OpenCamera({ id, surveyId }: { id: number; surveyId: number }) {
     );
   }
   return <CameraBench camera={camera.data} surveyId={surveyId} reload={camera.reload} set={camera.set} />;
-}
-
-interface AddProps {
-  surveyId: number;
-  count: number;
-  close: () => void;
-  added: (camera: Camera) => Promise<void>;
-}
-
-function AddCamera({ surveyId, count, close, added }: AddProps) {
-  const [name, setName] = useState(count === 0 ? "Camera 1" : `Camera ${count + 1}`);
-  const [notes, setNotes] = useState("");
-  const [problem, setProblem] = useState<unknown>(null);
-  const [busy, setBusy] = useState(false);
-  const submit = async (event: Event) => {
-    event.preventDefault();
-    if (!name.trim()) return;
-    setBusy(true);
-    setProblem(null);
-    try {
-      await added(await api.post<Camera>(`/surveys/${surveyId}/cameras`, { name: name.trim(), notes }));
-    } catch (error) {
-      setProblem(error);
-      setBusy(false);
-    }
-  };
-  return (
-    <Dialog
-      title="Add a camera"
-      onClose={close}
-      actions={
-        <>
-          <Button onClick={close}>Cancel</Button>
-          <Button
-            kind="primary"
-            busy={busy}
-            disabled={!name.trim()}
-            onClick={() => document.querySelector<HTMLFormElement>("#add-camera")?.requestSubmit()}
-          >
-            Add
-          </Button>
-        </>
-      }
-    >
-      <form id="add-camera" class="stack" onSubmit={submit} noValidate>
-        <TextField
-          label="Name"
-          value={name}
-          onInput={setName}
-          problem={name.trim() ? null : "A camera needs a name."}
-        />
-        <TextField
-          label="Notes"
-          value={notes}
-          onInput={setNotes}
-          rows={2}
-          hint="Body, lens, zoom and focus setting: what must stay the same for the calibration to hold."
-        />
-        <Problem error={problem} />
-        <button type="submit" hidden />
-      </form>
-    </Dialog>
-  );
 }

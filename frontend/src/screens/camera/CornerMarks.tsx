@@ -5,11 +5,14 @@ interface Props {
   height: number;
   corners: Px[];
   columns: number;
+  /** Which corners these are, row by row; null for all of the board's. */
+  ids: readonly number[] | null;
   label: string;
 }
 
 /** Detected corners, joined in their order so that a wrong order is seen at once; the first one has a square. */
-export function CornerMarks({ width, height, corners, columns, label }: Props) {
+export function CornerMarks({ width, height, corners, columns, ids, label }: Props) {
+  const number = (i: number): number => ids?.[i] ?? i;
   const path = corners.map(([x, y], i) => `${i === 0 ? "M" : "L"}${x + 0.5} ${y + 0.5}`).join("");
   const dot = width / 110;
   const [first] = corners;
@@ -22,11 +25,11 @@ export function CornerMarks({ width, height, corners, columns, label }: Props) {
           key={i}
           cx={x + 0.5}
           cy={y + 0.5}
-          r={i % columns === 0 ? dot * 1.15 : dot * 0.8}
+          r={number(i) % columns === 0 ? dot * 1.15 : dot * 0.8}
           class="corner-marks__dot"
         />
       ))}
-      {first && (
+      {first && number(0) === 0 && (
         <rect
           x={first[0] + 0.5 - dot * 2}
           y={first[1] + 0.5 - dot * 2}

@@ -1,4 +1,4 @@
-import { Button, StateMark } from "../../components";
+import { Button, StateMark, TableScroll } from "../../components";
 import { formatMoment } from "../../times";
 import type { CameraDetail } from "../../types";
 
@@ -19,7 +19,7 @@ export function History({ camera, shownId, show }: Props) {
       <header class="panel__head">
         <h2>Calibrations</h2>
       </header>
-      <div class="table-scroll">
+      <TableScroll label="Calibrations">
         <table class="table table--hover">
           <thead>
             <tr>
@@ -59,7 +59,7 @@ export function History({ camera, shownId, show }: Props) {
             ))}
           </tbody>
         </table>
-      </div>
+      </TableScroll>
     </section>
   );
 }

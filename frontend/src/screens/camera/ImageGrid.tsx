@@ -22,6 +22,7 @@ export function ImageGrid({
                 height={image.height_px}
                 corners={image.corners_px}
                 columns={image.columns}
+                ids={image.ids}
                 label={`${image.corners_px.length} corners found in ${image.name}`}
               />
             )}
@@ -41,7 +42,7 @@ export function ImageGrid({
           <p class="shot__state">
             <StateMark
               state={image.found ? "used" : "left_out"}
-              word={image.found ? `${image.columns} × ${image.rows} found` : "left out"}
+              word={image.found ? foundInWords(image) : "left out"}
             />
           </p>
           {image.reason && <p class="small muted">{image.reason}</p>}
@@ -49,4 +50,8 @@ export function ImageGrid({
       ))}
     </ul>
   );
+}
+
+function foundInWords({ ids, columns, rows }: CalibrationImage): string {
+  return ids ? `${ids.length} of ${columns * rows} found` : `${columns} × ${rows} found`;
 }

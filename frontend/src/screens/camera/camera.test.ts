@@ -1,8 +1,10 @@
 import { describe, expect, it } from "vitest";
+import { PLAIN } from "../../boards/markers";
 import type { CameraDocument, CameraView } from "../../types";
 import { problemsOf, readBoard } from "./board";
 import { readSpan } from "./CalibrateForm";
-import { angleOfView, coveredShare, figuresOf, listed, thinParts, worstView } from "./lens";
+import { boardInWords, type Halves, halvesInWords, heldOutInWords } from "./checks";
+import { angleOfView, coveredShare, figuresOf, listed, worstView } from "./lens";
 import { niceFactor } from "./ViewPicture";
 
 const lens: CameraDocument = {
@@ -29,11 +31,23 @@ const lens: CameraDocument = {
 
 describe("the board as typed", () => {
   it("is read in metres", () => {
-    expect(readBoard({ columns: "9", rows: "6", square: "24,5" })).toEqual({
+    expect(readBoard({ ...PLAIN, columns: "9", rows: "6", square: "24,5" })).toEqual({
       columns: 9,
       rows: 6,
       square_m: 0.0245,
     });
+  });
+
+  it("has markers only where it is told so", () => {
+    const typed = { columns: "9", rows: "6", square: "25", dictionary: "5X5_100", marker: "20" };
+    expect(readBoard({ ...typed, kind: "charuco" })).toMatchObject({
+      board_kind: "charuco",
+      dictionary: "5X5_100",
+      marker_m: 0.02,
+    });
+    expect(readBoard({ ...typed, kind: "checkerboard" })).not.toHaveProperty("dictionary");
+    expect(problemsOf({ ...typed, kind: "charuco", marker: "25" }).marker).toMatch(/smaller/);
+    expect(readBoard({ ...typed, kind: "charuco", marker: "" })).toBeNull();
   });
 
   it.each([
@@ -41,7 +55,8 @@ describe("the board as typed", () => {
     [{ columns: "9", rows: "2", square: "25" }, "rows"],
     [{ columns: "9", rows: "6", square: "0" }, "square"],
     [{ columns: "9", rows: "6", square: "" }, "square"],
-  ] as const)("%j has something wrong with its %s", (typed, part) => {
+  ] as const)("%j has something wrong with its %s", (fields, part) => {
+    const typed = { ...PLAIN, ...fields };
     expect(problemsOf(typed)[part]).toMatch(/\w/);
     expect(readBoard(typed)).toBeNull();
   });
@@ -78,13 +93,6 @@ describe("figures", () => {
 
 describe("coverage", () => {
   const even = Array.from({ length: 12 }, () => Array.from({ length: 16 }, () => 5));
-
-  it("names the parts that are thin", () => {
-    const noCorner = even.map((line, r) => line.map((count, c) => (r >= 8 && c >= 11 ? 0 : count)));
-    expect(thinParts(noCorner)).toEqual(["bottom right"]);
-    expect(thinParts(even)).toEqual([]);
-    expect(thinParts([])).toEqual([]);
-  });
 
   it("tells the share of cells with a corner", () => {
     expect(coveredShare(even)).toBe(1);
@@ -142,5 +150,47 @@ describe("frames to calibrate from", () => {
     ["a", "", "1", /whole numbers/],
   ])("%s to %s by %s is refused in words", (first, last, every, words) => {
     expect(readSpan(first, last, every, 283)).toMatch(words);
+  });
+});
+
+describe("checks in words", () => {
+  const halves: Halves = {
+    reason: null,
+    views: [8, 7],
+    fit_rms_px: 0.16,
+    held_out_rms_px: 0.1712,
+    height_differences: [
+      { distance_m: 2, difference_m: null, expected_m: null },
+      { distance_m: 3, difference_m: -0.0002, expected_m: 0.0003 },
+      { distance_m: 5, difference_m: 0.0164, expected_m: 0.01 },
+    ],
+  };
+
+  it("the halves differ by so much in a height, whatever the sign", () => {
+    expect(halvesInWords(halves).replaceAll("\u00a0", " ")).toBe(
+      "Two halves of the pictures, calibrated apart, differ by 0.2 mm at 3 m and 16 mm at 5 m in a height.",
+    );
+    expect(heldOutInWords(halves)).toContain("0.171 px; of those that did: 0.160 px");
+  });
+
+  it("a reason stands where there are no halves", () => {
+    const none = {
+      ...halves,
+      reason: "Two halves need at least 6 usable views; there are 4.",
+      height_differences: [],
+    };
+    expect(halvesInWords(none)).toMatch(/^Not done\. Two halves need at least 6/);
+  });
+
+  it("the board is told to be taken as flat or solved for", () => {
+    const shape = {
+      solved: false,
+      bow_m: 0.0012,
+      flat_rms_px: 0.4,
+      bent_rms_px: 0.2,
+      height_differences: [],
+    };
+    expect(boardInWords(shape).replaceAll("\u00a0", " ")).toMatch(/^Taken as flat\. .* bends by 1\.2 mm;/);
+    expect(boardInWords({ ...shape, solved: true })).toMatch(/^Solved for/);
   });
 });

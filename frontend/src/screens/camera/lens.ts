@@ -41,29 +41,6 @@ export function angleOfView(camera: CameraDocument): number {
   return ((camera.model === "fisheye" ? 2 * half : 2 * Math.atan(half)) * 180) / Math.PI;
 }
 
-const ROWS = ["top", "middle", "bottom"] as const;
-const COLUMNS = ["left", "centre", "right"] as const;
-
-/** Parts of the picture (a ninth each) with fewer corners in them than a quarter of an even share: where to hold the board next. */
-export function thinParts(coverage: number[][]): string[] {
-  const rows = coverage.length;
-  const columns = coverage[0]?.length ?? 0;
-  if (rows === 0 || columns === 0) return [];
-  const sums = new Map<string, number>();
-  let total = 0;
-  coverage.forEach((line, r) => {
-    line.forEach((count, c) => {
-      const key = `${ROWS[Math.floor((r * 3) / rows)]} ${COLUMNS[Math.floor((c * 3) / columns)]}`;
-      sums.set(key, (sums.get(key) ?? 0) + count);
-      total += count;
-    });
-  });
-  if (total === 0) return [];
-  return [...sums]
-    .filter(([, count]) => count < total / 36)
-    .map(([key]) => key.replace("middle centre", "centre"));
-}
-
 /** Share of the cells that hold at least one corner. */
 export function coveredShare(coverage: number[][]): number {
   const cells = coverage.flat();

@@ -24,7 +24,7 @@ export function useCameraWork(
   const [busy, setBusy] = useState(false);
   const [problem, setProblem] = useState<unknown>(null);
   const [failed, setFailed] = useState<string | null>(null);
-  const [jobId, setJobId] = useState<number | null>(null);
+  const [jobId, setJobId] = useState<number | null>(camera.calibrating?.id ?? null);
   const [shownId, setShownId] = useState<number | null>(
     camera.current_calibration_id ?? camera.calibrations.at(-1)?.id ?? null,
   );
@@ -96,11 +96,8 @@ export function useCameraWork(
     detectAgain: () =>
       run(async () => {
         if (!board) return;
-        const { columns, rows } = board;
-        const images = await api.post<CalibrationImage[]>(`/cameras/${camera.id}/images/detect`, {
-          columns,
-          rows,
-        });
+        const where = `/cameras/${camera.id}/images/detect`;
+        const images = await api.post<CalibrationImage[]>(where, board);
         set({ ...camera, images });
       }),
     removeImage: (image: CalibrationImage) =>
@@ -135,7 +132,8 @@ function waiting(file: File): Sending {
 /** The stored image, or the sentence that says why it was refused. */
 async function sendImage(cameraId: number, board: Board, file: File): Promise<CalibrationImage | string> {
   try {
-    const where = `/cameras/${cameraId}/images?columns=${board.columns}&rows=${board.rows}`;
+    const told = new URLSearchParams(Object.entries(board).map(([name, value]) => [name, String(value)]));
+    const where = `/cameras/${cameraId}/images?${told}`;
     return await api.file<CalibrationImage>(where, file);
   } catch (error) {
     return explain(error);

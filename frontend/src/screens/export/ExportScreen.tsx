@@ -1,6 +1,6 @@
 import { useState } from "preact/hooks";
 import { api } from "../../api";
-import { Button, Empty, JobProgress, Loading, Notice, Problem } from "../../components";
+import { Button, Empty, JobProgress, Loading, Notice, Problem, TableScroll } from "../../components";
 import type { ScreenProps } from "../../router";
 import { cancelJob, useJob } from "../../state/jobs";
 import { useResource } from "../../state/resource";
@@ -18,6 +18,7 @@ const CONTENTS: [file: string, what: string][] = [
   ["vehicles.csv", "make, model, year, manufacturer height and its source, lighting"],
   ["recordings.csv, frames.csv", "file hashes, and the time stamp and checksum of each frame measured on"],
   ["poses, calibrations", "where the camera stood and what its lens does, as tables and as JSON"],
+  ["insets.csv, wheel_pairs.csv", "insets in force; both tyres of a vehicle, for its direction of travel"],
   ["reviews.csv", "who accepted, fixed or rejected what, and why"],
   ["audit.csv", "each change with its hash; the chain can be checked"],
   ["datapackage.json", "name, unit and meaning of every column (Frictionless Data)"],
@@ -130,7 +131,7 @@ function Packages({ list }: { list: ExportPackage[] }) {
     toast("The SHA-256 is on the clipboard.");
   };
   return (
-    <div class="table-scroll">
+    <TableScroll label="Packages">
       <table class="table table--hover">
         <thead>
           <tr>
@@ -168,6 +169,6 @@ function Packages({ list }: { list: ExportPackage[] }) {
           ))}
         </tbody>
       </table>
-    </div>
+    </TableScroll>
   );
 }

@@ -1,12 +1,14 @@
 import { useState } from "preact/hooks";
 import { api } from "../../api";
 import { ask, Button, JobProgress, Notice, Problem, StateMark } from "../../components";
+import { FindPasses } from "../../measure/passes/FindPasses";
 import { cancelJob } from "../../state/jobs";
 import { may } from "../../state/session";
 import { toast } from "../../state/toasts";
 import { formatDuration, formatMoment } from "../../times";
 import type { Camera, Recording } from "../../types";
 import { formatBytes, plural } from "../../units";
+import { DriftVerdict } from "./Drift";
 import { CameraPick, LightPick } from "./pickers";
 
 interface Props {
@@ -92,6 +94,9 @@ export function RecordingCard({ recording, cameras, changed, reload }: Props) {
           </ul>
         )}
         <Problem error={problem} />
+        {recording.state === "ready" && (
+          <DriftVerdict recordingId={recording.id} poseId={recording.pose_id} />
+        )}
         {recording.state !== "failed" && (
           <footer class="recording__foot">
             <CameraPick
@@ -101,6 +106,7 @@ export function RecordingCard({ recording, cameras, changed, reload }: Props) {
             />
             <LightPick recording={recording} pick={(lighting) => void put({ lighting })} />
             <span class="grow" />
+            <FindPasses recording={recording} found={reload} />
             {recording.state === "ready" && (
               <Button
                 href={`/surveys/${recording.survey_id}/${recording.pose_id === null ? "pose" : "measure"}?recording=${recording.id}`}

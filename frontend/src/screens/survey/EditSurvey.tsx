@@ -1,6 +1,6 @@
 import { useState } from "preact/hooks";
 import { api } from "../../api";
-import { Button, Dialog, Problem, TextField } from "../../components";
+import { FormDialog, TextField } from "../../components";
 import { refreshSurvey } from "../../state/survey";
 import type { Inset, Survey, Target } from "../../types";
 import { parseNumber } from "../../units";
@@ -21,108 +21,81 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
   const [site, setSite] = useState(survey.site);
   const [description, setDescription] = useState(survey.description);
   const [insets, setInsets] = useState<Typed>(() => typedInsets(survey));
-  const [problem, setProblem] = useState<unknown>(null);
   const [wrong, setWrong] = useState<string | null>(null);
-  const [busy, setBusy] = useState(false);
-  const submit = async (event: Event) => {
-    event.preventDefault();
+  const submit = () => {
     const read = readInsets(insets, survey);
     setWrong(typeof read === "string" ? read : null);
-    if (typeof read === "string") return;
-    setBusy(true);
-    setProblem(null);
-    try {
-      await api.put(`/surveys/${survey.id}`, {
-        name,
-        site,
-        description,
-        insets: read,
-        version: survey.version,
-      });
-      await refreshSurvey();
-      close();
-    } catch (error) {
-      setProblem(error);
-      setBusy(false);
-    }
+    return typeof read === "string" ? null : save(read);
+  };
+  const save = async (read: Record<Target, Inset>) => {
+    await api.put(`/surveys/${survey.id}`, {
+      name,
+      site,
+      description,
+      insets: read,
+      version: survey.version,
+    });
+    await refreshSurvey();
+    close();
   };
   const change = (key: Target, part: "inset" | "u", value: string) =>
     setInsets({ ...insets, [key]: { ...insets[key], [part]: value } });
   return (
-    <Dialog
-      title="Edit the survey"
-      onClose={close}
-      actions={
-        <>
-          <Button onClick={close}>Cancel</Button>
-          <Button
-            kind="primary"
-            busy={busy}
-            onClick={() => document.querySelector<HTMLFormElement>("#edit-survey")?.requestSubmit()}
-          >
-            Save
-          </Button>
-        </>
-      }
-    >
-      <form id="edit-survey" class="stack" onSubmit={submit} noValidate>
-        <TextField
-          label="Name"
-          value={name}
-          onInput={setName}
-          problem={name.trim() ? null : "A survey needs a name."}
-        />
-        <TextField label="Site" value={site} onInput={setSite} />
-        <TextField label="Description" value={description} onInput={setDescription} rows={3} />
-        <fieldset class="insets">
-          <legend>Insets</legend>
-          <p class="field__hint">
-            How far each target lies behind the plane through the tyres’ outer faces, away from the camera.
-            Used for every new measurement; the second figure is its standard uncertainty.
-          </p>
-          <table class="table">
-            <thead>
-              <tr>
-                <th>Target</th>
-                <th class="num">inset (m)</th>
-                <th class="num">± u (m)</th>
+    <FormDialog title="Edit the survey" action="Save" onClose={close} submit={submit}>
+      <TextField
+        label="Name"
+        value={name}
+        onInput={setName}
+        problem={name.trim() ? null : "A survey needs a name."}
+      />
+      <TextField label="Site" value={site} onInput={setSite} />
+      <TextField label="Description" value={description} onInput={setDescription} rows={3} />
+      <fieldset class="insets">
+        <legend>Insets</legend>
+        <p class="field__hint">
+          How far each target lies behind the plane through the tyres’ outer faces, away from the camera. Used
+          for every new measurement; the second figure is its standard uncertainty.
+        </p>
+        <table class="table">
+          <thead>
+            <tr>
+              <th>Target</th>
+              <th class="num">inset (m)</th>
+              <th class="num">± u (m)</th>
+            </tr>
+          </thead>
+          <tbody>
+            {TARGETS.map(({ key, label }) => (
+              <tr key={key}>
+                <td>
+                  {label}
+                  {survey.insets[key]?.note && <div class="field__hint">{survey.insets[key].note}</div>}
+                </td>
+                <td>
+                  <TextField
+                    hideLabel
+                    numeric
+                    label={`${label}: inset in metres`}
+                    value={insets[key].inset}
+                    onInput={(v) => change(key, "inset", v)}
+                  />
+                </td>
+                <td>
+                  <TextField
+                    hideLabel
+                    numeric
+                    label={`${label}: uncertainty in metres`}
+                    value={insets[key].u}
+                    onInput={(v) => change(key, "u", v)}
+                  />
+                </td>
               </tr>
-            </thead>
-            <tbody>
-              {TARGETS.map(({ key, label }) => (
-                <tr key={key}>
-                  <td>
-                    {label}
-                    {survey.insets[key]?.note && <div class="field__hint">{survey.insets[key].note}</div>}
-                  </td>
-                  <td>
-                    <TextField
-                      hideLabel
-                      numeric
-                      label={`${label}: inset in metres`}
-                      value={insets[key].inset}
-                      onInput={(v) => change(key, "inset", v)}
-                    />
-                  </td>
-                  <td>
-                    <TextField
-                      hideLabel
-                      numeric
-                      label={`${label}: uncertainty in metres`}
-                      value={insets[key].u}
-                      onInput={(v) => change(key, "u", v)}
-                    />
-                  </td>
-                </tr>
-              ))}
-            </tbody>
-          </table>
-          {wrong && <p class="field__problem">{wrong}</p>}
-        </fieldset>
-        <Problem error={problem} />
-        <button type="submit" hidden />
-      </form>
-    </Dialog>
+            ))}
+          </tbody>
+        </table>
+        {wrong && <p class="field__problem">{wrong}</p>}
+      </fieldset>
+    </FormDialog>
   );
 }
 

@@ -33,6 +33,8 @@ export default function SurveyScreen({ surveyId }: ScreenProps) {
           {survey.site && <p class="page__lead">{survey.site}</p>}
           {survey.description && <p class="page__lead">{survey.description}</p>}
         </div>
+        <Button href={`/surveys/${survey.id}/planning`}>Plan the site</Button>
+        <Button href={`/surveys/${survey.id}/checks`}>Checks</Button>
         {may("operator") && <Button onClick={() => setEditing(true)}>Edit</Button>}
       </header>
       {running.map((job) => (
@@ -83,6 +85,11 @@ function StepRow({ step, index, survey }: { step: Step; index: number; survey: S
           <span class="step__state">{word}</span>
         </h2>
         <p>{step.summary}</p>
+        {step.key === "results" && (
+          <p>
+            <a href={`/statistics?survey=${survey.id}`}>Statistics</a>: errors, distributions, percentiles.
+          </p>
+        )}
       </div>
       <Counts step={step} survey={survey} />
       <Button kind={step.state === "next" ? "primary" : "plain"} href={href}>

@@ -1,0 +1,63 @@
+import type { ComponentChildren } from "preact";
+import { useId, useState } from "preact/hooks";
+import { Button } from "./Button";
+import { Dialog } from "./Dialog";
+import { Problem } from "./Feedback";
+
+interface FormDialogProps {
+  title: string;
+  /** The verb on the button. */
+  action: string;
+  onClose: () => void;
+  /** Does it, and closes the dialog when it is done; what it throws is shown and the dialog stays. Null: something that was
+   *  entered is wrong, and its field says so. */
+  submit: () => Promise<void> | null;
+  disabled?: boolean;
+  children: ComponentChildren;
+}
+
+/** A dialog that asks for a few things and sends them once: Enter or the button. */
+export function FormDialog({ title, action, onClose, submit, disabled, children }: FormDialogProps) {
+  const id = useId();
+  const [problem, setProblem] = useState<unknown>(null);
+  const [busy, setBusy] = useState(false);
+  const send = async (event: Event) => {
+    event.preventDefault();
+    if (busy || disabled) return;
+    const sent = submit();
+    if (sent === null) return;
+    setBusy(true);
+    setProblem(null);
+    try {
+      await sent;
+    } catch (error) {
+      setProblem(error);
+      setBusy(false);
+    }
+  };
+  return (
+    <Dialog
+      title={title}
+      onClose={onClose}
+      actions={
+        <>
+          <Button onClick={onClose}>Cancel</Button>
+          <Button
+            kind="primary"
+            busy={busy}
+            disabled={disabled}
+            onClick={() => (document.getElementById(id) as HTMLFormElement | null)?.requestSubmit()}
+          >
+            {action}
+          </Button>
+        </>
+      }
+    >
+      <form id={id} class="stack" onSubmit={send} noValidate>
+        {children}
+        <Problem error={problem} />
+        <button type="submit" hidden />
+      </form>
+    </Dialog>
+  );
+}

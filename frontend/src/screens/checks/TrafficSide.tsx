@@ -1,0 +1,180 @@
+/** What the traffic says of the pose, the vehicles with their headings, and the turn before it is accepted. */
+import { Button, SelectField } from "../../components";
+import { canWork } from "../../state/session";
+import type { Vehicle } from "../../types";
+import { formatLength, formatSmall, plural } from "../../units";
+import { formatDegrees } from "./angles";
+import type { TrafficModel } from "./model";
+import { TARGET_NAMES, type TurnedPose } from "./types";
+
+export function TrafficSide({ model }: { model: TrafficModel }) {
+  const preview = model.preview.value;
+  return (
+    <aside class="traffic__side" aria-label="Direction of travel">
+      {model.recordings.value.length > 1 && (
+        <div class="traffic__pose">
+          <SelectField
+            label="Recording"
+            hideLabel
+            value={String(model.recording.value?.id ?? "")}
+            options={model.recordings.value.map((one) => ({ value: String(one.id), label: one.name }))}
+            onChange={(id) => model.chooseRecording(Number(id))}
+          />
+        </div>
+      )}
+      {preview ? <Preview model={model} preview={preview} /> : <Verdict model={model} />}
+      <Passes model={model} />
+    </aside>
+  );
+}
+
+function Verdict({ model }: { model: TrafficModel }) {
+  const pose = model.pose.value;
+  if (!pose) return null;
+  return (
+    <section class="traffic__pose" aria-label="Verdict">
+      <p class="traffic__verdict" data-testid="traffic-verdict">
+        {pose.verdict}
+      </p>
+      {pose.mean_rad !== null && (
+        <dl class="facts small">
+          <dt>mean</dt>
+          <dd>
+            {formatDegrees(pose.mean_rad)} ± {formatDegrees(pose.u_mean_rad)}
+          </dd>
+          <dt>between vehicles</dt>
+          <dd>{formatDegrees(pose.spread_rad)}</dd>
+          <dt>used</dt>
+          <dd>
+            {plural(pose.used, "vehicle")} of {pose.vehicles.length}
+          </dd>
+        </dl>
+      )}
+      {pose.turned_from !== null && (
+        <p class="small muted">
+          This pose was turned by {formatDegrees(pose.turned_by_rad)} from pose {pose.turned_from}.
+        </p>
+      )}
+      {canWork.value && (
+        <div class="row row--wrap">
+          {pose.mean_rad !== null && (
+            <Button small kind={pose.proposed ? "primary" : "plain"} onClick={() => void model.previewTurn()}>
+              Turn the road axes by {formatDegrees(pose.mean_rad)}…
+            </Button>
+          )}
+          {pose.turned_from !== null && (
+            <Button small busy={model.turning.value} onClick={() => void model.turnBack()}>
+              Use the pose before
+            </Button>
+          )}
+        </div>
+      )}
+    </section>
+  );
+}
+
+function Preview({ model, preview }: { model: TrafficModel; preview: TurnedPose }) {
+  const { changes } = preview;
+  const numberOf = (id: number): number | undefined =>
+    model.vehicles.value.find((one) => one.id === id)?.number;
+  return (
+    <section class="traffic__pose" aria-label="Turned pose" data-testid="turn-preview">
+      <h2>Turned by {formatDegrees(preview.turn_rad)}</h2>
+      <p class="small">{preview.summary}</p>
+      <p class="small">
+        {changes.count === 0
+          ? "No stored height is measured with this pose."
+          : `${plural(changes.count, "stored height")} would differ by up to ${formatSmall(changes.largest_m)} if clicked again; nothing stored changes.`}
+      </p>
+      {changes.count > 0 && (
+        // biome-ignore lint/a11y/noNoninteractiveTabindex: a list that scrolls is reached by keyboard
+        <div class="traffic__changes" tabIndex={0} role="region" aria-label="Height differences">
+          <table class="table">
+            <thead>
+              <tr>
+                <th>vehicle</th>
+                <th>target</th>
+                <th class="num">height</th>
+                <th class="num">turned</th>
+              </tr>
+            </thead>
+            <tbody>
+              {changes.listed.map((one) => (
+                <tr key={one.measurement_id}>
+                  <td>#{numberOf(one.vehicle_id)}</td>
+                  <td>{TARGET_NAMES[one.target]}</td>
+                  <td class="num">{formatLength(one.height_m)}</td>
+                  <td class="num">{formatSmall(one.difference_m)}</td>
+                </tr>
+              ))}
+            </tbody>
+          </table>
+        </div>
+      )}
+      <div class="row">
+        <Button small kind="primary" busy={model.turning.value} onClick={() => void model.turn()}>
+          Turn
+        </Button>
+        <Button
+          small
+          onClick={() => {
+            model.preview.value = null;
+          }}
+        >
+          Cancel
+        </Button>
+      </div>
+    </section>
+  );
+}
+
+function Passes({ model }: { model: TrafficModel }) {
+  return (
+    <table class="table traffic__list">
+      <thead>
+        <tr>
+          <th>vehicle</th>
+          <th class="num">heading</th>
+          <th class="num">± u</th>
+          <th class="num">apart</th>
+        </tr>
+      </thead>
+      <tbody>
+        {model.passes.value.map((vehicle) => (
+          <Row key={vehicle.id} model={model} vehicle={vehicle} />
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+function Row({ model, vehicle }: { model: TrafficModel; vehicle: Vehicle }) {
+  const current = model.vehicleId.value === vehicle.id;
+  const found = model.pose.value?.vehicles.find((one) => one.vehicle_id === vehicle.id);
+  return (
+    <tr aria-current={current ? "true" : undefined} data-testid={`heading-${vehicle.number}`}>
+      <td>
+        <button
+          type="button"
+          class="traffic__open"
+          onClick={() => {
+            model.open(vehicle);
+            model.stage.focus();
+          }}
+        >
+          <strong>#{vehicle.number}</strong> {[vehicle.make, vehicle.model].filter(Boolean).join(" ")}
+        </button>
+        {found?.source === "two_frames" && <div class="small muted">from two frames</div>}
+        {found?.reason && <div class="small">{found.reason}</div>}
+        {current && model.pair.value && canWork.value && (
+          <Button small kind="quiet" icon="trash" onClick={() => void model.withdraw()}>
+            Withdraw the tyres
+          </Button>
+        )}
+      </td>
+      <td class="num">{found ? formatDegrees(found.heading_rad) : "–"}</td>
+      <td class="num">{found ? formatDegrees(found.u_heading_rad) : ""}</td>
+      <td class="num">{found?.base_m != null ? formatLength(found.base_m, 2) : ""}</td>
+    </tr>
+  );
+}

@@ -1,0 +1,13 @@
+/** Angles as people read them; the server speaks radians. */
+import { fixed } from "../../units";
+
+/** "−0.80°"; a missing value is an en dash. */
+export function formatDegrees(rad: number | null, digits = 2): string {
+  return rad === null ? "–" : `${fixed((rad * 180) / Math.PI, digits)}°`;
+}
+
+/** "0.80° ± 0.11°", where the second number is the standard uncertainty. */
+export function formatHeading(rad: number | null, u_rad: number | null): string {
+  if (rad === null) return "–";
+  return u_rad === null ? formatDegrees(rad) : `${formatDegrees(rad)} ± ${formatDegrees(u_rad)}`;
+}

@@ -1,0 +1,33 @@
+/** What the checks send, with points as points. */
+import type { components } from "../../schema";
+import type { PoseOverlay, Px, Target } from "../../types";
+
+type Schemas = components["schemas"];
+
+export type InsetCheck = Schemas["InsetCheckBody"];
+export type TargetInsets = Schemas["TargetInsetsBody"];
+export type Estimate = Schemas["EstimateBody"];
+export type InsetCase = Schemas["InsetCaseBody"];
+export type PoseCheck = Schemas["PoseCheckBody"];
+export type VehicleHeading = Schemas["VehicleHeadingBody"];
+export type HeightChange = Schemas["HeightChangeBody"];
+export type WheelPair = Omit<Schemas["WheelPairBody"], "first" | "second"> & { first: Px; second: Px };
+export type TrafficCheck = Omit<Schemas["TrafficCheckBody"], "pairs"> & { pairs: WheelPair[] };
+export type TurnedPose = Omit<Schemas["TurnedPose"], "overlay"> & { overlay: PoseOverlay };
+
+export const TARGET_NAMES: Record<Target, string> = {
+  roof: "Roof",
+  driver_eye: "Driver’s eye",
+  taillight: "Taillight",
+  headlight: "Headlight",
+  other: "Other",
+};
+
+/** As in "use 0.34 m for roofs". */
+export const TARGETS_MANY: Record<Target, string> = {
+  roof: "roofs",
+  driver_eye: "drivers’ eyes",
+  taillight: "taillights",
+  headlight: "headlights",
+  other: "other targets",
+};

@@ -1,0 +1,169 @@
+import { useEffect, useRef, useState } from "preact/hooks";
+import { Problem } from "../../components";
+import { theme } from "../../state/theme";
+import { lengthUnit, METRES_PER_FOOT } from "../../units";
+import { type Curve, type Plan, wordOf } from "./model";
+
+type Plot = typeof import("./plot");
+
+/** Dashes and symbols tell the targets apart: colours belong to the road's axes. */
+const DASHES: Record<string, string> = {
+  roof: "1 0",
+  driver_eye: "1 0",
+  driver_eye_far: "7 4",
+  taillight: "2 3",
+  headlight: "9 3 2 3",
+};
+const SYMBOLS: Record<string, string> = {
+  roof: "triangle",
+  driver_eye: "circle",
+  driver_eye_far: "diamond",
+  taillight: "square",
+  headlight: "cross",
+};
+
+/** U95 on vehicles at other distances. */
+export function DistanceFigure({ plan }: { plan: Plan }) {
+  return (
+    <Figure
+      title="U95 of vehicles at other distances"
+      note="One frame; camera, board and pose as planned. A line ends where the picture ends."
+      curves={plan.U95_over_distance}
+      across="distance across the road to the wheel track"
+      up="U95"
+      marker={plan.site.distance_m}
+      fromZero
+    />
+  );
+}
+
+/** What an ignored inset costs, over the camera's height. */
+export function BiasFigure({ plan }: { plan: Plan }) {
+  return (
+    <Figure
+      title="Error of a driver’s eye whose inset is ignored"
+      note="It vanishes for a camera at the eye’s height."
+      curves={plan.bias_over_camera_height}
+      across="camera above the road"
+      up="error"
+      marker={plan.site.camera_height_m}
+    />
+  );
+}
+
+interface FigureProps {
+  title: string;
+  note: string;
+  curves: readonly Curve[];
+  across: string;
+  up: string;
+  /** The planned place. */
+  marker: number;
+  fromZero?: boolean;
+}
+
+interface Point {
+  x: number;
+  y: number | null;
+  target: string;
+}
+
+function Figure({ title, note, curves, across, up, marker, fromZero }: FigureProps) {
+  const [plot, setPlot] = useState<Plot | null>(null);
+  const [problem, setProblem] = useState<unknown>(null);
+  const box = useRef<HTMLDivElement>(null);
+  const [width, setWidth] = useState(0);
+  const unit = lengthUnit.value;
+  useEffect(() => {
+    import("./plot").then(setPlot, setProblem);
+  }, []);
+  useEffect(() => {
+    if (!box.current) return;
+    const watch = new ResizeObserver(([entry]) => entry && setWidth(Math.round(entry.contentRect.width)));
+    watch.observe(box.current);
+    return () => watch.disconnect();
+  }, []);
+  useEffect(() => {
+    if (!plot || !box.current || width < 200) return;
+    const [perX, perY, small] =
+      unit === "ft" ? [1 / METRES_PER_FOOT, 12 / METRES_PER_FOOT, "in"] : [1, 1000, "mm"];
+    const points: Point[] = curves.flatMap((curve) =>
+      curve.at_m.map((x, i) => {
+        const y = curve.value_m[i] ?? null;
+        return { x: x * perX, y: y === null ? null : y * perY, target: curve.target };
+      }),
+    );
+    const targets = curves.map((curve) => curve.target);
+    const drawn = plot.plot({
+      width,
+      height: 300,
+      marginLeft: 48,
+      marginBottom: 40,
+      ariaLabel: `${title}, ${up} in ${small} over ${across} in ${unit}`,
+      className: "figure",
+      style: { background: "transparent", color: "var(--ink)", fontSize: "12px", fontFamily: "var(--font)" },
+      x: { label: `${across} (${unit})`, labelArrow: "none", labelAnchor: "center" },
+      y: { label: `${up} (${small})`, labelArrow: "none", grid: true, zero: fromZero, nice: true },
+      symbol: { domain: targets, range: targets.map((one) => SYMBOLS[one] ?? "circle"), legend: false },
+      marks: [
+        plot.ruleX([marker * perX], { stroke: "var(--accent)", strokeWidth: 3 }),
+        plot.ruleY([0], { stroke: "var(--line-strong)" }),
+        ...targets.map((target) =>
+          plot.line(
+            points.filter((point) => point.target === target),
+            { x: "x", y: "y", stroke: "var(--ink)", strokeWidth: 1.5, strokeDasharray: DASHES[target] },
+          ),
+        ),
+        plot.dot(
+          points.filter((_, i) => i % 6 === 3),
+          {
+            x: "x",
+            y: "y",
+            symbol: "target",
+            r: 4,
+            fill: "var(--surface)",
+            stroke: "var(--ink)",
+            strokeWidth: 1.5,
+          },
+        ),
+      ],
+    });
+    drawn.setAttribute("role", "img");
+    for (const part of drawn.querySelectorAll("g[aria-label]")) part.removeAttribute("aria-label"); // one picture
+    box.current.replaceChildren(drawn);
+  }, [plot, width, curves, marker, unit, theme.value]);
+  return (
+    <figure class="panel plan-figure">
+      <h2>{title}</h2>
+      <Legend targets={curves.map((curve) => curve.target)} />
+      <Problem error={problem} />
+      <div ref={box} class="plan-figure__box" data-testid="plan-figure" />
+      <figcaption class="field__hint">{note} The bar marks the planned place.</figcaption>
+    </figure>
+  );
+}
+
+/** Symbol paths on an 8 px radius, as Plot draws them. */
+const MARKS: Record<string, string> = {
+  roof: "M0,-5L4.4,2.6L-4.4,2.6Z",
+  driver_eye: "M4,0A4,4,0,1,1,-4,0A4,4,0,1,1,4,0Z",
+  driver_eye_far: "M0,-5L3,0L0,5L-3,0Z",
+  taillight: "M-3.5,-3.5H3.5V3.5H-3.5Z",
+  headlight: "M-4.5,-1.5H-1.5V-4.5H1.5V-1.5H4.5V1.5H1.5V4.5H-1.5V1.5H-4.5Z",
+};
+
+function Legend({ targets }: { targets: readonly string[] }) {
+  return (
+    <ul class="plan-legend">
+      {targets.map((target) => (
+        <li key={target}>
+          <svg width="36" height="14" viewBox="-18 -7 36 14" aria-hidden="true">
+            <path d="M-18 0H18" stroke="currentColor" stroke-width="1.5" stroke-dasharray={DASHES[target]} />
+            <path d={MARKS[target]} fill="var(--surface)" stroke="currentColor" stroke-width="1.5" />
+          </svg>
+          {wordOf(target)}
+        </li>
+      ))}
+    </ul>
+  );
+}

@@ -1,0 +1,122 @@
+import { useEffect, useRef, useState } from "preact/hooks";
+import { SelectField, TextField } from "../../components";
+import { setQuery } from "../../router";
+import type { Camera } from "../../types";
+import { lengthUnit } from "../../units";
+import { type Name, shown, typed, type Values, withCamera } from "./values";
+
+interface Props {
+  cameras: readonly Camera[];
+  values: Values;
+}
+
+/** What is planned with. Each change goes into the address, and from there to the server. */
+export function PlanForm({ cameras, values }: Props) {
+  const length = lengthUnit.value;
+  return (
+    <form class="panel plan-form" onSubmit={(event) => event.preventDefault()}>
+      <div class="plan-form__camera">
+        <CameraChoice cameras={cameras} values={values} />
+        {!values.calibration_id && (
+          <>
+            <Value name="width_px" label="Picture width" unit="px" values={values} />
+            <Value name="height_px" label="Picture height" unit="px" values={values} />
+            <Value name="field_of_view_deg" label="Horizontal field of view" unit="°" values={values} />
+          </>
+        )}
+      </div>
+      <div class="plan-form__place">
+        <Value name="camera_height_m" label="Camera above road" unit={length} values={values} />
+        <Value name="distance_m" label="To the wheel track" unit={length} values={values} />
+        <Value
+          name="board_distance_m"
+          label="To the board"
+          unit={length}
+          values={values}
+          placeholder="wheel track"
+        />
+        <Value name="direction_deg" label="Turned along road" unit="°" values={values} />
+        <Value name="sigma_px" label="Click sigma" unit="px" values={values} />
+        <Value name="travel_m" label="Two-frame travel" unit={length} values={values} />
+      </div>
+    </form>
+  );
+}
+
+function CameraChoice({ cameras, values }: Props) {
+  const options = cameras.flatMap((camera) =>
+    camera.calibrations.map((one) => ({
+      value: String(one.id),
+      label: `${camera.name}: ${one.summary}${one.id === camera.current_calibration_id ? " (in use)" : ""}`,
+    })),
+  );
+  const chosen = values.calibration_id ?? "plain";
+  const known = chosen === "plain" || options.some((option) => option.value === chosen);
+  return (
+    <SelectField
+      label="Camera"
+      value={chosen}
+      options={[
+        ...options.reverse(),
+        ...(known ? [] : [{ value: chosen, label: `calibration ${chosen}` }]),
+        { value: "plain", label: "A camera that is not calibrated yet" },
+      ]}
+      onChange={(choice) => setQuery(withCamera(choice))}
+    />
+  );
+}
+
+interface ValueProps {
+  name: Name;
+  label: string;
+  unit: string;
+  values: Values;
+  placeholder?: string;
+}
+
+const PAUSE_MS = 350;
+
+/** One number. It goes into the address when typing pauses, or at once on Enter and when the field is left. */
+function Value({ name, label, unit, values, placeholder }: ValueProps) {
+  const stands = shown(name, values[name]);
+  const [text, setText] = useState(stands);
+  const [wrong, setWrong] = useState(false);
+  const timer = useRef<ReturnType<typeof setTimeout>>(undefined);
+  const sent = useRef(values[name] ?? "");
+  useEffect(() => {
+    // changed from outside: another unit, another camera
+    if (sent.current !== (values[name] ?? "") || unit !== "px")
+      setText((old) => same(name, old, values) ?? stands);
+    sent.current = values[name] ?? "";
+  }, [values[name], stands]);
+  useEffect(() => () => clearTimeout(timer.current), []);
+  const send = (value: string) => {
+    clearTimeout(timer.current);
+    const read = typed(name, value);
+    setWrong(read === null);
+    if (read === null || read === sent.current) return;
+    sent.current = read;
+    setQuery({ [name]: read || null });
+  };
+  return (
+    <TextField
+      label={label}
+      numeric
+      unit={unit}
+      value={text}
+      placeholder={placeholder}
+      problem={wrong ? "Give a number." : null}
+      onInput={(value) => {
+        setText(value);
+        clearTimeout(timer.current);
+        timer.current = setTimeout(() => send(value), PAUSE_MS);
+      }}
+      onChange={send}
+    />
+  );
+}
+
+/** What is typed, if it stands for the value already ("3.0" for 3). */
+function same(name: Name, text: string, values: Values): string | null {
+  return typed(name, text) === (values[name] ?? "") ? text : null;
+}

@@ -1,0 +1,96 @@
+import { useEffect, useRef } from "preact/hooks";
+import { api } from "../../api";
+import { Loading, Notice, Problem } from "../../components";
+import { current, query, type ScreenProps, setQuery } from "../../router";
+import { useResource } from "../../state/resource";
+import type { Camera } from "../../types";
+import { BiasFigure, DistanceFigure } from "./Figures";
+import type { Plan } from "./model";
+import { PlanForm } from "./PlanForm";
+import { SiteAbove, SiteAlong } from "./SiteDrawing";
+import { TargetTable } from "./TargetTable";
+import { completed, planPath, type Values, valuesOf } from "./values";
+import "./planning.css";
+
+/** Before going out: what heights will be worth from a place, and what to do about it. */
+export default function PlanningScreen({ surveyId }: ScreenProps) {
+  const cameras = useResource(
+    (signal) => api.get<Camera[]>(`/surveys/${surveyId}/cameras`, { signal }),
+    [surveyId],
+  );
+  const list = cameras.data;
+  const values = list && completed(valuesOf(query.value), list);
+  const address = JSON.stringify(values);
+  useEffect(() => {
+    // a link copied from the address bar holds every value
+    if (values && current.value?.route.name === "planning") setQuery({ ...values });
+  }, [address]);
+  return (
+    <div class="page">
+      <header class="page__head">
+        <div>
+          <h1>Plan the site</h1>
+          <p class="page__lead">
+            What a height will be worth from here, before anything is filmed. Nothing on this page is stored;
+            its address holds every value, so a link to it can be passed on.
+          </p>
+        </div>
+      </header>
+      <Problem error={cameras.error} again={cameras.reload} />
+      {values ? (
+        <>
+          <PlanForm cameras={list} values={values} />
+          <Planned surveyId={surveyId} values={values} />
+        </>
+      ) : (
+        !cameras.error && <Loading what="the cameras" />
+      )}
+    </div>
+  );
+}
+
+/** What the server makes of the values; what it says last stays until the next answer is there. */
+function Planned({ surveyId, values }: { surveyId: number; values: Values }) {
+  const path = planPath(surveyId, values);
+  const plan = useResource((signal) => api.get<Plan>(path, { signal }), [surveyId]);
+  const asked = useRef(path);
+  useEffect(() => {
+    if (asked.current === path) return;
+    asked.current = path;
+    void plan.reload();
+  }, [path]);
+  if (plan.error) return <Problem error={plan.error} />;
+  if (!plan.data) return <Loading what="the plan" />;
+  return <Result plan={plan.data} />;
+}
+
+function Result({ plan }: { plan: Plan }) {
+  return (
+    <>
+      {!plan.camera.lens_known && (
+        <Notice>
+          The lens is taken as exactly known
+          {plan.camera.calibration_id === null && ", and without distortion"}. A calibration adds its own
+          uncertainty, most of it away from the board.
+        </Notice>
+      )}
+      <TargetTable targets={plan.targets} travelM={plan.site.travel_m} />
+      <section class="panel" aria-labelledby="plan-advice">
+        <div class="panel__head">
+          <h2 id="plan-advice">Advice</h2>
+        </div>
+        <ul class="panel__body plan-advice">
+          {plan.advice.map((sentence) => (
+            <li key={sentence}>{sentence}</li>
+          ))}
+        </ul>
+      </section>
+      <div class="plan-figures">
+        <SiteAlong plan={plan} />
+        <DistanceFigure plan={plan} />
+        <SiteAbove plan={plan} />
+        <BiasFigure plan={plan} />
+      </div>
+    </>
+  );
+}

@@ -1,0 +1,121 @@
+import { useState } from "preact/hooks";
+import { TableScroll } from "../../components";
+import { formatHeight, formatLength, formatSmall } from "../../units";
+import { type PlannedTarget, wordOf } from "./model";
+
+interface Props {
+  targets: readonly PlannedTarget[];
+  travelM: number;
+}
+
+/** Each target's expected uncertainty; the parts it is made of below. */
+export function TargetTable({ targets, travelM }: Props) {
+  return (
+    <section class="panel" aria-labelledby="plan-targets">
+      <div class="panel__head">
+        <h2 id="plan-targets">What each target will be worth</h2>
+      </div>
+      <TableScroll label="What each target will be worth">
+        <table class="table">
+          <thead>
+            <tr>
+              <th>Target</th>
+              <th class="num">planned height</th>
+              <th class="num">inset</th>
+              <th class="num">u</th>
+              <th class="num">U95</th>
+              <th class="num">U95, two frames</th>
+              <th class="num">error, inset ignored</th>
+            </tr>
+          </thead>
+          <tbody>
+            {targets.map((one) => (
+              <Row key={one.target} one={one} />
+            ))}
+          </tbody>
+        </table>
+      </TableScroll>
+      <p class="field__hint plan-note">
+        Heights and insets are estimates; the survey’s own insets are used. Two frames: the vehicle has moved{" "}
+        {formatLength(travelM, 2)} between them, and the inset is solved for instead of assumed.
+      </p>
+      <Contributions targets={targets} />
+    </section>
+  );
+}
+
+function Row({ one }: { one: PlannedTarget }) {
+  const two = one.two_frames;
+  return (
+    <tr>
+      <td class="plan-target">
+        {wordOf(one.target)}
+        {one.reason && <div class="field__hint">{one.reason}</div>}
+        {!one.reason && two.reason && <div class="field__hint">{two.reason}</div>}
+      </td>
+      <td class="num">{formatLength(one.height_m, 2)}</td>
+      <td class="num">{formatHeight(one.inset_m, one.u_inset_m, 2)}</td>
+      <td class="num">{formatSmall(one.u_height_m)}</td>
+      <td class="num">
+        <strong>{formatSmall(one.U95_height_m)}</strong>
+      </td>
+      <td class="num">{formatSmall(two.U95_height_m)}</td>
+      <td class="num">{formatSmall(one.bias_if_ignored_m)}</td>
+    </tr>
+  );
+}
+
+/** The budget of every target side by side: which part to work on. */
+function Contributions({ targets }: { targets: readonly PlannedTarget[] }) {
+  const [open, setOpen] = useState(true);
+  const measured = targets.filter((one) => one.budget.length > 0);
+  const sources = measured[0]?.budget.map((part) => part.source) ?? [];
+  if (sources.length === 0) return null;
+  return (
+    <details class="plan-parts" open={open} onToggle={(event) => setOpen(event.currentTarget.open)}>
+      <summary>Contributions to u, one frame</summary>
+      <TableScroll label="Contributions to u">
+        <table class="table">
+          <thead>
+            <tr>
+              <th>Source</th>
+              {measured.map((one) => (
+                <th key={one.target} class="num">
+                  {wordOf(one.target)}
+                </th>
+              ))}
+            </tr>
+          </thead>
+          <tbody>
+            {sources.map((source, row) => (
+              <tr key={source}>
+                <td>{source}</td>
+                {measured.map((one) => (
+                  <Part key={one.target} one={one} row={row} />
+                ))}
+              </tr>
+            ))}
+            <tr class="plan-parts__sum">
+              <td>u, root of the sum of squares</td>
+              {measured.map((one) => (
+                <td key={one.target} class="num">
+                  {formatSmall(one.u_height_m)}
+                </td>
+              ))}
+            </tr>
+          </tbody>
+        </table>
+      </TableScroll>
+    </details>
+  );
+}
+
+function Part({ one, row }: { one: PlannedTarget; row: number }) {
+  const part = one.budget[row];
+  const most = Math.max(...one.budget.map((other) => other.u_m));
+  return (
+    <td class="num">
+      {part && part.u_m === most ? <strong>{formatSmall(part.u_m)}</strong> : formatSmall(part?.u_m ?? null)}
+    </td>
+  );
+}

@@ -1,0 +1,52 @@
+import { describe, expect, it } from "vitest";
+import type { Camera } from "../../types";
+import { completed, planPath, shown, typed, valuesOf, withCamera } from "./values";
+
+const camera = (id: number, calibration: number | null) =>
+  ({ id, current_calibration_id: calibration, calibrations: [] }) as unknown as Camera;
+
+describe("what the address leaves open", () => {
+  it("takes the first calibration in use, else a plain camera", () => {
+    expect(completed({}, [camera(1, null), camera(2, 7)]).calibration_id).toBe("7");
+    const plain = completed({}, []);
+    expect(plain.calibration_id).toBeUndefined();
+    expect(plain.field_of_view_deg).toBe("65");
+  });
+
+  it("changes nothing that the address says", () => {
+    const said = valuesOf(
+      new URLSearchParams("field_of_view_deg=90&width_px=640&height_px=480&distance_m=4.2&other=9"),
+    );
+    const values = completed(said, [camera(2, 7)]);
+    expect(values).toMatchObject({ ...said, camera_height_m: "1.5" });
+    expect(values.calibration_id).toBeUndefined();
+    expect(planPath(3, values)).toContain("/surveys/3/plan?");
+    expect(planPath(3, values)).not.toContain("other");
+  });
+
+  it("drops the plain camera for a calibration and back", () => {
+    expect(withCamera("4")).toEqual({
+      calibration_id: "4",
+      width_px: null,
+      height_px: null,
+      field_of_view_deg: null,
+    });
+    expect(withCamera("plain")).toMatchObject({ calibration_id: null, width_px: "1920" });
+  });
+});
+
+describe("lengths in the unit shown", () => {
+  it("are metres in the address", () => {
+    expect(typed("distance_m", "10", "ft")).toBe("3.048");
+    expect(shown("distance_m", "3.048", "ft")).toBe("10");
+    expect(typed("distance_m", "3,5", "m")).toBe("3.5");
+  });
+
+  it("leave angles, pixels and what is no number alone", () => {
+    expect(typed("direction_deg", "30", "ft")).toBe("30");
+    expect(shown("sigma_px", "1", "ft")).toBe("1");
+    expect(shown("distance_m", "x", "ft")).toBe("x");
+    expect(typed("distance_m", "three", "m")).toBeNull();
+    expect(typed("board_distance_m", " ", "m")).toBe("");
+  });
+});

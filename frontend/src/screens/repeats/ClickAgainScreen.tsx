@@ -1,0 +1,171 @@
+/** Ten measurements to click again, one after the other, without their points; Esc stops, Ctrl+Z takes the last back. */
+import { useEffect, useMemo } from "preact/hooks";
+import { Button, Empty, Loading, Problem } from "../../components";
+import { hint, useKeys } from "../../keys";
+import { TARGET_WORDS } from "../../measure/flow";
+import { linesShown } from "../../measure/model";
+import { BlindFrame } from "../../review/BlindFrame";
+import { navigate, query, type ScreenProps } from "../../router";
+import { plural } from "../../units";
+import { frameKeys, HELD_KEYS, Transport } from "../../viewer/Transport";
+import { AgainSession } from "./session";
+import "../../measure/measure.css";
+import "./repeats.css";
+
+export default function ClickAgainScreen({ surveyId }: ScreenProps) {
+  const onlyOwn = query.value.get("of") !== "all";
+  const session = useMemo(() => new AgainSession(surveyId, onlyOwn), [surveyId, onlyOwn]);
+  useEffect(() => {
+    void session.load();
+    return () => session.close();
+  }, [session]);
+  const results = `/surveys/${surveyId}/repeats`;
+  useAgainKeys(session, results);
+  const items = session.items.value;
+  const player = session.player.value;
+  if (session.problem.value) {
+    return (
+      <div class="page">
+        <Problem error={session.problem.value} again={() => void session.load()} />
+      </div>
+    );
+  }
+  if (items === null) return <Loading what="what to click again" />;
+  const item = session.current.value;
+  if (items.length === 0) return <NothingToClick surveyId={surveyId} onlyOwn={onlyOwn} />;
+  return (
+    <div class="again">
+      <h1 class="visually-hidden">Click again</h1>
+      <header class="again__head">
+        <p data-testid="again-progress">
+          {item ? (
+            <>
+              <strong>
+                {session.at.value + 1} of {items.length}
+              </strong>{" "}
+              <span class="muted">
+                vehicle {String(item.vehicle_number).padStart(2, "0")}, {TARGET_WORDS[item.target]}
+              </span>
+            </>
+          ) : (
+            <strong>{plural(session.stored.value, "repeat")} stored</strong>
+          )}
+        </p>
+        <span class="grow" />
+        <Button
+          small
+          icon="undo"
+          disabled={session.done.value.length === 0}
+          title={`Take the last back${hint("undo")}`}
+          onClick={() => void session.undo()}
+        >
+          Take the last back
+        </Button>
+        {item && (
+          <Button small onClick={() => session.skip()}>
+            Pass over
+          </Button>
+        )}
+        <Button small kind={item ? "quiet" : "primary"} href={results}>
+          {item ? "Stop" : "See what they say"}
+        </Button>
+      </header>
+      {item && player ? (
+        <>
+          <section class="again__frame" aria-label="Frame">
+            <BlindFrame
+              key={player.recordingId}
+              blind={session.blind}
+              player={player}
+              stage={session.stage}
+              geometry={session.geometry}
+            />
+          </section>
+          <section class="again__time frame-tools" aria-label="Frames">
+            <Transport player={player} stage={session.stage} />
+            <span class="grow" />
+            {player.shown.value?.frame !== item.frame && (
+              <Button small onClick={() => session.showFrame()}>
+                Back to frame {item.frame}
+              </Button>
+            )}
+          </section>
+        </>
+      ) : (
+        <Empty title="That was the last one">
+          <p>Each was stored as a repeat: it stands in no list and changes no result.</p>
+        </Empty>
+      )}
+    </div>
+  );
+}
+
+function NothingToClick({ surveyId, onlyOwn }: { surveyId: number; onlyOwn: boolean }) {
+  return (
+    <div class="page">
+      <h1 class="visually-hidden">Click again</h1>
+      <Empty
+        title={onlyOwn ? "You have clicked nothing yet" : "Nothing is measured yet"}
+        actions={
+          <>
+            {onlyOwn && (
+              <Button kind="primary" href={`/surveys/${surveyId}/repeats/click?of=all`}>
+                Click 10 of anybody’s again
+              </Button>
+            )}
+            <Button href={`/surveys/${surveyId}/measure`}>Go to measuring</Button>
+          </>
+        }
+      >
+        <p>
+          {onlyOwn
+            ? "How well you repeat yourself shows once you have measured something in this survey."
+            : "Measure some vehicles first; then they can be clicked again."}
+        </p>
+      </Empty>
+    </div>
+  );
+}
+
+function useAgainKeys(session: AgainSession, results: string): void {
+  const player = session.player.value;
+  const { blind, stage } = session;
+  const nudge = (dx: number, dy: number) => () => blind.nudge(dx, dy);
+  useKeys(
+    {
+      ...(player ? frameKeys(player, stage) : {}),
+      loupeToggle: () => {
+        stage.loupe.value = !stage.loupe.value;
+      },
+      linesToggle: () => {
+        linesShown.value = !linesShown.value;
+      },
+      cursor: () => {
+        if (session.current.value) blind.toggleCursor();
+      },
+      place: () => {
+        const at = blind.cursor.value;
+        if (!at) return false;
+        void blind.place(at, player?.shown.value?.frame ?? null);
+        return true;
+      },
+      undo: () => void session.undo(),
+      cancel: () => {
+        if (!blind.takeBack()) navigate(results);
+      },
+      nudgeLeft: nudge(-1, 0),
+      nudgeRight: nudge(1, 0),
+      nudgeUp: nudge(0, -1),
+      nudgeDown: nudge(0, 1),
+      nudgeLeftFar: nudge(-10, 0),
+      nudgeRightFar: nudge(10, 0),
+      nudgeUpFar: nudge(0, -10),
+      nudgeDownFar: nudge(0, 10),
+      nudgeLeftFine: nudge(-0.1, 0),
+      nudgeRightFine: nudge(0.1, 0),
+      nudgeUpFine: nudge(0, -0.1),
+      nudgeDownFine: nudge(0, 0.1),
+    },
+    HELD_KEYS,
+  );
+}

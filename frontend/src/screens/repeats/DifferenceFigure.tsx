@@ -1,0 +1,107 @@
+/** Each repeat's difference from what it repeats, with the bar that the clicks' uncertainty lets one expect. */
+import { useEffect, useRef, useState } from "preact/hooks";
+import { Problem } from "../../components";
+import { TARGET_WORDS } from "../../measure/flow";
+import { theme } from "../../state/theme";
+import type { RepeatDifference, Target } from "../../types";
+import { lengthUnit, METRES_PER_FOOT } from "../../units";
+
+type Plot = typeof import("../planning/plot");
+
+/** Symbols tell the targets apart: colours belong to the road's axes. */
+const SYMBOLS: Record<Target, string> = {
+  roof: "triangle",
+  driver_eye: "circle",
+  taillight: "square",
+  headlight: "cross",
+  other: "diamond",
+};
+
+export function DifferenceFigure({ differences }: { differences: readonly RepeatDifference[] }) {
+  const [plot, setPlot] = useState<Plot | null>(null);
+  const [problem, setProblem] = useState<unknown>(null);
+  const [width, setWidth] = useState(0);
+  const box = useRef<HTMLDivElement>(null);
+  const unit = lengthUnit.value;
+  useEffect(() => {
+    import("../planning/plot").then(setPlot, setProblem);
+  }, []);
+  useEffect(() => {
+    if (!box.current) return;
+    const watch = new ResizeObserver(([entry]) => entry && setWidth(Math.round(entry.contentRect.width)));
+    watch.observe(box.current);
+    return () => watch.disconnect();
+  }, []);
+  useEffect(() => {
+    if (!plot || !box.current || width < 200) return;
+    const drawn = draw(plot, differences, width, unit);
+    box.current.replaceChildren(drawn);
+  }, [plot, width, differences, unit, theme.value]);
+  const targets = [...new Set(differences.map((one) => one.target))];
+  return (
+    <figure class="panel panel__body repeats-figure">
+      <h2>Second minus first height, over their mean</h2>
+      <ul class="repeats-legend small">
+        {targets.map((target) => (
+          <li key={target}>
+            <span aria-hidden="true">{GLYPHS[target]}</span> {TARGET_WORDS[target]}
+          </li>
+        ))}
+      </ul>
+      <Problem error={problem} />
+      <div ref={box} class="repeats-figure__box" data-testid="repeats-figure" />
+      <figcaption class="field__hint">
+        Each bar is what the budgets of both clicks let one expect (k = 2): about 19 in 20 should reach zero.
+      </figcaption>
+    </figure>
+  );
+}
+
+const GLYPHS: Record<Target, string> = {
+  roof: "△",
+  driver_eye: "○",
+  taillight: "□",
+  headlight: "✚",
+  other: "◇",
+};
+
+function draw(plot: Plot, differences: readonly RepeatDifference[], width: number, unit: "m" | "ft") {
+  const [perX, perY, small] =
+    unit === "ft" ? [1 / METRES_PER_FOOT, 12 / METRES_PER_FOOT, "in"] : [1, 1000, "mm"];
+  const points = differences.map((one) => ({
+    x: one.mean_m * perX,
+    y: one.difference_m * perY,
+    low: (one.difference_m - one.expected_m) * perY,
+    high: (one.difference_m + one.expected_m) * perY,
+    target: one.target,
+  }));
+  const targets = Object.keys(SYMBOLS) as Target[];
+  const drawn = plot.plot({
+    width,
+    height: 300,
+    marginLeft: 48,
+    marginBottom: 40,
+    ariaLabel: `Second minus first height in ${small} over their mean in ${unit}, ${points.length} repeats`,
+    className: "figure",
+    style: { background: "transparent", color: "var(--ink)", fontSize: "12px", fontFamily: "var(--font)" },
+    x: { label: `mean of both heights (${unit})`, labelArrow: "none", labelAnchor: "center", nice: true },
+    y: { label: `difference (${small})`, labelArrow: "none", grid: true, nice: true },
+    symbol: { domain: targets, range: targets.map((one) => SYMBOLS[one]), legend: false },
+    marks: [
+      plot.ruleY([0], { stroke: "var(--line-strong)" }),
+      plot.ruleX(points, { x: "x", y1: "low", y2: "high", stroke: "var(--line-strong)" }),
+      plot.dot(points, {
+        x: "x",
+        y: "y",
+        symbol: "target",
+        r: 4,
+        fill: "var(--surface)",
+        stroke: "var(--ink)",
+        strokeWidth: 1.5,
+      }),
+    ],
+  });
+  drawn.setAttribute("role", "img");
+  for (const part of drawn.querySelectorAll("g[aria-label]")) part.removeAttribute("aria-label"); // one picture
+  return drawn;
+}

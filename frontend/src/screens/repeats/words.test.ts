@@ -1,0 +1,22 @@
+import { describe, expect, it } from "vitest";
+import { claimVerdict, pixelWords, spreadWords } from "./words";
+
+const few = { sd: null, low: null, high: null, freedom: 2, reason: "Too few repeats." };
+
+describe("figures of repeats in words", () => {
+  it("says a spread with its interval, and nothing where there is none", () => {
+    const spread = { sd: 0.0041, low: 0.0032, high: 0.0156, freedom: 22, reason: null };
+    expect(spreadWords(spread)).toEqual({ value: "4.1 mm", interval: "3.2 to 16 mm" });
+    expect(spreadWords(few)).toBeNull();
+    expect(pixelWords({ ...spread, sd: 0.62, low: 0.54, high: 0.72 })?.interval).toBe("0.54 to 0.72 px");
+  });
+
+  it("judges a claim by its interval, not by its value", () => {
+    const claim = { claimed: 0.005, observed: 0.006, freedom: 24, reason: null };
+    expect(claimVerdict({ ...claim, ratio: 1.2, low: 0.9, high: 1.6 })).toBe("as claimed");
+    expect(claimVerdict({ ...claim, ratio: 1.5, low: 1.1, high: 2.0 })).toBe("more than claimed");
+    expect(claimVerdict({ ...claim, ratio: 0.5, low: 0.4, high: 0.7 })).toBe("less than claimed");
+    const none = { ratio: null, low: null, high: null, claimed: null, observed: null, freedom: 1 };
+    expect(claimVerdict({ ...none, reason: "Too few." })).toBe("Too few.");
+  });
+});

@@ -1,0 +1,23 @@
+/** Figures of repeats in words; every number is the server's. */
+import type { RepeatSpread, TargetRepeats } from "../../types";
+import { fixed, formatSmall } from "../../units";
+
+/** "4.1 mm" with "3.2 to 5.6 mm"; null where there is none. */
+export function spreadWords(one: RepeatSpread): { value: string; interval: string } | null {
+  if (one.sd === null) return null;
+  const low = formatSmall(one.low).replace(/\s(mm|in)$/, "");
+  return { value: formatSmall(one.sd), interval: `${low} to ${formatSmall(one.high)}` };
+}
+
+/** "0.62 px" with "0.54 to 0.72 px". */
+export function pixelWords(one: RepeatSpread): { value: string; interval: string } | null {
+  if (one.sd === null || one.low === null || one.high === null) return null;
+  return { value: `${fixed(one.sd, 2)} px`, interval: `${fixed(one.low, 2)} to ${fixed(one.high, 2)} px` };
+}
+
+/** What the interval of observed over claimed says: 1 is "as claimed". */
+export function claimVerdict(claim: TargetRepeats["claim"]): string {
+  if (claim.low === null || claim.high === null) return claim.reason ?? "–";
+  if (claim.low > 1) return "more than claimed";
+  return claim.high < 1 ? "less than claimed" : "as claimed";
+}

@@ -1,0 +1,186 @@
+import { Button } from "../../components";
+import { formatCount, formatSmall } from "../../units";
+import { csvOf, download } from "./csv";
+import { type ErrorGroup, type Errors, GROUP_WORDS, isThere } from "./model";
+import { NONE, range, scaled, smallUnit, squareUnit } from "./numbers";
+
+interface Column {
+  key: string;
+  head: string;
+  /** Factor and digits. */
+  scale: () => [number, number];
+  unit: () => string;
+  paper?: "mae_m" | "rmse_m" | "mse_m2" | "sd_m";
+}
+
+const length = (): [number, number] => [smallUnit()[0], smallUnit()[1] === "in" ? 2 : 1];
+const inSmall = () => smallUnit()[1];
+const COLUMNS: readonly Column[] = [
+  { key: "bias_m", head: "bias", scale: length, unit: inSmall },
+  { key: "mae_m", head: "MAE", scale: length, unit: inSmall, paper: "mae_m" },
+  { key: "rmse_m", head: "RMSE", scale: length, unit: inSmall, paper: "rmse_m" },
+  {
+    key: "mse_m2",
+    head: "MSE",
+    scale: () => [squareUnit()[0], 2],
+    unit: () => squareUnit()[1],
+    paper: "mse_m2",
+  },
+  { key: "sd_m", head: "SD", scale: length, unit: inSmall, paper: "sd_m" },
+  { key: "pearson_error_vs_height", head: "r(error, height)", scale: () => [1, 2], unit: () => "" },
+  { key: "pearson_abs_error_vs_height", head: "r(|error|, height)", scale: () => [1, 2], unit: () => "" },
+];
+
+/** The paper's Table 1 for this survey, each figure with its interval, the printed one below it. */
+export function ErrorTable({ errors }: { errors: Errors }) {
+  return (
+    <section class="panel" aria-labelledby="stat-errors">
+      <header class="panel__head">
+        <h2 id="stat-errors">Error against manufacturers’ heights</h2>
+        <Button
+          small
+          icon="download"
+          class="stat-noprint"
+          onClick={() => save(errors)}
+          title="Error table as CSV"
+        >
+          CSV
+        </Button>
+      </header>
+      <div class="table-scroll">
+        <table class="table stat-errors" data-testid="error-table">
+          <thead>
+            <tr>
+              <th>error = measured − reference</th>
+              <th class="num">n</th>
+              {COLUMNS.map((column) => (
+                <th key={column.key} class="num">
+                  {column.head}
+                  {column.unit() && ` (${column.unit()})`}
+                </th>
+              ))}
+            </tr>
+          </thead>
+          <tbody>
+            {errors.groups.map((group) => (
+              <Rows key={group.group} group={group} errors={errors} />
+            ))}
+          </tbody>
+        </table>
+      </div>
+      <div class="stat-notes small">
+        <p>
+          {errors.words} Intervals at 95 % below each figure. SD is that of the signed error, n − 1. Not
+          pooled from other figures.
+        </p>
+        <Agreement errors={errors} />
+        <details>
+          <summary>What is inconsistent in the paper’s printed figures</summary>
+          <ul>
+            {errors.paper.map((one) => (
+              <li key={one.group}>
+                <strong>{one.title}:</strong> {one.note}
+              </li>
+            ))}
+          </ul>
+        </details>
+      </div>
+    </section>
+  );
+}
+
+function Rows({ group, errors }: { group: ErrorGroup; errors: Errors }) {
+  const paper = errors.paper.find((one) => one.group === group.group);
+  return (
+    <>
+      <tr data-testid={`errors-${group.group}`}>
+        <th scope="row">
+          {GROUP_WORDS[group.group] ?? group.group}
+          <div class="stat-ci">stands for {group.title}</div>
+          {group.reason && <div class="stat-ci">{group.reason}</div>}
+          <NoIntervals group={group} />
+        </th>
+        <td class="num">{formatCount(group.n)}</td>
+        {COLUMNS.map((column) => {
+          const figure = group.figures[column.key];
+          const [factor, digits] = column.scale();
+          return (
+            <td key={column.key} class="num">
+              <strong>{scaled(figure?.value ?? null, factor, digits)}</strong>
+              <div class="stat-ci">{range(figure?.ci95 ?? null, factor, digits) ?? NONE}</div>
+            </td>
+          );
+        })}
+      </tr>
+      {paper && (
+        <tr class="stat-paper">
+          <td>the paper, as printed</td>
+          <td class="num">{paper.n}</td>
+          {COLUMNS.map((column) => {
+            const [factor, digits] = column.scale();
+            return (
+              <td key={column.key} class="num">
+                {scaled(column.paper ? paper[column.paper] : null, factor, digits)}
+              </td>
+            );
+          })}
+        </tr>
+      )}
+    </>
+  );
+}
+
+/** Why single figures have no interval. */
+function NoIntervals({ group }: { group: ErrorGroup }) {
+  const without = COLUMNS.filter((column) => group.figures[column.key]?.reason);
+  const reason = without[0] && group.figures[without[0].key]?.reason;
+  if (!reason) return null;
+  return (
+    <div class="stat-ci">
+      {without.map((column) => column.head).join(", ")}: {reason}
+    </div>
+  );
+}
+
+/** The reference's own part of the variance, and Bland and Altman's limits. */
+function Agreement({ errors }: { errors: Errors }) {
+  const part = errors.reference_part;
+  const limits = errors.bland_altman;
+  const [factor, unit] = smallUnit();
+  const digits = unit === "in" ? 2 : 1;
+  return (
+    <>
+      <p data-testid="reference-part">
+        {isThere(part)
+          ? `${part.words} By itself it makes a correlation of ${scaled(part.correlation_alone, 1, 2)} between error and height, which no camera is to blame for (u of the reference ${formatSmall(part.u_reference_m)}).`
+          : part.reason}
+      </p>
+      <p data-testid="bland-altman">
+        {isThere(limits)
+          ? `Bland and Altman: bias ${scaled(limits.bias_m, factor, digits)} ${unit} (${range(limits.bias_ci95, factor, digits)}), limits of agreement ${scaled(limits.lower_m, factor, digits)} (${range(limits.lower_ci95, factor, digits)}) and ${scaled(limits.upper_m, factor, digits)} ${unit} (${range(limits.upper_ci95, factor, digits)}), n = ${limits.n}.`
+          : limits.reason}
+      </p>
+    </>
+  );
+}
+
+function save(errors: Errors): void {
+  const columns = ["source", "group", "n"];
+  for (const { key } of COLUMNS) columns.push(key, `${key}_ci95_low`, `${key}_ci95_high`);
+  const own = errors.groups.map((group) => [
+    "survey",
+    group.group,
+    group.n,
+    ...COLUMNS.flatMap(({ key }) => {
+      const figure = group.figures[key];
+      return [figure?.value, figure?.ci95?.low, figure?.ci95?.high];
+    }),
+  ]);
+  const paper = errors.paper.map((one) => [
+    "Dupuis et al. 2019, as printed",
+    one.group,
+    one.n,
+    ...COLUMNS.flatMap((column) => [column.paper ? one[column.paper] : null, null, null]),
+  ]);
+  download("sightline-error-table.csv", "text/csv;charset=utf-8", csvOf(columns, [...own, ...paper]));
+}

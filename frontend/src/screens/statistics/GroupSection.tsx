@@ -1,0 +1,137 @@
+import { useState } from "preact/hooks";
+import { Segments } from "../../components";
+import { formatCount } from "../../units";
+import { type Curve, ECDF_COLUMNS, ecdfMarks, ecdfRows, ecdfWord } from "./curves";
+import { type Ecdf, groupWord, isThere, type OfTarget, TARGET_TITLES } from "./model";
+import { heightUnit, NONE, scaled } from "./numbers";
+import { PlotFigure } from "./PlotFigure";
+
+const DASHES = [undefined, "8 4", "2 3", "9 3 2 3", "4 4", "12 3 2 3 2 3"];
+const MOST_DRAWN = DASHES.length;
+const GROUPINGS = [
+  { value: "category", label: "Category" },
+  { value: "lighting", label: "Lighting" },
+  { value: "site", label: "Site" },
+  { value: "operator", label: "Operator" },
+] as const;
+type GroupingName = (typeof GROUPINGS)[number]["value"];
+
+/** Corrected heights of one target, by category, lighting, site or operator. */
+export function GroupSection({ targets }: { targets: readonly OfTarget[] }) {
+  const [grouping, setGrouping] = useState<GroupingName>("category");
+  const there = targets.filter((one) => one.corrected.n > 0);
+  const [chosen, setChosen] = useState("driver_eye");
+  const target = there.find((one) => one.target === chosen) ?? there[0];
+  if (!target) return null;
+  const found = target.groups[grouping];
+  const groups = found?.groups ?? [];
+  const curves = drawn(groups, grouping);
+  return (
+    <section class="panel" aria-labelledby="stat-groups" data-testid="groups">
+      <header class="panel__head row--wrap">
+        <h2 id="stat-groups">Corrected heights by group</h2>
+        <div class="row row--wrap stat-noprint">
+          <Segments
+            label="Target"
+            value={target.target}
+            options={there.map((one) => ({ value: one.target, label: TARGET_TITLES[one.target] }))}
+            onChange={setChosen}
+          />
+          <Segments label="Grouped by" value={grouping} options={GROUPINGS} onChange={setGrouping} />
+        </div>
+      </header>
+      <div class="stat-groups">
+        <PlotFigure
+          name={`${target.target}-by-${grouping}`}
+          title={`${TARGET_TITLES[target.target]} by ${grouping}`}
+          says={`Cumulative distributions of ${TARGET_TITLES[target.target]} heights by ${grouping}, ${curves.length} groups`}
+          note={
+            groups.length > curves.length
+              ? `The ${curves.length} largest groups of ${groups.length + (found?.left_out ?? 0)}; the table lists more.`
+              : undefined
+          }
+          legend={curves.map(({ curve }) => ({ word: curve.word, dash: curve.dash, faint: curve.faint }))}
+          reason={curves.length === 0 ? `Nothing to draw: no vehicle has a ${grouping}.` : null}
+          data={[target, grouping]}
+          options={(plot, unit) => {
+            const [perX, long] = heightUnit(unit);
+            return {
+              x: {
+                label: `height above the road (${long})`,
+                labelArrow: "none",
+                labelAnchor: "center",
+                labelOffset: 34,
+                nice: true,
+                inset: 6,
+              },
+              y: { label: "share of vehicles (%)", labelArrow: "none", grid: true, domain: [0, 100] },
+              marks: [
+                ...curves.flatMap(({ ecdf, curve }) => ecdfMarks(plot, ecdf, curve, perX)),
+                ...curves.map(({ ecdf, curve }) =>
+                  ecdfWord(plot, ecdf, curve, perX, Number.POSITIVE_INFINITY),
+                ),
+              ],
+            };
+          }}
+          table={() => ({
+            columns: [grouping, "height_m", ...ECDF_COLUMNS],
+            rows: groups.flatMap((one) => (isThere<Ecdf>(one.ecdf) ? ecdfRows(one.word, one.ecdf) : [])),
+          })}
+        />
+        <GroupTable groups={groups} grouping={grouping} />
+      </div>
+    </section>
+  );
+}
+
+type Group = OfTarget["groups"][string]["groups"][number];
+
+/** The largest groups, one dash each, their words spread along the curves. */
+function drawn(groups: readonly Group[], grouping: string): { ecdf: Ecdf; curve: Curve }[] {
+  const largest = [...groups].sort((a, b) => b.n - a.n).slice(0, MOST_DRAWN);
+  return groups
+    .filter((one) => largest.includes(one))
+    .flatMap((one, i) => {
+      if (!isThere<Ecdf>(one.ecdf)) return [];
+      const wordAt = (i + 0.7) / (Math.min(groups.length, MOST_DRAWN) + 0.4);
+      return [{ ecdf: one.ecdf, curve: { word: groupWord(grouping, one.word), dash: DASHES[i], wordAt } }];
+    });
+}
+
+function GroupTable({ groups, grouping }: { groups: readonly Group[]; grouping: string }) {
+  const [factor, unit] = heightUnit();
+  const at = (one: Group, percent: number) =>
+    one.percentiles.find((p) => p.percent === percent)?.value ?? null;
+  return (
+    <div class="table-scroll">
+      <table class="table">
+        <thead>
+          <tr>
+            <th>{grouping}</th>
+            <th class="num">n</th>
+            <th class="num">mean ({unit})</th>
+            <th class="num">SD ({unit})</th>
+            <th class="num">10 %</th>
+            <th class="num">50 %</th>
+            <th class="num">90 %</th>
+          </tr>
+        </thead>
+        <tbody>
+          {groups.map((one) => (
+            <tr key={one.word}>
+              <th scope="row">{groupWord(grouping, one.word)}</th>
+              <td class="num">{formatCount(one.n)}</td>
+              <td class="num">{scaled(one.mean_m, factor, 3)}</td>
+              <td class="num">{one.sd_m === null ? NONE : scaled(one.sd_m, factor, 3)}</td>
+              {[10, 50, 90].map((percent) => (
+                <td key={percent} class="num">
+                  {scaled(at(one, percent), factor, 3)}
+                </td>
+              ))}
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}

@@ -1,0 +1,139 @@
+import type { ComponentChildren } from "preact";
+import { useEffect, useRef, useState } from "preact/hooks";
+import { Button, Problem } from "../../components";
+import { theme } from "../../state/theme";
+import { type LengthUnit, lengthUnit } from "../../units";
+import { type Cell, csvOf, download } from "./csv";
+import { svgFile } from "./svg";
+
+export type Plot = typeof import("../planning/plot");
+export type PlotOptions = Parameters<Plot["plot"]>[0];
+
+export interface Table {
+  columns: readonly string[];
+  rows: readonly (readonly Cell[])[];
+}
+
+interface Props {
+  /** Of the downloaded files. */
+  name: string;
+  title: string;
+  /** What the picture shows, in words, for those who do not see it. */
+  says: string;
+  note?: ComponentChildren;
+  legend?: readonly LegendEntry[];
+  /** Drawn again when it changes. */
+  data: unknown;
+  options: (plot: Plot, unit: LengthUnit) => PlotOptions;
+  table: () => Table;
+  /** Why there is nothing to draw. */
+  reason?: string | null;
+}
+
+export interface LegendEntry {
+  word: string;
+  dash?: string;
+  faint?: boolean;
+  dot?: "circle" | "triangle" | "square";
+}
+
+/** One figure with its legend, its words and its two downloads. */
+export function PlotFigure({ name, title, says, note, legend, data, options, table, reason }: Props) {
+  const [plot, setPlot] = useState<Plot | null>(null);
+  const [problem, setProblem] = useState<unknown>(null);
+  const [width, setWidth] = useState(0);
+  const box = useRef<HTMLDivElement>(null);
+  const unit = lengthUnit.value;
+  useEffect(() => {
+    import("../planning/plot").then(setPlot, setProblem);
+  }, []);
+  useEffect(() => {
+    if (!box.current) return;
+    const watch = new ResizeObserver(([entry]) => entry && setWidth(Math.round(entry.contentRect.width)));
+    watch.observe(box.current);
+    return () => watch.disconnect();
+  }, [reason]);
+  useEffect(() => {
+    if (!plot || !box.current || width < 200) return;
+    const drawn = plot.plot({
+      width,
+      height: 320,
+      marginLeft: 48,
+      marginBottom: 40,
+      marginTop: 24,
+      marginRight: 16,
+      ariaLabel: says,
+      className: "figure",
+      style: { background: "transparent", color: "var(--ink)", fontSize: "12px", fontFamily: "var(--font)" },
+      ...options(plot, unit),
+    });
+    drawn.setAttribute("role", "img");
+    for (const part of drawn.querySelectorAll("g[aria-label]")) part.removeAttribute("aria-label"); // one picture
+    box.current.replaceChildren(drawn);
+  }, [plot, width, data, unit, theme.value, reason]);
+  const saveSvg = () => {
+    const drawn = box.current?.querySelector("svg");
+    if (drawn) download(`sightline-${name}.svg`, "image/svg+xml", svgFile(drawn, title));
+  };
+  const saveCsv = () => {
+    const { columns, rows } = table();
+    download(`sightline-${name}.csv`, "text/csv;charset=utf-8", csvOf(columns, rows));
+  };
+  return (
+    <figure class="panel stat-figure">
+      <header class="stat-figure__head">
+        <h3>{title}</h3>
+        {!reason && (
+          <div class="row stat-noprint">
+            <Button small icon="download" onClick={saveSvg} title={`${title} as SVG`}>
+              SVG
+            </Button>
+            <Button small icon="download" onClick={saveCsv} title={`${title} as CSV`}>
+              CSV
+            </Button>
+          </div>
+        )}
+      </header>
+      {reason ? (
+        <p class="stat-reason">{reason}</p>
+      ) : (
+        <>
+          {legend && <Legend entries={legend} />}
+          <Problem error={problem} />
+          <div ref={box} class="stat-figure__box" data-testid={`figure-${name}`} />
+        </>
+      )}
+      {note && <figcaption class="field__hint">{note}</figcaption>}
+    </figure>
+  );
+}
+
+const DOTS = {
+  circle: "M4,0A4,4,0,1,1,-4,0A4,4,0,1,1,4,0Z",
+  triangle: "M0,-5L4.4,2.6L-4.4,2.6Z",
+  square: "M-3.5,-3.5H3.5V3.5H-3.5Z",
+};
+
+function Legend({ entries }: { entries: readonly LegendEntry[] }) {
+  return (
+    <ul class="stat-legend">
+      {entries.map((one) => (
+        <li key={one.word}>
+          <svg width="30" height="12" viewBox="-15 -6 30 12" aria-hidden="true">
+            {one.dot ? (
+              <path d={DOTS[one.dot]} fill="none" stroke="currentColor" stroke-width="1.5" />
+            ) : (
+              <path
+                d="M-15 0H15"
+                stroke={one.faint ? "var(--ink-3)" : "currentColor"}
+                stroke-width="2"
+                stroke-dasharray={one.dash}
+              />
+            )}
+          </svg>
+          {one.word}
+        </li>
+      ))}
+    </ul>
+  );
+}

@@ -1,0 +1,62 @@
+import { useEffect, useState } from "preact/hooks";
+import { api } from "../../api";
+import { Problem, TextField } from "../../components";
+import { lengthUnit, METRES_PER_FOOT, parseLength, parseNumber } from "../../units";
+import type { SampleSize } from "./model";
+
+const PAUSE_MS = 300;
+
+/** How many vehicles a percentile's interval of a wanted width takes. */
+export function SamplePlan({ sdM }: { sdM: number | null }) {
+  const unit = lengthUnit.value;
+  const shown = (metres: number) =>
+    String(Number((unit === "ft" ? metres / METRES_PER_FOOT : metres).toFixed(3)));
+  const [percent, setPercent] = useState("10");
+  const [width, setWidth] = useState(() => shown(0.02));
+  const [sd, setSd] = useState(() => shown(sdM ?? 0.08));
+  const [found, setFound] = useState<SampleSize | null>(null);
+  const [error, setError] = useState<unknown>(null);
+  useEffect(() => {
+    setWidth(shown(0.02));
+    setSd(shown(sdM ?? 0.08));
+  }, [unit]);
+  const asked = [parseNumber(percent), parseLength(width), parseLength(sd)];
+  const path = asked.includes(null)
+    ? null
+    : `/statistics/sample-size?percent=${asked[0]}&width_m=${asked[1]}&sd_m=${asked[2]}`;
+  useEffect(() => {
+    if (!path) return;
+    const stop = new AbortController();
+    const timer = setTimeout(() => {
+      api.get<SampleSize>(path, { signal: stop.signal }).then(
+        (answer) => {
+          setFound(answer);
+          setError(null);
+        },
+        (reason) => {
+          if (!stop.signal.aborted) setError(reason);
+        },
+      );
+    }, PAUSE_MS);
+    return () => {
+      clearTimeout(timer);
+      stop.abort();
+    };
+  }, [path]);
+  return (
+    <section class="panel stat-noprint" aria-labelledby="stat-plan">
+      <header class="panel__head">
+        <h2 id="stat-plan">How many vehicles to measure</h2>
+      </header>
+      <form class="stat-plan" onSubmit={(event) => event.preventDefault()}>
+        <TextField label="Percentile" numeric value={percent} onInput={setPercent} />
+        <TextField label="Width of its interval" numeric unit={unit} value={width} onInput={setWidth} />
+        <TextField label="Spread of heights (SD)" numeric unit={unit} value={sd} onInput={setSd} />
+        <p class="stat-plan__answer" data-testid="sample-size" role="status">
+          {path === null ? "Give three numbers." : error ? "" : found?.words}
+        </p>
+      </form>
+      {path !== null && <Problem error={error} />}
+    </section>
+  );
+}

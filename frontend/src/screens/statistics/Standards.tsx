@@ -1,0 +1,129 @@
+import { useState } from "preact/hooks";
+import { Button, SelectField, TextField } from "../../components";
+import { query } from "../../router";
+import { formatLength, lengthUnit, parseLength } from "../../units";
+import { setFilter } from "./filters";
+import { type Standard, standardKey } from "./model";
+
+const WHAT = { driver_eye: "driver’s eye", object: "object (taillight, headlight)" } as const;
+const OWN = "own value";
+
+/** The standards that are switched on in this address. */
+export function switchedOn(standards: readonly Standard[], off: readonly string[]): Standard[] {
+  return standards.filter((one) => !off.includes(standardKey(one)));
+}
+
+/** Which heights are drawn in: those of standards with their sources, and the reader's own; all in the address. */
+export function Standards({ standards }: { standards: readonly Standard[] }) {
+  const off = query.value.getAll("off");
+  const toggle = (key: string, on: boolean) =>
+    setFilter({ off: on ? off.filter((one) => one !== key) : [...off, key] });
+  return (
+    <section class="panel stat-noprint" aria-labelledby="stat-standards">
+      <header class="panel__head">
+        <h2 id="stat-standards">Standards drawn in</h2>
+        <span class="muted small">kept in this page’s address, not stored</span>
+      </header>
+      <div class="table-scroll">
+        <table class="table" data-testid="standards">
+          <thead>
+            <tr>
+              <th>drawn</th>
+              <th>standard</th>
+              <th>for</th>
+              <th class="num">height</th>
+              <th>source</th>
+              <th>
+                <span class="visually-hidden">remove</span>
+              </th>
+            </tr>
+          </thead>
+          <tbody>
+            {standards.map((one) => {
+              const key = standardKey(one);
+              return (
+                <tr key={key}>
+                  <td>
+                    <input
+                      type="checkbox"
+                      aria-label={`Draw ${one.name}, ${WHAT[one.what]}, ${formatLength(one.height_m, 2)}`}
+                      checked={!off.includes(key)}
+                      onChange={(event) => toggle(key, event.currentTarget.checked)}
+                    />
+                  </td>
+                  <td>{one.name}</td>
+                  <td>{WHAT[one.what]}</td>
+                  <td class="num">{formatLength(one.height_m, 2)}</td>
+                  <td>{one.source}</td>
+                  <td class="num">
+                    {one.name === OWN && (
+                      <Button
+                        small
+                        icon="close"
+                        label={`Remove ${formatLength(one.height_m, 2)}`}
+                        onClick={() => remove(one)}
+                      />
+                    )}
+                  </td>
+                </tr>
+              );
+            })}
+          </tbody>
+        </table>
+      </div>
+      <AddOwn />
+    </section>
+  );
+}
+
+const nameOf = (what: Standard["what"]) => (what === "driver_eye" ? "eye_limit_m" : "object_limit_m");
+
+function remove(one: Standard): void {
+  const name = nameOf(one.what);
+  setFilter({ [name]: query.value.getAll(name).filter((value) => Number(value) !== one.height_m) });
+}
+
+function AddOwn() {
+  const [what, setWhat] = useState<Standard["what"]>("driver_eye");
+  const [text, setText] = useState("");
+  const [problem, setProblem] = useState<string | null>(null);
+  const add = () => {
+    const metres = parseLength(text);
+    if (metres === null || metres <= 0 || metres >= 10) {
+      setProblem(`Give a height above 0 and below 10 m, such as ${formatLength(1.1, 2)}.`);
+      return;
+    }
+    setProblem(null);
+    setText("");
+    const name = nameOf(what);
+    const value = String(Number(metres.toFixed(4)));
+    setFilter({ [name]: [...new Set([...query.value.getAll(name), value])] });
+  };
+  return (
+    <form
+      class="stat-own"
+      onSubmit={(event) => {
+        event.preventDefault();
+        add();
+      }}
+    >
+      <SelectField
+        label="Own value for"
+        value={what}
+        options={(["driver_eye", "object"] as const).map((value) => ({ value, label: WHAT[value] }))}
+        onChange={setWhat}
+      />
+      <TextField
+        label="Height"
+        numeric
+        unit={lengthUnit.value}
+        value={text}
+        problem={problem}
+        onInput={setText}
+      />
+      <Button type="submit" icon="add">
+        Add
+      </Button>
+    </form>
+  );
+}

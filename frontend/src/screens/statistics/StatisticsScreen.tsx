@@ -1,0 +1,162 @@
+/** Errors against known heights and the distributions of what was measured, for the measurements a filter leaves. */
+import { useEffect, useRef } from "preact/hooks";
+import { api } from "../../api";
+import { Button, Empty, Loading, Problem } from "../../components";
+import { query } from "../../router";
+import { useResource } from "../../state/resource";
+import { formatCount, plural } from "../../units";
+import { ErrorFigures } from "./ErrorFigures";
+import { ErrorTable } from "./ErrorTable";
+import { FilterBar } from "./FilterBar";
+import { narrowed, setFilter, statisticsPath } from "./filters";
+import { GroupSection } from "./GroupSection";
+import type { Statistics } from "./model";
+import { SamplePlan } from "./SamplePlan";
+import { Standards, switchedOn } from "./Standards";
+import { TargetSection } from "./TargetSection";
+import "./statistics.css";
+
+export default function StatisticsScreen() {
+  const path = statisticsPath(query.value);
+  const found = useResource((signal) => api.get<Statistics>(path, { signal }), []);
+  const asked = useRef(path);
+  useEffect(() => {
+    if (asked.current === path) return;
+    asked.current = path;
+    void found.reload();
+  }, [path]);
+  const data = found.data;
+  const only = query.value.getAll("survey").length === 1 ? query.value.get("survey") : null;
+  return (
+    <div class="page page--alone stat-page">
+      <header class="page__head">
+        <div>
+          <h1>Statistics</h1>
+          <p class="page__lead" data-testid="stat-counted">
+            {data
+              ? countedWords(data)
+              : "Errors against known heights, and distributions of what was measured."}
+          </p>
+        </div>
+        <div class="row stat-noprint">
+          {only && <Button href={`/surveys/${only}`}>Back to the survey</Button>}
+          <Button onClick={() => window.print()}>Print</Button>
+        </div>
+      </header>
+      <p class="stat-printonly small">{location.href}</p>
+      <FilterBar found={data} />
+      <Problem error={found.error} again={found.reload} />
+      {!data && found.loading && <Loading what="the statistics" />}
+      {data && !found.error && (
+        <div class="stat-body" aria-busy={found.loading}>
+          {data.counted.measurements === 0 ? (
+            <Nothing found={data} surveyId={only} />
+          ) : (
+            <Figures found={data} />
+          )}
+        </div>
+      )}
+    </div>
+  );
+}
+
+function Figures({ found }: { found: Statistics }) {
+  const standards = switchedOn(found.standards, query.value.getAll("off"));
+  const shown = found.targets.filter(
+    (one) => one.target === "driver_eye" || one.target === "taillight" || one.raw.n > 0,
+  );
+  const eye = found.targets.find((one) => one.target === "driver_eye");
+  return (
+    <>
+      <ErrorTable errors={found.errors} />
+      <ErrorFigures errors={found.errors} />
+      {shown.map((one) => (
+        <TargetSection
+          key={one.target}
+          target={one}
+          standards={standards.filter((standard) => standard.what === WHAT[one.target])}
+        />
+      ))}
+      <GroupSection targets={found.targets} />
+      <Standards standards={found.standards} />
+      <SamplePlan sdM={eye?.corrected.sd_m ?? null} />
+    </>
+  );
+}
+
+const WHAT: Record<string, string> = { driver_eye: "driver_eye", taillight: "object", headlight: "object" };
+
+const LEFT_OUT: Record<string, string> = {
+  to_review: "to review",
+  reopened: "reopened",
+  rejected: "rejected",
+  accepted: "accepted",
+  fixed: "fixed",
+};
+
+function leftOutWords({ counted }: Statistics): string {
+  return Object.entries(counted.left_out)
+    .map(([state, count]) => `${formatCount(count)} ${LEFT_OUT[state] ?? state}`)
+    .join(", ");
+}
+
+function countedWords(found: Statistics): string {
+  const { measurements, vehicles, with_reference } = found.counted;
+  const rest = leftOutWords(found);
+  return (
+    `${plural(measurements, "measurement")} of ${plural(vehicles, "vehicle")}, ` +
+    `${plural(with_reference, "roof")} with a manufacturer’s height.${rest ? ` Left out: ${rest}.` : ""}`
+  );
+}
+
+/** No measurement is left: says which are there, and what to do. */
+function Nothing({ found, surveyId }: { found: Statistics; surveyId: string | null }) {
+  const waiting = (found.counted.left_out["to_review"] ?? 0) + (found.counted.left_out["reopened"] ?? 0);
+  const filtered = narrowed(query.value);
+  return (
+    <section class="panel">
+      <Empty
+        title={waiting > 0 ? "No accepted measurements yet" : "No measurements here"}
+        actions={
+          <>
+            {surveyId && waiting > 0 && (
+              <Button kind="primary" href={`/surveys/${surveyId}/review`}>
+                Go to the review
+              </Button>
+            )}
+            {waiting > 0 && (
+              <Button onClick={() => setFilter({ state: "to_review" })}>Show those to review</Button>
+            )}
+            {filtered && (
+              <Button
+                onClick={() =>
+                  setFilter({
+                    lighting: null,
+                    category: null,
+                    operator: null,
+                    first_day: null,
+                    last_day: null,
+                    state: null,
+                  })
+                }
+              >
+                Clear the filter
+              </Button>
+            )}
+            {surveyId && waiting === 0 && !filtered && (
+              <Button href={`/surveys/${surveyId}/measure`}>Measure vehicles</Button>
+            )}
+          </>
+        }
+      >
+        <p>
+          {waiting > 0
+            ? `Only accepted measurements count, and ${plural(waiting, "measurement waits", "measurements wait")} for review.`
+            : filtered
+              ? "The filter leaves no measurement; widen it."
+              : "Measure vehicles and have them reviewed; their figures then appear here."}
+        </p>
+      </Empty>
+    </section>
+  );
+}

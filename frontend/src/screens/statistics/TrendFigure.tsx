@@ -1,0 +1,100 @@
+import { type Errors, GROUP_WORDS, isThere, type Trend } from "./model";
+import { heightUnit, range, scaled, smallUnit } from "./numbers";
+import { type LegendEntry, PlotFigure } from "./PlotFigure";
+
+const SYMBOLS = { daytime: "circle", low_light: "triangle", unknown: "square" } as const;
+
+/** Signed error over the true height, points told apart by shape, the regression with its band. */
+export function TrendFigure({ errors }: { errors: Errors }) {
+  const { points } = errors;
+  const rows = points.reference_m.map((height, i) => ({
+    height,
+    error: points.error_m[i] as number,
+    lighting: points.lighting[i] as keyof typeof SYMBOLS,
+  }));
+  const line = isThere<Trend>(errors.trend) ? errors.trend : null;
+  const present = (Object.keys(SYMBOLS) as (keyof typeof SYMBOLS)[]).filter((one) =>
+    rows.some((row) => row.lighting === one),
+  );
+  const legend: LegendEntry[] = present.map((one) => ({ word: GROUP_WORDS[one] ?? one, dot: SYMBOLS[one] }));
+  if (line) legend.push({ word: "regression, 95 % band" });
+  return (
+    <PlotFigure
+      name="error-against-height"
+      title="Signed error against true height"
+      says={`Signed error over the manufacturer's height of ${rows.length} vehicles. ${trendWords(errors)}`}
+      note={trendWords(errors)}
+      legend={legend}
+      reason={rows.length === 0 ? "Nothing to draw: no vehicle has a reference height." : null}
+      data={errors}
+      options={(plot, unit) => {
+        const [perX, long] = heightUnit(unit);
+        const [perY, small] = smallUnit(unit);
+        const fit = line?.at.map((at, i) => ({
+          x: at * perX,
+          y: (line.value[i] ?? 0) * perY,
+          low: (line.low[i] ?? 0) * perY,
+          high: (line.high[i] ?? 0) * perY,
+        }));
+        return {
+          x: {
+            label: `manufacturer’s height (${long})`,
+            labelArrow: "none",
+            labelAnchor: "center",
+            labelOffset: 34,
+            nice: true,
+            inset: 4,
+          },
+          y: { label: `signed error (${small})`, labelArrow: "none", grid: true, nice: true, inset: 4 },
+          symbol: { domain: Object.keys(SYMBOLS), range: Object.values(SYMBOLS), legend: false },
+          marks: [
+            plot.ruleY([0], { stroke: "var(--line-strong)" }),
+            ...(fit
+              ? [
+                  plot.areaY(fit, { x: "x", y1: "low", y2: "high", fill: "var(--ink)", fillOpacity: 0.09 }),
+                  plot.line(fit, { x: "x", y: "y", stroke: "var(--ink)", strokeWidth: 2 }),
+                ]
+              : []),
+            plot.dot(rows, {
+              x: (row: (typeof rows)[number]) => row.height * perX,
+              y: (row: (typeof rows)[number]) => row.error * perY,
+              symbol: "lighting",
+              r: rows.length > 300 ? 2.5 : 4,
+              fill: "var(--surface)",
+              fillOpacity: rows.length > 300 ? 0 : 1,
+              stroke: "var(--ink)",
+              strokeOpacity: rows.length > 300 ? 0.6 : 1,
+              strokeWidth: 1.25,
+            }),
+          ],
+        };
+      }}
+      table={() => ({
+        columns: [
+          "part",
+          "lighting",
+          "reference_height_m",
+          "signed_error_m",
+          "band95_low_m",
+          "band95_high_m",
+        ],
+        rows: [
+          ...rows.map((row) => ["vehicle", row.lighting, row.height, row.error, null, null]),
+          ...(line?.at.map((at, i) => ["regression", null, at, line.value[i], line.low[i], line.high[i]]) ??
+            []),
+        ],
+      })}
+    />
+  );
+}
+
+/** "−12 mm per m (−20 to −4), r = −0.31 (…)." */
+function trendWords({ trend, absolute_trend }: Errors): string {
+  if (!isThere<Trend>(trend)) return trend.reason;
+  const [factor, small] = smallUnit();
+  const [, long] = heightUnit();
+  const per = long === "ft" ? factor / (1 / 0.3048) : factor;
+  const signed = `Slope ${scaled(trend.slope, per, 1)} ${small} per ${long} (${range(trend.slope_ci95, per, 1)}), r = ${scaled(trend.correlation, 1, 2)} (${range(trend.correlation_ci95, 1, 2)}).`;
+  if (!isThere<Trend>(absolute_trend)) return signed;
+  return `${signed} Absolute error: r = ${scaled(absolute_trend.correlation, 1, 2)} (${range(absolute_trend.correlation_ci95, 1, 2)}).`;
+}

@@ -1,0 +1,58 @@
+/** The filter as the page's address holds it: the server's own names, so that a link tells all. */
+import { navigate } from "../../router";
+
+export const CORRECTIONS = ["inset", "shift", "none", "regression", "deconvolution"] as const;
+export type Correction = (typeof CORRECTIONS)[number];
+
+/** Names that the server takes, some of them more than once. */
+const SINGLE = [
+  "lighting",
+  "category",
+  "operator",
+  "first_day",
+  "last_day",
+  "state",
+  "rounding",
+  "correction",
+  "u_reference_m",
+] as const;
+const REPEATED = ["survey", "eye_limit_m", "object_limit_m"] as const;
+export type SingleName = (typeof SINGLE)[number];
+export type RepeatedName = (typeof REPEATED)[number] | "off";
+
+/** The server's path for an address: what only the page knows is left out. */
+export function statisticsPath(query: URLSearchParams): string {
+  const asked = new URLSearchParams();
+  for (const name of REPEATED) for (const value of query.getAll(name)) asked.append(name, value);
+  for (const name of SINGLE) {
+    const value = query.get(name);
+    if (value) asked.set(name, value);
+  }
+  const text = asked.toString();
+  return text ? `/statistics?${text}` : "/statistics";
+}
+
+/** An address with some values changed; null or an empty list removes one. */
+export function changed(
+  query: URLSearchParams,
+  changes: Partial<Record<SingleName | RepeatedName, string | readonly string[] | null>>,
+): URLSearchParams {
+  const next = new URLSearchParams(query);
+  for (const [name, value] of Object.entries(changes)) {
+    next.delete(name);
+    for (const one of typeof value === "string" ? [value] : (value ?? [])) if (one) next.append(name, one);
+  }
+  return next;
+}
+
+export function setFilter(changes: Parameters<typeof changed>[1]): void {
+  const text = changed(new URLSearchParams(location.search), changes).toString();
+  navigate(location.pathname + (text ? `?${text}` : ""), { replace: true });
+}
+
+/** Whether anything beyond the survey narrows the measurements. */
+export function narrowed(query: URLSearchParams): boolean {
+  return ["lighting", "category", "operator", "first_day", "last_day", "state"].some((name) =>
+    query.get(name),
+  );
+}

@@ -1,0 +1,38 @@
+import { describe, expect, it } from "vitest";
+import { csvOf } from "./csv";
+import { changed, narrowed, statisticsPath } from "./filters";
+import { resolved } from "./svg";
+
+describe("the address", () => {
+  it("goes to the server without what only the page knows", () => {
+    const at = new URLSearchParams(
+      "survey=1&survey=3&lighting=daytime&off=driver_eye:France:1&eye_limit_m=1.1&x=2",
+    );
+    expect(statisticsPath(at)).toBe("/statistics?survey=1&survey=3&eye_limit_m=1.1&lighting=daytime");
+    expect(statisticsPath(new URLSearchParams())).toBe("/statistics");
+  });
+
+  it("changes one value and keeps the others", () => {
+    const at = new URLSearchParams("survey=1&state=all");
+    expect(changed(at, { survey: ["1", "2"], state: null }).toString()).toBe("survey=1&survey=2");
+    expect(narrowed(at)).toBe(true);
+    expect(narrowed(new URLSearchParams("survey=1"))).toBe(false);
+  });
+});
+
+describe("CSV", () => {
+  it("follows RFC 4180 and runs no formula", () => {
+    const text = csvOf(
+      ["site", "height_m"],
+      [
+        ['a "b", c', -1.5],
+        ["=1+1", null],
+      ],
+    );
+    expect(text).toBe('site,height_m\r\n"a ""b"", c",-1.5\r\n\'=1+1,\r\n');
+  });
+});
+
+it("an SVG of its own knows none of the page's variables", () => {
+  expect(resolved('stroke="var(--ink)" fill="var(--unknown)"')).toBe('stroke="#1a1b18" fill="currentColor"');
+});
