@@ -8,7 +8,7 @@ NPM := npm --prefix frontend --no-fund --no-audit --loglevel=error
 DATABASE_TESTS := tests/storage tests/jobs tests/api tests/cli tests/deployment
 WEB_SOURCES := $(shell find frontend/src frontend/public frontend/index.html frontend/vite.config.ts -type f 2>/dev/null)
 
-.PHONY: run test setup check lock types bench clean
+.PHONY: run test test-postgresql test-browser setup check lock types bench clean
 .DELETE_ON_ERROR:
 
 run: setup
@@ -63,9 +63,15 @@ setup: .build/python .build/web
 	 fi || { rm -f $@; echo "The browser tests need Chromium: install it (sudo apt install chromium) and run make test again." >&2; exit 1; }
 
 test: setup .build/python-dev .build/chromium check
-	@SIGHTLINE_TEST_DATABASE_URL= $(BIN)/python -m pytest -n 2 --dist loadgroup --ignore=tests/browser
-	@if [ -n "$$SIGHTLINE_TEST_DATABASE_URL" ]; then \
-	   echo "The same on PostgreSQL ..." && $(BIN)/python -m pytest -n 2 --dist loadgroup $(DATABASE_TESTS); fi
+	@SIGHTLINE_TEST_DATABASE_URL= $(BIN)/python -m pytest -n 2 --ignore=tests/browser
+	@$(MAKE) --no-print-directory -j2 -Oline test-postgresql test-browser
+
+# Beside each other: a browser waits most of the time.
+test-postgresql:
+	@if [ -n "$$SIGHTLINE_TEST_DATABASE_URL" ]; then echo "The same on PostgreSQL, beside the browser ..." && \
+	   $(BIN)/python -m pytest -n 2 -m "not once" $(DATABASE_TESTS); fi
+
+test-browser:
 	@SIGHTLINE_TEST_DATABASE_URL= $(BIN)/python -m pytest tests/browser
 
 check: .build/python-dev .build/node

@@ -20,7 +20,7 @@ COMMANDS = {
     "import-camera": "backend.commands.geometry:import_camera",
     "pose": "backend.commands.geometry:pose",
     "height": "backend.commands.geometry:height",
-    "plan": "backend.commands.geometry:plan",
+    "plan": "backend.commands.plan:plan",
     "errors": "backend.commands.errors:errors",
     "export": "backend.commands.export:export",
     "verify": "backend.commands.verify:verify",

@@ -3,9 +3,14 @@
 from datetime import datetime
 from typing import Any, Literal
 
+import numpy as np
 from pydantic import Field
 
-from backend.api.bodies import FrameNumber, Id, In, Out, WhoBody
+from backend.api.board_bodies import Markers
+from backend.api.bodies import FrameNumber, Id, Out, WhoBody
+from backend.geometry.reshoot import places_missing
+from backend.storage.records import Calibration
+from backend.work.calibrating import CHECKS
 
 Source = Literal["images", "clip", "import"]
 
@@ -33,15 +38,50 @@ class ViewBody(Out):
     residuals_px: list[list[float]]
 
 
+class HeightDifferenceBody(Out):
+    """What two lenses make of one height; `expected_m`: the standard uncertainty of the difference by the
+    lenses' covariances. Null where the picture does not show it.
+    """
+
+    distance_m: float
+    difference_m: float | None
+    expected_m: float | None = None
+
+
+class CrossValidationBody(Out):
+    """Two halves of the pictures, calibrated apart. Where that could not be done, `reason` says why."""
+
+    reason: str | None
+    views: list[int] | None = Field(description="How many are in each half.")
+    fit_rms_px: float | None
+    held_out_rms_px: float | None = Field(description="Of each half's views under the other half's lens.")
+    height_differences: list[HeightDifferenceBody] = Field(
+        description="Camera level, 1.5 m high, board at 3 m, eye at 1.16 m; at 2, 3 and 5 m."
+    )
+
+
+class BoardShapeBody(Out):
+    """How far the board is from flat, from the pictures; `solved`: whether the calibration allows for it."""
+
+    solved: bool
+    bow_m: float = Field(description="From the most forward to the rearmost corner.")
+    flat_rms_px: float | None
+    bent_rms_px: float | None
+    height_differences: list[HeightDifferenceBody] = Field(description="Taken as flat minus taken as bent.")
+
+
 class CalibrationBody(CalibrationSummaryBody):
     document: dict[str, Any] = Field(description="camera.json (contract.md).")
+    cross_validation: CrossValidationBody | None = Field(description="Null for an import.")
+    board_shape: BoardShapeBody | None
+    reshoot: list[str] = Field(description="What pictures are missing, in words.")
     warnings: list[str]
     coverage: list[list[int]] = Field(description="Corners per cell, 12 rows of 16; empty for an import.")
     views: list[ViewBody]
     recording_id: int | None
 
 
-class CalibrationWish(In):
+class CalibrationWish(Markers):
     """From the camera's images, or with `recording_id` from every n-th frame of a span of a recording."""
 
     columns: int = Field(ge=2, le=100)
@@ -52,3 +92,16 @@ class CalibrationWish(In):
     every: int | None = Field(default=None, ge=1, le=2**31 - 1)
     first_frame: FrameNumber | None = None
     last_frame: FrameNumber | None = None
+    bent_board: bool = Field(default=False, description="Solve for the board's shape too.")
+
+
+def calibration_body(made: Calibration) -> CalibrationBody:
+    """A calibration as it goes out: the checks beside camera.json, not in it. One made before there were
+    checks, or imported, has none.
+    """
+    document = dict(made.document)
+    checks = document.pop(CHECKS, {})
+    told = {name: getattr(made, name) for name in Calibration.__dataclass_fields__}
+    places = places_missing(np.array(made.coverage, dtype=np.float64)) if made.coverage else ()
+    none: dict[str, Any] = {"cross_validation": None, "board_shape": None, "reshoot": list(places)}
+    return CalibrationBody.model_validate({**told, **none, **checks, "document": document})

@@ -3,7 +3,7 @@
 from fastapi import APIRouter, UploadFile
 
 from backend.api.bodies import JobBody
-from backend.api.calibration_bodies import CalibrationBody, CalibrationWish
+from backend.api.calibration_bodies import CalibrationBody, CalibrationWish, calibration_body
 from backend.api.cameras import whole_file
 from backend.api.deps import Operator, PathId, Reading, Viewer, Wired
 from backend.api.uploads import clean_name
@@ -28,10 +28,10 @@ def import_calibration(
     name = clean_name(file.filename or "calibration")
     content = whole_file(file, calibrating.MOST_IMPORT_BYTES, name)
     made = calibrating.import_calibration(services, camera_id, name, content, who.id)
-    return CalibrationBody.model_validate(made)
+    return calibration_body(made)
 
 
 @router.get("/calibrations/{calibration_id}")
 def get_calibration(calibration_id: PathId, who: Viewer, session: Reading) -> CalibrationBody:
     """One calibration, whole."""
-    return CalibrationBody.model_validate(calibrations.get(session, calibration_id))
+    return calibration_body(calibrations.get(session, calibration_id))

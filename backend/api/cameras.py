@@ -5,15 +5,17 @@ from typing import Annotated
 from fastapi import APIRouter, Query, Request, Response, UploadFile
 from pydantic import Field
 
-from backend.api.bodies import Id, In, Name, Out, Text
+from backend.api.board_bodies import Dictionary, KindAsked, MarkerM, Markers, SquareM
+from backend.api.bodies import Id, In, JobBody, Name, Out, Text
 from backend.api.calibration_bodies import CalibrationSummaryBody
 from backend.api.deps import Operator, PathId, Reading, Viewer, Wired, Writing
 from backend.api.frames import CACHING, JPEG, has, unchanged
 from backend.api.uploads import clean_name
 from backend.errors import BadInput
 from backend.storage import cameras, surveys
-from backend.storage.records import CalibrationImage, Camera
-from backend.work import calibration_images
+from backend.storage.records import CalibrationImage, Camera, Job
+from backend.work import calibrating, calibration_images
+from backend.work.boards import board_told
 
 router = APIRouter()
 
@@ -42,6 +44,9 @@ class CalibrationImageBody(Out):
     columns: int
     rows: int
     sharpness: float | None
+    ids: list[int] | None = Field(description="Which corners were seen, row by row; null for all of them.")
+    dictionary: str | None = Field(description="Of a ChArUco board's markers; null for a checkerboard.")
+    marker_share: float | None = Field(description="Side of a marker over the side of a square.")
     url: str
 
 
@@ -53,6 +58,7 @@ class CameraDetail(Out):
     current_calibration_id: int | None
     images: list[CalibrationImageBody]
     calibrations: list[CalibrationSummaryBody]
+    calibrating: JobBody | None = Field(description="A calibration that waits or runs, to be followed.")
 
 
 class NewCamera(In):
@@ -60,9 +66,10 @@ class NewCamera(In):
     notes: Text = ""
 
 
-class BoardSize(In):
+class BoardSize(Markers):
     columns: int = Field(ge=2, le=100)
     rows: int = Field(ge=2, le=100)
+    square_m: SquareM = None
 
 
 class Choice(In):
@@ -86,7 +93,8 @@ def add_camera(survey_id: PathId, body: NewCamera, who: Operator, session: Writi
 @router.get("/cameras/{camera_id}")
 def get_camera(camera_id: PathId, who: Viewer, session: Reading) -> CameraDetail:
     """One camera with its images."""
-    return camera_detail(cameras.get(session, camera_id), cameras.images(session, camera_id))
+    job = calibrating.under_way(session, camera_id)
+    return camera_detail(cameras.get(session, camera_id), cameras.images(session, camera_id), job)
 
 
 @router.post("/cameras/{camera_id}/images", status_code=201)
@@ -97,11 +105,16 @@ def add_image(
     services: Wired,
     columns: Corners = 9,
     rows: Corners = 6,
+    square_m: SquareM = None,
+    board_kind: KindAsked = "checkerboard",
+    dictionary: Dictionary = None,
+    marker_m: MarkerM = None,
 ) -> CalibrationImageBody:
     """One picture of the board; the answer says at once whether the board was found in it."""
+    board = board_told(columns, rows, square_m, board_kind, dictionary, marker_m)
     name = clean_name(file.filename or "picture")
     content = whole_file(file, MOST_IMAGE_BYTES, name)
-    made = calibration_images.add_image(services, camera_id, name, content, columns, rows, who.id)
+    made = calibration_images.add_image(services, camera_id, name, content, board, who.id)
     return image_body(made)
 
 
@@ -109,8 +122,11 @@ def add_image(
 def detect_again(
     camera_id: PathId, body: BoardSize, who: Operator, services: Wired
 ) -> list[CalibrationImageBody]:
-    """The board is of another size: look in every image again."""
-    images = calibration_images.detect_again(services, camera_id, body.columns, body.rows, who.id)
+    """The board is of another size or kind: look in every image again."""
+    board = board_told(
+        body.columns, body.rows, body.square_m, body.board_kind, body.dictionary, body.marker_m
+    )
+    images = calibration_images.detect_again(services, camera_id, board, who.id)
     return [image_body(one) for one in images]
 
 
@@ -154,7 +170,8 @@ def image_body(image: CalibrationImage) -> CalibrationImageBody:
     return CalibrationImageBody.model_validate({**values, "url": f"/api/calibration-images/{image.id}.jpg"})
 
 
-def camera_detail(camera: Camera, images: tuple[CalibrationImage, ...]) -> CameraDetail:
-    """A camera with its images in place of their number."""
+def camera_detail(camera: Camera, images: tuple[CalibrationImage, ...], job: Job | None) -> CameraDetail:
+    """A camera with its images in place of their number, and the calibration that is under way."""
     short = CameraBody.model_validate(camera).model_dump(exclude={"images"})
-    return CameraDetail(**short, images=[image_body(one) for one in images])
+    under_way = None if job is None else JobBody.model_validate(job)
+    return CameraDetail(**short, images=[image_body(one) for one in images], calibrating=under_way)

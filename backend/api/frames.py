@@ -1,12 +1,13 @@
 """The frame table and its pictures: stills, lossless crops, thumbnails; immutable and checked."""
 
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from fastapi import APIRouter, Query, Request, Response
 
 from backend.api.bodies import Out
 from backend.api.deps import PathFrame, PathId, Viewer, Wired
+from backend.api.waiting import Wanted, while_wanted
 from backend.work.ingesting import thumbnail
 from backend.work.stills import Still
 
@@ -18,7 +19,16 @@ JPEG: dict[int | str, dict[str, Any]] = {200: {"content": {"image/jpeg": {}}}, 3
 PNG: dict[int | str, dict[str, Any]] = {200: {"content": {"image/png": {}}}, 304: _SAME}
 MOST_ROWS = 20_000
 Side = Annotated[int, Query(ge=1, le=4096)]
+Shown = Annotated[
+    Literal["plain", "bright"], Query(description="bright: to look at only, never measured on.")
+]
 Place = Annotated[int, Query(ge=-100_000, le=100_000)]
+
+
+class ReadyFrames(Out):
+    """Runs of frames, [first, last], that are answered without decoding."""
+
+    runs: list[tuple[int, int]]
 
 
 class FrameRows(Out):
@@ -51,17 +61,36 @@ def frame_table(
     )
 
 
+@router.get("/recordings/{recording_id}/frames/ready")
+def ready_frames(recording_id: PathId, who: Viewer, services: Wired) -> ReadyFrames:
+    """What is loaded on the server, for the timeline."""
+    return ReadyFrames(runs=services.stills.ready(recording_id))
+
+
 @router.get("/recordings/{recording_id}/frames/{n}.jpg", response_class=Response, responses=JPEG)
-def still(recording_id: PathId, n: PathFrame, who: Viewer, services: Wired, request: Request) -> Response:
+async def still(
+    recording_id: PathId,
+    n: PathFrame,
+    who: Viewer,
+    services: Wired,
+    request: Request,
+    display: Shown = "plain",
+) -> Response:
     """Frame n as JPEG; `?v=` its checksum makes the address as immutable as the picture."""
-    etag = f'"{services.stills.crc(recording_id, n):08x}"'
-    if has(request, etag):
-        return unchanged(etag)
-    return picture(services.stills.still(recording_id, n), "image/jpeg", etag)
+
+    def work(wanted: Wanted) -> Response:
+        kind = "" if display == "plain" else f"-{display}"
+        etag = f'"{services.stills.crc(recording_id, n):08x}{kind}"'
+        services.ahead.asked(recording_id, n)
+        if has(request, etag):
+            return unchanged(etag)
+        return picture(services.stills.still(recording_id, n, display, wanted), "image/jpeg", etag)
+
+    return await while_wanted(request, work)
 
 
 @router.get("/recordings/{recording_id}/frames/{n}/crop.png", response_class=Response, responses=PNG)
-def crop(
+async def crop(
     recording_id: PathId,
     n: PathFrame,
     x: Place,
@@ -71,12 +100,19 @@ def crop(
     who: Viewer,
     services: Wired,
     request: Request,
+    display: Shown = "plain",
 ) -> Response:
     """A rectangle of frame n, lossless; black where it reaches out of the picture."""
-    etag = f'"{services.stills.crc(recording_id, n):08x}-{x}.{y}.{w}.{h}"'
-    if has(request, etag):
-        return unchanged(etag)
-    return picture(services.stills.crop(recording_id, n, x, y, w, h), "image/png", etag)
+
+    def work(wanted: Wanted) -> Response:
+        kind = "" if display == "plain" else f"-{display}"
+        etag = f'"{services.stills.crc(recording_id, n):08x}-{x}.{y}.{w}.{h}{kind}"'
+        if has(request, etag):
+            return unchanged(etag)
+        rectangle = (x, y, w, h)
+        return picture(services.stills.crop(recording_id, n, rectangle, display, wanted), "image/png", etag)
+
+    return await while_wanted(request, work)
 
 
 @router.get("/recordings/{recording_id}/thumbs/{frame}.jpg", response_class=Response, responses=JPEG)

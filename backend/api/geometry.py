@@ -2,9 +2,11 @@
 
 from fastapi import APIRouter
 
-from backend.api.deps import PathId, Reading, Viewer
+from backend.api.deps import PathId, Reading, Viewer, Wired
+from backend.api.measurement_bodies import SecondFrameAnswer, SecondFrameWanted
+from backend.api.measurements import clicked_of, frames_of
 from backend.api.pose_bodies import AxesAnswer, AxesWanted, HeightAnswer, HeightWanted
-from backend.work import measuring
+from backend.work import measuring, second_frame
 
 router = APIRouter()
 
@@ -27,5 +29,21 @@ def height_of_point(recording_id: PathId, body: HeightWanted, who: Viewer, sessi
         sigma_px=body.sigma_px,
         inset_m=body.inset_m,
         u_inset_m=body.u_inset_m,
+        more_frames=frames_of(body.more_frames),
     )
-    return HeightAnswer.model_validate(measuring.height_at(session, recording_id, clicked))
+    return HeightAnswer.model_validate(measuring.height_at(session, recording_id, clicked, actor=who.id))
+
+
+@router.post("/recordings/{recording_id}/geometry/second-frame")
+def best_second_frame(
+    recording_id: PathId, body: SecondFrameWanted, who: Viewer, session: Reading, services: Wired
+) -> SecondFrameAnswer:
+    """The frame of the pass on which clicking the same two points again would gain most, or why none would.
+
+    Where the points are expected there is a proposal to look at: it is stored only when it is clicked.
+    """
+    clicked = clicked_of(body, body.target)
+    found = second_frame.proposal(
+        services, session, recording_id, body.frame, clicked, vehicle_id=body.vehicle_id, actor=who.id
+    )
+    return SecondFrameAnswer.model_validate(found)

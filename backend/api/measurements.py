@@ -9,6 +9,7 @@ from backend.api.measurement_bodies import (
     AtRevision,
     ChangedMeasurement,
     Clicked,
+    ClickedFrame,
     HistoryBody,
     MeasurementBody,
     NewMeasurement,
@@ -20,6 +21,13 @@ from backend.work import measuring
 router = APIRouter()
 
 
+def frames_of(more: list[ClickedFrame]) -> tuple[measuring.ClickedFrame, ...]:
+    return tuple(
+        measuring.ClickedFrame(one.frame, (one.contact[0], one.contact[1]), (one.point[0], one.point[1]))
+        for one in more
+    )
+
+
 def clicked_of(body: Clicked, target: Target) -> measuring.Clicked:
     return measuring.Clicked(
         target=target,
@@ -28,6 +36,7 @@ def clicked_of(body: Clicked, target: Target) -> measuring.Clicked:
         sigma_px=body.sigma_px,
         inset_m=body.inset_m,
         u_inset_m=body.u_inset_m,
+        more_frames=frames_of(body.more_frames),
     )
 
 
@@ -45,6 +54,7 @@ def add_measurement(
         str(body.client_key),
         body.frame,
         clicked_of(body, body.target),
+        repeat_of=body.repeat_of,
         actor=who.id,
     )
     return MeasurementBody.model_validate(stored)
@@ -60,7 +70,10 @@ def get_measurement(measurement_id: PathId, who: Viewer, session: Reading) -> Me
 def revise_measurement(
     measurement_id: PathId, body: ChangedMeasurement, who: Operator, session: Writing
 ) -> MeasurementBody:
-    """A new revision; sigma and inset left out are the survey's, as while clicking."""
+    """A new revision; sigma and inset left out are the survey's, as while clicking.
+
+    Further frames left out are taken away: what is sent is what the revision stands on.
+    """
     target = body.target or measurements.get(session, measurement_id).target
     changed = measuring.revise(
         session, measurement_id, body.revision, body.frame, clicked_of(body, target), actor=who.id

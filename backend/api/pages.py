@@ -9,8 +9,10 @@ from starlette.exceptions import HTTPException
 
 from backend.settings import Settings
 
+# the addresses of frontend/src/router.ts
 FRONT_END_ROUTE = re.compile(
-    r"^(sign-in|account|people|audit|surveys/\d+(/(camera|recordings|pose|measure|review|export))?)?/?$"
+    r"^(sign-in|account|people|audit|statistics|surveys/\d+"
+    r"(/(planning|camera|recordings|pose|measure|review|checks|repeats|repeats/click|export))?)?/?$"
 )
 HASHED = re.compile(r"-[A-Za-z0-9_-]{8}\.\w+$")
 IMMUTABLE = "public, max-age=31536000, immutable"

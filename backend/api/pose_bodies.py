@@ -5,8 +5,9 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field
 
+from backend.api.board_bodies import Markers, SquareM
 from backend.api.bodies import Finite, FrameNumber, Id, In, Out, Point
-from backend.api.measurement_bodies import InsetM, SigmaPx, UInsetM
+from backend.api.measurement_bodies import InsetM, MoreFrames, SigmaPx, UInsetM
 from backend.storage.records import MeasurementStatus, Target
 
 Polyline = list[list[float]]
@@ -14,10 +15,11 @@ Corners = Annotated[int, Field(ge=2, le=60, description="Inner corners: where fo
 HeightAboveRoad = Annotated[Finite, Field(ge=-1, le=10)]
 
 
-class BoardWanted(In):
+class BoardWanted(Markers):
     frame: FrameNumber
     columns: Corners
     rows: Corners
+    square_m: SquareM = None
     calibration_id: Id | None = None
 
 
@@ -30,10 +32,13 @@ class BoardBody(Out):
     rows: int
     corners_px: Polyline
     outline_px: Polyline
+    ids: list[int] | None = Field(
+        description="Which corners were seen, counted row by row; null for all of them."
+    )
     order_note: str
 
 
-class PoseWanted(In):
+class PoseWanted(Markers):
     calibration_id: Id
     first_frame: FrameNumber
     last_frame: FrameNumber
@@ -44,6 +49,10 @@ class PoseWanted(In):
     reference_height_m: HeightAboveRoad
     u_reference_height_m: Annotated[Finite, Field(ge=0, le=1)] = 0.003
     u_lean_rad: Annotated[Finite, Field(ge=0, le=1)] = 0.005
+    u_square_m: Annotated[
+        Finite | None, Field(ge=0, le=1, description="Of a square's side; null: 0.1 % of it, an estimate.")
+    ] = None
+    u_bow_m: Annotated[Finite, Field(ge=0, le=1, description="Middle of the board out of plane.")] = 0.0005
 
 
 class PoseSummaryBody(Out):
@@ -124,11 +133,20 @@ class HeightWanted(In):
     sigma_px: SigmaPx | None = None
     inset_m: InsetM | None = None
     u_inset_m: UInsetM | None = None
+    more_frames: MoreFrames = Field(default_factory=list)
 
 
 class BudgetEntryBody(Out):
     source: str
     u_m: float
+
+
+class SingleFrameBody(Out):
+    """What the first frame alone would give, with the inset assumed."""
+
+    height_m: float | None
+    u_height_m: float | None
+    U95_height_m: float | None
 
 
 class HeightAnswer(Out):
@@ -147,3 +165,10 @@ class HeightAnswer(Out):
     distance_m: float | None
     budget: list[BudgetEntryBody]
     flags: list[str]
+    frames: int
+    solved_inset_m: float | None
+    u_solved_inset_m: float | None
+    heading_rad: float | None
+    u_heading_rad: float | None
+    travel_m: float | None
+    single: SingleFrameBody | None = Field(description="Beside a height from several frames.")

@@ -7,6 +7,7 @@ from backend.api.deps import Operator, PathId, Reading, Viewer, Wired, Writing
 from backend.api.pose_bodies import BoardBody, BoardWanted, PoseBody, PoseSummaryBody, PoseWanted
 from backend.storage import poses, surveys
 from backend.work import posing_job
+from backend.work.boards import board_told
 from backend.work.posing_job import PoseRequest
 
 router = APIRouter()
@@ -15,9 +16,10 @@ router = APIRouter()
 @router.post("/recordings/{recording_id}/board")
 def find_board(recording_id: PathId, body: BoardWanted, who: Operator, services: Wired) -> BoardBody:
     """Look for the board on one frame; where it is not found, the answer says why."""
-    found = posing_job.look_for_board(
-        services, recording_id, body.frame, body.columns, body.rows, body.calibration_id
+    board = board_told(
+        body.columns, body.rows, body.square_m, body.board_kind, body.dictionary, body.marker_m
     )
+    found = posing_job.look_for_board(services, recording_id, body.frame, board, body.calibration_id)
     return BoardBody.model_validate(found)
 
 

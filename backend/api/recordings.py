@@ -10,7 +10,7 @@ from backend.api.bodies import Id, In, JobBody, Name, Out
 from backend.api.deps import Operator, PathId, Reading, Viewer, Wired
 from backend.storage import recordings
 from backend.storage.records import Recording, RecordingChanges
-from backend.work import ingesting
+from backend.work import drifting, ingesting
 
 router = APIRouter()
 
@@ -84,6 +84,8 @@ def change_recording(
     changes = RecordingChanges(**body.model_dump(exclude_unset=True))  # type: ignore[typeddict-item]
     with services.writing() as session:
         changed = recordings.update(session, recording_id, changes, actor=who.id)
+        if changes.get("pose_id") is not None:
+            drifting.request_if_posed(session, recording_id, actor=who.id)
     services.stills.forget(recording_id)
     return recording_body(changed)
 

@@ -3,6 +3,7 @@
 from typing import Annotated
 
 from fastapi import APIRouter, Query
+from pydantic import Field
 
 from backend.api.deps import PathId, Reading, Reviewer, Viewer, Writing
 from backend.api.measurement_bodies import MeasurementBody, NewReview, QueueItemBody
@@ -11,6 +12,8 @@ from backend.storage.reviews import QueueState
 from backend.work.reviewing import review
 
 router = APIRouter()
+
+QueryId = Annotated[int, Field(ge=1, le=2**31 - 1)]
 
 
 def _pair(point: list[float] | None) -> tuple[float, float] | None:
@@ -23,10 +26,15 @@ def review_queue(
     who: Viewer,
     session: Reading,
     state: Annotated[QueueState, Query(description="What was said of them so far.")] = "to_review",
+    after: Annotated[QueryId | None, Query(description="Those behind this measurement.")] = None,
+    measurement: Annotated[QueryId | None, Query(description="This one alone, if it is there.")] = None,
+    limit: Annotated[int, Query(ge=1, le=1000)] = 200,
 ) -> list[QueueItemBody]:
-    """The survey's standing measurements by verdict; `mine` are those that somebody else has to review."""
+    """The survey's standing measurements by verdict, a page at a time; others have to review `mine`."""
     surveys.get(session, survey_id)
-    found = reviews.queue(session, survey_id, state=state, actor=who.id)
+    found = reviews.queue(
+        session, survey_id, state=state, after=after, only=measurement, limit=limit, actor=who.id
+    )
     return [QueueItemBody.model_validate(item) for item in found]
 
 

@@ -20,7 +20,7 @@ from backend.geometry.road_pose import RoadPose
 from backend.geometry.sight import REASONS
 
 FIRST = ("contact_x_px", "contact_y_px", "target_x_px", "target_y_px")
-SECOND = ("contact2_x_px", "contact2_y_px", "target2_x_px", "target2_y_px")
+_FURTHER = re.compile(r"(?:contact|target)([2-9]|[1-9]\d)_[xy]_px")
 OPTIONS = ("sigma_px", "inset_m", "u_inset_m")
 DEFAULTS = {"sigma_px": 1.0, "inset_m": 0.0, "u_inset_m": 0.0}
 NEEDED = ("id", *FIRST)
@@ -45,7 +45,7 @@ class _Row:
 
     cells: list[str]
     values: dict[str, float] = field(default_factory=dict)
-    two_frames: bool = False
+    frames: tuple[int, ...] = ()  # numbers of the further frames that were clicked too
     problem: str | None = None
     results: dict[str, str] = field(default_factory=dict)
 
@@ -61,13 +61,13 @@ class Counts:
 def heights_csv(pose: RoadPose, path: Path) -> tuple[str, Counts]:
     """The text of heights.csv for a clicks.csv. Raises BadInput where the table as a whole cannot be read."""
     header, rows = _read(path)
-    single = [row for row in rows if row.problem is None and not row.two_frames]
+    single = [row for row in rows if row.problem is None and not row.frames]
     _measure_single(pose, single)
     for row in rows:
         if row.problem is not None:
             row.results = {"status": "not_measurable", "reason": row.problem}
-        elif row.two_frames:
-            row.results = _measure_double(pose, row.values)
+        elif row.frames:
+            row.results = _measure_several(pose, row)
     measured = sum(row.results["status"] == "ok" for row in rows)
     return _written(header, rows), Counts(len(rows), measured)
 
@@ -99,9 +99,10 @@ def _parsed(header: list[str], cells: list[str]) -> _Row:
         return _Row((cells + [""] * len(header))[: len(header)], problem=problem)
     by_name = dict(zip(header, cells, strict=True))
     row = _Row(cells)
-    second = [name for name in SECOND if by_name.get(name, "").strip()]
-    row.two_frames = bool(second)
-    for name in (*FIRST, *(SECOND if second else ()), *OPTIONS):
+    filled = (_FURTHER.fullmatch(name) for name in header if by_name[name].strip())
+    row.frames = tuple(sorted({int(one[1]) for one in filled if one}))
+    further = [name.replace("_", f"{k}_", 1) for k in row.frames for name in FIRST]
+    for name in (*FIRST, *further, *OPTIONS):
         text = by_name.get(name, "").strip()
         if not text and name in DEFAULTS:
             row.values[name] = DEFAULTS[name]
@@ -140,11 +141,12 @@ def _measure_single(pose: RoadPose, rows: Sequence[_Row]) -> None:
         row.results["status"] = "ok"
 
 
-def _measure_double(pose: RoadPose, values: dict[str, float]) -> dict[str, str]:
-    """Both frames of one vehicle: the inset is solved for, not assumed."""
-    contacts = [[values[f"contact{n}_{axis}_px"] for axis in "xy"] for n in ("", "2")]
-    targets = [[values[f"target{n}_{axis}_px"] for axis in "xy"] for n in ("", "2")]
-    found = measure_frames(pose, contacts, targets, values["sigma_px"])
+def _measure_several(pose: RoadPose, row: _Row) -> dict[str, str]:
+    """All frames of one vehicle: the inset is solved for, not assumed."""
+    frames = ("", *row.frames)
+    contacts = [[row.values[f"contact{k}_{axis}_px"] for axis in "xy"] for k in frames]
+    targets = [[row.values[f"target{k}_{axis}_px"] for axis in "xy"] for k in frames]
+    found = measure_frames(pose, contacts, targets, row.values["sigma_px"])
     out = _of_height(found.height)
     if found.solved_inset_m is not None and found.u_solved_inset_m is not None:
         out["solved_inset_m"] = metres(found.solved_inset_m)

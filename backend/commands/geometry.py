@@ -1,4 +1,4 @@
-"""The commands calibrate, import-camera, pose, height and plan (contract.md)."""
+"""The commands calibrate, import-camera, pose and height (contract.md)."""
 
 import json
 import re
@@ -13,15 +13,21 @@ from click.core import ParameterSource
 from backend.commands.files import read_json, read_text, write_json, write_whole
 from backend.errors import BadInput
 from backend.geometry.board import Board, require_board
-from backend.geometry.calibration import CalibrationResult
-from backend.geometry.calibration import calibrate as calibrate_views
+from backend.geometry.calibration_checks import CheckedCalibration, calibrate_and_check
 from backend.geometry.camera import Camera
+from backend.geometry.charuco import charuco_of
+from backend.geometry.crossvalidation import in_words
 from backend.geometry.documents import camera_from_dict, camera_to_dict, pose_from_dict, pose_to_dict
 from backend.geometry.height import Height, measure_height
 from backend.geometry.imports import read_camera
-from backend.geometry.plan import Plan, plan_site
 from backend.geometry.pose import expected_u, pose_from_corners
-from backend.geometry.road_pose import DEFAULT_U_HEIGHT_M, DEFAULT_U_LEAN_RAD, Reference, RoadPose
+from backend.geometry.road_pose import (
+    DEFAULT_U_BOW_M,
+    DEFAULT_U_HEIGHT_M,
+    DEFAULT_U_LEAN_RAD,
+    Reference,
+    RoadPose,
+)
 
 _PATH = click.Path(path_type=Path)
 _JSON = click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
@@ -31,12 +37,25 @@ _BOARD = click.option(
 _SQUARE = click.option("--square", "square_m", type=float, required=True, help="Side of a square in metres.")
 
 
-def parse_board(text: str, square_m: float) -> Board:
-    """`9x6` and a square in metres as a board. Raises BadInput."""
+_CHARUCO = click.option(
+    "--charuco", metavar="DICT", help="A ChArUco board with markers of this dictionary, such as 4X4_50."
+)
+_MARKER = click.option("--marker", "marker_m", type=float, help="Side of its markers in metres.")
+
+
+def parse_board(
+    text: str, square_m: float, dictionary: str | None = None, marker_m: float | None = None
+) -> Board:
+    """`9x6` and a square in metres as a board; with a dictionary and a marker's side, a ChArUco board. Raises
+    BadInput.
+    """
+    if (dictionary is None) != (marker_m is None):
+        raise BadInput("--charuco and --marker go together; give the dictionary and the marker's side.")
     match = re.fullmatch(r"\s*(\d{1,4})\s*[xX×*]\s*(\d{1,4})\s*", text)
     if match is None:
         raise BadInput(f"--board {text!r} is not of the form 9x6; count the inner corners across and down.")
-    board = Board(int(match[1]), int(match[2]), square_m)
+    charuco = None if dictionary is None or marker_m is None else charuco_of(dictionary, marker_m)
+    board = Board(int(match[1]), int(match[2]), square_m, charuco)
     require_board(board)
     return board
 
@@ -62,43 +81,58 @@ def read_pose_file(path: Path) -> RoadPose:
 @click.argument("images", nargs=-1, required=True, type=_PATH)
 @_BOARD
 @_SQUARE
+@_CHARUCO
+@_MARKER
 @click.option("--model", type=click.Choice(["brown", "fisheye"]), default="brown", show_default=True)
+@click.option("--bent-board", is_flag=True, help="The board may not be flat: solve for its shape too.")
 @click.option("-o", "--output", type=_PATH, required=True, help="The camera.json to write.")
 @_JSON
 def calibrate(
-    images: tuple[Path, ...], board_text: str, square_m: float, model: Any, output: Path, as_json: bool
+    images: tuple[Path, ...],
+    board_text: str,
+    square_m: float,
+    charuco: str | None,
+    marker_m: float | None,
+    model: Any,
+    bent_board: bool,
+    output: Path,
+    as_json: bool,
 ) -> None:
     """Intrinsics from checkerboard IMAGES (or a clip), as camera.json."""
     from backend.work.camera_files import calibration_views
 
-    board = parse_board(board_text, square_m)
+    board = parse_board(board_text, square_m, charuco, marker_m)
     views = calibration_views(images, board)
     try:
-        result = calibrate_views(views, board, model)
+        checked = calibrate_and_check(views, board, model, bent_board)
     except BadInput as error:
         raise BadInput(f"{', '.join(str(p) for p in images[:3])}: {error.message}") from None
+    result = checked.result
     document = camera_to_dict(result.camera)
     write_json(output, document)
     if as_json:
         extra = {
+            **checked.documents(),
             "warnings": list(result.warnings),
             "trusted": result.trusted,
             "coverage": result.coverage.astype(int).tolist(),
         }
         click.echo(json.dumps({**document, **extra}))
         return
-    click.echo(_calibration_text(result, output))
+    click.echo(_calibration_text(checked, output))
 
 
-def _calibration_text(result: CalibrationResult, output: Path) -> str:
-    camera = result.camera
+def _calibration_text(checked: CheckedCalibration, output: Path) -> str:
+    result, camera = checked.result, checked.result.camera
     used = sum(view.used for view in camera.views)
     lines = [
         f"{output}: {used} of {len(camera.views)} pictures, residual {camera.rms_px:.3f} px, "
         f"fx {camera.fx_px:.2f}, fy {camera.fy_px:.2f}, cx {camera.cx_px:.2f}, cy {camera.cy_px:.2f} px"
     ]
     lines += [f"left out {view.file}: {view.reason}" for view in camera.views if not view.used]
+    lines.append(in_words(checked.cross_validation))
     lines += [f"warning: {warning}" for warning in result.warnings]
+    lines += [f"missing: {advice}" for advice in result.reshoot]
     if not result.trusted:
         lines.append("This calibration is not to be trusted.")
     return "\n".join(lines)
@@ -116,7 +150,7 @@ def import_camera(
 ) -> None:
     """Intrinsics from OpenCV YAML/JSON, ROS camera_info, a Kalibr camchain or a mrcal .cameramodel."""
     text = read_text(file, "a camera file of OpenCV, ROS, Kalibr or mrcal")
-    imported = read_camera(text, str(file), model, _size(size_text), which)
+    imported = read_camera(text, str(file), model, parse_size(size_text), which)
     document = camera_to_dict(imported.camera)
     write_json(output, document)
     for note in imported.notes:
@@ -128,7 +162,7 @@ def import_camera(
         click.echo(f"{output}: {camera.model} camera, {camera.width_px}x{camera.height_px} px, no covariance")
 
 
-def _size(text: str | None) -> tuple[int, int] | None:
+def parse_size(text: str | None) -> tuple[int, int] | None:
     if text is None:
         return None
     match = re.fullmatch(r"(\d{1,6})[xX](\d{1,6})", text.strip())
@@ -142,6 +176,8 @@ def _size(text: str | None) -> tuple[int, int] | None:
 @click.option("--camera", "camera_file", type=_PATH, required=True, help="The camera.json.")
 @_BOARD
 @_SQUARE
+@_CHARUCO
+@_MARKER
 @click.option(
     "--reference-height", type=float, required=True, help="Height of the reference row of corners, metres."
 )
@@ -150,6 +186,16 @@ def _size(text: str | None) -> tuple[int, int] | None:
     "--u-reference-height", type=float, default=DEFAULT_U_HEIGHT_M, show_default=True, help="Metres."
 )
 @click.option("--u-lean", type=float, default=DEFAULT_U_LEAN_RAD, show_default=True, help="Radians.")
+@click.option(
+    "--u-square", type=float, help="Of the side of a square, metres (default 0.1 % of it, an estimate)."
+)
+@click.option(
+    "--u-bow",
+    type=float,
+    default=DEFAULT_U_BOW_M,
+    show_default=True,
+    help="Of the board's middle out of plane, metres.",
+)
 @click.option("-o", "--output", type=_PATH, required=True, help="The pose.json to write.")
 @_JSON
 def pose(
@@ -157,10 +203,14 @@ def pose(
     camera_file: Path,
     board_text: str,
     square_m: float,
+    charuco: str | None,
+    marker_m: float | None,
     reference_height: float,
     reference: Any,
     u_reference_height: float,
     u_lean: float,
+    u_square: float | None,
+    u_bow: float,
     output: Path,
     as_json: bool,
 ) -> None:
@@ -168,14 +218,14 @@ def pose(
     from backend.work.camera_files import pose_detections
 
     camera = read_camera_file(camera_file)
-    board = parse_board(board_text, square_m)
+    board = parse_board(board_text, square_m, charuco, marker_m)
     frames, mean_picture = pose_detections(pictures, camera, board)
     try:
         solved = pose_from_corners(
             camera,
             frames,
             board,
-            Reference(reference, reference_height, u_reference_height, u_lean),
+            Reference(reference, reference_height, u_reference_height, u_lean, u_square, u_bow),
             mean_picture,
         )
     except BadInput as error:
@@ -290,55 +340,3 @@ def height_to_dict(measured: Height) -> dict[str, Any]:
         "budget": [asdict(entry) for entry in measured.budget],
         "flags": list(measured.flags),
     }
-
-
-@click.command()
-@click.option("--camera", "camera_file", type=_PATH, required=True, help="The camera.json.")
-@click.option("--camera-height", type=float, required=True, help="Metres above the road.")
-@click.option("--distance", type=float, required=True, help="Across the road to the wheel track, metres.")
-@click.option(
-    "--board-distance", type=float, help="Where the board will stand; at the wheel track if not given."
-)
-@click.option("--sigma", type=float, default=1.0, show_default=True, help="Of each click coordinate, pixels.")
-@_JSON
-def plan(
-    camera_file: Path,
-    camera_height: float,
-    distance: float,
-    board_distance: float | None,
-    sigma: float,
-    as_json: bool,
-) -> None:
-    """Expected uncertainty per target before going out."""
-    planned = plan_site(read_camera_file(camera_file), camera_height, distance, board_distance, sigma)
-    click.echo(json.dumps(_plan_to_dict(planned)) if as_json else _plan_text(planned))
-
-
-def _plan_to_dict(planned: Plan) -> dict[str, Any]:
-    return {
-        "camera_height_m": planned.camera_height_m,
-        "distance_m": planned.distance_m,
-        "board_distance_m": planned.board_distance_m,
-        "targets": [
-            {
-                "target": t.target,
-                "bias_if_ignored_m": t.bias_if_ignored_m,
-                **height_to_dict(t.result),
-                "height_m": t.height_m,
-            }
-            for t in planned.targets
-        ],
-        "advice": list(planned.advice),
-    }
-
-
-def _plan_text(planned: Plan) -> str:
-    lines = ["target      height m  inset m      U95 mm  bias if the inset is ignored, mm"]
-    for t in planned.targets:
-        u95 = t.result.U95_height_m
-        shown = "   -  " if u95 is None else f"{1000 * u95:6.0f}"
-        lines.append(
-            f"{t.target:<12}{t.height_m:8.2f}  {t.inset_m:.2f}+-{t.u_inset_m:.2f}   {shown}  "
-            f"{1000 * t.bias_if_ignored_m:+.0f}"
-        )
-    return "\n".join([*lines, *planned.advice])

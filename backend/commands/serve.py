@@ -93,6 +93,7 @@ def serve_on(
 
     def answering() -> None:
         # Later: the worker's own start must not take the processor from the server's.
+        services.frames.start()
         child = start_child_worker(settings) if own_worker else None
         if child is not None:
             stack.callback(child.stop)

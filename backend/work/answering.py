@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from backend.geometry.documents import pose_from_dict
-from backend.geometry.height import height_both
+from backend.geometry.height import Height, height_both
 from backend.geometry.insets import DEFAULT_INSETS
+from backend.geometry.multiframe import MultiHeight, measure_frames
 from backend.geometry.road import Overlay, axes_at_contact, ladder_at_contact
 from backend.geometry.road_pose import RoadPose
 from backend.storage.records import Inset, Target
@@ -26,7 +27,10 @@ _MOST_POSES = 32
 
 @dataclass(frozen=True)
 class Clicks:
-    """What one height is computed from: two points in pixels, their sigma, and the inset of the target."""
+    """What one height is computed from: two points in pixels, their sigma, and the inset of the target.
+
+    `more`: (contact, target) of the same two points on further frames; with any, the inset is solved for.
+    """
 
     target: Target
     contact: tuple[float, float]
@@ -34,11 +38,25 @@ class Clicks:
     sigma_px: float
     inset_m: float
     u_inset_m: float
+    more: tuple[tuple[tuple[float, float], tuple[float, float]], ...] = ()
+
+
+@dataclass(frozen=True)
+class SingleFrame:
+    """What the first frame alone would give, with the inset assumed: shown beside a several-frame height."""
+
+    height_m: float | None
+    u_height_m: float | None
+    U95_height_m: float | None
 
 
 @dataclass(frozen=True)
 class Answer:
-    """One height with its uncertainty and budget, or why there is none (then every number is None)."""
+    """One height with its uncertainty and budget, or why there is none (then every number is None).
+
+    `inset_m` is the inset assumed for one frame; `solved_inset_m` the one found from several. The heading is
+    that of the vehicle's travel against the road's X axis.
+    """
 
     status: str
     reason: str | None
@@ -53,6 +71,13 @@ class Answer:
     distance_m: float | None
     budget: list[dict[str, Any]]
     flags: list[str]
+    frames: int = 1
+    solved_inset_m: float | None = None
+    u_solved_inset_m: float | None = None
+    heading_rad: float | None = None
+    u_heading_rad: float | None = None
+    travel_m: float | None = None
+    single: SingleFrame | None = None
 
 
 @dataclass(frozen=True)
@@ -98,6 +123,7 @@ def clicks_of(
     sigma_px: float | None = None,
     inset_m: float | None = None,
     u_inset_m: float | None = None,
+    more: tuple[tuple[tuple[float, float], tuple[float, float]], ...] = (),
 ) -> Clicks:
     """The clicks, with what was left out filled in: sigma 1 px, the survey's inset for this target."""
     usual = inset_for(target, insets)
@@ -108,6 +134,7 @@ def clicks_of(
         sigma_px=DEFAULT_SIGMA_PX if sigma_px is None else sigma_px,
         inset_m=round(usual.inset_m if inset_m is None else inset_m, _INSET_DECIMALS),
         u_inset_m=round(usual.u_inset_m if u_inset_m is None else u_inset_m, _INSET_DECIMALS),
+        more=more,
     )
 
 
@@ -117,10 +144,39 @@ def inset_for(target: Target, insets: Mapping[str, Inset]) -> Inset:
 
 
 def answer(pose: RoadPose, clicks: Clicks) -> Answer:
-    """The height of the target, corrected for its inset and not, with its uncertainty."""
+    """The height of the target with its uncertainty, corrected for its inset and not.
+
+    One frame assumes the inset; several solve for it. Where several frames give no height, none is given: the
+    reason says why, and what the first frame alone would give stands in `single`. The uncorrected height is
+    always the first frame's.
+    """
     height, uncorrected = height_both(
         pose, clicks.contact, clicks.point, clicks.sigma_px, clicks.inset_m, clicks.u_inset_m
     )
+    if not clicks.more:
+        return _answered(clicks, height, uncorrected)
+    found = measured_frames(pose, clicks)
+    alone = SingleFrame(height.height_m, height.u_height_m, height.U95_height_m)
+    return replace(
+        _answered(clicks, found.height, uncorrected),
+        frames=1 + len(clicks.more),
+        solved_inset_m=found.solved_inset_m,
+        u_solved_inset_m=found.u_solved_inset_m,
+        heading_rad=found.heading_rad,
+        u_heading_rad=found.u_heading_rad,
+        travel_m=found.travel_m,
+        single=alone,
+    )
+
+
+def measured_frames(pose: RoadPose, clicks: Clicks) -> MultiHeight:
+    """The height from all frames of the clicks, the first one first."""
+    contacts = [clicks.contact, *(contact for contact, _ in clicks.more)]
+    targets = [clicks.point, *(point for _, point in clicks.more)]
+    return measure_frames(pose, contacts, targets, clicks.sigma_px)
+
+
+def _answered(clicks: Clicks, height: Height, uncorrected: Height) -> Answer:
     return Answer(
         status=height.status,
         reason=height.reason,

@@ -8,13 +8,17 @@ import numpy as np
 from sqlalchemy.orm import Session
 
 from backend.errors import BadInput
-from backend.geometry.calibration import CalibrationResult, calibrate
+from backend.geometry.board import require_board
+from backend.geometry.calibration import CalibrationResult
+from backend.geometry.calibration_checks import CheckedCalibration, calibrate_and_check
 from backend.geometry.camera import Camera
 from backend.geometry.corners import Board, Corners, detect
 from backend.geometry.documents import camera_to_dict
 from backend.storage import calibrations, cameras, recordings
+from backend.storage import jobs as table
 from backend.storage.records import Calibration, CalibrationImage, Job, JsonObject
 from backend.work import calibration_images, jobs
+from backend.work.boards import BoardKind, board_told
 from backend.work.jobs import Finish, JobContext
 from backend.work.services import Services, services_of
 
@@ -23,6 +27,8 @@ Model = Literal["brown", "fisheye"]
 # Beyond this, views add time and hardly any knowledge of the lens.
 MOST_FRAMES = 60
 USUAL_FRAMES = 24
+# Key of a calibration's document that is no key of camera.json.
+CHECKS = "checks"
 LOOKING, FITTING = 0.85, 0.9
 MOST_IMPORT_BYTES = 2_000_000
 
@@ -39,10 +45,15 @@ class Wish:
     every: int | None = None
     first_frame: int | None = None
     last_frame: int | None = None
+    bent_board: bool = False
+    board_kind: BoardKind = "checkerboard"
+    dictionary: str | None = None
+    marker_m: float | None = None
 
     @property
     def board(self) -> Board:
-        return Board(self.columns, self.rows, self.square_m)
+        markers = self.dictionary, self.marker_m
+        return board_told(self.columns, self.rows, self.square_m, self.board_kind, *markers)
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,6 +69,7 @@ class Seen:
 
 def start(services: Services, camera_id: int, wish: Wish, actor: int) -> Job:
     """Queue a calibration. Raises NotFound, BadInput for what cannot work from the outset."""
+    require_board(wish.board)
     with services.writing() as session:
         camera = cameras.get(session, camera_id)
         if wish.recording_id is None:
@@ -81,6 +93,16 @@ def start(services: Services, camera_id: int, wish: Wish, actor: int) -> Job:
             recording_id=None,
             actor=actor,
         )
+
+
+def under_way(session: Session, camera_id: int) -> Job | None:
+    """The newest calibration of this camera that waits or runs."""
+    survey_id = cameras.get(session, camera_id).survey_id
+    for state in ("running", "queued"):
+        for job in table.listing(session, survey_id=survey_id, state=state):
+            if job.kind == KIND and job.payload.get("camera_id") == camera_id:
+                return job
+    return None
 
 
 def frames_of(wish: Wish, frame_count: int) -> list[int]:
@@ -107,6 +129,7 @@ def run_calibration(context: JobContext) -> Finish:
     services = services_of(context)
     asked = dict(context.payload)
     camera_id = int(asked.pop("camera_id"))
+    context.progress(0.0, "Looking for the board.")
     wish = Wish(**asked)
     with services.reading() as session:
         camera = cameras.get(session, camera_id)
@@ -115,9 +138,11 @@ def run_calibration(context: JobContext) -> Finish:
         if wish.recording_id is None
         else (_from_recording(context, services, wish))
     )
-    context.progress(FITTING, "Fitting the lens.")
+    context.progress(FITTING, "Fitting the lens, and its two halves apart.")
     views = unique_names(seen)
-    result = calibrate([(one.name, one.corners, one.size) for one in views], wish.board, wish.model)
+    named_views = [(one.name, one.corners, one.size) for one in views]
+    checked = calibrate_and_check(named_views, wish.board, wish.model, wish.bent_board)
+    result = checked.result
     named = replace(result.camera, name=camera.name)
     rows = view_rows(views, result)
     summary = summary_of(named, len(result.corners), len(views))
@@ -127,7 +152,7 @@ def run_calibration(context: JobContext) -> Finish:
             session,
             camera_id,
             source="images" if wish.recording_id is None else "clip",
-            document=camera_to_dict(named),
+            document=document_of(named, checked),
             trusted=result.trusted,
             warnings=list(result.warnings),
             coverage=result.coverage.astype(int).tolist(),
@@ -139,6 +164,11 @@ def run_calibration(context: JobContext) -> Finish:
         return {"calibration_id": made.id, "camera_id": camera_id}
 
     return finish
+
+
+def document_of(camera: Camera, checked: CheckedCalibration) -> JsonObject:
+    """camera.json with the checks beside its own keys: they are written once with it, and never change."""
+    return {**camera_to_dict(camera), CHECKS: checked.documents()}
 
 
 def _from_images(context: JobContext, services: Services, camera_id: int, wish: Wish) -> list[Seen]:
@@ -153,20 +183,31 @@ def _from_images(context: JobContext, services: Services, camera_id: int, wish: 
 
 def _seen_image(services: Services, image: CalibrationImage, board: Board) -> Seen:
     """The stored detection where it was made for this board, else a fresh one."""
-    same = {image.columns, image.rows} == {board.columns, board.rows}
-    if same and image.found:
-        corners = stored_corners(image, board.square_m)
+    if image.found and made_for(image, board):
+        corners = stored_corners(image, board)
     else:
         corners = detect(calibration_images.gray_of(services, image), board)
     return Seen(image.name, corners, (image.width_px, image.height_px), image_id=image.id)
 
 
-def stored_corners(image: CalibrationImage, square_m: float) -> Corners:
-    """A stored detection as the geometry takes it."""
-    points = np.asarray(image.corners_px, dtype=np.float64).reshape(image.rows, image.columns, 2)
+def made_for(image: CalibrationImage, board: Board) -> bool:
+    """Whether the stored detection looked for this board, lying or standing; its size does not matter."""
+    if {image.columns, image.rows} != {board.columns, board.rows}:
+        return False
+    if board.charuco is None or image.marker_share is None:
+        return board.charuco is None and image.dictionary is None
+    share = board.charuco.marker_m / board.square_m
+    return image.dictionary == board.charuco.dictionary and abs(image.marker_share - share) < 1e-3
+
+
+def stored_corners(image: CalibrationImage, board: Board) -> Corners:
+    """A stored detection of the board as the geometry takes it."""
+    shape = (image.rows, image.columns, 2) if image.ids is None else (-1, 2)
+    points = np.asarray(image.corners_px, dtype=np.float64).reshape(shape)
     points.setflags(write=False)
-    seen = Board(image.columns, image.rows, square_m)
-    return Corners(True, points, seen, None, image.sharpness or 0.0, "stored")
+    seen = replace(board, columns=image.columns, rows=image.rows)
+    ids = None if image.ids is None else np.asarray(image.ids, dtype=np.intp)
+    return Corners(True, points, seen, None, image.sharpness or 0.0, "stored", ids)
 
 
 def _from_recording(context: JobContext, services: Services, wish: Wish) -> list[Seen]:

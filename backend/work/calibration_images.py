@@ -8,21 +8,21 @@ import numpy as np
 import numpy.typing as npt
 
 from backend.geometry.corners import Board, Corners, detect
-from backend.media.images import jpeg, read_image, read_image_bgr
+from backend.media.images import jpeg
 from backend.media.store import key_of, sha256_of
 from backend.storage import cameras
 from backend.storage.records import CalibrationImage
 from backend.work.services import Services
 from backend.work.uploading import suffix_of
 
-# Only counts and proportions matter to detection; the side of a square is asked for when calibrating.
-ANY_SQUARE_M = 0.1
 JPEG_QUALITY = 92
 
 
 @dataclass(frozen=True)
 class Detection:
-    """What was found of a board in one picture; `columns` and `rows` as seen, corners row by row."""
+    """What was found of a board in one picture; `columns` and `rows` as seen, corners row by row. `ids`,
+    `dictionary`, `marker_share`: as of a CalibrationImage.
+    """
 
     found: bool
     reason: str | None
@@ -30,6 +30,9 @@ class Detection:
     columns: int
     rows: int
     sharpness: float | None
+    ids: list[int] | None = None
+    dictionary: str | None = None
+    marker_share: float | None = None
 
 
 def look(gray: npt.NDArray[np.uint8], board: Board) -> Detection:
@@ -39,22 +42,27 @@ def look(gray: npt.NDArray[np.uint8], board: Board) -> Detection:
 
 def detection_of(corners: Corners, board: Board) -> Detection:
     """A detection in plain lists."""
+    charuco = board.charuco
+    markers = (
+        (None, None) if charuco is None else (charuco.dictionary, round(charuco.marker_m / board.square_m, 6))
+    )
     if not corners.found:
         reason = corners.reason or "No board was found."
-        return Detection(False, reason, [], board.columns, board.rows, None)
+        return Detection(False, reason, [], board.columns, board.rows, None, None, *markers)
     seen = corners.board_as_seen
     points: list[list[float]] = corners.points_px.reshape(-1, 2).tolist()
-    return Detection(True, None, points, seen.columns, seen.rows, float(corners.sharpness))
+    ids: list[int] | None = None if corners.ids is None else corners.ids.tolist()
+    return Detection(True, None, points, seen.columns, seen.rows, float(corners.sharpness), ids, *markers)
 
 
 def add_image(
-    services: Services, camera_id: int, name: str, content: bytes, columns: int, rows: int, actor: int
+    services: Services, camera_id: int, name: str, content: bytes, board: Board, actor: int
 ) -> CalibrationImage:
     """Store a picture with what was found in it. Raises BadInput, naming the file, for what is no picture."""
     with services.reading() as session:
         cameras.get(session, camera_id)
-    gray = read_image(content, name)
-    found = look(gray, Board(columns, rows, ANY_SQUARE_M))
+    gray = services.frames.image(content, name)
+    found = look(gray, board)
     key = keep(services, name, content)
     height, width = gray.shape
     with services.writing() as session:
@@ -81,10 +89,9 @@ def keep(services: Services, name: str, content: bytes) -> str:
 
 
 def detect_again(
-    services: Services, camera_id: int, columns: int, rows: int, actor: int
+    services: Services, camera_id: int, board: Board, actor: int
 ) -> tuple[CalibrationImage, ...]:
-    """Look in every image of the camera for a board of another size."""
-    board = Board(columns, rows, ANY_SQUARE_M)
+    """Look in every image of the camera for a board of another size or kind."""
     with services.reading() as session:
         cameras.get(session, camera_id)
         images = cameras.images(session, camera_id)
@@ -99,12 +106,13 @@ def detect_again(
 
 def gray_of(services: Services, image: CalibrationImage) -> npt.NDArray[np.uint8]:
     """The stored picture as luminance, (H, W)."""
-    return read_image(services.media.local_path(image.media_key), image.name)
+    return services.frames.image(services.media.local_path(image.media_key).read_bytes(), image.name)
 
 
 def as_jpeg(services: Services, image: CalibrationImage) -> bytes:
     """The stored picture for a browser, at its own size."""
-    return jpeg(read_image_bgr(services.media.local_path(image.media_key), image.name), JPEG_QUALITY)
+    content = services.media.local_path(image.media_key).read_bytes()
+    return jpeg(services.frames.image_bgr(content, image.name), JPEG_QUALITY)
 
 
 def remove_image(services: Services, image_id: int, actor: int) -> None:

@@ -12,17 +12,21 @@ from typing import Any
 from sqlalchemy.orm import Session
 
 from backend.demonstration import catalogue as demo_catalogue
-from backend.geometry.documents import camera_to_dict
+from backend.media.ingest import IngestCancelled
 from backend.storage import calibrations, cameras, catalogue, people, poses, recordings, surveys, vehicles
 from backend.storage.records import CatalogueRow, Lighting, Person, Role, VehicleChanges
 from backend.work import jobs
-from backend.work.calibrating import Seen, summary_of, view_rows
+from backend.work.calibrating import Seen, document_of, summary_of, view_rows
 from backend.work.calibration_images import detection_of
 from backend.work.demo_clicks import Pass, judge, measure
 from backend.work.demo_parts import LAB_BOARD, LabPicture, Parts, Video, make_parts, write_truth
+from backend.work.demo_repeats import click_again
 from backend.work.demo_request import KIND
+from backend.work.demo_wheels import click_wheels
+from backend.work.drifting import request_if_posed
 from backend.work.ingesting import facts_of, table_of
 from backend.work.posing import Solved
+from backend.work.runner import STOPPED
 from backend.work.services import services_of
 
 NAME = "Demonstration: Corvane Road"
@@ -33,6 +37,7 @@ DESCRIPTION = (
 )
 LIGHTING: dict[str, Lighting] = {"day": "daytime", "low_light": "low_light"}
 MEASURED = {"day": 7, "low_light": 3}
+WHEELED = {"day": 10, "low_light": 6}
 OPERATOR = ("Demonstration operator", "demonstration-operator@sightline.invalid")
 REVIEWER = ("Demonstration reviewer", "demonstration-reviewer@sightline.invalid")
 
@@ -45,12 +50,17 @@ def make_demonstration(context: jobs.JobContext) -> jobs.Outcome:
         known = surveys.demo_survey_id(session)
     if known is not None:
         return {"survey_id": known}
-    parts = make_parts(services, context.progress)
+    try:
+        parts = make_parts(services, context.progress)
+    except IngestCancelled as stopped:  # its threads may be heard before the one that told them to stop
+        raise jobs.Cancelled(STOPPED) from stopped
     context.progress(0.98, "Storing the demonstration survey.")
 
     def store(session: Session) -> Mapping[str, Any]:
         survey_id, numbers = build(session, parts)
         write_truth(services, parts, numbers)
+        for recording in recordings.list_for_survey(session, survey_id):
+            request_if_posed(session, recording.id, actor=None)
         return {"survey_id": survey_id}
 
     return store
@@ -69,7 +79,10 @@ def build(session: Session, parts: Parts) -> tuple[int, dict[str, list[int]]]:
         passes[video.scene.name] = _vehicles(session, recording_id, video, operator.id)
     chosen = [one for name, count in MEASURED.items() for one in passes.get(name, [])[:count]]
     stored = measure(session, chosen, actor=operator.id)
+    click_again(session, chosen, stored, operator=operator.id, reviewer=reviewer.id)
     judge(session, chosen, stored, actor=reviewer.id)
+    wheeled = [one for name, count in WHEELED.items() for one in passes.get(name, [])[:count]]
+    click_wheels(session, wheeled, actor=operator.id)
     return survey.id, {name: [one.vehicle.number for one in found] for name, found in passes.items()}
 
 
@@ -91,12 +104,13 @@ def _camera(session: Session, survey_id: int, parts: Parts) -> tuple[int, int]:
     notes = "Rendered: 640 x 480 px, wide lens with barrel distortion."
     camera = cameras.create(session, survey_id, name="Roadside camera", notes=notes, actor=None)
     seen = [_lab_image(session, camera.id, one) for one in parts.lab]
-    result = parts.calibration
+    checked = parts.calibration
+    result = checked.result
     made = calibrations.add(
         session,
         camera.id,
         source="images",
-        document={**camera_to_dict(result.camera), "name": camera.name},
+        document={**document_of(result.camera, checked), "name": camera.name},
         trusted=result.trusted,
         warnings=list(result.warnings),
         coverage=result.coverage.astype(int).tolist(),

@@ -7,15 +7,16 @@ for everybody else, so every number on the screens is one that the program compu
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from uuid import UUID, uuid5
 
 import numpy as np
 from sqlalchemy.orm import Session
 
 from backend.demonstration import PassTruth
+from backend.demonstration.scene import FPS
 from backend.storage.records import REQUIRED_TARGETS, Measurement, Target, Vehicle
-from backend.work.measuring import Clicked, Point, add
+from backend.work.measuring import Clicked, ClickedFrame, Point, add
 from backend.work.reviewing import review
 
 CLICK_NOISE_PX = 0.7
@@ -24,6 +25,8 @@ FAR_EYE_INSET_M, U_FAR_EYE_INSET_M = 1.15, 0.15
 REJECTED = "The contact point is on the shadow, below the tyre; click where the tyre touches the road."
 _NAMESPACE = UUID("6f0b5a52-4d1c-4b6e-9d6e-2f1f0a3f7c11")
 _SLIP_PX = 7.0
+# Every third vehicle has its taillight clicked on a second frame too, this far along its way.
+_SECOND_EVERY, _SECOND_TRAVEL_M = 3, 2.0
 
 
 @dataclass(frozen=True)
@@ -39,7 +42,10 @@ def measure(session: Session, passes: list[Pass], *, actor: int) -> dict[int, li
     rng = np.random.default_rng(20190611)
     stored: dict[int, list[Measurement]] = {}
     for index, one in enumerate(passes):
+        again = np.random.default_rng(one.vehicle.id)
         for target, frame, clicked in _clicks(one.truth, rng, slip=index == len(passes) - 4):
+            if target == "taillight" and index % _SECOND_EVERY == 0 and index != len(passes) - 4:
+                clicked = replace(clicked, more_frames=_second(one.truth, frame, target, again))
             key = str(uuid5(_NAMESPACE, f"{one.vehicle.id} {target}"))
             made = add(session, one.vehicle.id, key, frame, clicked, actor=actor)
             stored.setdefault(one.vehicle.id, []).append(made)
@@ -65,6 +71,18 @@ def _clicks(truth: PassTruth, rng: np.random.Generator, slip: bool) -> Iterator[
                 u_inset_m=U_FAR_EYE_INSET_M if far_driver else None,
             ),
         )
+
+
+def _second(truth: PassTruth, first: int, target: str, rng: np.random.Generator) -> tuple[ClickedFrame, ...]:
+    """The same two points two metres further on or back; none where no frame shows them."""
+    before = next(one for one in truth.frames if one.frame == first)
+    apart = round(_SECOND_TRAVEL_M / truth.vehicle.speed_mps * FPS)
+    for one in truth.frames:
+        seen = before.contact is not None and before.contact in one.pixels and one.shows(target)
+        if seen and abs(one.frame - first) == apart and before.contact is not None:
+            contact, point = one.pixels[before.contact], one.pixels[target]
+            return (ClickedFrame(one.frame, _beside(contact, rng), _beside(point, rng)),)
+    return ()
 
 
 def sight_of(truth: PassTruth, target: str) -> tuple[int, Point, Point] | None:

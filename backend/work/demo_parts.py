@@ -24,7 +24,8 @@ from backend.demonstration import (
     truth,
     truth_document,
 )
-from backend.geometry.calibration import CalibrationResult, calibrate
+from backend.geometry.calibration import CalibrationResult
+from backend.geometry.calibration_checks import CheckedCalibration, calibrate_and_check
 from backend.geometry.corners import Board, Gray, detect
 from backend.geometry.road_pose import Reference
 from backend.media.cancelling import check_cancelled
@@ -75,7 +76,7 @@ class Parts:
 
     videos: tuple[Video, ...]
     lab: tuple[LabPicture, ...]
-    calibration: CalibrationResult
+    calibration: CheckedCalibration
     poses: tuple[Solved, ...]
 
 
@@ -110,13 +111,13 @@ def make_parts(services: Services, progress: Progress, scenes: Sequence[str] = S
     finally:
         shutil.rmtree(scratch, ignore_errors=True)
     progress(0.96, "Solving for the demonstration's road poses.")
-    poses = tuple(_pose(video, calibration) for video in videos)
+    poses = tuple(_pose(video, calibration.result) for video in videos)
     return Parts(videos, lab, calibration, poses)
 
 
 def _side_by_side(
     services: Services, scratch: Path, progress: Progress, scenes: Sequence[str]
-) -> tuple[tuple[Video, ...], tuple[tuple[LabPicture, ...], CalibrationResult]]:
+) -> tuple[tuple[Video, ...], tuple[tuple[LabPicture, ...], CheckedCalibration]]:
     """A thread for each video, and the lens for the one that ends first: no core waits for another.
 
     The shorter video is read while the longer one is still drawn, and each scene's road and vehicles are
@@ -158,11 +159,11 @@ def _video(services: Services, name: str, scratch: Path, drawing: _Drawing, side
     return _read(services, name, path, scratch, drawing.stop.is_set)
 
 
-def _lens(services: Services) -> tuple[tuple[LabPicture, ...], CalibrationResult]:
+def _lens(services: Services) -> tuple[tuple[LabPicture, ...], CheckedCalibration]:
     """The lab pictures and the calibration from them."""
     lab = tuple(_lab_picture(services, index) for index in range(LAB_COUNT))
     seen = [(one.seen.name, one.seen.corners, one.seen.size) for one in lab]
-    return lab, calibrate(seen, LAB_BOARD, "brown")
+    return lab, calibrate_and_check(seen, LAB_BOARD, "brown")
 
 
 def file_of(name: str) -> str:

@@ -10,7 +10,7 @@ from typing import Any
 
 from sqlalchemy.orm import Session
 
-from backend.media.store import key_of
+from backend.media.store import check_room, key_of
 from backend.storage import (
     audit,
     calibrations,
@@ -22,12 +22,15 @@ from backend.storage import (
     reviews,
     surveys,
     vehicles,
+    wheel_pairs,
 )
 from backend.storage.records import AuditHead, Job, Survey
 from backend.work import exporting_rows as rows
 from backend.work import exporting_tables as tables
 from backend.work import jobs
+from backend.work.exporting_repeats import REPEATS, repeat_rows
 from backend.work.exporting_rows import SurveyState
+from backend.work.exporting_wheels import WHEEL_PAIRS, wheel_pair_rows
 from backend.work.packaging import (
     DESCRIPTION,
     Package,
@@ -37,7 +40,7 @@ from backend.work.packaging import (
     with_checksums,
     zip_bytes,
 )
-from backend.work.services import open_services
+from backend.work.services import services_of
 
 KIND = "export"
 
@@ -53,6 +56,8 @@ _ROWS = {
     tables.CALIBRATIONS: rows.calibration_rows,
     tables.REVIEWS: rows.review_rows,
     tables.INSETS: rows.inset_rows,
+    WHEEL_PAIRS: lambda state: wheel_pair_rows(state.wheel_pairs),
+    REPEATS: lambda state: repeat_rows(state.repeats),
     tables.PEOPLE: rows.person_rows,
     tables.AUDIT: rows.audit_rows,
 }
@@ -69,7 +74,8 @@ def find_survey(session: Session, name: str) -> Survey:
 def state_of(session: Session, survey_id: int) -> SurveyState:
     """Everything that is stored of a survey. Raises NotFound."""
     survey = surveys.get(session, survey_id)
-    current = measurements.list_for_survey(session, survey_id, include_withdrawn=True)
+    stored = measurements.list_for_survey(session, survey_id, include_withdrawn=True, include_repeats=True)
+    current = tuple(one for one in stored if one.repeat_of is None)
     known = {one.id for one in current}
     return SurveyState(
         survey=survey,
@@ -84,12 +90,17 @@ def state_of(session: Session, survey_id: int) -> SurveyState:
             one for one in reviews.list_for_survey(session, survey_id) if one.measurement_id in known
         ),
         audit=audit.for_export(session),
+        wheel_pairs=wheel_pairs.list_for_survey(session, survey_id),
+        repeats=tuple(one for one in stored if one.repeat_of is not None),
     )
 
 
 def package_of(state: SurveyState) -> Package:
     """All files of the package: tables, poses, calibrations, clicks per pose, description and checksums."""
-    files: dict[str, bytes] = {table.path: csv_bytes(table, make(state)) for table, make in _ROWS.items()}
+    most = rows.most_frames(state)
+    files: dict[str, bytes] = {
+        table.path: csv_bytes(tables.with_frames(table, most), make(state)) for table, make in _ROWS.items()
+    }
     for pose in state.poses:
         files[rows.pose_path(pose.id)] = json_bytes(pose.document)
     for calibration in state.calibrations:
@@ -97,9 +108,10 @@ def package_of(state: SurveyState) -> Package:
     clicks = rows.click_rows(state)
     for pose_id in sorted({int(str(row["pose_id"])) for row in clicks}):
         mine = [row for row in clicks if row["pose_id"] == pose_id]
-        files[rows.clicks_path(pose_id)] = csv_bytes(tables.CLICKS, mine)
+        files[rows.clicks_path(pose_id)] = csv_bytes(tables.with_frames(tables.CLICKS, most), mine)
     title = f"{state.survey.name}, {state.survey.site}" if state.survey.site else state.survey.name
-    files[DESCRIPTION] = describe(title, _about(state), _last_change(state), tables.TABLES, files)
+    described = tuple(tables.with_frames(table, most) for table in tables.TABLES)
+    files[DESCRIPTION] = describe(title, _about(state), _last_change(state), described, files)
     return with_checksums(files)
 
 
@@ -137,22 +149,20 @@ def request_export(session: Session, survey_id: int, *, actor: int) -> Job:
 def export(context: jobs.JobContext) -> jobs.Outcome:
     """Build the package, keep it in the media store, and note it with the head of the audit chain."""
     survey_id = int(context.payload["survey_id"])
-    services = open_services(context.settings)
-    try:
-        context.progress(0.05, "Reading the survey.")
-        with services.reading() as session:
-            state = state_of(session, survey_id)
-        context.progress(0.4, "Writing the tables.")
-        content = zip_bytes(package_of(state))
-        context.progress(0.8, "Storing the package.")
-        sha256 = hashlib.sha256(content).hexdigest()
-        key = key_of(sha256, ".zip")
-        with tempfile.TemporaryDirectory(dir=_scratch(context)) as folder:
-            path = Path(folder) / "export.zip"
-            path.write_bytes(content)
-            services.media.put_file(key, path)
-    finally:
-        services.close()
+    services = services_of(context)
+    context.progress(0.05, "Reading the survey.")
+    with services.reading() as session:
+        state = state_of(session, survey_id)
+    context.progress(0.4, "Writing the tables.")
+    content = zip_bytes(package_of(state))
+    context.progress(0.8, "Storing the package.")
+    sha256 = hashlib.sha256(content).hexdigest()
+    key = key_of(sha256, ".zip")
+    check_room(services.scratch, 2 * len(content), "this export")  # here, and in the media store
+    with tempfile.TemporaryDirectory(dir=services.scratch) as folder:
+        path = Path(folder) / "export.zip"
+        path.write_bytes(content)
+        services.media.put_file(key, path)
 
     def store(session: Session) -> Mapping[str, Any]:
         made = exports.add(
@@ -167,9 +177,3 @@ def export(context: jobs.JobContext) -> jobs.Outcome:
         return {"export_id": made.id}
 
     return store
-
-
-def _scratch(context: jobs.JobContext) -> Path:
-    folder = context.settings.data_dir / "scratch"
-    folder.mkdir(parents=True, exist_ok=True)
-    return folder

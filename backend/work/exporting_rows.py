@@ -12,12 +12,14 @@ from backend.storage.records import (
     AuditEvent,
     Calibration,
     Camera,
+    FurtherFrame,
     Measurement,
     Pose,
     Recording,
     Review,
     Survey,
     Vehicle,
+    WheelPair,
     Who,
 )
 from backend.work.packaging import Cell
@@ -37,6 +39,8 @@ class SurveyState:
     revisions: tuple[Measurement, ...]
     reviews: tuple[Review, ...]
     audit: tuple[AuditEvent, ...]
+    wheel_pairs: tuple[WheelPair, ...] = ()
+    repeats: tuple[Measurement, ...] = ()
 
 
 Rows = list[dict[str, Cell]]
@@ -74,6 +78,11 @@ def measured(one: Measurement) -> dict[str, Cell]:
         "time_s": one.time_s,
         "frame_crc32": one.frame_crc,
         **clicked(one),
+        "frames": 1 + len(one.more_frames),
+        **{f"frame{k}": other.frame for k, other in enumerate(one.more_frames, start=2)},
+        **further(one),
+        "solved_inset_m": one.solved_inset_m,
+        "u_solved_inset_m": one.u_solved_inset_m,
         "pose_id": one.pose_id,
         "calibration_id": one.calibration_id,
         "height_m": one.height_m,
@@ -83,7 +92,7 @@ def measured(one: Measurement) -> dict[str, Cell]:
         "distance_m": one.distance_m,
         "status": one.status,
         "reason": one.reason,
-        "flags": "; ".join(one.flags),
+        "flags": "; ".join(one.all_flags),
         "code_version": one.code_version,
         "created_by_id": _who(one.created_by),
         "created_at": when(one.created_at),
@@ -102,6 +111,20 @@ def clicked(one: Measurement) -> dict[str, Cell]:
         "inset_m": float(one.inset_m),
         "u_inset_m": float(one.u_inset_m),
     }
+
+
+def most_frames(state: SurveyState) -> int:
+    """On how many frames the points of a measurement were clicked at most: so many columns there are."""
+    return max((1 + len(one.more_frames) for one in state.revisions), default=1)
+
+
+def further(one: Measurement) -> dict[str, Cell]:
+    """The same two points on the further frames: contact2, target2 on the second, and so on."""
+    cells: dict[str, Cell] = {}
+    for k, other in enumerate(one.more_frames, start=2):
+        for word, (x, y) in (("contact", other.contact), ("target", other.point)):
+            cells |= {f"{word}{k}_x_px": float(x), f"{word}{k}_y_px": float(y)}
+    return cells
 
 
 def measurement_rows(state: SurveyState) -> Rows:
@@ -144,6 +167,7 @@ def click_rows(state: SurveyState) -> Rows:
             {
                 "id": f"m{one.id}",
                 **clicked(one),
+                **further(one),
                 "lighting": None if vehicle is None else vehicle.lighting,
                 "reference_height_m": vehicle.manufacturer_height_m if vehicle is not None and roof else None,
                 "target": one.target,
@@ -176,7 +200,10 @@ def recording_rows(state: SurveyState) -> Rows:
 
 def frame_rows(state: SurveyState) -> Rows:
     """Every frame that any revision was clicked on, once."""
-    seen = {(one.recording_id, one.frame): one for one in state.revisions}
+    seen: dict[tuple[int, int], Measurement | FurtherFrame] = {}
+    for one in state.revisions:
+        clicked_on: tuple[Measurement | FurtherFrame, ...] = (one, *one.more_frames)
+        seen |= {(one.recording_id, frame.frame): frame for frame in clicked_on}
     return [
         {
             "recording_id": recording_id,
@@ -211,6 +238,10 @@ def _pose_row(pose: Pose) -> dict[str, Cell]:
         "reference_height_m": board.get("reference_height_m"),
         "u_reference_height_m": board.get("u_reference_height_m"),
         "u_lean_rad": board.get("u_lean_rad"),
+        "u_square_m": board.get("u_square_m"),
+        "u_bow_m": board.get("u_bow_m"),
+        "turned_from": pose.turned_from,
+        "turned_by_rad": pose.turned_by_rad,
         "document": pose_path(pose.id),
         "created_by_id": _who(pose.created_by),
         "created_at": when(pose.created_at),

@@ -6,6 +6,10 @@ This is the data dictionary of the package (`datapackage.json` is made from it);
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+from backend.work.exporting_repeats import REPEATS
+from backend.work.exporting_wheels import WHEEL_PAIRS
 from backend.work.packaging import Column, Table
 
 TARGETS = ("roof", "driver_eye", "taillight", "headlight", "other")
@@ -57,9 +61,31 @@ _INSET = (
     ),
     _m("u_inset_m", "standard uncertainty of the inset (k = 1)"),
 )
+
+
+def _further_points(k: int) -> tuple[Column, ...]:
+    """The same two points on the k-th frame; empty where fewer were clicked."""
+    return tuple(
+        Column(f"{word}{k}_{axis}_px", "number", f"{what} on frame {k} of the measurement, {axis}", "px")
+        for word, what in (("contact", "the same tyre contact"), ("target", "the same target point"))
+        for axis in "xy"
+    )
+
+
+def _frame_number(k: int) -> Column:
+    return Column(f"frame{k}", "integer", f"number of frame {k} that the points were clicked on", minimum=0)
+
+
+_SEVERAL = (
+    Column("frames", "integer", "on how many frames the points were clicked", required=True, minimum=1),
+    _frame_number(2),
+    *_further_points(2),
+    _m("solved_inset_m", "the inset found from several frames; inset_m is then not used for height_m"),
+    _m("u_solved_inset_m", "standard uncertainty of the inset found (k = 1)"),
+)
 _HEIGHT = (
     _m("height_m", "height of the target above the road along its normal, corrected for the inset"),
-    _m("uncorrected_height_m", "the same with an inset of 0 (the paper's assumption)"),
+    _m("uncorrected_height_m", "the first frame's height with an inset of 0 (the paper's assumption)"),
     _m("u_height_m", "standard uncertainty of height_m (k = 1)"),
     _m("U95_height_m", "half-width of the 95 % interval of height_m"),
     _m("distance_m", "from the camera's centre to the contact point"),
@@ -71,7 +97,14 @@ _HEIGHT = (
     _time("created_at", "when the revision was stored"),
     Column("withdrawn", "boolean", "true where the measurement was taken back", required=True),
 )
-_MEASURED = _WHERE + _CLICKED + (_id("calibration_id", "calibration behind that pose"),) + _INSET + _HEIGHT
+_MEASURED = (
+    *_WHERE,
+    *_CLICKED,
+    _id("calibration_id", "calibration behind that pose"),
+    *_INSET,
+    *_SEVERAL,
+    *_HEIGHT,
+)
 
 MEASUREMENTS = Table(
     "measurements",
@@ -134,6 +167,7 @@ CLICKS = Table(
         Column("id", "string", "measurement the clicks belong to", required=True),
         *_CLICKED[:5],
         *_INSET,
+        *_further_points(2),
         Column("lighting", "string", "light at the time of the pass", enum=LIGHTING),
         _m("reference_height_m", "manufacturer's height, for roofs"),
         Column("target", "string", "what was measured", required=True, enum=TARGETS),
@@ -227,6 +261,10 @@ POSES = Table(
         _m("reference_height_m", "height of that row above the road"),
         _m("u_reference_height_m", "standard uncertainty of that height (k = 1)"),
         Column("u_lean_rad", "number", "standard uncertainty of the board's lean (k = 1)", "rad"),
+        _m("u_square_m", "standard uncertainty of the side of a square (k = 1)"),
+        _m("u_bow_m", "standard uncertainty of the board's middle out of plane (k = 1)"),
+        _id("turned_from", "the pose that this one was, before it was turned to the traffic", required=False),
+        Column("turned_by_rad", "number", "by how much it was turned about the road's normal", "rad"),
         Column("document", "string", "the pose as a file of this package (sightline-pose-1)", required=True),
         _id("created_by_id", "who made it", required=False),
         _time("created_at", "when it was made"),
@@ -337,6 +375,20 @@ TABLES: tuple[Table, ...] = (
     CALIBRATIONS,
     REVIEWS,
     INSETS,
+    WHEEL_PAIRS,
+    REPEATS,
     PEOPLE,
     AUDIT,
 )
+
+
+def with_frames(table: Table, most: int) -> Table:
+    """The table with the columns of frames 3 to `most`, where it has those of the second."""
+    columns: list[Column] = []
+    for column in table.columns:
+        columns.append(column)
+        if column.name == "frame2":
+            columns += [_frame_number(k) for k in range(3, most + 1)]
+        elif column.name == "target2_y_px":
+            columns += [one for k in range(3, most + 1) for one in _further_points(k)]
+    return replace(table, columns=tuple(columns))

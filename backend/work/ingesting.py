@@ -22,6 +22,7 @@ from backend.work.runner import STOPPED as CANCELLED
 from backend.work.services import Services, services_of
 
 KIND = "ingest"
+PASSES = "passes"
 STOPPED = "The ingest was cancelled; start it again or delete the recording."
 # Mean luminance (0-255) below which low light is proposed; people decide.
 LOW_LIGHT_BELOW = 60.0
@@ -84,6 +85,9 @@ def run_ingest(context: JobContext) -> Finish:
 
     def finish(session: Session) -> Mapping[str, Any]:
         recordings.ingested(session, recording_id, facts, table, actor=context.actor)
+        if context.settings.find_passes:
+            place = {"survey_id": recording.survey_id, "recording_id": recording_id}
+            jobs.enqueue(session, PASSES, {}, actor=context.actor, **place)
         return {"recording_id": recording_id, "frames": len(table)}
 
     return finish

@@ -16,7 +16,7 @@ from backend.errors import BadInput, Conflict
 from backend.geometry.road_pose import RoadPose
 from backend.storage import click_context, frames, measurements, poses, vehicles
 from backend.storage.click_context import ClickContext
-from backend.storage.records import Measurement, MeasurementStatus, MeasurementValues, Target
+from backend.storage.records import FurtherFrame, Measurement, MeasurementStatus, MeasurementValues, Target
 from backend.work.answering import Answer, Clicks, PoseShelf, Ruler, answer, clicks_of, inset_for, ruler
 from backend.work.code_version import code_version
 
@@ -27,8 +27,17 @@ _shelves: WeakKeyDictionary[Any, PoseShelf] = WeakKeyDictionary()
 
 
 @dataclass(frozen=True)
+class ClickedFrame:
+    """The same two points of the vehicle on a further frame of its pass."""
+
+    frame: int
+    contact: Point
+    point: Point
+
+
+@dataclass(frozen=True)
 class Clicked:
-    """What a person clicked; None is filled in: sigma 1 px, the survey's inset for the target."""
+    """What a person clicked; None is filled in: their own sigma (else 1 px), the survey's inset."""
 
     target: Target
     contact: Point
@@ -36,6 +45,7 @@ class Clicked:
     sigma_px: float | None = None
     inset_m: float | None = None
     u_inset_m: float | None = None
+    more_frames: tuple[ClickedFrame, ...] = ()
 
 
 def road_pose(session: Session, pose_id: int) -> RoadPose:
@@ -44,9 +54,9 @@ def road_pose(session: Session, pose_id: int) -> RoadPose:
     return shelf.get(pose_id) or shelf.put(pose_id, poses.get(session, pose_id).document)
 
 
-def height_at(session: Session, recording_id: int, clicked: Clicked) -> Answer:
-    """The height that these clicks would be stored with. Raises Conflict without a road pose."""
-    context = click_context.of_recording(session, recording_id)
+def height_at(session: Session, recording_id: int, clicked: Clicked, *, actor: int | None = None) -> Answer:
+    """The height that these clicks of `actor` would be stored with. Raises Conflict without a road pose."""
+    context = click_context.of_recording(session, recording_id, actor)
     pose, _, _ = pose_in_force(session, context)
     return answer(pose, filled_in(clicked, context))
 
@@ -55,22 +65,36 @@ def ruler_at(
     session: Session, recording_id: int, contact: Point, target: Target, inset_m: float | None
 ) -> Ruler:
     """Axes and ladder through a contact click. Raises Conflict without a road pose."""
-    context = click_context.of_recording(session, recording_id)
+    context = click_context.of_recording(session, recording_id, None)
     pose, _, _ = pose_in_force(session, context)
     usual = inset_for(target, context.insets).inset_m
     return ruler(pose, contact, usual if inset_m is None else inset_m)
 
 
 def add(
-    session: Session, vehicle_id: int, client_key: str, frame: int, clicked: Clicked, *, actor: int
+    session: Session,
+    vehicle_id: int,
+    client_key: str,
+    frame: int,
+    clicked: Clicked,
+    *,
+    repeat_of: int | None = None,
+    actor: int,
 ) -> Measurement:
     """Measure and store; the same `client_key` again gives back what was stored the first time.
 
-    Raises NotFound, Conflict without a road pose, BadInput for a frame outside the recording.
+    `repeat_of`: the measurement that these clicks repeat; its inset is theirs unless they bring one, so that
+    the heights differ by the clicks alone. Raises NotFound, Conflict without a road pose, BadInput for a
+    frame outside the recording or a repeat of another target's or vehicle's.
     """
     vehicle = vehicles.get(session, vehicle_id)
-    values = values_at(session, vehicle.recording_id, frame, clicked)
-    return measurements.add(session, vehicle_id, client_key=client_key, values=values, actor=actor)
+    if repeat_of is not None and clicked.inset_m is None:
+        first = measurements.get(session, repeat_of)
+        clicked = replace(clicked, inset_m=first.inset_m, u_inset_m=first.u_inset_m)
+    values = values_at(session, vehicle.recording_id, frame, clicked, actor=actor)
+    return measurements.add(
+        session, vehicle_id, client_key=client_key, values=values, repeat_of=repeat_of, actor=actor
+    )
 
 
 def revise(
@@ -78,15 +102,18 @@ def revise(
 ) -> Measurement:
     """Measure again and store a new revision. Raises Conflict if `revision` is not the current one."""
     before = measurements.seen(session, series_id, revision)
-    values = values_at(session, before.recording_id, frame, clicked)
+    values = values_at(session, before.recording_id, frame, clicked, actor=actor)
     return measurements.revise(session, series_id, seen_revision=revision, values=values, actor=actor)
 
 
-def values_at(session: Session, recording_id: int, n: int, clicked: Clicked) -> MeasurementValues:
+def values_at(
+    session: Session, recording_id: int, n: int, clicked: Clicked, *, actor: int | None
+) -> MeasurementValues:
     """Everything that is stored of a measurement, so that anybody can compute it again."""
-    context = click_context.of_recording(session, recording_id)
+    context = click_context.of_recording(session, recording_id, actor)
     pose, pose_id, calibration_id = pose_in_force(session, context)
     clicks = filled_in(clicked, context)
+    _check_frames(n, clicked.more_frames)
     found = answer(pose, clicks)
     frame = frames.get(session, recording_id, n)
     return MeasurementValues(
@@ -112,21 +139,41 @@ def values_at(session: Session, recording_id: int, n: int, clicked: Clicked) -> 
         flags=found.flags,
         budget=found.budget,
         code_version=code_version(),
+        more_frames=tuple(_further(session, recording_id, one) for one in clicked.more_frames),
+        solved_inset_m=found.solved_inset_m,
+        u_solved_inset_m=found.u_solved_inset_m,
     )
 
 
+def _further(session: Session, recording_id: int, one: ClickedFrame) -> FurtherFrame:
+    frame = frames.get(session, recording_id, one.frame)
+    return FurtherFrame(one.frame, frame.pts, frame.time_s, frame.crc32, one.contact, one.point)
+
+
+def _check_frames(n: int, more: tuple[ClickedFrame, ...]) -> None:
+    """Raises BadInput where a frame is there twice: the vehicle has not moved between a frame and itself."""
+    numbers = [n, *(one.frame for one in more)]
+    twice = next((number for number in numbers if numbers.count(number) > 1), None)
+    if twice is not None:
+        raise BadInput(f"Frame {twice} is clicked twice; click the two points on another frame of the pass.")
+
+
 def filled_in(clicked: Clicked, context: ClickContext) -> Clicks:
-    """The clicks with sigma and inset; what was left out comes from the survey."""
+    """The clicks with sigma and inset; what was left out comes from the person's repeats and the survey."""
     _check_point("contact", clicked.contact)
     _check_point("target", clicked.point)
+    for one in clicked.more_frames:
+        _check_point(f"contact (frame {one.frame})", one.contact)
+        _check_point(f"target (frame {one.frame})", one.point)
     return clicks_of(
         clicked.target,
         clicked.contact,
         clicked.point,
         context.insets,
-        sigma_px=clicked.sigma_px,
+        sigma_px=context.own_sigma_px if clicked.sigma_px is None else clicked.sigma_px,
         inset_m=clicked.inset_m,
         u_inset_m=clicked.u_inset_m,
+        more=tuple((one.contact, one.point) for one in clicked.more_frames),
     )
 
 
@@ -156,7 +203,18 @@ def pose_in_force(session: Session, context: ClickContext) -> tuple[RoadPose, in
     return pose, context.pose_id, context.calibration_id
 
 
-def as_clicked(one: Measurement, contact: Point, point: Point) -> Clicked:
-    """Other points with everything else as in a stored revision."""
-    same = Clicked(one.target, one.contact, one.point, one.sigma_px, one.inset_m, one.u_inset_m)
-    return replace(same, contact=contact, point=point)
+def as_clicked(one: Measurement, n: int, contact: Point, point: Point) -> Clicked:
+    """Other points on frame n with everything else as in a stored revision.
+
+    On another frame the further frames fall away: they were clicked to go with the frame before.
+    """
+    more = tuple(ClickedFrame(other.frame, other.contact, other.point) for other in one.more_frames)
+    return Clicked(
+        one.target,
+        contact,
+        point,
+        one.sigma_px,
+        one.inset_m,
+        one.u_inset_m,
+        more if n == one.frame else (),
+    )

@@ -20,6 +20,7 @@ from pathlib import Path
 from typing import Any
 
 from backend.errors import BadInput, NoRoom
+from backend.media.store import check_room
 
 Cell = str | int | float | bool | None
 Row = Mapping[str, Cell]
@@ -211,6 +212,7 @@ def write_directory(package: Package, target: Path) -> None:
     """
     _refuse_strangers(target)
     target.parent.mkdir(parents=True, exist_ok=True)
+    check_room(target.parent, sum(map(len, package.files.values())), "this export")
     fresh = Path(tempfile.mkdtemp(prefix=f".{target.name}-", dir=target.parent))
     try:
         for path, content in package.files.items():

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from scipy.spatial import ConvexHull
 
 from backend.errors import BadInput
 from backend.geometry.arrays import Floats
@@ -25,6 +26,9 @@ from backend.work.answering import drawn_axes
 MOST_FRAMES = 15
 EXPECTED_AT_M = (2.0, 3.0, 5.0)
 _ORDER_NOTE = "Corners are numbered from the top left as seen, along the rows to the right and then down."
+_PART = (
+    "{seen} of its {all} corners are seen; that will do for a calibration, and a road pose needs them all. "
+)
 _TRANSPOSED = " The board stands the other way up than given: {columns} columns by {rows} rows as seen."
 
 Progress = Callable[[float, str], None]
@@ -40,6 +44,7 @@ class BoardView:
     rows: int
     corners_px: list[list[float]]
     outline_px: list[list[float]]
+    ids: list[int] | None
     order_note: str
 
 
@@ -57,7 +62,7 @@ def look(pictures: Iterable[Gray], board: Board) -> BoardSeen:
     for gray in pictures:
         corners = detect(gray, board)
         found.append(corners)
-        if corners.found:
+        if corners.found and corners.ids is None:
             mean.add(gray, corners)
     return BoardSeen(tuple(found), mean.result())
 
@@ -75,23 +80,32 @@ class Solved:
     summary: str
 
 
-def board_view(gray: Gray, columns: int, rows: int) -> BoardView:
+def board_view(gray: Gray, board: Board) -> BoardView:
     """Look for the board in one grey picture (H, W). Raises BadInput for an impossible board."""
-    corners = detect(gray, Board(columns, rows, 0.1))
+    corners = detect(gray, board)
     if not corners.found:
-        return BoardView(False, corners.reason, columns, rows, [], [], _ORDER_NOTE)
+        return BoardView(False, corners.reason, board.columns, board.rows, [], [], None, _ORDER_NOTE)
     seen = corners.board_as_seen
-    turned = (seen.columns, seen.rows) != (columns, rows)
+    turned = (seen.columns, seen.rows) != (board.columns, board.rows)
     note = _ORDER_NOTE + (_TRANSPOSED.format(columns=seen.columns, rows=seen.rows) if turned else "")
+    ids: list[int] | None = None
+    if corners.ids is not None:
+        ids = corners.ids.tolist()
+        note = _PART.format(seen=len(corners.ids), all=seen.corners) + note
     flat = corners.points_px.reshape(-1, 2).tolist()
-    return BoardView(True, None, seen.columns, seen.rows, flat, outline(corners), note)
+    return BoardView(True, None, seen.columns, seen.rows, flat, outline(corners), ids, note)
 
 
 def outline(corners: Corners) -> list[list[float]]:
-    """The four outermost inner corners, clockwise from the top left, closed."""
+    """The four outermost inner corners, clockwise from the top left, closed; of a board seen in part the
+    hull of what is seen.
+    """
     grid = corners.points_px
-    ring = np.array([grid[0, 0], grid[0, -1], grid[-1, -1], grid[-1, 0], grid[0, 0]])
-    return [[float(x), float(y)] for x, y in ring]
+    if corners.ids is None:
+        ring = np.array([grid[0, 0], grid[0, -1], grid[-1, -1], grid[-1, 0]])
+    else:
+        ring = grid[ConvexHull(grid).vertices]
+    return [[float(x), float(y)] for x, y in [*ring, ring[0]]]
 
 
 def frames_to_try(first: int, last: int, most: int = MOST_FRAMES) -> list[int]:
@@ -124,8 +138,13 @@ def solve(camera: Camera, seen: BoardSeen, board: Board, reference: Reference) -
 
     Raises BadInput with the reason (board or camera moved, board seen edge-on, height that cannot be).
     """
-    found = [corners for corners in seen.corners if corners.found]
     pose = pose_from_corners(camera, list(seen.corners), board, reference, seen.mean_picture)
+    found = [corners for corners in seen.corners if corners.found and corners.ids is None]
+    return described(pose, found[len(found) // 2].points_px.reshape(-1, 2))
+
+
+def described(pose: RoadPose, corners_px: Floats) -> Solved:
+    """A pose with its verdict and drawing; corners_px (N, 2): the board on the frame that is drawn over."""
     expected = [_expected(*at) for at in expected_u(pose, EXPECTED_AT_M)]
     distance_m = None if pose.board is None else pose.board.distance_m
     return Solved(
@@ -133,7 +152,7 @@ def solve(camera: Camera, seen: BoardSeen, board: Board, reference: Reference) -
         document=pose_to_dict(pose),
         warnings=list(pose.warnings),
         expected=expected,
-        overlay=overlay(pose, found[len(found) // 2]),
+        overlay=overlay(pose, corners_px),
         distance_m=distance_m,
         summary=verdict(expected, distance_m, float(pose.centre_m[2])),
     )
@@ -156,7 +175,7 @@ def verdict(expected: Sequence[dict[str, Any]], distance_m: float | None, camera
     return f"{board}The camera is {camera_height_m:.2f} m above the road.{heights}"
 
 
-def overlay(pose: RoadPose, corners: Corners) -> dict[str, Any]:
+def overlay(pose: RoadPose, corners_px: Floats) -> dict[str, Any]:
     """Road grid, axes below the board and lines of equal height, as pixel polylines for the browser."""
     across_m = -float(pose.centre_m[1])
     lines = iso_heights(pose, across_m, iso_steps(float(pose.centre_m[2])))
@@ -164,7 +183,7 @@ def overlay(pose: RoadPose, corners: Corners) -> dict[str, Any]:
         "grid": [line.tolist() for line in road_grid(pose)],
         "iso_heights": [{"height_m": height_m, "points": line.tolist()} for height_m, line in lines],
         "axes": _axes_of_board(pose),
-        "corners_px": corners.points_px.reshape(-1, 2).tolist(),
+        "corners_px": corners_px.tolist(),
     }
 
 

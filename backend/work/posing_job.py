@@ -9,15 +9,17 @@ from typing import Any, Literal
 from sqlalchemy.orm import Session
 
 from backend.errors import BadInput
+from backend.geometry.board import Board, require_board
 from backend.geometry.camera import Camera
-from backend.geometry.corners import Board
 from backend.geometry.documents import camera_from_dict
-from backend.geometry.road_pose import Reference
+from backend.geometry.road_pose import DEFAULT_U_BOW_M, Reference
 from backend.storage import calibrations, poses, recordings
 from backend.storage.records import Job, Recording
 from backend.work import jobs
+from backend.work.boards import BoardKind, board_told
+from backend.work.drifting import request_if_posed
 from backend.work.posing import BoardView, Solved, board_in_span, board_view, check_fits, solve
-from backend.work.services import Services, open_services
+from backend.work.services import Services, services_of
 
 KIND = "pose"
 
@@ -37,25 +39,31 @@ class PoseRequest:
     reference_height_m: float
     u_reference_height_m: float
     u_lean_rad: float
+    u_square_m: float | None = None
+    u_bow_m: float = DEFAULT_U_BOW_M
+    board_kind: BoardKind = "checkerboard"
+    dictionary: str | None = None
+    marker_m: float | None = None
 
     @property
     def board(self) -> Board:
-        return Board(self.columns, self.rows, self.square_m)
+        markers = self.dictionary, self.marker_m
+        return board_told(self.columns, self.rows, self.square_m, self.board_kind, *markers)
 
     @property
     def tape(self) -> Reference:
         height_m, u_height_m = self.reference_height_m, self.u_reference_height_m
-        return Reference(self.reference, height_m, u_height_m, self.u_lean_rad)
+        return Reference(self.reference, height_m, u_height_m, self.u_lean_rad, self.u_square_m, self.u_bow_m)
 
 
 def look_for_board(
-    services: Services, recording_id: int, frame: int, columns: int, rows: int, calibration_id: int | None
+    services: Services, recording_id: int, frame: int, board: Board, calibration_id: int | None
 ) -> BoardView:
     """The board on one frame. Raises NotFound, BadInput (not ready, calibration of another size)."""
     if calibration_id is not None:
         with services.reading() as session:
             fitting_camera(session, recordings.get(session, recording_id), calibration_id)
-    return board_view(services.stills.gray(recording_id, frame), columns, rows)
+    return board_view(services.stills.gray(recording_id, frame), board)
 
 
 def request_pose(session: Session, wanted: PoseRequest, *, actor: int) -> Job:
@@ -68,6 +76,7 @@ def request_pose(session: Session, wanted: PoseRequest, *, actor: int) -> Job:
             f"Frames {wanted.first_frame} to {wanted.last_frame} are no span of {recording.name}; it has "
             f"frames 0 to {recording.frame_count - 1}."
         )
+    require_board(wanted.board)
     fitting_camera(session, recording, wanted.calibration_id)
     return jobs.enqueue(
         session,
@@ -93,20 +102,17 @@ def fitting_camera(session: Session, recording: Recording, calibration_id: int) 
 def solve_pose(context: jobs.JobContext) -> jobs.Outcome:
     """Detect the board in frames of the span, solve, and make the result the recording's pose."""
     wanted = PoseRequest(**context.payload)
-    services = open_services(context.settings)
-    try:
-        with services.reading() as session:
-            recording = recordings.get(session, wanted.recording_id)
-            camera = fitting_camera(session, recording, wanted.calibration_id)
-        seen = board_in_span(
-            lambda n: services.stills.gray(wanted.recording_id, n),
-            wanted.first_frame,
-            wanted.last_frame,
-            wanted.board,
-            context.progress,
-        )
-    finally:
-        services.close()
+    services = services_of(context)
+    with services.reading() as session:
+        recording = recordings.get(session, wanted.recording_id)
+        camera = fitting_camera(session, recording, wanted.calibration_id)
+    seen = board_in_span(
+        lambda n: services.stills.gray(wanted.recording_id, n),
+        wanted.first_frame,
+        wanted.last_frame,
+        wanted.board,
+        context.progress,
+    )
     context.progress(0.85, "Solving for the camera's place.")
     solved = solve(camera, seen, wanted.board, wanted.tape)
     return storing(wanted, solved, context.actor)
@@ -135,6 +141,7 @@ def storing(wanted: PoseRequest, solved: Solved, actor: int | None) -> Callable[
         camera_id = calibrations.get(session, wanted.calibration_id).camera_id
         if recording.camera_id is None:
             recordings.update(session, recording.id, {"camera_id": camera_id}, actor=actor)
+        request_if_posed(session, recording.id, actor=actor)
         return {"pose_id": pose.id}
 
     return store

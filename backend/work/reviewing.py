@@ -31,7 +31,7 @@ def review(
     before = measurements.seen(session, series_id, revision)
     fixed = None
     if verdict == "fixed":
-        fixed = _fixed(session, before, frame, contact, point)
+        fixed = _fixed(session, before, frame, contact, point, actor)
     elif contact is not None or point is not None or frame is not None:
         raise BadInput("Only a fix carries points; leave them out or choose the verdict fixed.")
     return reviews.add(
@@ -46,9 +46,14 @@ def review(
 
 
 def _fixed(
-    session: Session, before: Measurement, frame: int | None, contact: Point | None, point: Point | None
+    session: Session,
+    before: Measurement,
+    frame: int | None,
+    contact: Point | None,
+    point: Point | None,
+    actor: int,
 ) -> MeasurementValues:
     if contact is None or point is None:
         raise BadInput("A fix needs both points, contact and target; click them and send them along.")
     n = before.frame if frame is None else frame
-    return values_at(session, before.recording_id, n, as_clicked(before, contact, point))
+    return values_at(session, before.recording_id, n, as_clicked(before, n, contact, point), actor=actor)

@@ -9,11 +9,13 @@ from weakref import WeakKeyDictionary
 from sqlalchemy import Engine
 from sqlalchemy.orm import Session
 
+from backend.media.decode_host import DecodeHost
 from backend.media.frames import FrameServer
 from backend.media.store import MediaStore, open_store
 from backend.settings import Settings
 from backend.storage import database
 from backend.work.jobs import JobContext
+from backend.work.preparing import Ahead
 from backend.work.queue import JobQueue, attach, open_queue
 from backend.work.stills import Stills
 
@@ -35,6 +37,7 @@ class Services:
     media: MediaStore
     frames: FrameServer
     stills: Stills
+    ahead: Ahead
 
     def reading(self) -> AbstractContextManager[Session]:
         """A session that sees one state of the database and never commits."""
@@ -53,6 +56,7 @@ class Services:
 
     def close(self) -> None:
         """Give files and connections back."""
+        self.ahead.close()
         self.frames.close()
         if self.queue is not None:
             self.queue.close()
@@ -65,7 +69,8 @@ def open_services(settings: Settings) -> Services:
     sessions = database.session_factory(engine)
     queue = open_queue(settings)
     attach(sessions, queue)
-    return _services(settings, engine, sessions, queue)
+    # A hostile file may end the child in which stills are decoded, never the server.
+    return _services(settings, engine, sessions, queue, DecodeHost(FRAME_MEMORY_BYTES * 3 // 4))
 
 
 def services_of(context: JobContext) -> Services:
@@ -74,16 +79,22 @@ def services_of(context: JobContext) -> Services:
         known = _of_workers.get(context.factory)
         if known is None:
             engine = database.engine_of(context.factory)
-            known = _services(context.settings, engine, context.factory, None)
+            # A worker's process is itself the one that a hostile file may end.
+            known = _services(context.settings, engine, context.factory, None, None)
             _of_workers[context.factory] = known
         return known
 
 
 def _services(
-    settings: Settings, engine: Engine, sessions: database.SessionFactory, queue: JobQueue | None
+    settings: Settings,
+    engine: Engine,
+    sessions: database.SessionFactory,
+    queue: JobQueue | None,
+    pictures: DecodeHost | None,
 ) -> Services:
     cache = settings.data_dir / "cache"
     store = open_store(settings.media_url, cache / "media")
-    server = FrameServer(cache, FRAME_MEMORY_BYTES, FRAME_DISK_BYTES)
+    server = FrameServer(cache, FRAME_MEMORY_BYTES, FRAME_DISK_BYTES, pictures=pictures)
     stills = Stills(sessions, store, server)
-    return Services(settings, engine, sessions, queue, store, server, stills)
+    ahead = Ahead(sessions, stills, server)
+    return Services(settings, engine, sessions, queue, store, server, stills, ahead)

@@ -8,9 +8,11 @@ import numpy as np
 import numpy.typing as npt
 
 from backend.errors import BadInput, Damaged, NotFound
+from backend.media.display import Display
 from backend.media.frames import FrameServer
 from backend.media.seeker import RecordingMedia
 from backend.media.store import MediaStore
+from backend.media.window import Wanted, always
 from backend.storage import database, frames, recordings
 from backend.storage.records import Recording
 
@@ -65,21 +67,32 @@ class Stills:
                 self._open.pop(next(iter(self._open)))
         return fresh
 
-    def still(self, recording_id: int, n: int) -> Still:
-        """Frame n as JPEG, upright."""
+    def still(self, recording_id: int, n: int, display: Display = "plain", wanted: Wanted = always) -> Still:
+        """Frame n as JPEG, upright; "bright" is to look at only. NotWanted once `wanted` says no."""
         opened = self._with_frame(recording_id, n)
-        content = self._server.still(opened.media, n)
+        content = self._server.still(opened.media, n, wanted, display)
         return Still(content, n, int(opened.media.pts[n]), int(opened.media.crc[n]))
 
-    def crop(self, recording_id: int, n: int, x: int, y: int, w: int, h: int) -> Still:
-        """A rectangle of frame n as PNG; black where it reaches out of the picture."""
+    def crop(
+        self,
+        recording_id: int,
+        n: int,
+        rectangle: tuple[int, int, int, int],
+        display: Display = "plain",
+        wanted: Wanted = always,
+    ) -> Still:
+        """A rectangle (x, y, w, h) of frame n as PNG; black where it reaches out of the picture."""
         opened = self._with_frame(recording_id, n)
-        content = self._server.crop_png(opened.media, n, x, y, w, h)
+        content = self._server.crop_png(opened.media, n, *rectangle, display=display, wanted=wanted)
         return Still(content, n, int(opened.media.pts[n]), int(opened.media.crc[n]))
 
     def gray(self, recording_id: int, n: int) -> npt.NDArray[np.uint8]:
         """Frame n as luminance, (height_px, width_px), upright."""
         return self._server.gray(self._with_frame(recording_id, n).media, n)
+
+    def ready(self, recording_id: int) -> list[tuple[int, int]]:
+        """Runs (first, last) of the frames that are answered without decoding."""
+        return self._server.ready(self.open(recording_id).media)
 
     def crc(self, recording_id: int, n: int) -> int:
         """The checksum of frame n as the table has it, for an answer without a picture."""

@@ -6,6 +6,7 @@ import csv
 import io
 import json
 import math
+import re
 import zipfile
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -17,7 +18,7 @@ from backend.geometry.documents import pose_from_dict
 from backend.geometry.road_pose import RoadPose
 from backend.storage.chain import event_hash, link_hash
 from backend.storage.records import Target
-from backend.work.answering import Clicks, answer
+from backend.work.answering import Answer, Clicks, answer
 from backend.work.packaging import CHECKSUMS, sha256_hex
 
 Files = Mapping[str, bytes]
@@ -25,6 +26,7 @@ _CHAINED = ("actor_id", "entity_id", "survey_id")
 _TOLD = ("at", "action", "entity", "before", "after")
 # Half of the last decimal that a CSV carries, and a hair for the rounding of the last binary digit.
 _HEIGHT_TOLERANCE_M = 0.51e-6
+_FURTHER = re.compile(r"(?:contact|target)(\d+)_[xy]_px")
 
 
 @dataclass(frozen=True)
@@ -143,7 +145,7 @@ def recompute(files: Files) -> int:
         if row["id"] not in stored:
             raise Damaged(f"clicks.csv: {row['id']} is not in measurements.csv; take the whole export again.")
         _same_clicks(row, stored[row["id"]])
-        _same(row["id"], stored[row["id"]], answer(poses[path], _clicks(row)).height_m)
+        _same(row["id"], stored[row["id"]], answer(poses[path], _clicks(row)))
         count += 1
     return count
 
@@ -156,7 +158,7 @@ def _pose(files: Files, path: str) -> RoadPose:
 
 
 def _clicks(row: Mapping[str, str]) -> Clicks:
-    number = {name: float(row[name]) for name in row if name.endswith(("_px", "inset_m"))}
+    number = {name: float(row[name]) for name in row if name.endswith(("_px", "inset_m")) and row[name]}
     return Clicks(
         target=cast(Target, row["target"]),
         contact=(number["contact_x_px"], number["contact_y_px"]),
@@ -164,6 +166,20 @@ def _clicks(row: Mapping[str, str]) -> Clicks:
         sigma_px=number["sigma_px"],
         inset_m=number["inset_m"],
         u_inset_m=number["u_inset_m"],
+        more=tuple(_points(number, f"{k}") for k in _further(row)),
+    )
+
+
+def _further(row: Mapping[str, str]) -> list[int]:
+    """Numbers of the frames, from 2, on which the points of a row were clicked too."""
+    found = (_FURTHER.fullmatch(name) for name in row if row[name])
+    return sorted({int(one[1]) for one in found if one})
+
+
+def _points(number: Mapping[str, float], k: str) -> tuple[tuple[float, float], tuple[float, float]]:
+    return (
+        (number[f"contact{k}_x_px"], number[f"contact{k}_y_px"]),
+        (number[f"target{k}_x_px"], number[f"target{k}_y_px"]),
     )
 
 
@@ -173,15 +189,26 @@ def _same_clicks(row: Mapping[str, str], measured: Mapping[str, str]) -> None:
             raise Damaged(f"clicks.csv: {row['id']} has another {name} than measurements.csv; one is wrong.")
 
 
-def _same(name: str, row: Mapping[str, str], height_m: float | None) -> None:
-    told = row["height_m"]
-    if not told and height_m is None:
-        return
-    if not told or height_m is None or math.fabs(float(told) - height_m) > _HEIGHT_TOLERANCE_M:
-        computed = "no height" if height_m is None else f"{height_m:.6f} m"
-        raise Damaged(
-            f"measurements.csv: {name} says {told or 'no height'}, its clicks give {computed}; one is wrong."
-        )
+def _same(name: str, row: Mapping[str, str], found: Answer) -> None:
+    """Height and solved inset are those that the clicks give."""
+    for word, told, value in (
+        ("height", row["height_m"], found.height_m),
+        ("solved inset", row.get("solved_inset_m", ""), found.solved_inset_m),
+    ):
+        if not told and value is None:
+            continue
+        if not told or value is None or math.fabs(float(told) - value) > _HEIGHT_TOLERANCE_M:
+            computed = f"no {word}" if value is None else f"{value:.6f} m"
+            raise Damaged(
+                f"measurements.csv: {name} says {_said(word, told)}, its clicks give {computed}; "
+                "one is wrong."
+            )
+
+
+def _said(word: str, told: str) -> str:
+    if not told:
+        return f"no {word}"
+    return told if word == "height" else f"{word} {told}"
 
 
 def told_alike(files: Files, events: list[dict[str, str]]) -> None:
@@ -201,5 +228,15 @@ def told_alike(files: Files, events: list[dict[str, str]]) -> None:
         same = (row["height_m"] or None) == (None if height_m is None else f"{height_m:.6f}")
         for word, column in (("contact", "contact"), ("point", "target")):
             same = same and [float(row[f"{column}_{axis}_px"]) for axis in "xy"] == list(after[word])
+        same = same and _frames_told(row) == after.get("more_frames", [])
         if not same:
             raise Damaged(f"measurements.csv: {row['id']} differs from its audit event; it was changed.")
+
+
+def _frames_told(row: Mapping[str, str]) -> list[list[Any]]:
+    """The further frames of a row in the words of its audit event: [frame, contact, target] each."""
+    told = []
+    for k in _further(row):
+        points = [[float(row[f"{word}{k}_{axis}_px"]) for axis in "xy"] for word in ("contact", "target")]
+        told.append([int(row[f"frame{k}"]), *points])
+    return told

@@ -30,9 +30,11 @@ POSES = tuple(
 Picture = npt.NDArray[np.uint8]
 
 
-def view(pose: tuple[tuple[float, float, float], tuple[float, float, float]]) -> Picture:
-    """The board at a pose of its centre, (HEIGHT, WIDTH, 3) BGR on a grey ground."""
-    flat = _flat()
+def view(
+    pose: tuple[tuple[float, float, float], tuple[float, float, float]], flat: Picture | None = None
+) -> Picture:
+    """The board at a pose of its centre, (HEIGHT, WIDTH, 3) BGR on a grey ground; `flat`: another print."""
+    flat = _flat() if flat is None else flat
     (turn, place) = pose
     rotation, _ = cv2.Rodrigues(np.array(turn))
     half = np.array([(COLUMNS + 1) / 2, (ROWS + 1) / 2]) * SQUARE_M
@@ -53,6 +55,14 @@ def view(pose: tuple[tuple[float, float, float], tuple[float, float, float]]) ->
 def _flat() -> Picture:
     row, column = np.mgrid[0 : (ROWS + 1) * _CELL, 0 : (COLUMNS + 1) * _CELL] // _CELL
     return np.where((row + column) % 2 == 0, 20, 235).astype(np.uint8)
+
+
+def charuco_print() -> Picture:
+    """A print of the same inner corners whose white squares carry markers of 4X4_50, 3/4 of a square wide."""
+    words = cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_4X4_50)
+    board = cv2.aruco.CharucoBoard((COLUMNS + 1, ROWS + 1), 1.0, 0.75, words)
+    ink = board.generateImage(((COLUMNS + 1) * _CELL, (ROWS + 1) * _CELL), marginSize=0)
+    return np.asarray(20 + ink * (215 / 255), dtype=np.uint8)
 
 
 def picture_bytes(image: Picture, suffix: str = ".png") -> bytes:

@@ -43,7 +43,9 @@ def settings(tmp_path: Path, database_url: str) -> Settings:
 
 
 @pytest.fixture
-def services(settings: Settings) -> Iterator[Services]:
+def services(settings: Settings, monkeypatch: pytest.MonkeyPatch) -> Iterator[Services]:
+    """The services, stills decoded here: a child each test would cost more than the tests do."""
+    monkeypatch.setattr("backend.work.services.DecodeHost", lambda _limit_bytes: None)
     opened = open_services(settings)
     yield opened
     opened.close()

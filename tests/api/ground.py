@@ -68,10 +68,16 @@ def store_calibration(services: Services, survey_id: int, camera: Camera) -> tup
 
 
 def add_pose(
-    services: Services, recording_id: int, calibration_id: int, camera: Camera, *, attach: bool = True
+    services: Services,
+    recording_id: int,
+    calibration_id: int,
+    camera: Camera,
+    *,
+    attach: bool = True,
+    **place: Any,
 ) -> int:
-    """Store the pose above the road, of this camera, by default in force for the recording."""
-    document = pose_to_dict(replace(pose_above_road(), camera=camera))
+    """Store the pose above the road (or in another `place`), by default in force for the recording."""
+    document = pose_to_dict(replace(pose_above_road(), camera=camera, **place))
     with services.writing() as session:
         made = poses.add(
             session,

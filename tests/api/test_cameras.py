@@ -13,6 +13,8 @@ from backend.work.calibrating import Wish, frames_of
 from tests.api.boards import COLUMNS, FOCAL_PX, HEIGHT, POSES, ROWS, SQUARE_M, WIDTH, picture_bytes, view
 from tests.api.conftest import Client, error_of, upload
 
+pytestmark = pytest.mark.once
+
 Work = Callable[[], list[Job]]
 BOARD = {"columns": COLUMNS, "rows": ROWS, "square_m": SQUARE_M}
 OPENCV = """%YAML:1.0
@@ -109,10 +111,23 @@ def test_calibration_from_images(operator: Client, camera_id: int, work: Work) -
     drop(operator, camera_id, picture_bytes(np.asarray(small, np.uint8)), "small.png")
     job = operator.post(f"/cameras/{camera_id}/calibrations", BOARD)
     assert job.status_code == 202
+    followed = operator.seen(f"/cameras/{camera_id}")["calibrating"]
+    assert followed["id"] == job.json()["id"] and followed["state"] == "queued"
     (done,) = work()
     assert done.state == "done" and done.result is not None
+    assert operator.seen(f"/cameras/{camera_id}")["calibrating"] is None
     calibration = operator.seen(f"/calibrations/{done.result['calibration_id']}")
     document = calibration["document"]
+    assert "checks" not in document
+    crossed = calibration["cross_validation"]
+    assert crossed["reason"] is None and crossed["views"] == [5, 5]
+    assert document["rms_px"] == pytest.approx(crossed["fit_rms_px"], rel=1e-6)
+    assert crossed["fit_rms_px"] < crossed["held_out_rms_px"]
+    assert [d["distance_m"] for d in crossed["height_differences"]] == [2.0, 3.0, 5.0]
+    known = [d for d in crossed["height_differences"] if d["difference_m"] is not None]
+    assert known and all(d["expected_m"] > 0 for d in known)
+    assert calibration["board_shape"]["solved"] is False and calibration["board_shape"]["bow_m"] < SQUARE_M
+    assert any("Pictures of several sizes" in warning for warning in calibration["warnings"])
     assert document["name"] == "Left"
     assert document["fx_px"] == pytest.approx(FOCAL_PX, rel=0.01)
     assert document["rms_px"] < 0.15

@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 from backend.errors import SightlineError
+from backend.media.ingest import IngestCancelled
 from backend.storage import audit, surveys
 from backend.storage.records import Job
 from backend.work import demo, demo_parts
-from backend.work.demo_rendering import chunks_of, rendered, scene_named
 from backend.work.demo_request import ensure_requested
 from backend.work.jobs import Cancelled
 from backend.work.services import Services
@@ -109,25 +109,21 @@ def check_people(nobody: Client, admin: Client) -> None:
             assert answer.status_code == 401
 
 
-def test_the_work_is_shared_out_whole_and_in_order() -> None:
-    for name in ("day", "low_light", "day:1"):
-        scene = scene_named(name)
-        chunks = chunks_of(scene)
-        assert [n for chunk in chunks for n in chunk] == list(range(scene.frames))
-        assert max(map(len, chunks)) < 150
+def test_cancelled_by_somebody_it_ends_as_cancelled(
+    services: Services, work: Callable[[], list[Job]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Whichever of its threads says first that it stopped."""
+
+    def stopped(*_: object) -> None:
+        raise IngestCancelled("The ingest of the demonstration was cancelled.")
+
+    monkeypatch.setattr(demo, "make_parts", stopped)
+    request(services)
+    (job,) = work()
+    assert (job.state, job.error) == ("cancelled", None)
 
 
-def test_processes_give_the_frames_that_one_process_gives() -> None:
-    from backend.demonstration import render_frame
-
-    scene = scene_named("day:1")
-    frames = rendered("day:1", processes=2)
-    shared = [next(frames) for _ in range(34)]
-    frames.close()
-    for n in (0, 31, 32, 33):
-        assert np.array_equal(shared[n], render_frame(scene, n)), n
-
-
+@pytest.mark.once
 def test_cancelled_in_the_middle_it_leaves_nothing(services: Services) -> None:
     def cancelled(_fraction: float, _message: str) -> None:
         raise Cancelled("Cancelled.")

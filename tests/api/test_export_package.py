@@ -6,20 +6,22 @@ import json
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
 from frictionless import Package as Frictionless
 
 from backend.cli import main
+from backend.errors import NoRoom
 from backend.storage.chain import event_hash, link_hash
 from backend.storage.records import Job
 from backend.work import exporting
-from backend.work.packaging import write_directory
+from backend.work.packaging import with_checksums, write_directory
 from backend.work.services import Services
 from backend.work.verifying import _hashed, read_package, verify_package
 from tests.api.conftest import Client
-from tests.api.ground import Ground, add_vehicle, clicks, lay_ground, measure
+from tests.api.ground import Ground, add_vehicle, clicks, lay_ground, measure, pixel
 
 FORMULA = '=HYPERLINK("http://example.org","x")'
 
@@ -34,9 +36,12 @@ def worked(operator: Client, reviewer: Client, ground: Ground) -> Ground:
     """A survey with every kind of work: measured, revised, fixed, rejected, withdrawn, not measurable."""
     first = add_vehicle(operator, ground.recording_id, make=FORMULA, model="-1+1", lighting="daytime")["id"]
     second = add_vehicle(operator, ground.recording_id, notes="line one\nline two, with comma")["id"]
+    tyres = {"frame": 2, "first": pixel(-1.0, 0.0, 0.0), "second": pixel(1.0, 0.0, 0.0)}
+    operator.made(f"/vehicles/{first}/wheel-pair", tyres)
     roof = measure(operator, first, inset_m=0.1234567, u_inset_m=0.1)
     eye = measure(operator, first, target="driver_eye", contact=[140.123456789, 185.987654321])
     rejected = measure(operator, first, target="taillight")
+    measure(reviewer, first, frame=4, repeat_of=roof["id"], inset_m=None, u_inset_m=None)
     gone = measure(operator, second)
     measure(operator, second, target="other", contact=[160.0, 3.0])
     operator.put(f"/measurements/{roof['id']}", {**clicks(1.31), "revision": 1})
@@ -66,6 +71,13 @@ def written(services: Services, survey_id: int, place: Path) -> Path:
     return place
 
 
+def test_room_is_looked_at_before_an_export(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("backend.media.store.shutil.disk_usage", lambda _: SimpleNamespace(free=10))
+    with pytest.raises(NoRoom, match="no room for this export"):
+        write_directory(with_checksums({"a.csv": b"1"}), tmp_path / "package")
+    assert list(tmp_path.iterdir()) == []
+
+
 def rows(place: Path, name: str) -> list[dict[str, str]]:
     return list(csv.DictReader(io.StringIO((place / name).read_text("utf-8"), newline="")))
 
@@ -85,8 +97,11 @@ def test_the_button_makes_a_package_that_holds_everything(
         archive.extractall(tmp_path / "export")
     assert len(rows(tmp_path / "export", "measurements.csv")) == 5
     assert len(rows(tmp_path / "export", "revisions.csv")) == 8
+    again = rows(tmp_path / "export", "repeats.csv")
+    assert [(row["target"], row["frame"], row["withdrawn"]) for row in again] == [("roof", "4", "false")]
     assert {row["verdict"] for row in rows(tmp_path / "export", "reviews.csv")} == {"fixed", "rejected"}
     assert set(rows(tmp_path / "export", "people.csv")[0]) == {"id", "name"}
+    assert [row["frame"] for row in rows(tmp_path / "export", "wheel_pairs.csv")] == ["2"]
     everything = b"".join(path.read_bytes() for path in (tmp_path / "export").rglob("*") if path.is_file())
     assert b'example.org"' not in everything.replace(b"http://example.org", b"")
     assert b"operator@example.org" not in everything

@@ -43,6 +43,7 @@ def test_every_operation_is_named_once_described_and_typed() -> None:
         }, place
 
 
+@pytest.mark.once
 def test_the_description_is_the_app_s(app: FastAPI, tmp_path: Path) -> None:
     target = tmp_path / "build" / "openapi.json"
     assert main([str(target)]) == 0

@@ -13,6 +13,8 @@ from tests.api import boards
 from tests.api.conftest import Client, error_of, upload
 from tests.api.ground import flat_camera, store_calibration
 
+pytestmark = pytest.mark.once
+
 REFERENCE_M = 0.05
 # The first pose of the clip: square-on, 0.4 m away, its centre on the optical axis.
 CAMERA_HEIGHT_M = REFERENCE_M + (boards.ROWS - 1) / 2 * boards.SQUARE_M

@@ -131,3 +131,40 @@ def test_three_targets_make_a_vehicle_measured_and_their_reviews_accept_it(
         judge(reviewer, one, "accepted")
     assert operator.seen(f"/vehicles/{vehicle_id}")["state"] == "accepted"
     assert operator.seen(f"/surveys/{ground.survey_id}")["counts"]["vehicles_measured"] == 1
+
+
+def test_the_queue_comes_in_pages_in_the_order_of_the_vehicles(
+    operator: Client, reviewer: Client, ground: Ground, vehicle_id: int
+) -> None:
+    other = int(add_vehicle(operator, ground.recording_id)["id"])
+    made = [measure(operator, one) for one in (other, vehicle_id, other, vehicle_id)]
+    order = [made[1], made[3], made[0], made[2]]
+    path = f"/surveys/{ground.survey_id}/review-queue"
+
+    def ids(query: str) -> list[int]:
+        return [item["measurement"]["id"] for item in reviewer.seen(f"{path}?{query}")]
+
+    assert ids("limit=3") == [one["id"] for one in order[:3]]
+    assert ids(f"after={order[0]['id']}&limit=2") == [one["id"] for one in order[1:3]]
+    # What left the queue meanwhile still marks the place.
+    assert judge(reviewer, order[1], "accepted").status_code == 201
+    assert ids(f"after={order[1]['id']}") == [one["id"] for one in order[2:]]
+    assert ids(f"measurement={order[3]['id']}") == [order[3]["id"]]
+    assert ids(f"measurement={order[1]['id']}") == []
+    assert reviewer.get(f"{path}?after=99999").status_code == 404
+
+
+def test_points_are_mine_whoever_restored_them(
+    operator: Client, reviewer: Client, admin: Client, ground: Ground, vehicle_id: int
+) -> None:
+    own = measure(reviewer, vehicle_id)
+    assert operator.delete(f"/measurements/{own['id']}?revision=1").status_code == 200
+    assert operator.post(f"/measurements/{own['id']}/restore", {"revision": 2}).status_code == 200
+    path = f"/surveys/{ground.survey_id}/review-queue"
+    assert [item["mine"] for who in (reviewer, operator, admin) for item in who.seen(path)] == [
+        True,
+        True,
+        False,
+    ]
+    assert operator.put(f"/measurements/{own['id']}", {**clicks(1.25), "revision": 3}).status_code == 200
+    assert [item["mine"] for item in reviewer.seen(path)] == [False]

@@ -8,9 +8,12 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 import httpx
+import pytest
 
 from tests.api.conftest import TUS
 from tests.browser.server import start
+
+pytestmark = pytest.mark.once
 
 BYTES = {**TUS, "Content-Type": "application/offset+octet-stream"}
 

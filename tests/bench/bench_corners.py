@@ -16,7 +16,6 @@ import tempfile
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
-from time import perf_counter
 
 import cv2
 import numpy as np
@@ -27,11 +26,14 @@ cv2.setNumThreads(1)
 
 from backend.geometry.board import Board, canonical_order  # noqa: E402
 from backend.geometry.calibration import calibrate  # noqa: E402
+from backend.geometry.camera import Camera  # noqa: E402
+from backend.geometry.charuco import Charuco  # noqa: E402
 from backend.geometry.corners import detect, refine_subpixel  # noqa: E402
 from backend.geometry.height import measure_height  # noqa: E402
 from backend.geometry.pose import pose_from_corners  # noqa: E402
 from backend.geometry.road_pose import Reference, RoadPose  # noqa: E402
 from backend.geometry.saddle import refine_saddles  # noqa: E402
+from backend.geometry.tracking import track  # noqa: E402
 from backend.media.decode import frames_of  # noqa: E402
 from backend.media.writer import write_mp4  # noqa: E402
 from backend.work.camera_files import pose_detections  # noqa: E402
@@ -40,6 +42,8 @@ from tests.geometry.scenes import camera_of  # noqa: E402
 from tests.geometry.simulate import Lens, Scene, picture  # noqa: E402
 
 DATA = Path(os.environ.get("SIGHTLINE_SHARED_DATA", ROOT.parent / "shared" / "data")) / "calibration"
+CLIP_CRF = 21  # near x264's own default; finer, and the decoder spends its time on noise
+_STOP = (cv2.TERM_CRITERIA_EPS + cv2.TERM_CRITERIA_MAX_ITER, 20, 0.01)
 _FAST = cv2.CALIB_CB_ADAPTIVE_THRESH | cv2.CALIB_CB_NORMALIZE_IMAGE | cv2.CALIB_CB_FAST_CHECK
 
 
@@ -109,7 +113,7 @@ def corners() -> Iterator[Row]:
 
 
 def order() -> Iterator[Row]:
-    right = total = 0
+    right = raw = total = 0
     for columns, rows in ((6, 4), (4, 6)):
         for roll in (-60, -30, 0, 30, 60):
             scene = replace(facing(18, 3.0), roll=float(roll))
@@ -125,9 +129,13 @@ def order() -> Iterator[Row]:
                     total += 1
                     grid = np.asarray(points, dtype=np.float64).reshape(pattern[1], pattern[0], 2)
                     ordered, _ = canonical_order(grid, Board(*pattern, 0.1))
+                    raw += grid.shape == truth.shape and np.abs(grid - truth).max() < 2
                     right += ordered.shape == truth.shape and np.abs(ordered - truth).max() < 2
     yield row(
-        "corner order, both detectors and orders, roll to 60 deg", "100 %", f"{right}/{total}", right == total
+        "corner order, both detectors and orders, roll to 60 deg",
+        "100 %",
+        f"{right}/{total} (OpenCV's own {raw}/{total})",
+        right == total,
     )
 
 
@@ -143,8 +151,10 @@ def clutter(seed: int, width: int, height: int) -> np.ndarray:
 def detection() -> Iterator[Row]:
     found = sum(detect(clutter(seed, 640, 480), BOARD).found for seed in range(12))
     yield row("boards found in clutter", "0 of 12", str(found), found == 0)
-    slowest = max(best_s(lambda s=s: detect(clutter(s, 1920, 1080), BOARD, 2.0), 1) for s in range(2))
-    yield row("no board in a 1080p picture: answer within", "10 s", f"{slowest:.2f} s", slowest < 10)
+    numbered = replace(BOARD, charuco=Charuco("4X4_50", 0.075))
+    for board, name in ((BOARD, "board"), (numbered, "ChArUco board")):
+        slowest = max(best_s(lambda s=s, b=board: detect(clutter(s, 1920, 1080), b), 1) for s in range(2))
+        yield row(f"no {name} in a 1080p picture: answer within", "2 s", f"{slowest:.2f} s", slowest < 2)
     for name, lens, limit in (
         ("VGA", Lens(), 5),
         ("1080p", Lens(1088.0, 959.5, 539.5, width=1920, height=1080), 20),
@@ -155,6 +165,25 @@ def detection() -> Iterator[Row]:
         whole = 1e3 * best_s(lambda g=grey: detect(g, BOARD))
         reached = f"{whole:.1f} ms with the saddle fit (OpenCV's detection alone {alone:.1f} ms)"
         yield row(f"first detection, {name}", f"{limit} ms, fit excluded", reached, alone <= limit)
+        last = detect(grey, BOARD)
+        spot = last.points_px.reshape(-1, 1, 2).astype(np.float32)
+        sub_pix = 1e3 * best_s(
+            lambda g=grey, s=spot: cv2.cornerSubPix(g, s.copy(), (4, 4), (-1, -1), _STOP), 30
+        )
+        follow = 1e3 * best_s(lambda g=grey, c=last: track(g, c), 30)
+        reached = f"{follow:.3f} ms (cornerSubPix alone {sub_pix:.3f} ms)"
+        yield row(f"following the board, {name}", "0.1 ms", reached, follow <= 0.1)
+
+
+def pictures_of_set(folder: str) -> Iterator[tuple[str, np.ndarray]]:
+    """The pictures of a real set; of the clip every 12th frame, as the reference has it."""
+    if folder == "clip_screen_board":
+        clip_path = DATA / folder / "chessboard.mp4"
+        yield from ((f"frame {n}", grey) for n, _, grey in frames_of(clip_path) if n % 12 == 0)
+        return
+    for path in sorted((DATA / folder).glob("*.jpg")):
+        grey = cv2.imread(str(path), cv2.IMREAD_GRAYSCALE)
+        yield path.name, grey
 
 
 def real_sets() -> Iterator[Row]:
@@ -166,27 +195,29 @@ def real_sets() -> Iterator[Row]:
         ("opencv_left", (9, 6), 0),
         ("gopro_wide", (8, 6), 1),
         ("mixed_sizes", (9, 6), 3),
+        ("clip_screen_board", (10, 7), 0),
     ):
         board = Board(*size, 0.025)
         fine, plain = [], []
-        for path in sorted((DATA / folder).glob("*.jpg")):
-            grey = cv2.imread(str(path), cv2.IMREAD_GRAYSCALE)
+        for name, grey in pictures_of_set(folder):
             found = detect(grey, board)
             picture_size = (grey.shape[1], grey.shape[0])
-            fine.append((path.name, found, picture_size))
+            fine.append((name, found, picture_size))
             rough = replace(found, points_px=refine_subpixel(grey, found.points_px)) if found.found else found
-            plain.append((path.name, rough, picture_size))
+            plain.append((name, rough, picture_size))
             seen, hits = seen + 1, hits + found.found
         hits += missing  # these do not show the whole board and must be refused
-        ours, opencv = (calibrate(views, board).camera.rms_px or 0.0 for views in (fine, plain))
-        reached = f"{ours / opencv:.3f} x ({ours:.3f} px)"
-        limit = 0.85 if folder == "opencv_left" else 1.0
-        yield row(
-            f"calibration residual against cornerSubPix, {folder}",
-            f"{limit} x",
-            reached,
-            ours <= limit * opencv,
-        )
+        opencv = calibrate(plain, board).camera.rms_px or 0.0
+        for bent, limit in ((False, 0.85 if folder == "opencv_left" else 1.0), (True, 0.85)):
+            ours = calibrate(fine, board, bent_board=bent).camera.rms_px or 0.0
+            reached = f"{ours / opencv:.3f} x ({ours:.3f} px, cornerSubPix {opencv:.3f} px)"
+            shape = "board's shape solved for" if bent else "board taken as flat"
+            yield row(
+                f"calibration residual against cornerSubPix, {folder}, {shape}",
+                f"{limit} x",
+                reached,
+                ours <= limit * opencv,
+            )
     yield row(
         "boards of real sets found, or rightly refused", "99.3 %", f"{hits}/{seen}", hits / seen >= 0.993
     )
@@ -202,7 +233,7 @@ def clip(folder: Path, scene: Scene, count: int = 150) -> Path:
             yield cv2.cvtColor(noisy, cv2.COLOR_GRAY2BGR)
 
     path = folder / f"board_{scene.lens.width}_{abs(scene.eye[1]):.0f}.mp4"
-    write_mp4(path, frames(), 30)
+    write_mp4(path, frames(), 30, crf=CLIP_CRF)
     return path
 
 
@@ -230,21 +261,28 @@ def clips() -> Iterator[Row]:
             path = clip(Path(name), scene)
             camera = camera_of(scene.lens)
             decoding = best_s(lambda p=path: sum(1 for _ in frames_of(p)), 2)
-            start = perf_counter()
-            frames, mean = pose_detections([path], camera, BOARD)
-            pose = pose_from_corners(camera, frames, BOARD, Reference("top", 1.5, 0.0, 0.0), mean)
-            took = perf_counter() - start
+
+            def solve(path: Path = path, camera: Camera = camera) -> RoadPose:
+                frames, mean = pose_detections([path], camera, BOARD)
+                return pose_from_corners(camera, frames, BOARD, Reference("top", 1.5, 0.0, 0.0), mean)
+
+            pose = solve()
+            took = best_s(solve, 2)
             error = 1000 * rms(height_errors(scene, pose))
+            followed = pose_detections([path], camera, BOARD)[0][1:]  # by cornerSubPix alone
+            plain = pose_from_corners(camera, followed, BOARD, Reference("top", 1.5, 0.0, 0.0))
+            opencv = 1000 * rms(height_errors(scene, plain))
             yield row(
                 f"5 s clip to pose, {label}",
                 f"{limit_s} s",
-                f"{took:.3f} s (decoding alone {decoding:.3f} s)",
+                f"{took:.3f} s ({took / decoding:.2f} x decoding alone, {decoding:.3f} s; "
+                f"{path.stat().st_size * 8 / 5e6:.1f} Mb/s)",
                 took <= limit_s,
             )
             yield row(
                 f"height error from it, perfect clicks, {label}",
                 f"{limit_mm} mm",
-                f"{error:.2f} mm",
+                f"{error:.2f} mm (mean of cornerSubPix {opencv:.2f} mm)",
                 error <= limit_mm,
             )
 

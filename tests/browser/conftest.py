@@ -44,7 +44,7 @@ def demonstration(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     """`sightline demo`, with the demonstration survey made and ready."""
     server = start("demo", tmp_path_factory.mktemp("demonstration"))
     try:
-        server.wait(120)
+        server.wait(300)
         yield server
     finally:
         server.stop()
@@ -63,7 +63,7 @@ def admin_state(browser: Browser, demonstration: Server) -> StorageState:
     return state
 
 
-def wait_for_demonstration(page: Page, seconds: float = 120) -> int:
+def wait_for_demonstration(page: Page, seconds: float = 300) -> int:
     """The id of the demonstration survey, once it is complete."""
     until = time.monotonic() + seconds
     while time.monotonic() < until:

@@ -83,7 +83,7 @@ def choose_camera(page: Page, survey_id: int, recording: dict[str, Any], camera:
     page.goto(f"/surveys/{survey_id}/recordings")
     card = page.get_by_role("article").filter(has_text=recording["name"])
     with page.expect_response(lambda answer: answer.request.method == "PUT" and answer.ok):
-        card.get_by_label("Camera").select_option(str(camera))
+        card.get_by_label("Camera", exact=True).select_option(str(camera))
 
 
 def find_pose(
@@ -200,7 +200,7 @@ def test_calibrate_pose_measure_review_export(
 
     other = invited(page, browser, demonstration, "Rita Reviewer", "reviewer")
     review = other.new_page()
-    review.goto(f"/surveys/{survey_id}/review")
+    review.goto(f"/surveys/{survey_id}/review?blind=0")
     accepted_before = review.request.get(f"/api/surveys/{survey_id}").json()["counts"]["accepted"]
     expect(review.get_by_test_id("review-accept")).to_be_visible()
     review.keyboard.press("a")

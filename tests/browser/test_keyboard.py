@@ -94,7 +94,7 @@ def nudge(page: Page, vehicle: int, point: list[float]) -> None:
     """A selected point goes one pixel by an arrow, as one new revision; undo takes it back."""
     page.keyboard.press("Escape")  # the cursor goes
     expect(page.get_by_test_id("keyboard-cursor")).to_have_count(0)
-    page.keyboard.press("s")
+    page.keyboard.press("w")
     page.keyboard.press("ArrowRight")
     row = page.get_by_test_id("measurement-row-taillight")
     expect(row).not_to_have_attribute("data-state", "saved")

@@ -1,5 +1,6 @@
 """Every screen, light and dark, at two sizes: no error, no sideways overflow, nothing serious in axe."""
 
+import os
 import re
 from collections.abc import Iterator
 from pathlib import Path
@@ -27,6 +28,7 @@ LOOKS: list[Literal["light", "dark"]] = ["light", "dark"]
 SCREENS = {
     "surveys": ("/", "main h1"),
     "survey": ("/surveys/{survey}", "main h1"),
+    "planning": ("/surveys/{survey}/planning", "[data-testid=plan-figure] svg"),
     "camera": ("/surveys/{survey}/camera", ".shot img"),
     "recordings": ("/surveys/{survey}/recordings", "article.recording"),
     "pose": ("/surveys/{survey}/pose", "[data-testid=pose-verdict]"),
@@ -34,8 +36,13 @@ SCREENS = {
         "/surveys/{survey}/measure?recording={recording}&vehicle={vehicle}&frame={frame}",
         "[data-testid=axes]",
     ),
+    "checks": ("/surveys/{survey}/checks", "[data-testid=inset-drawing]"),
+    "checks-traffic": ("/surveys/{survey}/checks?tab=traffic", "[data-testid=wheel-pair]"),
     "review": ("/surveys/{survey}/review", "[data-testid=review-counts]"),
+    "repeats": ("/surveys/{survey}/repeats", "[data-testid=repeats-figure] svg"),
+    "click-again": ("/surveys/{survey}/repeats/click?of=all", "[data-testid=again-progress]"),
     "export": ("/surveys/{survey}/export", "main h1"),
+    "statistics": ("/statistics?survey={survey}&state=all", "[data-testid=figure-driver_eye-ecdf] svg"),
     "audit": ("/audit", "main table"),
     "people": ("/people", "main table"),
     "account": ("/account", "main h1"),
@@ -66,8 +73,14 @@ def complaints() -> list[str]:
     return []
 
 
+# Each size and each look once; SIGHTLINE_EVERY_LOOK=1 shows all four.
+EVERY = [(size, look) for size in SIZES for look in LOOKS]
+TWO = list(zip(SIZES, LOOKS, strict=True))
+
+
 @pytest.fixture(
-    params=[(size, look) for size in SIZES for look in LOOKS], ids=lambda p: f"{p[0]['width']}-{p[1]}"
+    params=EVERY if os.environ.get("SIGHTLINE_EVERY_LOOK") else TWO,
+    ids=lambda p: f"{p[0]['width']}-{p[1]}",
 )
 def shown(
     request: pytest.FixtureRequest,

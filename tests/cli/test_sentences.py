@@ -8,6 +8,8 @@ import pytest
 from backend.cli import COMMANDS, cli, main
 from tests.cli.running import sightline
 
+pytestmark = pytest.mark.once
+
 
 @pytest.mark.parametrize("name", COMMANDS)
 def test_every_command_explains_itself(name: str, capsys: pytest.CaptureFixture[str]) -> None:

@@ -12,6 +12,8 @@ import pytest
 
 from tests.cli.running import Server, sightline
 
+pytestmark = pytest.mark.once
+
 
 @pytest.fixture
 def started(tmp_path: Path) -> Iterator[list[Server]]:

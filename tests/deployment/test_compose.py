@@ -10,6 +10,8 @@ import yaml
 
 from backend.settings import Settings
 
+pytestmark = pytest.mark.once
+
 ROOT = Path(__file__).resolve().parents[2]
 
 

@@ -1,0 +1,49 @@
+"""Planning a site from a survey's page: its camera or a plain one, its insets, and the plan."""
+
+from dataclasses import dataclass
+from math import radians
+
+from sqlalchemy.orm import Session
+
+from backend.errors import BadInput
+from backend.geometry.camera import Camera
+from backend.geometry.documents import camera_from_dict
+from backend.geometry.plan import Plan, plan_site
+from backend.geometry.site import Site, plain_camera
+from backend.storage import calibrations, cameras, surveys
+
+
+@dataclass(frozen=True)
+class PlainCamera:
+    """A camera that has not been calibrated: the size of its pictures and what they show across."""
+
+    width_px: int
+    height_px: int
+    field_of_view_deg: float
+
+
+def plan_for_survey(
+    session: Session, survey_id: int, camera: int | PlainCamera, site: Site
+) -> tuple[Plan, Camera]:
+    """The plan with the survey's insets, and the camera it is made with.
+
+    camera: a calibration of one of the survey's cameras, by its id, or a plain one. Raises NotFound, and
+    BadInput for a calibration of another survey or numbers that cannot be planned with.
+    """
+    survey = surveys.get(session, survey_id)
+    chosen = _plain(camera) if isinstance(camera, PlainCamera) else _calibrated(session, survey_id, camera)
+    insets = {target: (inset.inset_m, inset.u_inset_m) for target, inset in survey.insets.items()}
+    return plan_site(chosen, site, insets), chosen
+
+
+def _plain(camera: PlainCamera) -> Camera:
+    return plain_camera(camera.width_px, camera.height_px, radians(camera.field_of_view_deg))
+
+
+def _calibrated(session: Session, survey_id: int, calibration_id: int) -> Camera:
+    calibration = calibrations.get(session, calibration_id)
+    if cameras.get(session, calibration.camera_id).survey_id != survey_id:
+        raise BadInput(
+            f"Calibration {calibration_id} belongs to another survey; choose one of this survey's cameras."
+        )
+    return camera_from_dict(calibration.document, f"calibration {calibration_id}")

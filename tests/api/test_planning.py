@@ -1,0 +1,61 @@
+"""The plan of a site: with a plain camera before anything is there, and with a survey's calibration."""
+
+import pytest
+
+from backend.work.services import Services
+from tests.api.conftest import Client, error_of
+from tests.api.ground import flat_camera, store_calibration
+
+pytestmark = pytest.mark.once
+
+PLAIN = "width_px=640&height_px=480&field_of_view_deg=67"
+PLACE = "camera_height_m=1.5&distance_m=3"
+
+
+def test_a_plan_before_anything_is_there(viewer: Client, survey_id: int) -> None:
+    plan = viewer.seen(f"/surveys/{survey_id}/plan?{PLAIN}&{PLACE}")
+    assert plan["site"]["board_distance_m"] == 3.0 and not plan["camera"]["lens_known"]
+    targets = {t["target"]: t for t in plan["targets"]}
+    assert set(targets) == {"roof", "driver_eye", "driver_eye_far", "taillight", "headlight"}
+    eye = targets["driver_eye"]
+    assert eye["bias_if_ignored_m"] == pytest.approx(0.35 * 0.45 / 3.45)
+    squares = sum(part["u_m"] ** 2 for part in eye["budget"])
+    assert squares**0.5 == pytest.approx(eye["u_height_m"])
+    assert eye["two_frames"]["u_height_m"] < eye["u_height_m"]
+    assert len(plan["U95_over_distance"]) == 5 and len(plan["bias_over_camera_height"]) == 2
+    assert any("second frame" in sentence for sentence in plan["advice"])
+
+
+def test_a_plan_with_the_surveys_calibration_and_insets(
+    operator: Client, services: Services, survey_id: int
+) -> None:
+    _, calibration_id = store_calibration(services, survey_id, flat_camera())
+    path = f"/surveys/{survey_id}/plan?calibration_id={calibration_id}&{PLACE}"
+    before = operator.seen(path)["targets"][1]
+    insets = {"driver_eye": {"inset_m": 0.6, "u_inset_m": 0.3, "note": ""}}
+    operator.put(f"/surveys/{survey_id}", {"name": "Wide", "version": 1, "insets": insets})
+    after = operator.seen(path)
+    assert after["camera"]["width_px"] == flat_camera().width_px
+    assert after["targets"][1]["inset_m"] == 0.6
+    assert after["targets"][1]["u_height_m"] > before["u_height_m"]
+
+
+def test_what_cannot_be_planned_is_said_in_words(
+    operator: Client, services: Services, survey_id: int
+) -> None:
+    other = int(operator.made("/surveys", {"name": "Another"})["id"])
+    _, foreign = store_calibration(services, other, flat_camera())
+    for query, word in (
+        (f"{PLAIN}&camera_height_m=-1&distance_m=3", "camera height"),
+        (f"{PLAIN}&camera_height_m=nan&distance_m=3", "camera_height_m"),
+        (f"{PLAIN}&{PLACE}&board_distance_m=0", "distance to the board"),
+        (f"{PLAIN}&{PLACE}&direction_deg=80", "direction"),
+        (f"width_px=640&height_px=480&field_of_view_deg=190&{PLACE}", "field of view"),
+        (f"width_px=640&{PLACE}", "Choose a calibration"),
+        (f"calibration_id={foreign}&{PLACE}", "another survey"),
+    ):
+        refused = operator.get(f"/surveys/{survey_id}/plan?{query}")
+        assert refused.status_code in (400, 422), query
+        assert word in error_of(refused)
+    assert operator.get(f"/surveys/{survey_id}/plan?calibration_id=999&{PLACE}").status_code == 404
+    assert operator.get(f"/surveys/999/plan?{PLAIN}&{PLACE}").status_code == 404

@@ -1,0 +1,93 @@
+"""How quick a large survey is: `python tests/bench/bench_storage.py`, CPU seconds, on a SQLite of its own.
+
+SIGHTLINE_BENCH_DATABASE_URL names another database, which must be empty.
+"""
+
+from __future__ import annotations
+
+import gc
+import os
+import statistics
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Iterator
+from functools import partial
+from pathlib import Path
+
+from backend.storage import database, frames, measurements, recordings, reviews, surveys, vehicles
+from backend.storage.database import SessionFactory
+from tests.bench.goals import Row, report, row
+from tests.storage import samples
+from tests.storage.samples import Sample
+
+VEHICLES = 5000
+FRAMES = 20_000
+
+
+def cpu_s(function: Callable[[], object]) -> float:
+    """CPU seconds of this process, for the machine may be busy."""
+    gc.collect()
+    started = time.process_time()
+    function()
+    return time.process_time() - started
+
+
+def fresh(folder: Path) -> SessionFactory:
+    """A migrated database."""
+    url = os.environ.get("SIGHTLINE_BENCH_DATABASE_URL") or f"sqlite:///{folder / 'bench.sqlite3'}"
+    engine = database.make_engine(url)
+    database.migrate(engine)
+    return database.session_factory(engine)
+
+
+def lists(factory: SessionFactory, one: Sample) -> Iterator[Row]:
+    survey_id = one.survey.id
+    with database.reading(factory) as session:
+        wanted: tuple[tuple[str, float, Callable[[], object]], ...] = (
+            (
+                f"{VEHICLES} vehicles with measurements",
+                1.0,
+                lambda: vehicles.list_for_survey(session, survey_id),
+            ),
+            ("counts and steps of that survey", 0.3, lambda: surveys.get(session, survey_id)),
+            ("review queue of that survey", 1.5, lambda: reviews.queue(session, survey_id, actor=1)),
+            ("all its measurements", 1.0, lambda: measurements.list_for_survey(session, survey_id)),
+        )
+        for words, goal_s, action in wanted:
+            spent_s = cpu_s(action)
+            yield row(f"{words} <= {goal_s} s", "", f"{spent_s:.2f} s", spent_s <= goal_s)
+
+
+def writes(factory: SessionFactory, one: Sample) -> Iterator[Row]:
+    with database.writing(factory) as session:
+        spent = [cpu_s(partial(samples.measure, session, one, key=900_000 + key)) for key in range(50)]
+    middle_ms = 1000 * statistics.median(spent)
+    yield row("a measurement with its event <= 30 ms", "", f"{middle_ms:.1f} ms", middle_ms <= 30)
+
+
+def bulk_frames(factory: SessionFactory, one: Sample) -> Iterator[Row]:
+    table = samples.frame_table(FRAMES)
+    with database.writing(factory) as session:
+        made = samples.add_recording(session, one.survey.id, None)
+        spent_s = cpu_s(lambda: recordings.ingested(session, made.id, samples.facts(), table, actor=None))
+    yield row(f"{FRAMES} frames written <= 1 s", "", f"{spent_s:.2f} s", spent_s <= 1)
+    with database.reading(factory) as session:
+        spent_s = cpu_s(lambda: frames.table(session, made.id))
+    yield row(f"{FRAMES} frames read <= 0.5 s", "", f"{spent_s:.2f} s", spent_s <= 0.5)
+
+
+def main(wanted: list[str]) -> int:
+    with tempfile.TemporaryDirectory() as folder:
+        factory = fresh(Path(folder))
+        one = samples.fill(factory, VEHICLES)
+
+        def rows() -> Iterator[Row]:
+            for part in (lists, writes, bulk_frames):
+                yield from part(factory, one)
+
+        return report([rows], wanted)
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

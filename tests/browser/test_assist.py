@@ -1,0 +1,64 @@
+"""The assistants in the browser: still cameras, a proposal drawn until taken, a brightened picture."""
+
+import json
+import time
+from typing import Any
+
+from playwright.sync_api import Page, expect
+
+from .conftest import wait_for_demonstration
+from .server import Server
+
+
+def truth_of(server: Server) -> dict[str, Any]:
+    found: dict[str, Any] = json.loads((server.data_dir / "demonstration" / "truth.json").read_text())
+    return found
+
+
+def drift_of(page: Page, recording_id: int, seconds: float = 60) -> dict[str, Any]:
+    """What the background job found of a recording's camera."""
+    until = time.monotonic() + seconds
+    while time.monotonic() < until:
+        found: dict[str, Any] = page.request.get(f"/api/recordings/{recording_id}/drift").json()
+        if found["check"] is not None:
+            return found
+        time.sleep(0.5)
+    raise AssertionError("the camera was not looked at in time")
+
+
+def test_still_cameras_a_proposal_and_a_brightened_picture(page: Page, demonstration: Server) -> None:
+    survey = wait_for_demonstration(page)
+    recordings = page.request.get(f"/api/surveys/{survey}/recordings").json()
+    for recording in recordings:
+        check = drift_of(page, recording["id"])["check"]
+        assert check["state"] == "still" and check["bumps"] == [], check["words"]
+        assert check["floor_px"] < 0.15 and "stands still within" in check["words"]
+    page.goto(f"/surveys/{survey}/recordings")
+    expect(page.get_by_text("The camera stands still within")).to_have_count(2)
+
+    night = next(one for one in recordings if one["lighting"] == "low_light")
+    last = truth_of(demonstration)["low_light"]["passes"][-1]
+    frame = last["best_frame"]
+    seen = next(one for one in last["frames"] if one["frame"] == frame)
+    x, y = next(px for name, px in seen["pixels"].items() if name.startswith("contact"))
+    page.goto(f"/surveys/{survey}/measure?recording={night['id']}&frame={frame}")
+    number = f"{last['vehicle_number']:02d}"
+    page.get_by_role("button", name=number).or_(page.get_by_role("option", name=number)).first.click()
+    expect(page.locator("#measure-hint")).to_contain_text("click where the tyre meets the road")
+    page.wait_for_function("() => window.__sightline !== undefined")
+    at = page.evaluate("([x, y]) => window.__sightline.imageToScreen(x, y)", [x + 6, y - 5])
+    page.mouse.move(at["x"], at["y"])
+    page.keyboard.press("a")
+    expect(page.get_by_test_id("contact-proposal")).to_contain_text("proposal: expect about")
+    expect(page.get_by_test_id("axes")).to_have_count(0)
+
+    expect(page.get_by_test_id("display-only")).to_have_count(0)
+    page.keyboard.press("i")
+    expect(page.get_by_test_id("display-only")).to_have_text("display only: brightened")
+    page.keyboard.press("i")
+    expect(page.get_by_test_id("display-only")).to_have_count(0)
+
+    page.keyboard.press("Enter")
+    expect(page.get_by_test_id("axes")).to_have_count(1)
+    expect(page.get_by_test_id("contact-proposal")).to_have_count(0)
+    page.keyboard.press("Escape")

@@ -1,0 +1,85 @@
+"""A reviewer clicks blind before the first click is shown, sees both, accepts; then clicks two more again."""
+
+import re
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser, Locator, Page, expect
+
+from .conftest import wait_for_demonstration
+from .server import Server
+from .test_journey import invited
+
+
+@pytest.fixture
+def survey_id(page: Page) -> int:
+    page.goto("/")
+    return wait_for_demonstration(page)
+
+
+def click_at(page: Page, point: list[float]) -> None:
+    """A click on a point of the picture, wherever the picture is on the screen."""
+    page.wait_for_function("window.__sightline?.imageToScreen(0, 0)")
+    spot = page.evaluate("([x, y]) => window.__sightline.imageToScreen(x, y)", point)
+    page.mouse.click(spot["x"], spot["y"])
+
+
+def again(page: Page, first: dict[str, Any], dx: float = 0.4) -> None:
+    for at in (first["contact"], first["point"]):
+        click_at(page, [at[0] + dx, at[1] - dx])
+
+
+def on_frame(page: Page, frame: int) -> Locator:
+    return page.get_by_role("application", name=f"Frame {frame}", exact=True)
+
+
+def test_a_second_click_before_the_first_is_shown(
+    page: Page, browser: Browser, demonstration: Server, survey_id: int
+) -> None:
+    other = invited(page, browser, demonstration, "Blanca Blind", "reviewer")
+    review = other.new_page()
+    review.set_default_timeout(15_000)
+    review.goto(f"/surveys/{survey_id}/review?blind=1")
+    panel = review.get_by_test_id("blind-panel")
+    expect(panel).to_be_visible()
+    expect(panel).not_to_contain_text(re.compile(r"\d\.\d{3}"))  # no height
+    expect(review.get_by_test_id("review-accept")).to_have_count(0)
+    expect(review.locator("[aria-current=true]")).to_contain_text("click it again")
+    queue = review.request.get(f"/api/surveys/{survey_id}/review-queue").json()
+    open_id = int(review.locator("[aria-current=true]").get_attribute("data-measurement") or 0)
+    first = next(item["measurement"] for item in queue if item["measurement"]["id"] == open_id)
+    expect(review.locator(".frame-loading--on")).to_have_count(0)
+    expect(review.locator(".point-mark")).to_have_count(0)
+    review.keyboard.press("a")  # nothing to accept yet
+    again(review, first)
+    words = review.get_by_test_id("comparisons")
+    expect(words).to_contain_text("You clicked it again")
+    expect(words).to_contain_text(re.compile("agree: .* apart, expected within"))
+    known = review.request.get(f"/api/measurements/{open_id}/repeats").json()
+    assert known[-1]["repeat"]["created_by"]["name"] == "Blanca Blind"
+    expect(review.get_by_test_id("second-clicks").locator(".point-mark")).to_have_count(2 * len(known))
+    assert review.request.get(f"/api/measurements/{open_id}").json()["review"]["verdict"] == "to_review"
+    review.get_by_role("button", name="Accept").click()
+    expect(review.locator(f"[data-measurement='{open_id}']")).to_have_count(0)
+    expect(panel).to_be_visible()
+    review.get_by_test_id("blind-show").get_by_role("button").click()
+    expect(review.get_by_test_id("review-accept")).to_be_visible()
+
+    before = review.request.get(f"/api/surveys/{survey_id}/repeats").json()["repeats"]
+    review.goto(f"/surveys/{survey_id}/repeats")
+    expect(review.get_by_test_id("repeats-targets")).to_contain_text("all targets")
+    review.get_by_role("link", name="Click 10 of anybody").click()
+    progress = review.get_by_test_id("again-progress")
+    drawn = review.request.get(f"/api/surveys/{survey_id}/repeats/sample?only_own=false").json()
+    for n, one in enumerate(drawn[:2]):
+        expect(progress).to_contain_text(f"{n + 1} of 10")
+        expect(on_frame(review, one["frame"])).to_be_visible()
+        expect(review.locator(".frame-loading--on")).to_have_count(0)
+        again(review, review.request.get(f"/api/measurements/{one['measurement_id']}").json())
+    expect(progress).to_contain_text("3 of 10")
+    review.keyboard.press("Control+z")
+    expect(progress).to_contain_text("2 of 10")
+    review.keyboard.press("Escape")
+    expect(review.get_by_role("heading", name="Repeats")).to_be_visible()
+    assert review.request.get(f"/api/surveys/{survey_id}/repeats").json()["repeats"] == before + 1
+    other.close()

@@ -1,0 +1,121 @@
+"""Measuring on two frames by one key: the frame is proposed, both points clicked, the inset solved."""
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from .conftest import wait_for_demonstration
+from .server import Server
+
+
+def passes(data_dir: Path) -> list[dict[str, Any]]:
+    """What is true of the daytime recording's passes."""
+    found: list[dict[str, Any]] = json.loads((data_dir / "demonstration/truth.json").read_text())["day"][
+        "passes"
+    ]
+    return found
+
+
+def free_pass(page: Page, survey: int, truth: list[dict[str, Any]]) -> tuple[dict[str, Any], dict[str, Any]]:
+    """A daytime vehicle of the far lane without a taillight measured, and its truth."""
+    everyone = page.request.get(f"/api/surveys/{survey}/vehicles").json()
+    recordings = page.request.get(f"/api/surveys/{survey}/recordings").json()
+    day = next(one["id"] for one in recordings if one["lighting"] == "daytime")
+    for one in reversed(truth):
+        for vehicle in everyone:
+            same = vehicle["recording_id"] == day and abs(vehicle["first_frame"] - one["first_frame"]) < 20
+            if same and not vehicle["measurements"] and one["best_frames"].get("taillight") is not None:
+                return vehicle, one
+    raise AssertionError("every pass of the demonstration is measured")
+
+
+def pixels(one: dict[str, Any], frame: int) -> dict[str, list[float]]:
+    found: dict[str, list[float]] = next(f["pixels"] for f in one["frames"] if f["frame"] == frame)
+    return found
+
+
+def point_at(page: Page, at: list[float]) -> tuple[float, float]:
+    """The pointer over a pixel of the picture; where that is on the screen."""
+    spot = page.evaluate("([x, y]) => window.__sightline.imageToScreen(x, y)", at)
+    page.mouse.move(spot["x"], spot["y"])
+    return spot["x"], spot["y"]
+
+
+def click(page: Page, at: list[float]) -> None:
+    """A click on a pixel of the picture."""
+    page.mouse.click(*point_at(page, at))
+
+
+def shown_frame(page: Page, frame: int) -> None:
+    expect(page.get_by_test_id("frame-view")).to_have_attribute("aria-label", f"Frame {frame}")
+    expect(page.locator(".frame-loading--on")).to_have_count(0)
+
+
+@pytest.mark.parametrize("target", ["taillight"])
+def test_two_frames_by_one_key(page: Page, demonstration: Server, screenshots: Path, target: str) -> None:
+    survey = wait_for_demonstration(page)
+    vehicle, one = free_pass(page, survey, passes(demonstration.data_dir))
+    frame = one["best_frames"][target]
+    first = pixels(one, frame)
+    contact = next(name for name in ("contact_rear", "contact_front") if name in first)
+    page.goto(
+        f"/surveys/{survey}/measure?recording={vehicle['recording_id']}&frame={frame}&vehicle={vehicle['id']}"
+    )
+    shown_frame(page, frame)
+    hint = page.locator("#measure-hint")
+    expect(hint).to_contain_text("click where the tyre meets the road")
+    page.keyboard.press("3")
+    expect(hint).to_contain_text("Taillight")
+    click(page, first[contact])
+    expect(hint).not_to_contain_text("click where the tyre meets the road")
+    click(page, first[target])
+    row = page.get_by_test_id(f"measurement-row-{target}")
+    expect(row).to_have_attribute("data-state", "saved")
+    row.get_by_role("button", name="Show the details").click()
+    expect(page.get_by_test_id("second-frame-gain")).to_contain_text("→")
+
+    page.keyboard.press("s")
+    expect(page.locator("#measure-hint")).to_contain_text("Second frame: click the same tyre contact")
+    second = int(str(page.get_by_test_id("frame-view").get_attribute("aria-label")).removeprefix("Frame "))
+    assert second != frame
+    shown_frame(page, second)
+    page.screenshot(path=screenshots / "second-frame-expected.png")
+    true = pixels(one, second)
+    click(page, true[contact])
+    expect(page.locator("#measure-hint")).to_contain_text("the same taillight point")
+    x, y = point_at(page, true[target])
+    expect(page.get_by_test_id("live-height")).to_contain_text("±")
+    page.screenshot(path=screenshots / "second-frame-live.png")
+    page.mouse.click(x, y)
+    expect(page.get_by_test_id("frames-said")).to_contain_text("From 2 frames")
+    expect(row).to_have_attribute("data-state", "saved")
+    page.screenshot(path=screenshots / "second-frame-stored.png")
+
+    stored = measured(page, vehicle["id"])
+    assert [f["frame"] for f in stored["more_frames"]] == [second] and stored["revision"] == 2
+    assert stored["status"] == "ok"
+    assert abs(stored["height_m"] - one["true_heights_m"][target]) <= stored["U95_height_m"]
+    assert abs(stored["solved_inset_m"] - one["insets_m"][target]) <= 1.96 * stored["u_solved_inset_m"]
+    for axis in (0, 1):
+        assert math.isclose(stored["more_frames"][0]["point"][axis], true[target][axis], abs_tol=0.6)
+
+    page.keyboard.press("Control+z")
+    expect(page.get_by_test_id("frames-said")).to_have_count(0)
+    expect(row).to_have_attribute("data-state", "saved")
+    assert measured(page, vehicle["id"])["more_frames"] == []
+    page.keyboard.press("s")
+    expect(page.locator("#measure-hint")).to_contain_text("Second frame")
+    page.keyboard.press("Escape")
+    shown_frame(page, frame)
+    assert measured(page, vehicle["id"])["revision"] == 3
+
+
+def measured(page: Page, vehicle_id: int) -> dict[str, Any]:
+    """The one measurement of the vehicle, as the server has it."""
+    (found,) = page.request.get(f"/api/vehicles/{vehicle_id}").json()["measurements"]
+    assert isinstance(found, dict)
+    return found

@@ -1,0 +1,86 @@
+"""The statistics page: from the survey to its figures, filtered by link and by hand, downloaded, printed."""
+
+import csv
+import io
+import re
+
+from playwright.sync_api import Page, expect
+
+from .conftest import wait_for_demonstration
+
+
+def saved(page: Page, title: str) -> tuple[str, str]:
+    """(name, content) of the file behind a download button."""
+    with page.expect_download() as waiting:
+        page.get_by_title(title, exact=True).click()
+    return waiting.value.suggested_filename, waiting.value.path().read_bytes().decode()
+
+
+def test_figures_are_filtered_downloaded_and_linked(page: Page) -> None:
+    page.goto("/")
+    survey_id = wait_for_demonstration(page)
+    page.goto(f"/surveys/{survey_id}")
+    page.locator(".step").last.get_by_role("link", name="Statistics").click()
+    expect(page).to_have_url(re.compile(rf"/statistics\?survey={survey_id}$"))
+    told = page.request.get(f"/api/statistics?survey={survey_id}").json()
+    counted = page.get_by_test_id("stat-counted")
+    expect(counted).to_contain_text(f"{told['counted']['measurements']} measurements")
+    expect(page.get_by_test_id("errors-overall")).to_contain_text("Table 1, “Overall”")
+
+    page.get_by_label("Review state").select_option("all")
+    everything = page.request.get(f"/api/statistics?survey={survey_id}&state=all").json()
+    expect(counted).to_contain_text(f"{everything['counted']['measurements']} measurements")
+    mae_m = everything["errors"]["groups"][2]["figures"]["mae_m"]["value"]
+    row = page.get_by_test_id("errors-overall")
+    expect(row).to_contain_text(f"{1000 * mae_m:.1f}")
+    figure = page.get_by_test_id("figure-driver_eye-ecdf")
+    expect(figure.locator("svg")).to_contain_text("AASHTO (USA) 1.08 m")
+    share = next(
+        one
+        for one in everything["targets"][0]["corrected"]["shares"]
+        if one["standard"]["name"] == "AASHTO (USA)"
+    )
+    expect(page.get_by_test_id("shares-driver_eye")).to_contain_text(f"{100 * share['share']:.1f} %")
+
+    name, text = saved(page, "Driver’s eye, cumulative as CSV")
+    rows = list(csv.reader(io.StringIO(text, newline="")))
+    assert name == "sightline-driver_eye-ecdf.csv" and "\r\n" in text
+    assert rows[0] == ["distribution", "height_m", "share", "band95_low", "band95_high", "n"]
+    corrected = [float(row[1]) for row in rows if row[0] == "corrected"]
+    assert corrected == everything["targets"][0]["corrected"]["ecdf"]["value"]
+    name, drawn = saved(page, "Driver’s eye, cumulative as SVG")
+    assert name.endswith(".svg") and "AASHTO" in drawn and "var(--" not in drawn
+
+    page.get_by_label("Draw AASHTO (USA), driver’s eye").uncheck()
+    expect(figure.locator("svg")).not_to_contain_text("AASHTO")
+    page.get_by_label("Own value for").select_option("driver_eye")
+    height = page.get_by_label("Height", exact=True)
+    height.fill("12")
+    page.keyboard.press("Enter")
+    expect(page.get_by_text("Give a height above 0")).to_be_visible()
+    height.fill("1,12")
+    page.keyboard.press("Enter")
+    expect(page.get_by_test_id("shares-driver_eye")).to_contain_text("below 1.12 m (own value)")
+
+    page.get_by_label("Correction").select_option("regression")
+    expect(page.get_by_test_id("correction-driver_eye")).to_contain_text("regression on the measured height")
+    expect(page.get_by_test_id("target-taillight")).to_contain_text("extrapolates and may do harm")
+    page.get_by_test_id("groups").get_by_text("Lighting").click()
+    groups = everything["targets"][0]["groups"]["lighting"]["groups"]
+    expect(page.get_by_test_id("groups").locator("tbody tr")).to_have_count(len(groups))
+    page.get_by_label("Percentile", exact=True).fill("50")
+    expect(page.get_by_test_id("sample-size")).to_contain_text("vehicles give percentile 50")
+
+    # the link holds it all, and feet are only shown
+    page.evaluate("localStorage.setItem('sightline.unit', '\"ft\"')")
+    page.goto(page.url)
+    expect(page.get_by_test_id("correction-driver_eye")).to_contain_text("regression on the measured height")
+    expect(page.get_by_test_id("shares-driver_eye")).to_contain_text("own value")
+
+    page.get_by_label("Measured from (UTC)").fill("2000-01-02")
+    page.get_by_label("to", exact=True).fill("2000-01-01")
+    expect(page.get_by_role("alert")).to_contain_text("The last day lies before the first")
+    page.get_by_label("to", exact=True).fill("2000-01-03")
+    expect(page.get_by_text("The filter leaves no measurement")).to_be_visible()
+    page.get_by_role("button", name="Clear the filter").first.click()
+    expect(counted).to_contain_text(f"{told['counted']['measurements']} measurements")
