@@ -36,6 +36,20 @@ describe("UndoStack", () => {
     expect(stack.undoLabel.value).toBe("b");
   });
 
+  it("lets other work wait for an undo that is under way", async () => {
+    const { stack, log } = counter();
+    let finish = () => {};
+    const slow = new Promise<void>((resolve) => {
+      finish = resolve;
+    });
+    stack.push({ label: "slow", undo: () => slow.then(() => void log.push("-slow")), redo: () => {} });
+    const undone = stack.undo();
+    const after = stack.inTurn(async () => void log.push("after"));
+    finish();
+    await Promise.all([undone, after]);
+    expect(log).toEqual(["-slow", "after"]);
+  });
+
   it("does nothing on an empty stack", async () => {
     const { stack, log } = counter();
     await stack.undo();

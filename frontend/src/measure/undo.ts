@@ -35,6 +35,13 @@ export class UndoStack {
     return this.move(this.undone, this.done, (step) => step.redo());
   }
 
+  /** Work that must see what the steps before it stored: it waits for an undo that is still under way. */
+  inTurn(work: () => Promise<void>): Promise<void> {
+    const turn = this.running.then(work);
+    this.running = turn.catch(() => {});
+    return turn;
+  }
+
   clear(): void {
     this.done.value = [];
     this.undone.value = [];
@@ -46,14 +53,12 @@ export class UndoStack {
     to: { value: readonly Step[] },
     run: (step: Step) => Promise<void> | void,
   ): Promise<void> {
-    const turn = this.running.then(async () => {
+    return this.inTurn(async () => {
       const step = from.value.at(-1);
       if (!step) return;
       await run(step);
       from.value = from.value.filter((other) => other !== step);
       to.value = [...to.value, step];
     });
-    this.running = turn.catch(() => {});
-    return turn;
   }
 }

@@ -30,10 +30,11 @@ function isLater(one: Vehicle, other: Vehicle): boolean {
 
 /** The current pass becomes two; the second begins on the frame that is seen. */
 export async function splitPass(model: MeasureModel): Promise<void> {
-  const vehicle = model.vehicle.value;
-  if (!vehicle) return;
-  await tell(async () => {
-    const frame = model.seenFrame.value;
+  const chosen = model.vehicle.value;
+  const frame = model.seenFrame.value;
+  if (!chosen) return;
+  await tellInTurn(model, async () => {
+    const vehicle = model.vehicles.get(chosen.id) ?? chosen;
     let made = await split(model, vehicle, frame);
     model.undo.push({
       label: `split of vehicle ${vehicle.number}`,
@@ -51,14 +52,15 @@ export async function splitPass(model: MeasureModel): Promise<void> {
 
 /** The current pass and the one that begins next become one. */
 export async function joinPass(model: MeasureModel): Promise<void> {
-  const vehicle = model.vehicle.value;
-  if (!vehicle) return;
-  const next = nextInTime(model.vehicles.list.value, vehicle);
-  if (!next) {
-    toast("No pass of this recording begins after this one, so there is none to join it with.");
-    return;
-  }
-  await tell(async () => {
+  const chosen = model.vehicle.value;
+  if (!chosen) return;
+  await tellInTurn(model, async () => {
+    const vehicle = model.vehicles.get(chosen.id) ?? chosen;
+    const next = nextInTime(model.vehicles.list.value, vehicle);
+    if (!next) {
+      toast("No pass of this recording begins after this one, so there is none to join it with.");
+      return;
+    }
     let kept = await join(model, vehicle, next);
     model.undo.push({
       label: `joining of vehicles ${vehicle.number} and ${next.number}`,
@@ -137,6 +139,11 @@ async function saved(model: MeasureModel, vehicle: Vehicle): Promise<number> {
 function put(model: MeasureModel, vehicle: Vehicle): void {
   model.vehicles.take(vehicle);
   model.records.take(vehicle);
+}
+
+/** After what is being undone or redone, whose versions this work needs. */
+function tellInTurn(model: MeasureModel, work: () => Promise<void>): Promise<void> {
+  return tell(() => model.undo.inTurn(work));
 }
 
 async function tell(work: () => Promise<void>): Promise<void> {

@@ -1,0 +1,1 @@
+"""The line-scan room: motion, length and gaps of vehicles from a pair of strips. Pure: arrays in, results out."""
