@@ -1,1 +1,1 @@
-"""The line-scan room: motion, length and gaps of vehicles from a pair of strips. Pure: arrays in, results out."""
+"""The line-scan room: motion, length and gaps of vehicles from a pair of strips. Arrays in, results out."""
