@@ -62,5 +62,6 @@ class JobBody(Out):
     result: dict[str, Any] | None
     survey_id: int | None
     recording_id: int | None
+    scan_id: int | None = None
     created_at: datetime
     finished_at: datetime | None

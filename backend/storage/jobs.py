@@ -43,10 +43,13 @@ def create(
     *,
     survey_id: int | None,
     recording_id: int | None = None,
+    scan_id: int | None = None,
     actor: int | None,
 ) -> Job:
     """A queued job. Use `backend.work.jobs.enqueue`, which also tells the queue."""
     content = {"kind": kind, "payload": dict(payload), "survey_id": survey_id, "recording_id": recording_id}
+    if scan_id is not None:
+        content["scan_id"] = scan_id
     stamps = {"state": "queued", "progress": 0.0, "message": "", "attempts": 0}
     job_id = add_row(session, jobs, {**content, **stamps, "created_at": now(), "created_by": actor})
     audit.record(session, actor, "create", "job", job_id, survey_id, None, content)
@@ -76,6 +79,14 @@ def latest_of_recordings(session: Session, recording_ids: Sequence[int]) -> dict
     query = select(jobs).where(jobs.c.id.in_(newest.group_by(jobs.c.recording_id)))
     found = [_job(row) for row in session.execute(query).mappings()] if recording_ids else []
     return {job.recording_id: job for job in found if job.recording_id is not None}
+
+
+def latest_of_scans(session: Session, scan_ids: Sequence[int]) -> dict[int, Job]:
+    """The newest job of each line-scan recording, by its id."""
+    newest = select(func.max(jobs.c.id)).where(jobs.c.scan_id.in_(scan_ids))
+    query = select(jobs).where(jobs.c.id.in_(newest.group_by(jobs.c.scan_id)))
+    found = [_job(row) for row in session.execute(query).mappings()] if scan_ids else []
+    return {job.scan_id: job for job in found if job.scan_id is not None}
 
 
 def request_cancel(session: Session, job_id: int, *, actor: int | None) -> Job:

@@ -17,6 +17,7 @@ from backend.storage.words import (
     Role,
     StepKey,
     StepState,
+    UploadPurpose,
 )
 
 
@@ -145,7 +146,10 @@ class Camera:
 
 @dataclass(frozen=True, slots=True)
 class Upload:
-    """A file on its way in; `offset` bytes have arrived."""
+    """A file on its way in; `offset` bytes have arrived.
+
+    A video becomes a recording; a strip waits, with its content's `sha256`, for the scan that it belongs to.
+    """
 
     id: int
     survey_id: int
@@ -157,6 +161,9 @@ class Upload:
     created_by: Who | None
     recording_id: int | None
     finished_at: datetime | None
+    purpose: UploadPurpose = "video"
+    sha256: str | None = None
+    scan_id: int | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -50,6 +50,7 @@ class Job:
     worker: str | None
     lease_until: datetime | None
     cancel_requested: bool
+    scan_id: int | None = None
 
 
 @dataclass(frozen=True, slots=True)

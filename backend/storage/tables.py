@@ -182,6 +182,11 @@ uploads = Table(
     Column("created_at", Moment, nullable=False),
     Column("created_by", ForeignKey("people.id")),
     Column("finished_at", Moment),
+    # a video becomes a recording; a strip waits, with its content's hash, for the scan that it belongs to
+    Column("purpose", String(20), nullable=False, server_default="video"),
+    Column("sha256", String(64)),
+    Column("scan_id", Integer, ForeignKey("scans.id", use_alter=True)),
+    one_of("purpose", ("video", "strip")),
     CheckConstraint('"offset" >= 0 AND "offset" <= size_bytes', name="offset_within"),
 )
 

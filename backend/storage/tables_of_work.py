@@ -200,6 +200,7 @@ jobs = Table(
     Column("result", Document),
     Column("survey_id", ForeignKey("surveys.id"), index=True),
     Column("recording_id", ForeignKey("recordings.id"), index=True),
+    Column("scan_id", Integer, ForeignKey("scans.id", use_alter=True), index=True),
     Column("attempts", Integer, nullable=False),
     Column("worker", String(200)),
     Column("lease_until", Moment),

@@ -12,14 +12,24 @@ from backend.storage.columns import now
 from backend.storage.records import Upload
 from backend.storage.rows import add_row, change_row, get_row, missing, who
 from backend.storage.tables import people, surveys, uploads
+from backend.storage.words import UploadPurpose
 
 
 def create(
-    session: Session, survey_id: int, *, filename: str, size_bytes: int, media_key: str, actor: int | None
+    session: Session,
+    survey_id: int,
+    *,
+    filename: str,
+    size_bytes: int,
+    media_key: str,
+    purpose: UploadPurpose = "video",
+    actor: int | None,
 ) -> Upload:
     """An upload of which nothing has arrived; `media_key` is where its bytes are gathered."""
     get_row(session, surveys, survey_id, "survey")
-    content = {"survey_id": survey_id, "filename": filename, "size_bytes": size_bytes}
+    content: dict[str, Any] = {"survey_id": survey_id, "filename": filename, "size_bytes": size_bytes}
+    if purpose != "video":
+        content["purpose"] = purpose
     stamps = {"media_key": media_key, "offset": 0, "created_at": now(), "created_by": actor}
     upload_id = add_row(session, uploads, {**content, **stamps})
     audit.record(session, actor, "create", "upload", upload_id, survey_id, None, content)
@@ -67,10 +77,39 @@ def finish(session: Session, upload_id: int, *, recording_id: int, actor: int | 
     return get(session, upload_id)
 
 
+def strip_arrived(
+    session: Session, upload_id: int, *, media_key: str, sha256: str, actor: int | None
+) -> Upload:
+    """All bytes of a strip are in and stored under `media_key`; it waits for its scan."""
+    before = get(session, upload_id)
+    if before.finished_at is not None:
+        raise Conflict("This upload is finished already; make the scan of it.")
+    after = {"media_key": media_key, "sha256": sha256}
+    change_row(session, uploads, upload_id, {**after, "finished_at": now()})
+    audit.record(session, actor, "finish", "upload", upload_id, before.survey_id, None, after)
+    return get(session, upload_id)
+
+
+def strips_waiting(session: Session, survey_id: int | None = None) -> tuple[Upload, ...]:
+    """The strips that arrived and belong to no scan yet, of one survey or of all."""
+    query = _uploads().where(
+        uploads.c.purpose == "strip", uploads.c.finished_at.is_not(None), uploads.c.scan_id.is_(None)
+    )
+    if survey_id is not None:
+        query = query.where(uploads.c.survey_id == survey_id)
+    return tuple(_upload(row) for row in session.execute(query.order_by(uploads.c.id)).mappings())
+
+
+def content_waits(session: Session, sha256: str) -> bool:
+    """Whether a strip with this content arrived and belongs to no scan yet."""
+    query = select(uploads.c.id).where(uploads.c.sha256 == sha256, uploads.c.scan_id.is_(None))
+    return session.execute(query.limit(1)).first() is not None
+
+
 def remove(session: Session, upload_id: int, *, actor: int | None) -> Upload:
-    """Give up an upload; the caller removes its bytes. Raises Conflict for a finished one."""
+    """Give up an upload; the caller removes its bytes. Raises Conflict for one that became something."""
     gone = get(session, upload_id)
-    if gone.finished_at is not None:
+    if gone.finished_at is not None and (gone.purpose == "video" or gone.scan_id is not None):
         raise Conflict("This upload is finished; delete its recording instead.")
     session.execute(delete(uploads).where(uploads.c.id == upload_id))
     before = {"filename": gone.filename, "size_bytes": gone.size_bytes, "offset": gone.offset}

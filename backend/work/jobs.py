@@ -107,9 +107,11 @@ def enqueue(
     *,
     survey_id: int | None,
     recording_id: int | None = None,
+    scan_id: int | None = None,
     actor: int | None,
 ) -> Job:
     """A new job in the caller's transaction; the workers hear of it when that commits."""
-    job = table.create(session, kind, payload, survey_id=survey_id, recording_id=recording_id, actor=actor)
+    place = {"survey_id": survey_id, "recording_id": recording_id, "scan_id": scan_id}
+    job = table.create(session, kind, payload, **place, actor=actor)
     push_after_commit(session, job.id)
     return job

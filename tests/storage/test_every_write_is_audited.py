@@ -55,6 +55,11 @@ def _upload(session: Session, one: Sample) -> Any:
     )
 
 
+def _strip(session: Session, one: Sample) -> Any:
+    file: dict[str, Any] = {"filename": "first.tif", "size_bytes": 9, "media_key": "", "purpose": "strip"}
+    return uploads.create(session, one.survey.id, **file, actor=one.olga.id)
+
+
 def _job(session: Session, one: Sample) -> Any:
     return jobs.create(session, "ingest", {"a": 1}, survey_id=one.survey.id, actor=one.olga.id)
 
@@ -172,6 +177,10 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
         _upload,
         lambda s, o, up: uploads.finish(s, up.id, recording_id=o.recording.id, actor=o.olga.id),
     ),
+    "uploads.strip_arrived": (
+        _strip,
+        lambda s, o, up: uploads.strip_arrived(s, up.id, media_key="k", sha256="0" * 64, actor=o.olga.id),
+    ),
     "uploads.remove": (_upload, lambda s, o, up: uploads.remove(s, up.id, actor=o.olga.id)),
     "poses.add": (
         lambda s, o: None,
@@ -263,6 +272,7 @@ HELPERS = {
     "chain",
     "tables",
     "tables_of_work",
+    "tables_of_scans",
     "records",
     "words",
     "verification",

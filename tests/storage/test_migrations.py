@@ -11,7 +11,7 @@ from alembic.script import ScriptDirectory
 from sqlalchemy import CheckConstraint, Engine, inspect, text
 
 from backend.errors import BadInput
-from backend.storage import database, tables_of_work
+from backend.storage import database, tables_of_scans, tables_of_work
 from backend.storage.columns import metadata
 from backend.storage.migrating import alembic_config
 
@@ -21,7 +21,7 @@ def ours(_object: Any, name: str | None, kind: str, reflected: bool, _compared: 
 
 
 def test_the_tables_are_those_of_the_code(engine: Engine) -> None:
-    assert tables_of_work.metadata is metadata
+    assert tables_of_work.metadata is tables_of_scans.metadata is metadata
     with engine.connect() as connection:
         options = {"compare_type": True, "include_object": ours}
         context = MigrationContext.configure(connection, opts=options)
