@@ -51,6 +51,7 @@ class OfTargetBody(Out):
     target: Target | None = Field(description="None: all targets together.")
     gauge: GaugeBody
     claim: ClaimBody
+    another_frame: SpreadBody = Field(description="The same person on another frame of the pass, m.")
 
 
 class ClickSigmaBody(Out):
@@ -92,7 +93,7 @@ class FindingsBody(Out):
     targets: list[OfTargetBody]
     people: list[OfPersonBody]
     differences: list[DifferenceBody]
-    not_compared: int = Field(description="Repeats on another frame, road pose or inset, or without height.")
+    not_compared: int = Field(description="Repeats with another road pose or inset, or without height.")
 
 
 class ComparisonBody(Out):

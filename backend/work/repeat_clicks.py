@@ -44,6 +44,11 @@ class Click:
         """Heights with the same item differ by their clicks alone."""
         return self.first_id, self.frame, self.pose_id, self.inset_m
 
+    @property
+    def framed(self) -> tuple[int, int, float]:
+        """Heights with the same of these, but other frames, differ by the frame too."""
+        return self.first_id, self.pose_id, self.inset_m
+
 
 def clicks_of_survey(session: Session, survey_id: int) -> tuple[Click, ...]:
     """The standing repeats of a survey with what they repeat before them; by repeated measurement."""

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from itertools import groupby
 from math import dist, sqrt
 from random import Random
+from statistics import fmean
 
 from sqlalchemy.orm import Session
 
@@ -37,11 +38,16 @@ SAME_WHEEL_PX = 25.0
 
 @dataclass(frozen=True)
 class OfTarget:
-    """Figures of one target in metres; `target` None: of all (a person may lean otherwise at each target)."""
+    """Figures of one target in metres; `target` None: of all (a person may lean otherwise at each target).
+
+    `another_frame`: the same person on another frame of the pass, which adds to the clicks what the place in
+    the picture does to lens, road pose and inset, and how the vehicle sways.
+    """
 
     target: Target | None
     gauge: Gauge
     claim: Claim
+    another_frame: Spread
 
 
 @dataclass(frozen=True)
@@ -81,7 +87,7 @@ class Difference:
 
 @dataclass(frozen=True)
 class Findings:
-    """All that the repeats of a survey say. `not_compared`: those on another frame, pose or inset."""
+    """All that the repeats of a survey say. `not_compared`: those of another pose or inset, or no height."""
 
     repeats: int
     targets: tuple[OfTarget, ...]
@@ -114,7 +120,7 @@ def findings(session: Session, survey_id: int) -> Findings:
         targets=tuple(_of_target(clicks, target) for target in targets),
         people=tuple(_of_person(clicks, person, chosen.get(person.id)) for person in _persons(clicks)),
         differences=differences,
-        not_compared=len(repeated) - len(differences),
+        not_compared=len(repeated) - len(differences) - len(_elsewhere(clicks)),
     )
 
 
@@ -170,7 +176,33 @@ def _of_target(clicks: Sequence[Click], target: Target | None) -> OfTarget:
     persons = codes_of([(one.person.id, one.target) for one in usable])
     u_clicks = [one.u_clicks_m for one in usable]
     found = gauge(_floats(heights), items, persons)
-    return OfTarget(target, found, claim(_floats(heights), _floats(u_clicks), items))
+    claimed = claim(_floats(heights), _floats(u_clicks), items)
+    return OfTarget(target, found, claimed, _another_frame(usable))
+
+
+def _another_frame(clicks: Sequence[Click]) -> Spread:
+    """Of one person's heights of one target, each frame's mean once."""
+    cells, heights = [], []
+    for name, found in _by(clicks, lambda one: (*one.framed, one.person.id, one.frame)):
+        cells.append(name[:-1])
+        heights.append(fmean(_floats([one.height_m for one in found])))
+    sums = within_cells(heights, codes_of(cells))
+    return spread_of(
+        *sums, f"{sums[1]} were clicked by one person on two frames; {LEAST_FREEDOM} are needed."
+    )
+
+
+def _elsewhere(clicks: Sequence[Click]) -> list[Click]:
+    """Repeats with a height on another frame than what they repeat, alike in all else."""
+    firsts = {one.first_id: one for one in clicks if one.measurement_id == one.first_id}
+    return [
+        one
+        for one in clicks
+        if (first := firsts.get(one.first_id))
+        and first.frame != one.frame
+        and first.framed == one.framed
+        and None not in (first.height_m, one.height_m)
+    ]
 
 
 def _floats(values: Sequence[float | None]) -> list[float]:
@@ -237,8 +269,8 @@ def _leaning(clicks: Sequence[Click], person: Who) -> Iterator[float]:
 
 
 def _by(
-    clicks: Sequence[Click], key: Callable[[Click], tuple[int, int, int, float]]
-) -> Iterator[tuple[object, list[Click]]]:
+    clicks: Sequence[Click], key: Callable[[Click], tuple[float, ...]]
+) -> Iterator[tuple[tuple[float, ...], list[Click]]]:
     for name, found in groupby(sorted(clicks, key=key), key):
         yield name, list(found)
 

@@ -2672,7 +2672,7 @@ export interface components {
             differences: components["schemas"]["DifferenceBody"][];
             /**
              * Not Compared
-             * @description Repeats on another frame, road pose or inset, or without height.
+             * @description Repeats with another road pose or inset, or without height.
              */
             not_compared: number;
         };
@@ -3440,6 +3440,8 @@ export interface components {
             target: ("roof" | "driver_eye" | "taillight" | "headlight" | "other") | null;
             gauge: components["schemas"]["GaugeBody"];
             claim: components["schemas"]["ClaimBody"];
+            /** @description The same person on another frame of the pass, m. */
+            another_frame: components["schemas"]["SpreadBody"];
         };
         /**
          * OpenSpanBody

@@ -172,3 +172,21 @@ def test_a_correction_after_the_repeat_leaves_what_was_repeated(
     (difference,) = operator.seen(f"/surveys/{ground.survey_id}/repeats")["differences"]
     assert difference["difference_m"] == pytest.approx(0.01, abs=1e-6)
     assert (difference["first_person"]["name"], difference["person"]["name"]) == ("Operator", "Reviewer")
+
+
+def test_on_another_frame_more_than_the_clicks_differs_and_has_a_figure_of_its_own(
+    operator: Client, ground: Ground
+) -> None:
+    off_m = [0.004, -0.010, 0.012, -0.006, 0.020]
+    for one in off_m:
+        vehicle_id = int(add_vehicle(operator, ground.recording_id)["id"])
+        first = measure(operator, vehicle_id)
+        there = {"frame": first["frame"] + 1, "contact": pixel(0.5, 0.0, 0.0)}
+        measure(operator, vehicle_id, **there, point=pixel(0.9, 0.0, 1.2 + one), repeat_of=first["id"])
+    found = operator.seen(f"/surveys/{ground.survey_id}/repeats")
+    assert (found["repeats"], found["differences"], found["not_compared"]) == (5, [], 0)
+    apart = operator.seen(f"/vehicles/{vehicle_id}")["measurements"][0]["height_m"] - 1.2
+    expected_m = np.sqrt(np.mean([(one - apart) ** 2 / 2 for one in off_m]))
+    elsewhere = found["targets"][1]["another_frame"]
+    assert elsewhere["sd"] == pytest.approx(expected_m, rel=1e-6) and elsewhere["freedom"] == 5
+    assert found["targets"][1]["gauge"]["repeatability"]["sd"] is None

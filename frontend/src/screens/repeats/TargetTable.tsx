@@ -19,6 +19,7 @@ export function TargetTable({ found }: { found: Repeats }) {
               <th>target</th>
               <th class="num">clicked again</th>
               <th>the same person</th>
+              <th>… on another frame</th>
               <th>another person adds</th>
               <th>clicks’ part, claimed</th>
               <th>clicks’ part, seen</th>
@@ -34,7 +35,8 @@ export function TargetTable({ found }: { found: Repeats }) {
       <p class="repeats__note small muted">
         One spread for near and far vehicles alike, though in millimetres it grows with the distance. Lens,
         road pose, board and inset are the same for all clicks on a frame and cancel in their differences, so
-        only the clicks’ part of the budgets is compared.
+        only the clicks’ part of the budgets is compared. On another frame they do not cancel: step to it
+        while you click again.
       </p>
     </section>
   );
@@ -56,6 +58,7 @@ function Row({ one }: { one: TargetRepeats }) {
       </td>
       <td class="num nowrap">{plural(gauge.items, "item")}</td>
       <SpreadCell one={gauge.repeatability} />
+      <SpreadCell one={one.another_frame} />
       <SpreadCell one={gauge.reproducibility} />
       <td>{claim.claimed === null ? "–" : formatSmall(claim.claimed)}</td>
       <td>
