@@ -53,8 +53,8 @@ export default function RepeatsScreen({ surveyId }: ScreenProps) {
           {data.differences.length > 0 && <DifferenceFigure differences={data.differences} />}
           {data.not_compared > 0 && (
             <p class="small muted">
-              {plural(data.not_compared, "repeat")} with another road pose or inset, or without a height:
-              in none of these figures.
+              {plural(data.not_compared, "repeat")} with another road pose or inset, or without a height: in
+              none of these figures.
             </p>
           )}
         </>
