@@ -3,13 +3,17 @@
 A strip is line-major: one line a row of memory, time downwards, row 0 the top of the picture. In files time
 runs along the width (the scan line stands upright) or along the height (each row of the file is a line, its
 left end the top). What is read is PNG, TIFF and BigTIFF, 8 or 16 bit grey; a file is told by its first bytes.
+
+Lines that the recorder says it lost are put back as copies of the line before, so that line n was always
+taken at n / line rate; `column_of` leads back to the file's own lines.
 """
 
 from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterator
+from collections import deque
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal, Protocol
@@ -20,7 +24,7 @@ import numpy as np
 from backend.errors import BadInput
 from backend.media import strips_png, strips_tiff
 from backend.media.sniff import why_not_video
-from backend.media.strips_sheet import AGAIN, Pixels, Sheet, unpacked
+from backend.media.strips_sheet import Pixels, Sheet, unpacked
 
 TimeAxis = Literal["width", "height"]
 CHUNK_BYTES = 4 << 20
@@ -81,15 +85,30 @@ def open_strip(
     name = name or path.name
     sheet, said = _sheet(path, name)
     try:
-        lines, rows = sheet.height_px, sheet.width_px
-        if time_axis == "width":
-            lines, rows = rows, lines
+        lines, rows = _shape(sheet, time_axis)
         _check_shape(name, lines, rows, time_axis)
         notes = _notes(name, said, path)
+        _check_gaps(name, lines, notes.dropped)
     except BaseException:
         sheet.close()
         raise
     return _SheetStrip(sheet, time_axis, notes, work_dir)
+
+
+def column_of(line: float, dropped: Sequence[Dropped]) -> float:
+    """The fractional column of the file for a line number that counts the lost lines too.
+
+    Within a gap it is the middle between the columns beside it.
+    """
+    lost = 0
+    for gap in dropped:
+        begin = gap.line + lost
+        if line <= begin - 0.5:
+            break
+        if line < begin + gap.count - 0.5:
+            return gap.line - 0.5
+        lost += gap.count
+    return line - lost
 
 
 def chunk_lines(rows: int, item_bytes: int) -> int:
@@ -132,6 +151,24 @@ def _check_shape(name: str, lines: int, rows: int, time_axis: TimeAxis) -> None:
         raise BadInput(
             f"{name} has more than {MOST_LINES // 10**9} thousand million lines; cut it into parts."
         )
+
+
+def _check_gaps(name: str, lines: int, dropped: Sequence[Dropped]) -> None:
+    lost = sum(gap.count for gap in dropped)
+    if lost > lines // 2:
+        raise BadInput(
+            f"{name}: its notes say that {lost} lines were lost of {lines + lost}; record it again."
+        )
+    if dropped and dropped[-1].line >= lines:
+        raise BadInput(
+            f"{name}: its notes name lost lines at {dropped[-1].line}, but it ends at {lines}; correct them."
+        )
+
+
+def _shape(sheet: Sheet, time_axis: TimeAxis) -> tuple[int, int]:
+    """(lines, rows) of a picture."""
+    upright = (sheet.height_px, sheet.width_px)
+    return upright if time_axis == "height" else (upright[1], upright[0])
 
 
 def _notes(name: str, said: str, path: Path) -> StripNotes:
@@ -187,14 +224,14 @@ class _SheetStrip:
 
     def __init__(self, sheet: Sheet, time_axis: TimeAxis, notes: StripNotes, work_dir: Path | None) -> None:
         self.name, self.dtype, self.notes = sheet.name, sheet.dtype, notes
-        self.lines, self.rows = sheet.height_px, sheet.width_px
-        if time_axis == "width":
-            self.lines, self.rows = self.rows, self.lines
+        self.lines, self.rows = _shape(sheet, time_axis)
+        self.lines += sum(gap.count for gap in notes.dropped)
         self._sheet, self._axis, self._work_dir = sheet, time_axis, work_dir
 
     def chunks(self, lines: int | None = None) -> Iterator[Pixels]:
         lines = lines or chunk_lines(self.rows, self.dtype.itemsize)
-        return rebatched(self._pieces(lines), lines)
+        pieces = with_gaps(self._pieces(lines), self.notes.dropped, lines)
+        return rebatched(pieces, lines)
 
     def close(self) -> None:
         self._sheet.close()
@@ -220,6 +257,25 @@ def _turned(slab: Pixels) -> Pixels:
     return np.asarray(cv2.transpose(slab), slab.dtype)
 
 
+def with_gaps(pieces: Iterator[Pixels], dropped: Sequence[Dropped], most: int) -> Iterator[Pixels]:
+    """The same lines with the lost ones put back as copies of the line before, `most` at a time."""
+    gaps = deque(dropped)
+    first = 0
+    before: Pixels | None = None
+    for piece in pieces:
+        while gaps and gaps[0].line < first + len(piece):
+            gap = gaps.popleft()
+            head = piece[: gap.line - first]
+            yield head
+            piece, first = piece[len(head) :], gap.line
+            line = head[-1] if len(head) else piece[0] if before is None else before
+            for done in range(0, gap.count, most):
+                yield np.repeat(line[None], min(most, gap.count - done), axis=0)
+        yield piece
+        first += len(piece)
+        before = piece[-1] if len(piece) else before
+
+
 def rebatched(pieces: Iterator[Pixels], lines: int) -> Iterator[Pixels]:
     """The same lines in blocks of `lines`, the last one shorter; copied only where blocks straddle pieces."""
     held: list[Pixels] = []
@@ -235,6 +291,3 @@ def rebatched(pieces: Iterator[Pixels], lines: int) -> Iterator[Pixels]:
             count += len(piece)
     if held:
         yield held[0] if len(held) == 1 else np.concatenate(held)
-
-
-__all__ = ["AGAIN", "Dropped", "Strip", "StripNotes", "TimeAxis", "notes_of", "open_strip", "rebatched"]
