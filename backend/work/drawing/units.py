@@ -1,0 +1,58 @@
+"""Lengths in the reader's unit: heights in metres or feet, errors in millimetres or inches."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+Unit = Literal["m", "ft"]
+NONE = "–"
+_FOOT_M = 0.3048
+
+
+@dataclass(frozen=True)
+class Scale:
+    """Factor from metres, the unit's sign, and how many decimals a figure has."""
+
+    factor: float
+    sign: str
+    digits: int
+
+    def number(self, value_m: float | None, *, signed: bool = False) -> str:
+        """The figure without its unit; a dash where there is none."""
+        return NONE if value_m is None else fixed(self.factor * value_m, self.digits, signed=signed)
+
+    def length(self, value_m: float | None) -> str:
+        """The figure with its unit, held together by a space that does not break."""
+        return NONE if value_m is None else f"{self.number(value_m)}\u00a0{self.sign}"
+
+
+HEIGHT: dict[Unit, Scale] = {"m": Scale(1.0, "m", 3), "ft": Scale(1.0 / _FOOT_M, "ft", 2)}
+SMALL: dict[Unit, Scale] = {"m": Scale(1000.0, "mm", 1), "ft": Scale(12.0 / _FOOT_M, "in", 2)}
+SQUARE: dict[Unit, Scale] = {
+    "m": Scale(1e6, "mm²", 0),
+    "ft": Scale((12.0 / _FOOT_M) ** 2, "in²", 3),
+}
+
+
+def fixed(value: float, digits: int, *, signed: bool = False) -> str:
+    """Fixed decimals with a true minus sign; what rounds to zero has none."""
+    text = f"{value:+.{digits}f}" if signed else f"{value:.{digits}f}"
+    if float(text) == 0.0:
+        text = text.lstrip("+-")
+    return text.replace("-", "−")
+
+
+def count(number: int) -> str:
+    """Thousands apart by a narrow space that does not break."""
+    return f"{number:,}".replace(",", "\u202f") if number >= 10_000 else str(number)
+
+
+def percent(share: float, digits: int = 1) -> str:
+    """A share in per cent."""
+    return f"{fixed(100.0 * share, digits)}\u00a0%"
+
+
+def plural(number: int, one: str, many: str) -> str:
+    """A number with its word."""
+    return f"{count(number)} {one if number == 1 else many}"

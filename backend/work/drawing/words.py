@@ -1,0 +1,32 @@
+"""The words that figures and report call things by."""
+
+from __future__ import annotations
+
+TARGETS: dict[str, str] = {
+    "driver_eye": "driver’s eye",
+    "taillight": "taillight, lower limit",
+    "headlight": "headlight",
+    "roof": "roof",
+    "other": "other",
+}
+GROUPS: dict[str, str] = {"daytime": "daytime", "low_light": "low light", "overall": "overall"}
+LIGHTING: dict[str, str] = {"daytime": "daytime", "low_light": "low light", "": "lighting unknown"}
+CATEGORIES: dict[str, str] = {"suv": "SUV"}
+CORRECTIONS: dict[str, str] = {
+    "inset": "corrected by inset",
+    "shift": "corrected by shift",
+    "none": "not corrected",
+    "regression": "corrected by regression",
+    "deconvolution": "corrected by deconvolution",
+}
+
+
+def heading(word: str) -> str:
+    """With a capital."""
+    return word[:1].upper() + word[1:]
+
+
+def group_word(grouping: str, word: str) -> str:
+    """A group of vehicles, for people."""
+    known = {"lighting": LIGHTING, "category": CATEGORIES}.get(grouping, {})
+    return known.get(word, word)

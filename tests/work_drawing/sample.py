@@ -1,0 +1,47 @@
+"""A made-up survey's statistics to draw, of any size."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from backend.statistics.standards import STANDARDS
+from backend.statistics.summary import Grouping, Roofs, errors_of, target_of
+from backend.work.figuring import SHOWN, Choices, Counted, Statistics, standards_of
+
+MEAN_SD = {
+    "driver_eye": (1.24, 0.075),
+    "taillight": (0.85, 0.13),
+    "headlight": (0.66, 0.06),
+    "roof": (1.52, 0.13),
+}
+
+
+def statistics(
+    n: int = 400,
+    low_light: float = 0.35,
+    choices: Choices = Choices(),
+    absent: tuple[str, ...] = ("headlight",),
+) -> Statistics:
+    """`n` vehicles, a share of them in low light; the paper's heights are too high below the camera."""
+    rng = np.random.default_rng(7)
+    reference = rng.normal(*MEAN_SD["roof"], n)
+    measured = reference + rng.normal(0.004, 0.019, n) - 0.05 * (reference - 1.52)
+    lighting = np.where(rng.random(n) < low_light, "low_light", "daytime").astype(str)
+    paper = measured + (1.5 - measured) * 0.09
+    roofs = Roofs(measured, paper, reference, np.full(n, 0.0173), lighting)
+    standards = (*STANDARDS, *choices.own_standards)
+    categories = ("hatchback", "saloon", "estate", "suv", "van", "lorry", "other")
+    targets = {}
+    for name in SHOWN:
+        size = 0 if name in absent else n
+        height = rng.normal(*MEAN_SD[name], size)
+        groupings = {
+            "lighting": Grouping((lighting[:size] == "low_light").astype(np.int64), ("daytime", "low_light")),
+            "category": Grouping(rng.integers(0, len(categories), size), categories),
+        }
+        limits = [one.height_m for one in standards_of(standards, name)]
+        raw = height + (1.5 - height) * 0.13
+        targets[name] = target_of(height, raw, roofs, choices.correction, limits, groupings)
+    errors = errors_of(roofs, choices.correction, choices.rounding)
+    counted = Counted(3 * n, n, n, {"rejected": 7, "to_review": 21} if n else {})
+    return Statistics(counted, standards, errors, targets, {1: "A survey"}, {1: "An operator"})
