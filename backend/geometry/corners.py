@@ -174,9 +174,9 @@ def neighbours(ids: NDArray[np.intp], points: Floats, board: Board) -> tuple[Flo
 def _advice(board: Board, skipped: bool) -> str:
     text = (
         f"No board of {board.columns}x{board.rows} inner corners was found; the whole board with its white "
-        "margin must be in the picture, sharp and evenly lit, and inner corners are counted."
+        "margin must be in the picture, sharp and evenly lit, and inner corners are counted"
     )
-    return text + (" The search was cut short by its time limit." if skipped else "")
+    return text + ("; the search was cut short by its time limit." if skipped else ".")
 
 
 def _accepted(gray: Gray, points: Floats, board: Board, name: str) -> Corners:

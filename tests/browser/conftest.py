@@ -6,9 +6,20 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, BrowserContext, Page, Playwright, StorageState, sync_playwright
+from playwright.sync_api import (
+    Browser,
+    BrowserContext,
+    Page,
+    Playwright,
+    StorageState,
+    expect,
+    sync_playwright,
+)
 
 from .server import ROOT, Server, start
+
+# A busy machine is slow, not wrong: only what never comes fails.
+expect.set_options(timeout=30_000)
 
 
 def chromium_path() -> str | None:
@@ -86,7 +97,7 @@ def context(browser: Browser, demonstration: Server, admin_state: StorageState) 
 @pytest.fixture
 def page(context: BrowserContext) -> Page:
     opened = context.new_page()
-    opened.set_default_timeout(15_000)
+    opened.set_default_timeout(30_000)
     return opened
 
 

@@ -38,7 +38,7 @@ def test_a_second_click_before_the_first_is_shown(
 ) -> None:
     other = invited(page, browser, demonstration, "Blanca Blind", "reviewer")
     review = other.new_page()
-    review.set_default_timeout(15_000)
+    review.set_default_timeout(30_000)
     review.goto(f"/surveys/{survey_id}/review?blind=1")
     panel = review.get_by_test_id("blind-panel")
     expect(panel).to_be_visible()

@@ -18,7 +18,7 @@ def test_a_thumbnail_stands_in_until_the_frame_is_here(page: Page, tmp_path: Pat
     page.goto(f"/surveys/{survey}/recordings")
     page.locator("input[type=file]").set_input_files(clip)
     expect(page.get_by_role("link", name="Measure").first).to_be_visible()
-    expect(page.get_by_role("button", name="Find the passes")).to_be_visible(timeout=20_000)
+    expect(page.get_by_role("button", name="Find the passes")).to_be_visible(timeout=30_000)
     recording = page.request.get(f"/api/surveys/{survey}/recordings").json()[0]["id"]
     span = {"first_frame": 60, "last_frame": 80, "best_frame": 70}
     page.request.post(f"/api/recordings/{recording}/vehicles", data=span, headers=headers)

@@ -95,7 +95,7 @@ def shown(
     )
     context.add_init_script(path=AXE)
     page = context.new_page()
-    page.set_default_timeout(15_000)
+    page.set_default_timeout(30_000)
     page.on("pageerror", lambda error: complaints.append(f"page error: {error}"))
     page.on("console", lambda message: note(message, complaints))
     yield context, page, f"{size['width']}-{look}"

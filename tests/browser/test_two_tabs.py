@@ -139,7 +139,7 @@ def test_a_click_without_a_connection_is_stored_once_it_is_back(
     context.set_offline(False)
     for name in ("roof", "driver_eye"):
         expect(page.get_by_test_id(f"measurement-row-{name}")).to_have_attribute(
-            "data-state", "saved", timeout=15_000
+            "data-state", "saved", timeout=30_000
         )
     expect(page.get_by_text("The server cannot be reached")).to_have_count(0)
     assert sorted(revisions(page, one)) == [("driver_eye", 1), ("roof", 1)]
@@ -160,7 +160,7 @@ def test_a_lost_answer_does_not_store_twice(page: Page, one: Untouched) -> None:
     page.route(re.compile(r"/api/vehicles/\d+/measurements$"), lose_the_answer)
     click_roof(page, one)
     row = page.get_by_test_id("measurement-row-roof")
-    expect(row).to_have_attribute("data-state", "saved", timeout=15_000)
+    expect(row).to_have_attribute("data-state", "saved", timeout=30_000)
     assert lost and lost[0] < 300
     assert revisions(page, one) == [("roof", 1)]
 

@@ -2,6 +2,7 @@
 import { batch, computed, effect, type ReadonlySignal, signal } from "@preact/signals";
 import { api } from "../api";
 import { Geometry } from "../measure/geometry";
+import { valuesOf } from "../measure/values";
 import { setQuery } from "../router";
 import { may, me } from "../state/session";
 import { stored } from "../state/stored";
@@ -280,6 +281,7 @@ export class ReviewModel {
       point: fix.point,
       inset,
       sigma_px: m.sigma_px,
+      more: valuesOf(m).more,
     });
   }
 

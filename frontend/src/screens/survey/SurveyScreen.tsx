@@ -35,6 +35,7 @@ export default function SurveyScreen({ surveyId }: ScreenProps) {
         </div>
         <Button href={`/surveys/${survey.id}/planning`}>Plan the site</Button>
         <Button href={`/surveys/${survey.id}/checks`}>Checks</Button>
+        <Button href={`/surveys/${survey.id}/repeats`}>Repeats</Button>
         {may("operator") && <Button onClick={() => setEditing(true)}>Edit</Button>}
       </header>
       {running.map((job) => (
