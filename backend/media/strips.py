@@ -85,13 +85,17 @@ def open_strip(
     name = name or path.name
     sheet, said = _sheet(path, name)
     try:
-        lines, rows = _shape(sheet, time_axis)
-        _check_shape(name, lines, rows, time_axis)
-        notes = _notes(name, said, path)
-        _check_gaps(name, lines, notes.dropped)
+        return strip_of(sheet, time_axis, _notes(name, said, path), work_dir)
     except BaseException:
         sheet.close()
         raise
+
+
+def strip_of(sheet: Sheet, time_axis: TimeAxis, notes: StripNotes, work_dir: Path | None = None) -> Strip:
+    """The strip that a picture is; it owns the picture from now on. Raises BadInput as `open_strip` does."""
+    lines, rows = _shape(sheet, time_axis)
+    _check_shape(sheet.name, lines, rows, time_axis)
+    _check_gaps(sheet.name, lines, notes.dropped)
     return _SheetStrip(sheet, time_axis, notes, work_dir)
 
 
