@@ -121,7 +121,7 @@ def opened(path: Path, name: str) -> tifffile.TiffFile:
         if not len(tiff.pages):
             raise ValueError
     except Exception:  # damaged tags end in errors of a dozen kinds
-        raise BadInput(f"{name} is a TIFF whose directory cannot be read; {AGAIN}.") from None
+        raise BadInput(f"{name} is a TIFF that is cut off or whose directory is damaged; {AGAIN}.") from None
     return tiff
 
 
@@ -143,7 +143,7 @@ def tiff_sheet(path: Path, name: str) -> tuple[Sheet, str]:
                 raise
             raise BadInput(f"{name} {error.message}.") from None
         except Exception:  # as above
-            raise BadInput(f"{name} is a TIFF with a damaged directory; {AGAIN}.") from None
+            raise BadInput(f"{name} is a TIFF whose directory is damaged; {AGAIN}.") from None
 
 
 def _check(name: str, page: Any, further: bool, file_bytes: int) -> None:
