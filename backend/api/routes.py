@@ -29,6 +29,8 @@ MODULES = (
     "measurements",
     "reviews",
     "repeats",
+    "scans",
+    "scans_vehicles",
     "statistics",
     "exports",
     "audit",

@@ -17,6 +17,7 @@ from backend.api.deps import OPEN, Operator, PathId, Reading, Viewer, Wired
 from backend.errors import BadInput, SightlineError
 from backend.storage import uploads
 from backend.storage.records import Upload
+from backend.storage.words import UploadPurpose
 from backend.work import uploading
 from backend.work.services import Services
 
@@ -45,6 +46,7 @@ class UploadBody(Out):
     filename: str
     size_bytes: int
     offset: int
+    purpose: UploadPurpose
     created_at: datetime
 
 
@@ -78,10 +80,14 @@ def create_upload(
     upload_length: Annotated[int | None, Header(ge=0, le=MAX_BYTES)] = None,
     upload_metadata: Annotated[str | None, Header(max_length=4000)] = None,
 ) -> Response:
-    """Announce a file by its length and name; the answer's Location takes its bytes."""
+    """Announce a file by its length and name; the answer's Location takes its bytes.
+
+    With the metadata `purpose` = `strip` it becomes no recording but waits for a line-scan recording.
+    """
     if upload_length is None:
         raise BadInput("The upload does not say how long the file is; send the header Upload-Length.")
-    upload = uploading.begin(services, survey_id, filename_of(upload_metadata), upload_length, who.id)
+    filename, purpose = filename_of(upload_metadata), purpose_of(upload_metadata)
+    upload = uploading.begin(services, survey_id, filename, upload_length, who.id, purpose=purpose)
     headers = {"Location": f"/api/uploads/{upload.id}", "Tus-Resumable": VERSION, "Upload-Offset": "0"}
     return Response(status_code=201, headers=headers)
 
@@ -93,7 +99,7 @@ def upload_offset(upload_id: PathId, who: Operator, services: Wired) -> Response
     offset = uploading.arrived(services, upload)
     recording_id = upload.recording_id
     if offset == upload.size_bytes and recording_id is None:
-        recording_id = uploading.complete(services, upload_id).id
+        recording_id = uploading.arrived_whole(services, upload)
     told = {"Upload-Length": str(upload.size_bytes), "Cache-Control": "no-store"}
     return Response(status_code=200, headers={**_progress(offset, recording_id), **told})
 
@@ -114,7 +120,7 @@ async def continue_upload(
 
     def take() -> tuple[int, int | None]:
         at = uploading.take(services, upload, upload_offset, _in_thread(pieces))
-        return at, uploading.complete(services, upload_id).id if at == upload.size_bytes else None
+        return at, uploading.arrived_whole(services, upload) if at == upload.size_bytes else None
 
     try:
         offset, recording_id = await anyio.to_thread.run_sync(take)
@@ -175,16 +181,30 @@ async def _next(pieces: AsyncIterator[bytes]) -> bytes | None:
 
 def filename_of(metadata: str | None) -> str:
     """The file name in tus's Upload-Metadata ("key base64,key base64"). Raises BadInput."""
+    name = _told(metadata, "filename", "file name")
+    if name is None:
+        raise BadInput("The upload does not name its file; send filename in the header Upload-Metadata.")
+    return clean_name(name)
+
+
+def purpose_of(metadata: str | None) -> UploadPurpose:
+    """What the file is for: a video unless it is said to be a strip. Raises BadInput."""
+    told = _told(metadata, "purpose", "purpose")
+    if told not in (None, "video", "strip"):
+        raise BadInput("The upload's purpose is video or strip; send one of them in Upload-Metadata.")
+    return "strip" if told == "strip" else "video"
+
+
+def _told(metadata: str | None, wanted: str, word: str) -> str | None:
     for pair in (metadata or "").split(","):
         key, _, value = pair.strip().partition(" ")
-        if key != "filename":
+        if key != wanted:
             continue
         try:
-            name = base64.b64decode(value, validate=True).decode("utf-8")
+            return base64.b64decode(value, validate=True).decode("utf-8")
         except (binascii.Error, UnicodeDecodeError) as error:
-            raise BadInput("The upload's file name cannot be read; send it as base64 of UTF-8.") from error
-        return clean_name(name)
-    raise BadInput("The upload does not name its file; send filename in the header Upload-Metadata.")
+            raise BadInput(f"The upload's {word} cannot be read; send it as base64 of UTF-8.") from error
+    return None
 
 
 def clean_name(name: str) -> str:

@@ -17,6 +17,7 @@ from backend.media import uploads as parts
 from backend.media.store import key_of
 from backend.storage import recordings, uploads
 from backend.storage.records import Recording, Upload
+from backend.storage.words import UploadPurpose
 from backend.work.ingesting import queue_ingest
 from backend.work.services import Services
 
@@ -32,11 +33,25 @@ def folder(services: Services) -> Path:
     return services.settings.data_dir / FOLDER
 
 
-def begin(services: Services, survey_id: int, filename: str, size_bytes: int, actor: int) -> Upload:
+def begin(
+    services: Services,
+    survey_id: int,
+    filename: str,
+    size_bytes: int,
+    actor: int,
+    *,
+    purpose: UploadPurpose = "video",
+) -> Upload:
     """Announce a file. Raises NotFound (survey), BadInput (empty), NoRoom, before a byte is sent."""
     with services.writing() as session:
         upload = uploads.create(
-            session, survey_id, filename=filename, size_bytes=size_bytes, media_key="", actor=actor
+            session,
+            survey_id,
+            filename=filename,
+            size_bytes=size_bytes,
+            media_key="",
+            purpose=purpose,
+            actor=actor,
         )
         # Inside the transaction: no room for the part, no row either.
         parts.create(folder(services), part_name(upload.id), size_bytes)
@@ -73,6 +88,35 @@ def _note_offset(services: Services, upload_id: int) -> None:
                 uploads.advance(session, upload_id, from_offset=upload.offset, to_offset=now_at)
     except SightlineError as error:
         log.info("the offset of upload %s was not noted: %s", upload_id, error.message)
+
+
+def arrived_whole(services: Services, upload: Upload) -> int | None:
+    """What follows from the last byte: a video becomes a recording (its id), a strip waits for its scan."""
+    if upload.purpose == "video":
+        return complete(services, upload.id).id
+    keep_strip(services, upload.id)
+    return None
+
+
+def keep_strip(services: Services, upload_id: int) -> Upload:
+    """Store a strip whose bytes are all here; may be done again. Raises Conflict while bytes are missing."""
+    with services.reading() as session:
+        upload = uploads.get(session, upload_id)
+    if upload.finished_at is not None:
+        return upload
+    whole = parts.finish(folder(services), part_name(upload_id))
+    key = key_of(whole.sha256, suffix_of(upload.filename))
+    services.media.put_file(key, whole.path, link=True)
+    actor = upload.created_by.id if upload.created_by else None
+    with services.writing() as session:
+        if uploads.get(session, upload_id).finished_at is None:
+            uploads.strip_arrived(session, upload_id, media_key=key, sha256=whole.sha256, actor=actor)
+    if not services.media.exists(key):
+        # Whoever had the same content gave it up between the two steps above.
+        services.media.put_file(key, whole.path, link=True)
+    parts.discard(folder(services), part_name(upload_id))
+    with services.reading() as session:
+        return uploads.get(session, upload_id)
 
 
 def complete(services: Services, upload_id: int) -> Recording:
@@ -154,7 +198,7 @@ def recover(services: Services) -> None:
             if part_name(upload.id) in abandoned:
                 give_up(services, upload.id, None)
             elif arrived(services, upload) == upload.size_bytes:
-                complete(services, upload.id)
+                arrived_whole(services, upload)
         except SightlineError as error:
             log.warning("upload %s cannot be finished: %s", upload.id, error.message)
 

@@ -98,6 +98,26 @@ MATRIX = {
     "GET /surveys/{survey_id}/repeats/sample": "operator",
     "GET /measurements/{measurement_id}/repeats": "viewer",
     "PUT /surveys/{survey_id}/people/{person_id}/click-sigma": "reviewer",
+    "GET /surveys/{survey_id}/scans": "viewer",
+    "GET /surveys/{survey_id}/strip-uploads": "viewer",
+    "POST /surveys/{survey_id}/scans": "operator",
+    "POST /surveys/{survey_id}/scans/from-video": "operator",
+    "GET /scans/{scan_id}": "viewer",
+    "PATCH /scans/{scan_id}": "operator",
+    "DELETE /scans/{scan_id}": "operator",
+    "POST /scans/{scan_id}/read": "operator",
+    "POST /scans/{scan_id}/find": "operator",
+    "GET /scans/{scan_id}/tiles/{camera}/{level}/{index}": "viewer",
+    "GET /scans/{scan_id}/vehicles": "viewer",
+    "POST /scans/{scan_id}/vehicles": "operator",
+    "GET /scan-vehicles/{vehicle_id}": "viewer",
+    "PUT /scan-vehicles/{vehicle_id}/boundaries": "operator",
+    "PUT /scan-vehicles/{vehicle_id}/wheels": "operator",
+    "PUT /scan-vehicles/{vehicle_id}/facts": "operator",
+    "DELETE /scan-vehicles/{vehicle_id}": "operator",
+    "POST /scan-vehicles/{vehicle_id}/restore": "operator",
+    "GET /scan-vehicles/{vehicle_id}/match/{picture}": "viewer",
+    "POST /scan-measurements/{measurement_id}/review": "reviewer",
     "GET /statistics": "viewer",
     "GET /statistics/sample-size": "viewer",
     "POST /surveys/{survey_id}/exports": "viewer",
@@ -150,9 +170,10 @@ def ask(client: Client, name: str) -> Any:
     method, path = name.split(" ")
     for part in ("survey", "camera", "image", "calibration", "upload", "recording", "pose", "vehicle"):
         path = path.replace(f"{{{part}_id}}", "999999")
-    for part in ("measurement", "export", "job", "person"):
+    for part in ("measurement", "export", "job", "person", "scan"):
         path = path.replace(f"{{{part}_id}}", "999999")
-    path = path.replace("{n}", "0").replace("{frame}", "0")
+    path = path.replace("{n}", "0").replace("{frame}", "0").replace("{picture}", "first")
+    path = path.replace("{camera}/{level}/{index}", "1/0/0")
     query = {"x": 0, "y": 0, "w": 8, "h": 8, "revision": 1} if method in ("GET", "DELETE") else {}
     return client.http.request(method, f"/api{path}", headers=TUS, params=query)
 

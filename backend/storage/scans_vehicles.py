@@ -1,0 +1,157 @@
+"""Vehicles of a scan. Their state follows from their measurements and is never stored."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+from sqlalchemy import ColumnElement, func, select
+from sqlalchemy.orm import Session
+
+from backend.errors import BadInput, Conflict
+from backend.storage import audit
+from backend.storage.columns import now
+from backend.storage.records import JsonObject, VehicleOrigin
+from backend.storage.rows import add_row, change_row, get_row, missing, name_of
+from backend.storage.scans_query import vehicle, vehicles
+from backend.storage.scans_records import ScanCounts, ScanVehicle, ScanVehicleChanges
+from backend.storage.tables_of_scans import scan_measurements, scan_vehicles, scans
+
+_ALIVE: ColumnElement[bool] = scan_vehicles.c.deleted_at.is_(None)
+_FIELDS = frozenset(ScanVehicleChanges.__annotations__)
+_LENGTHS = ("true_length_m", "u_true_length_m", "true_wheelbase_m", "u_true_wheelbase_m")
+
+
+def create(
+    session: Session,
+    scan_id: int,
+    fields: ScanVehicleChanges | None = None,
+    *,
+    origin: VehicleOrigin = "person",
+    actor: int | None,
+) -> ScanVehicle:
+    """A vehicle of a scan, yet without a measurement. Numbers count up in the scan."""
+    scan = get_row(session, scans, scan_id, "line-scan recording", scans.c.deleted_at.is_(None))
+    content: dict[str, Any] = {**dict.fromkeys(_FIELDS), "notes": "", **_checked(fields or {})}
+    counted = select(func.coalesce(func.max(scan_vehicles.c.number), 0))
+    number = session.execute(counted.where(scan_vehicles.c.scan_id == scan_id)).scalar_one() + 1
+    place = {"survey_id": scan["survey_id"], "scan_id": scan_id, "number": number, "origin": origin}
+    moment = now()
+    stamps = {"version": 1, "created_at": moment, "created_by": actor}
+    stamps |= {"updated_at": moment, "updated_by": actor}
+    row_id = add_row(session, scan_vehicles, {**place, **content, **stamps})
+    told = {**place, **content}
+    audit.record(session, actor, "create", "scan_vehicle", row_id, scan["survey_id"], None, told)
+    return get(session, row_id)
+
+
+def get(session: Session, vehicle_id: int, *, deleted: bool = False) -> ScanVehicle:
+    """One vehicle with its current measurement, profile and all. Raises NotFound (also with its scan)."""
+    found = _fetch(session, scan_vehicles.c.id == vehicle_id, deleted=deleted, profile=True)
+    if not found:
+        raise missing("scanned vehicle", vehicle_id)
+    return found[0]
+
+
+def list_for_scan(session: Session, scan_id: int, *, deleted: bool = False) -> tuple[ScanVehicle, ...]:
+    """The vehicles of a scan in the order in which they passed; one query."""
+    return _fetch(session, scan_vehicles.c.scan_id == scan_id, deleted=deleted)
+
+
+def list_for_survey(session: Session, survey_id: int) -> tuple[ScanVehicle, ...]:
+    """The vehicles of all scans of a survey, scan by scan in the order in which they passed."""
+    return _fetch(session, scan_vehicles.c.survey_id == survey_id)
+
+
+def counts_of_scans(session: Session, rigs: Mapping[int, JsonObject]) -> dict[int, ScanCounts]:
+    """How many vehicles each scan has by state, and how many were measured with another rig than its own."""
+    if not rigs:
+        return {}
+    counted: dict[int, dict[str, int]] = {}
+    for one in _fetch(session, scan_vehicles.c.scan_id.in_(rigs)):
+        counts = counted.setdefault(one.scan_id, dict.fromkeys(ScanCounts.__slots__, 0))
+        counts["vehicles"] += 1
+        counts[one.state] += 1
+        counts["older"] += one.measurement is not None and one.measurement.values.rig != rigs[one.scan_id]
+    return {scan_id: replace(ScanCounts(), **counts) for scan_id, counts in counted.items()}
+
+
+def change_facts(
+    session: Session,
+    vehicle_id: int,
+    changes: ScanVehicleChanges,
+    *,
+    version: int,
+    actor: int | None,
+) -> ScanVehicle:
+    """Fill in what is known of a vehicle. Raises Conflict if `version` is not the current one, BadInput."""
+    before = seen(session, vehicle_id, version)
+    change = _checked(changes)
+    stamps = {"version": version + 1, "updated_at": now(), "updated_by": actor}
+    change_row(session, scan_vehicles, vehicle_id, {**change, **stamps})
+    what = audit.changed(before, change, change)
+    audit.record(session, actor, "update", "scan_vehicle", vehicle_id, before["survey_id"], *what)
+    return get(session, vehicle_id)
+
+
+def remove(session: Session, vehicle_id: int, *, version: int | None, actor: int | None) -> ScanVehicle:
+    """Take a vehicle out of all lists; `restore` brings it back. Found again, it stays away."""
+    before = seen(session, vehicle_id, version)
+    stamps = {"version": before["version"] + 1, "updated_at": now(), "updated_by": actor}
+    change_row(session, scan_vehicles, vehicle_id, {"deleted_at": stamps["updated_at"], **stamps})
+    then, after = {"deleted": False}, {"deleted": True}
+    audit.record(session, actor, "delete", "scan_vehicle", vehicle_id, before["survey_id"], then, after)
+    return get(session, vehicle_id, deleted=True)
+
+
+def restore(session: Session, vehicle_id: int, *, actor: int | None) -> ScanVehicle:
+    """Bring a vehicle back. Raises Conflict for one that was not taken out."""
+    before = get_row(session, scan_vehicles, vehicle_id, "scanned vehicle")
+    if before["deleted_at"] is None:
+        raise Conflict("This vehicle was not deleted, so there is nothing to restore.")
+    stamps = {"version": before["version"] + 1, "updated_at": now(), "updated_by": actor}
+    change_row(session, scan_vehicles, vehicle_id, {"deleted_at": None, **stamps})
+    then, after = {"deleted": True}, {"deleted": False}
+    audit.record(session, actor, "restore", "scan_vehicle", vehicle_id, before["survey_id"], then, after)
+    return get(session, vehicle_id)
+
+
+def seen(session: Session, vehicle_id: int, version: int | None) -> dict[str, Any]:
+    """The row of a living vehicle, if it is the one that the caller saw (None: whichever it is).
+
+    Raises NotFound, and Conflict that names who changed or deleted it and when.
+    """
+    row = get_row(session, scan_vehicles, vehicle_id, "scanned vehicle")
+    get_row(session, scans, row["scan_id"], "line-scan recording", scans.c.deleted_at.is_(None))
+    name, when = name_of(session, row["updated_by"]), f"{row['updated_at']:%Y-%m-%d %H:%M:%S} UTC"
+    if row["deleted_at"] is not None:
+        raise Conflict(f"{name} deleted vehicle {row['number']} at {when}; restore it first.")
+    if version is not None and row["version"] != version:
+        raise Conflict(f"{name} changed vehicle {row['number']} at {when}; look again and redo yours.")
+    return row
+
+
+def _checked(fields: Mapping[str, Any]) -> dict[str, Any]:
+    values = dict(fields)
+    unknown = set(values) - _FIELDS
+    if unknown:
+        raise BadInput(f"A scanned vehicle has no {', '.join(sorted(unknown))}; leave it out.")
+    for name in _LENGTHS:
+        value = values.get(name)
+        least = 0.0 if name.startswith("u_") else 1e-3
+        if value is not None and not least <= value <= 100:
+            raise BadInput(f"A {name} of {value:g} cannot be; give it in metres, as in 4.447.")
+    return values
+
+
+def _fetch(
+    session: Session, condition: ColumnElement[bool], *, deleted: bool = False, profile: bool = False
+) -> tuple[ScanVehicle, ...]:
+    query = (
+        vehicles(profile=profile)
+        .join(scans, scans.c.id == scan_vehicles.c.scan_id)
+        .where(condition, scans.c.deleted_at.is_(None))
+        .order_by(scan_vehicles.c.scan_id, scan_measurements.c.front_line_1, scan_vehicles.c.id)
+    )
+    if not deleted:
+        query = query.where(_ALIVE)
+    return tuple(vehicle(row) for row in session.execute(query).mappings())
