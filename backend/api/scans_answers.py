@@ -3,12 +3,12 @@
 from typing import Any
 
 from backend.api.scans_bodies import (
-    BudgetEntryBody,
     GapBody,
     LevelBody,
     MatchBody,
     ProfileBody,
     ScanBody,
+    ScanBudgetEntryBody,
     ScanMotionBody,
     ScanReviewBody,
     ScanRunBody,
@@ -95,7 +95,7 @@ def detail_body(detail: ShownDetail, asker: int) -> ScanVehicleDetailBody:
     return ScanVehicleDetailBody(
         vehicle=vehicle_body(shown, asker),
         profile=None if measured is None else _profile(measured.values),
-        budget=[] if measured is None else [BudgetEntryBody(**one) for one in measured.values.budget],
+        budget=[] if measured is None else [ScanBudgetEntryBody(**one) for one in measured.values.budget],
         match=None if measured is None else _match(measured, detail.scan),
         history=[motion_body(one, shown.rig, asker) for one in detail.history],
         reviews=[ScanReviewBody.model_validate(one) for one in detail.reviews],

@@ -259,7 +259,7 @@ class ScanVehicleBody(Out):
     wheelbase_error_m: float | None
 
 
-class BudgetEntryBody(Out):
+class ScanBudgetEntryBody(Out):
     source: str
     u_speed_mps: float
     u_acceleration_mps2: float
@@ -299,7 +299,7 @@ class MatchBody(Out):
 class ScanVehicleDetailBody(Out):
     vehicle: ScanVehicleBody
     profile: ProfileBody | None
-    budget: list[BudgetEntryBody]
+    budget: list[ScanBudgetEntryBody]
     match: MatchBody | None
     history: list[ScanMotionBody]
     reviews: list[ScanReviewBody]

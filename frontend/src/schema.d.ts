@@ -2177,6 +2177,13 @@ export interface components {
              */
             method?: ("direct" | "paper") | null;
         };
+        /** BudgetEntryBody */
+        BudgetEntryBody: {
+            /** Source */
+            source: string;
+            /** U M */
+            u_m: number;
+        };
         /** BumpBody */
         BumpBody: {
             /**
@@ -3224,7 +3231,7 @@ export interface components {
             /** Distance M */
             distance_m: number | null;
             /** Budget */
-            budget: components["schemas"]["backend__api__pose_bodies__BudgetEntryBody"][];
+            budget: components["schemas"]["BudgetEntryBody"][];
             /** Flags */
             flags: string[];
             /** Frames */
@@ -4229,7 +4236,7 @@ export interface components {
             /** Bias If Ignored M */
             bias_if_ignored_m: number;
             /** Budget */
-            budget: components["schemas"]["backend__api__pose_bodies__BudgetEntryBody"][];
+            budget: components["schemas"]["BudgetEntryBody"][];
             /** Flags */
             flags: string[];
             two_frames: components["schemas"]["TwoFramesBody"];
@@ -4691,6 +4698,17 @@ export interface components {
              */
             updated_at: string;
         };
+        /** ScanBudgetEntryBody */
+        ScanBudgetEntryBody: {
+            /** Source */
+            source: string;
+            /** U Speed Mps */
+            u_speed_mps: number;
+            /** U Acceleration Mps2 */
+            u_acceleration_mps2: number;
+            /** U Length M */
+            u_length_m: number;
+        };
         /** ScanCountsBody */
         ScanCountsBody: {
             /** Vehicles */
@@ -4960,7 +4978,7 @@ export interface components {
             vehicle: components["schemas"]["ScanVehicleBody"];
             profile: components["schemas"]["ProfileBody"] | null;
             /** Budget */
-            budget: components["schemas"]["backend__api__scans_bodies__BudgetEntryBody"][];
+            budget: components["schemas"]["ScanBudgetEntryBody"][];
             match: components["schemas"]["MatchBody"] | null;
             /** History */
             history: components["schemas"]["ScanMotionBody"][];
@@ -5664,24 +5682,6 @@ export interface components {
             id: number;
             /** Name */
             name: string;
-        };
-        /** BudgetEntryBody */
-        backend__api__pose_bodies__BudgetEntryBody: {
-            /** Source */
-            source: string;
-            /** U M */
-            u_m: number;
-        };
-        /** BudgetEntryBody */
-        backend__api__scans_bodies__BudgetEntryBody: {
-            /** Source */
-            source: string;
-            /** U Speed Mps */
-            u_speed_mps: number;
-            /** U Acceleration Mps2 */
-            u_acceleration_mps2: number;
-            /** U Length M */
-            u_length_m: number;
         };
     };
     responses: never;
