@@ -5,16 +5,12 @@ runs along the width (the scan line stands upright) or along the height (each ro
 left end the top). What is read is PNG, TIFF and BigTIFF, 8 or 16 bit grey; a file is told by its first bytes.
 
 Lines that the recorder says it lost are put back as copies of the line before, so that line n was always
-taken at n / line rate; `column_of` leads back to the file's own lines.
+taken at n / line rate (`strips_notes`).
 """
 
 from __future__ import annotations
 
-import json
-import math
-from collections import deque
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal, Protocol
 
@@ -24,6 +20,7 @@ import numpy as np
 from backend.errors import BadInput
 from backend.media import strips_png, strips_tiff
 from backend.media.sniff import why_not_video
+from backend.media.strips_notes import Dropped, StripNotes, read_notes, with_gaps
 from backend.media.strips_sheet import Pixels, Sheet, unpacked
 
 TimeAxis = Literal["width", "height"]
@@ -31,24 +28,7 @@ CHUNK_BYTES = 4 << 20
 LEAST_ROWS = 8
 MOST_ROWS = 16_384
 MOST_LINES = 1_000_000_000
-_SIDECAR_BYTES = 10_000_000
 _CHOOSE = "give a PNG or TIFF of the line-scan camera"
-
-
-@dataclass(frozen=True)
-class Dropped:
-    """So many lines were lost just before line `line` of the file."""
-
-    line: int
-    count: int
-
-
-@dataclass(frozen=True)
-class StripNotes:
-    """What a recorder wrote beside the pixels; None or empty where it is silent."""
-
-    line_rate_hz: float | None = None
-    dropped: tuple[Dropped, ...] = ()
 
 
 class Strip(Protocol):
@@ -85,7 +65,7 @@ def open_strip(
     name = name or path.name
     sheet, said = _sheet(path, name)
     try:
-        return strip_of(sheet, time_axis, _notes(name, said, path), work_dir)
+        return strip_of(sheet, time_axis, read_notes(name, said, path), work_dir)
     except BaseException:
         sheet.close()
         raise
@@ -99,20 +79,23 @@ def strip_of(sheet: Sheet, time_axis: TimeAxis, notes: StripNotes, work_dir: Pat
     return _SheetStrip(sheet, time_axis, notes, work_dir)
 
 
-def column_of(line: float, dropped: Sequence[Dropped]) -> float:
-    """The fractional column of the file for a line number that counts the lost lines too.
-
-    Within a gap it is the middle between the columns beside it.
-    """
-    lost = 0
-    for gap in dropped:
-        begin = gap.line + lost
-        if line <= begin - 0.5:
-            break
-        if line < begin + gap.count - 0.5:
-            return gap.line - 0.5
-        lost += gap.count
-    return line - lost
+def check_pair(first: Strip, second: Strip) -> None:
+    """Refuse two strips that cannot be of one recording. Raises BadInput."""
+    if first.rows != second.rows:
+        raise BadInput(
+            f"{first.name} has {first.rows} pixels a line and {second.name} {second.rows}; give two strips "
+            "of equal height, or cut them to the part of the scene that both show."
+        )
+    if first.dtype != second.dtype:
+        raise BadInput(
+            f"{first.name} has {8 * first.dtype.itemsize} bits a pixel and {second.name} "
+            f"{8 * second.dtype.itemsize}; save both alike."
+        )
+    if first.lines != second.lines:
+        raise BadInput(
+            f"{first.name} has {first.lines} lines and {second.name} {second.lines}; both begin and end "
+            "together, so give the two strips of one recording, or cut them to the same time."
+        )
 
 
 def chunk_lines(rows: int, item_bytes: int) -> int:
@@ -175,54 +158,6 @@ def _shape(sheet: Sheet, time_axis: TimeAxis) -> tuple[int, int]:
     return upright if time_axis == "height" else (upright[1], upright[0])
 
 
-def _notes(name: str, said: str, path: Path) -> StripNotes:
-    """From a JSON file beside the picture (its name and ".json"), else from the TIFF's description."""
-    beside = path.with_name(path.name + ".json")
-    what = f"The notes in {beside.name}"
-    if beside.is_file():
-        if beside.stat().st_size > _SIDECAR_BYTES:
-            raise BadInput(
-                f"{what} are larger than {_SIDECAR_BYTES // 10**6} MB; correct or remove that file."
-            )
-        try:
-            document = json.loads(beside.read_bytes())
-        except (ValueError, RecursionError):
-            raise BadInput(f"{what} are not readable JSON; correct or remove that file.") from None
-    else:
-        what = f"The description inside {name}"
-        try:
-            document = json.loads(said)
-        except (ValueError, RecursionError):
-            return StripNotes()
-        if not isinstance(document, dict) or not {"line_rate_hz", "dropped_lines"} & document.keys():
-            return StripNotes()
-    return notes_of(document, what)
-
-
-def notes_of(document: object, what: str) -> StripNotes:
-    """Notes from JSON: `line_rate_hz` (number or null), `dropped_lines` (list of [line, count], each the
-    number of lines lost just before that line of the file). Raises BadInput, beginning with `what`.
-    """
-    if not isinstance(document, dict):
-        raise BadInput(f"{what} are no JSON object; correct them.")
-    rate = document.get("line_rate_hz")
-    if rate is not None and not _is_number(rate, 0.0):
-        raise BadInput(f"{what} give a line_rate_hz that is no positive number; correct it.")
-    dropped = document.get("dropped_lines") or []
-    pairs = isinstance(dropped, list) and all(
-        isinstance(one, list) and len(one) == 2 and all(type(n) is int and n >= 0 for n in one)
-        for one in dropped
-    )
-    if not pairs or dropped != sorted(dropped):
-        raise BadInput(f"{what} give dropped_lines that are no list of [line, count] in order; correct them.")
-    found = tuple(Dropped(line, count) for line, count in dropped if count)
-    return StripNotes(float(rate) if rate is not None else None, found)
-
-
-def _is_number(value: object, above: float) -> bool:
-    return type(value) in (int, float) and math.isfinite(value) and value > above  # type: ignore[arg-type, operator]
-
-
 class _SheetStrip:
     """A strip out of a picture."""
 
@@ -259,25 +194,6 @@ class _SheetStrip:
 
 def _turned(slab: Pixels) -> Pixels:
     return np.asarray(cv2.transpose(slab), slab.dtype)
-
-
-def with_gaps(pieces: Iterator[Pixels], dropped: Sequence[Dropped], most: int) -> Iterator[Pixels]:
-    """The same lines with the lost ones put back as copies of the line before, `most` at a time."""
-    gaps = deque(dropped)
-    first = 0
-    before: Pixels | None = None
-    for piece in pieces:
-        while gaps and gaps[0].line < first + len(piece):
-            gap = gaps.popleft()
-            head = piece[: gap.line - first]
-            yield head
-            piece, first = piece[len(head) :], gap.line
-            line = head[-1] if len(head) else piece[0] if before is None else before
-            for done in range(0, gap.count, most):
-                yield np.repeat(line[None], min(most, gap.count - done), axis=0)
-        yield piece
-        first += len(piece)
-        before = piece[-1] if len(piece) else before
 
 
 def rebatched(pieces: Iterator[Pixels], lines: int) -> Iterator[Pixels]:

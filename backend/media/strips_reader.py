@@ -16,7 +16,8 @@ import numpy as np
 
 from backend.errors import BadInput, Damaged, NotFound
 from backend.media.images import jpeg
-from backend.media.strips import StripNotes, chunk_lines, notes_of
+from backend.media.strips import chunk_lines
+from backend.media.strips_notes import StripNotes, notes_of
 from backend.media.strips_sheet import Pixels
 from backend.media.strips_store import FORMAT, TILE_LINES, level_lines
 from backend.media.strips_tiff import PieceError, Pieces, opened, pieces_of

@@ -22,7 +22,8 @@ import tifffile
 
 from backend.media.cancelling import Cancelled, check_cancelled
 from backend.media.store import check_room, no_room_told, sha256_of
-from backend.media.strips import Strip, StripNotes
+from backend.media.strips import Strip
+from backend.media.strips_notes import StripNotes
 from backend.media.strips_sheet import Pixels
 
 TILE_LINES = 1024

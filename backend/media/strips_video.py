@@ -18,7 +18,8 @@ from backend.errors import BadInput
 from backend.media.cancelling import Cancelled, check_cancelled
 from backend.media.decode import frames_of
 from backend.media.store import check_room, no_room_told
-from backend.media.strips import Strip, StripNotes, strip_of
+from backend.media.strips import Strip, strip_of
+from backend.media.strips_notes import StripNotes
 from backend.media.strips_sheet import RawSheet
 
 MOST_JITTER = 0.02  # of a frame's duration

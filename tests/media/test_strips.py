@@ -11,7 +11,8 @@ import pytest
 
 from backend.errors import BadInput
 from backend.media import strips_sheet
-from backend.media.strips import Dropped, TimeAxis, column_of, open_strip
+from backend.media.strips import TimeAxis, check_pair, open_strip
+from backend.media.strips_notes import Dropped, column_of, lost_lines
 from tests.media.strips import as_picture, pattern, png, read, tiff
 
 PACKINGS: tuple[dict[str, Any], ...] = (
@@ -131,3 +132,21 @@ def test_a_system_that_reads_in_small_bits_is_asked_again(
         strips_sheet.os, "preadv", lambda handle, buffers, place: whole(handle, [buffers[0][:100]], place)
     )
     np.testing.assert_array_equal(read(path, "height"), strip)
+
+
+def test_lost_lines_are_counted_where_a_vehicle_passes() -> None:
+    gaps = (Dropped(300, 10), Dropped(490, 1))
+    spans = {(0, 300): 0, (295, 305): 5, (250, 400): 10, (309, 501): 2, (501, 900): 0, (304.2, 304.9): 1}
+    assert {span: lost_lines(gaps, *span) for span in spans} == spans
+
+
+def test_a_pair_has_lines_of_one_kind(tmp_path: Path) -> None:
+    first = open_strip(tiff(tmp_path / "a.tif", pattern(300, 20)), "height")
+    for name, other, said in (
+        ("b.tif", pattern(300, 24), "24"),
+        ("c.tif", pattern(299, 20), "299"),
+        ("d.tif", pattern(300, 20, np.uint16), "16"),
+    ):
+        with pytest.raises(BadInput, match=f"a.tif.*{name} .*{said}"):
+            check_pair(first, open_strip(tiff(tmp_path / name, other), "height"))
+    check_pair(first, open_strip(png(tmp_path / "e.png", pattern(300, 20)), "height"))
