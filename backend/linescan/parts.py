@@ -111,6 +111,7 @@ class Motion:
     budget: tuple[Entry, ...] = ()
     profile: Profile | None = None
     warnings: tuple[str, ...] = field(default=())
+    correlation: float | None = None  # of speed and acceleration, as fitted: gaps carry both on
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,148 @@
+"""The pose of a line camera in its scanning plane, from marks at known distances and heights.
+
+Model. The camera's centre stands Hc above the road and sees, in its vertical scanning plane, a point at
+horizontal distance D and height h under the slope s = (h - Hc) / D (upwards positive). With focal length f,
+principal row c and pitch p (upwards positive) the point's row is c - f (s - tan p) / (1 + s tan p): a
+projective map of the slope,
+
+    row = (p0 + p1 s) / (1 + p2 s),   p0 = c + f tan p,  p1 = c tan p - f,  p2 = tan p.
+
+p0, p1, p2 and Hc are solved for by least squares over the rows; f, c and p follow from them but are never
+needed, and are poorly known one by one where the field is narrow. The lens is taken as free of distortion and
+the road as level across. A rod with two or more marks, held upright at two or more distances, gives all four;
+marks at one distance leave Hc open, for then only (h - Hc) / D is seen.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.optimize import least_squares
+
+LEAST_MARKS = 4
+# Beyond this, columns of the scaled Jacobian cannot be told apart: the marks do not fix the pose.
+_WORST_CONDITION = 1e7
+
+Floats = NDArray[np.float64]
+
+
+class LinePoseError(ValueError):
+    """The marks do not give a pose; the message says what to do."""
+
+
+@dataclass(frozen=True, eq=False)
+class LinePose:
+    """`parameters` (p0, p1, p2, Hc) with their `covariance` (4, 4); rows in px, Hc in m.
+
+    `rms_px` of the residual rows; `rows` of the strip, as far as they were calibrated: `row_span`.
+    """
+
+    parameters: Floats
+    covariance: Floats
+    rms_px: float
+    row_span: tuple[float, float]
+
+    @property
+    def camera_height_m(self) -> float:
+        """Height of the camera's centre above the road."""
+        return float(self.parameters[3])
+
+    @property
+    def focal_px(self) -> float:
+        """Focal length; poorly known by itself where the field is narrow."""
+        p0, p1, p2, _ = self.parameters
+        return float((p0 * p2 - p1) / (1 + p2 * p2))
+
+    @property
+    def pitch_rad(self) -> float:
+        """Upwards positive; poorly known by itself where the field is narrow."""
+        return float(np.arctan(self.parameters[2]))
+
+    def rows_of(self, distance_m: ArrayLike, height_m: ArrayLike) -> Floats:
+        """(N,) rows of points at (N,) horizontal distances and (N,) heights above the road, m."""
+        slopes = _slopes(np.asarray(distance_m, float), np.asarray(height_m, float), self.camera_height_m)
+        return _rows(self.parameters, slopes)
+
+    def slopes_of(self, row: ArrayLike) -> Floats:
+        """(N,) slopes under which (N,) rows look out."""
+        p0, p1, p2, _ = self.parameters
+        rows = np.asarray(row, dtype=np.float64)
+        return np.asarray((rows - p0) / (p1 - p2 * rows), dtype=np.float64)
+
+
+def solve_line_pose(
+    distance_m: ArrayLike, height_m: ArrayLike, row_px: ArrayLike, *, sigma_px: float | None = None
+) -> LinePose:
+    """The pose from N >= 4 marks: (N,) distances from the camera's centre, heights above the road, rows.
+
+    `sigma_px`: standard uncertainty of a row; None: taken from the residuals, which needs more than 4 marks.
+    Raises LinePoseError in one sentence where the marks cannot fix the pose.
+    """
+    distance, height, row = (
+        np.asarray(one, dtype=np.float64).ravel() for one in (distance_m, height_m, row_px)
+    )
+    _check(distance, height, row, sigma_px)
+    start = _start(distance, height, row)
+    scale = np.array([max(np.ptp(row), 1.0), abs(start[1]), 1.0, 1.0])
+
+    def residuals(x: Floats) -> Floats:
+        return _rows(x * scale, _slopes(distance, height, x[3] * scale[3])) - row
+
+    found = least_squares(residuals, start / scale, method="lm", xtol=1e-15, ftol=1e-15, gtol=1e-15)
+    jacobian = found.jac
+    norms = np.linalg.norm(jacobian, axis=0)
+    if (
+        not np.all(np.isfinite(norms))
+        or norms.min() == 0
+        or np.linalg.cond(jacobian / norms) > _WORST_CONDITION
+    ):
+        raise LinePoseError(
+            "The marks do not fix the camera's height: hold the rod upright at two distances, such as the "
+            "near and the far edge of the lane."
+        )
+    parameters = found.x * scale
+    if parameters[3] <= 0:
+        raise LinePoseError(
+            "The marks put the camera below the road; check their distances, heights and rows."
+        )
+    freedom = len(row) - 4
+    squares = float(found.fun @ found.fun)
+    variance = sigma_px**2 if sigma_px is not None else squares / freedom
+    covariance = variance * np.linalg.inv(jacobian.T @ jacobian) * np.outer(scale, scale)
+    rms = float(np.sqrt(squares / len(row)))
+    return LinePose(parameters, covariance, rms, (float(row.min()), float(row.max())))
+
+
+def _check(distance: Floats, height: Floats, row: Floats, sigma_px: float | None) -> None:
+    if not len(distance) == len(height) == len(row):
+        raise LinePoseError("Each mark needs a distance, a height and a row.")
+    if not all(np.all(np.isfinite(one)) for one in (distance, height, row)):
+        raise LinePoseError("Distances, heights and rows of the marks must be numbers.")
+    least = LEAST_MARKS if sigma_px is not None else LEAST_MARKS + 1
+    if len(row) < least:
+        raise LinePoseError(f"{len(row)} marks are too few; click at least {least}.")
+    if np.any(distance <= 0) or (sigma_px is not None and sigma_px <= 0):
+        raise LinePoseError("Distances of marks and the sigma of rows must be greater than 0.")
+    if np.ptp(distance) < 1e-3 * distance.mean():
+        raise LinePoseError(
+            "All marks are at one distance, which leaves the camera's height open; "
+            "hold the rod upright at two."
+        )
+
+
+def _start(distance: Floats, height: Floats, row: Floats) -> Floats:
+    """p2 = 0 makes row * D = p0 D + p1 h - p1 Hc linear in (p0, p1, p1 Hc)."""
+    design = np.column_stack([distance, height, -np.ones_like(distance)])
+    (p0, p1, product), *_ = np.linalg.lstsq(design, row * distance, rcond=None)
+    if p1 >= 0:
+        raise LinePoseError("Higher marks must have smaller rows; check which end of the rod is up.")
+    return np.array([p0, p1, 0.0, product / p1])
+
+
+def _slopes(distance: Floats, height: Floats, camera_height_m: float) -> Floats:
+    return np.asarray((height - camera_height_m) / distance, dtype=np.float64)
+
+
+def _rows(parameters: Floats, slopes: Floats) -> Floats:
+    p0, p1, p2, _ = parameters
+    return np.asarray((p0 + p1 * slopes) / (1 + p2 * slopes), dtype=np.float64)

@@ -1,0 +1,104 @@
+"""Equations (2) to (5) of the paper, printed and corrected, against motions integrated step by step."""
+
+import pytest
+
+from backend.linescan.equations import corrected, exact, printed
+from backend.linescan.gaps import gaps
+from backend.linescan.parts import Crossings, Motion, Rig
+from backend.linescan.planner import line_rate_for, speed_error
+
+BASELINE_M, RATE_HZ = 0.593, 4882.8
+
+
+def crossing_line(speed: float, acceleration: float, distance: float) -> float:
+    """When a point `distance` behind the front reaches camera 1, by bisection; lines."""
+    low, high = 0.0, 100.0
+    for _ in range(200):
+        middle = (low + high) / 2
+        reached = speed * middle + acceleration * middle * middle / 2
+        # beyond standstill a braking vehicle is taken as gone
+        moving = speed + acceleration * middle > 0
+        low, high = (middle, high) if reached < distance and moving else (low, middle)
+    return low * RATE_HZ
+
+
+def crossings(speed: float, acceleration: float, length: float, start: float = 0.0) -> Crossings:
+    places = (0.0, length, BASELINE_M, length + BASELINE_M)
+    return Crossings(*(start + crossing_line(speed, acceleration, place) for place in places))
+
+
+@pytest.mark.parametrize(
+    ("speed", "acceleration", "length"), [(10, 1.5, 4.39), (10, -4, 4.39), (17.6, 0, 3.84), (36, -1.4, 8)]
+)
+def test_corrected_acceleration_and_the_exact_motion_are_exact(
+    speed: float, acceleration: float, length: float
+) -> None:
+    seen = crossings(speed, acceleration, length)
+    assert corrected(seen, BASELINE_M, RATE_HZ).acceleration_mps2 == pytest.approx(acceleration, abs=1e-8)
+    found = exact(seen, BASELINE_M, RATE_HZ)
+    assert found.speed_mps == pytest.approx(speed, rel=1e-9)
+    assert found.acceleration_mps2 == pytest.approx(acceleration, abs=1e-8)
+    assert found.length_m == pytest.approx(length, abs=1e-9)
+
+
+def test_what_is_printed_is_no_acceleration_and_its_time_base_is_off() -> None:
+    seen = crossings(17.5, -1.4, 4.39)
+    as_printed = printed(seen, BASELINE_M, RATE_HZ)
+    assert as_printed.acceleration_mps2 == pytest.approx(-5.9e-8, rel=0.01)
+    assert as_printed.acceleration_mps2 * RATE_HZ**2 == pytest.approx(-1.4, rel=0.005)
+    braking = crossings(10, -4, 4.39)
+    with_f2 = printed(braking, BASELINE_M, RATE_HZ).acceleration_mps2 * RATE_HZ**2
+    assert with_f2 == pytest.approx(-4.06, abs=0.005)
+    # Equation (3): the speed midway between the cameras, and a length that neglects the acceleration.
+    assert corrected(braking, BASELINE_M, RATE_HZ).speed_mps == pytest.approx(10 * 0.988, rel=0.001)
+    assert corrected(braking, BASELINE_M, RATE_HZ).length_m - 4.39 > 0.4
+
+
+def test_crossings_in_no_order_are_no_motion() -> None:
+    with pytest.raises(ValueError, match="swapped"):
+        corrected(Crossings(100, 900, 50, 850), BASELINE_M, RATE_HZ)
+    with pytest.raises(ValueError, match="front"):
+        exact(Crossings(100, 90, 150, 140), BASELINE_M, RATE_HZ)
+
+
+def test_the_line_rate_planner_gives_the_papers_own_figures() -> None:
+    plan = line_rate_for(0.01, 120 / 3.6, 1.0)
+    assert plan.printed_right_side_hz == pytest.approx(6600, rel=1e-3)
+    assert plan.corrected_hz == pytest.approx(6667, rel=1e-3)
+    expected = speed_error(70 / 3.6, BASELINE_M, RATE_HZ)
+    assert expected.printed_right_side == pytest.approx(0.013, abs=0.0005)
+    assert expected.corrected == pytest.approx(2 * 70 / 3.6 / (BASELINE_M * RATE_HZ))
+    with pytest.raises(ValueError, match="share"):
+        line_rate_for(1.0, 30.0, 1.0)
+
+
+def motion(seen: Crossings, speed: float, acceleration: float, length: float) -> Motion:
+    return Motion("direct", seen, "ok", None, speed, 0.01, acceleration, 0.1, length, 0.01, correlation=-0.9)
+
+
+def test_gaps_carry_the_leader_on_by_its_own_motion() -> None:
+    rig = Rig(BASELINE_M, RATE_HZ)
+    ahead, behind = crossings(12.0, 0.8, 4.2), crossings(28.0, 0.0, 5.0, start=9000.0)
+    first, gap = gaps([(ahead, motion(ahead, 12.0, 0.8, 4.2)), (behind, motion(behind, 28.0, 0.0, 5.0))], rig)
+    assert first.time_gap_s is None and first.reason
+    then = 9000.0 / RATE_HZ
+    assert gap.headway_s == pytest.approx(then)
+    assert gap.time_gap_s == pytest.approx((9000.0 - ahead.rear_line_1) / RATE_HZ)
+    assert gap.distance_gap_m == pytest.approx(12.0 * then + 0.4 * then**2 - 4.2, abs=1e-9)
+    assert gap.paper_distance_gap_m == pytest.approx(20.0 * gap.time_gap_s)
+    assert abs(gap.paper_distance_gap_m - gap.distance_gap_m) > 0.2 * gap.distance_gap_m
+    assert 0 < gap.u_distance_gap_m < 0.5
+
+
+def test_a_gap_that_cannot_be_known_has_its_reason() -> None:
+    rig = Rig(BASELINE_M, RATE_HZ)
+    ahead, behind = crossings(9.0, 0.0, 4.2), crossings(9.0, 0.0, 4.2, start=60_000.0)
+    none = Motion("direct", ahead, "not_measurable", "It stopped in view.")
+    after = motion(behind, 9.0, 0.0, 4.2)
+    gap = gaps([(ahead, none), (behind, after)], rig)[1]
+    assert gap.time_gap_s is not None and gap.distance_gap_m is None and "motion" in str(gap.reason)
+    braking = gaps([(ahead, motion(ahead, 9.0, -1.4, 4.2)), (behind, after)], rig)[1]
+    assert braking.distance_gap_m is None and "stopped" in str(braking.reason)
+    close = crossings(9.0, 0.0, 4.2, start=100.0)
+    overlap = gaps([(ahead, motion(ahead, 9.0, 0.0, 4.2)), (close, after)], rig)[1]
+    assert overlap.time_gap_s is None and "overlap" in str(overlap.reason)
