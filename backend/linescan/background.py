@@ -4,6 +4,7 @@ Pictures are looked at through a coarse grid of bands (rows) and steps (lines), 
 """
 
 from dataclasses import dataclass
+from typing import cast
 
 import cv2
 import numpy as np
@@ -19,7 +20,7 @@ LEAST_CONTRAST = 0.035
 
 @dataclass(frozen=True)
 class Grid:
-    """How lines and rows are pooled: `step` lines by `band` rows to one cell; rows left over are not looked at."""
+    """Pools `step` lines by `band` rows to one cell; rows left over are not looked at."""
 
     rows: int
     step: int
@@ -32,14 +33,13 @@ class Grid:
     def pooled(self, block: Pixels) -> Floats:
         """Cell means (lines // step, bands) of a block (lines, rows); lines left over are not looked at."""
         steps = len(block) // self.step
-        cut = np.ascontiguousarray(block[: steps * self.step, : self.bands * self.band])
+        cut = cast(Pixels, np.ascontiguousarray(block[: steps * self.step, : self.bands * self.band]))
         if not steps:
             return np.empty((0, self.bands), np.float32)
         if self.band % 2 == 0 and self.step % 2 == 0:
             # halving first is twice as quick as one long mean
-            cut = np.asarray(
-                cv2.resize(cut, (cut.shape[1] // 2, len(cut) // 2), interpolation=cv2.INTER_AREA)
-            )
+            half = (cut.shape[1] // 2, len(cut) // 2)
+            cut = cast(Pixels, cv2.resize(cut, half, interpolation=cv2.INTER_AREA))
         small = cv2.resize(cut, (self.bands, steps), interpolation=cv2.INTER_AREA)
         return np.asarray(small, np.float32)
 
@@ -65,7 +65,7 @@ class Road:
 
 
 def pixel_noise(block: Pixels) -> float:
-    """Standard deviation of a pixel of a block (lines, rows), from neighbouring lines: slow change is not noise."""
+    """Standard deviation of a pixel of a block (lines, rows), slow change left out."""
     few = block[: min(len(block), 66)].astype(np.float32)
     if len(few) < 3:
         return 1.0

@@ -23,7 +23,7 @@ REACH = 4
 
 @dataclass(frozen=True)
 class Edge:
-    """One boundary: line number, or None where the bands show none; scatter of the bands about the parabola."""
+    """One boundary: its line, None where the bands show none; standard error of the parabola."""
 
     line: float | None
     u_lines: float
@@ -51,7 +51,7 @@ def refined(passage: Passage, rig: Rig) -> Crossings:
 def edge_near(
     picture: Pixels, road: NDArray[np.float32], line: float, rear: bool, lines_per_m: float, noise_dn: float
 ) -> Edge:
-    """The boundary near a line of a picture (lines, rows); `rear` looks for the end instead of the beginning."""
+    """The boundary near a line of a picture (lines, rows); `rear` looks for the end."""
     before, behind = BEFORE_M * lines_per_m + 6, BEHIND_M * lines_per_m + 6
     lo, hi = (line - behind, line + before) if rear else (line - before, line + behind)
     lo, hi = max(round(lo), 0), min(round(hi), len(picture))

@@ -1,4 +1,4 @@
-"""Finds vehicles in a pair of strips that come in pieces: watch both, pair what is alike, cut the pictures out.
+"""Finds vehicles in a pair of strips that come in pieces: watches both, pairs what is alike, cuts it out.
 
 Memory is bounded: lines are kept only as long as an event under way or waiting for its partner needs them.
 """
@@ -101,7 +101,8 @@ class Finder:
         """Takes the next lines (n, rows) of both strips; returns the vehicles that are now complete."""
         if first.shape != second.shape or first.ndim != 2 or first.shape[1] != self.rows:
             raise BadInput(
-                f"The strips differ: {first.shape} and {second.shape} lines by rows, {self.rows} rows expected; "
+                f"The strips differ: {first.shape} and {second.shape} lines by rows, "
+                f"{self.rows} rows expected; "
                 "both cameras must record the same lines."
             )
         for held, piece in zip(self._held, (first, second), strict=True):

@@ -1,4 +1,4 @@
-"""Watches one strip: from blocks of lines to events, the spans in which something other than road was seen."""
+"""Watches one strip: from blocks of lines to events, the spans in which something hid the road."""
 
 from dataclasses import dataclass, field
 
@@ -23,7 +23,7 @@ LEAST_PART = 0.04
 
 @dataclass(frozen=True)
 class Spans:
-    """Lengths in lines: what closes a hole, what is too short for a vehicle, what counts as standing still."""
+    """Lengths in lines: a hole that is bridged, the shortest vehicle, standing still."""
 
     close: int
     least: int
