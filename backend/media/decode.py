@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import closing
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -153,12 +153,16 @@ def _check_size(name: str, width: int, height: int, aspect: Fraction | None) -> 
 
 
 def decoded(
-    container: InputContainer, stream: VideoStream, damage: Damage | None = None
+    container: InputContainer,
+    stream: VideoStream,
+    damage: Damage | None = None,
+    look: Callable[[av.Packet[VideoStream]], None] = lambda packet: None,
 ) -> Iterator[av.VideoFrame]:
     """Every frame from where the container stands, in the decoder's order; damaged packets are skipped
     and counted.
 
-    The end of a cut-off file is an end like any other. After a seek, call this again.
+    `look` sees each packet before it is decoded. The end of a cut-off file is an end like any other. After a
+    seek, call this again.
     """
     damage = damage if damage is not None else Damage()
     failures = 0
@@ -167,6 +171,7 @@ def decoded(
             for packet in container.demux(stream):
                 failures = 0
                 damage.position = packet.pos if packet.pos is not None else damage.position
+                look(packet)
                 yield from frames_of_packet(stream, packet, damage)
             return
         except av.error.FFmpegError as error:

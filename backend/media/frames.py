@@ -44,7 +44,9 @@ class FrameServer:
     def still(
         self, media: RecordingMedia, n: int, wanted: Wanted = always, display: Display = "plain"
     ) -> bytes:
-        """Frame n as JPEG, quality 95, 4:4:4, upright with square pixels; "bright": to look at only."""
+        """Frame n as JPEG, quality 95, upright with square pixels, its colour sampled as in the recording;
+        "bright": to look at only.
+        """
         _check(media, n)
         key = _key(media, n, display)
         data = self._jpegs.get(key)

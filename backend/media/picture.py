@@ -9,13 +9,13 @@ from __future__ import annotations
 
 import struct
 import threading
-import zlib
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
 import av
 import cv2
+import imagecodecs
 import numpy as np
 from av.sidedata.sidedata import Type as SideDataType
 from av.video.reformatter import Interpolation, VideoReformatter
@@ -159,7 +159,9 @@ def luma_crc(frame: av.VideoFrame) -> int:
     plane = frame.planes[0]
     rows = np.frombuffer(memoryview(plane), np.uint8).reshape(plane.height, -1)
     used = -(-plane.width * _first_plane_bits(frame) // 8)
-    return zlib.crc32(np.ascontiguousarray(rows[:, :used]).data)
+    # libdeflate's is zlib's to the bit, in a sixth of its time
+    data = np.ascontiguousarray(rows[:, :used]).data
+    return int(imagecodecs.deflate_crc32(data))  # type: ignore[arg-type]  # any buffer will do
 
 
 def _first_plane_bits(frame: av.VideoFrame) -> int:
@@ -167,6 +169,14 @@ def _first_plane_bits(frame: av.VideoFrame) -> int:
     if frame.format.is_planar:
         return 8 * -(-frame.format.components[0].bits // 8)
     return frame.format.padded_bits_per_pixel
+
+
+def has_half_chroma(frame: av.VideoFrame, layout: Layout) -> bool:
+    """Whether colour is sampled at every other pixel and row (4:2:0) of the upright picture as well, so that
+    a JPEG with the same sampling loses none of it.
+    """
+    halved = frame.format.chroma_width(64) == 32 and frame.format.chroma_height(64) == 32
+    return halved and layout.sample_aspect == 1 and frame.width % 2 == 0 and frame.height % 2 == 0
 
 
 def mean_luminance(gray: Gray) -> float:

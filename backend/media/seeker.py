@@ -9,9 +9,11 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import chain
 from pathlib import Path
+from typing import Literal
 
 import av
 import numpy as np
@@ -34,7 +36,10 @@ from backend.media.picture import Layout, layout_of, luma_crc
 SEEK_TRIES = 3
 STRAYS = 64
 FROM_START = 3000
+# Up to so many frames before the one that is looked for, the decoder may leave out frames no other needs.
+WHOLE = 8
 Decoded = tuple[av.VideoFrame, Layout]
+Skip = Literal["DEFAULT", "NONREF", "BIDIR"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,12 +65,15 @@ class RecordingMedia:
 
 @dataclass(frozen=True)
 class _Attempt:
-    """From frame `start` on: by a seek to it, by going on, or by opening the file anew."""
+    """From frame `start` on: by a seek to it, by going on, or by opening the file anew; `skip` names the
+    frames that are left out on the way.
+    """
 
     start: int
     go_on: bool = False
     from_start: bool = False
     threads: int = DECODER_THREADS
+    skip: Skip = "DEFAULT"
 
 
 class Seeker:
@@ -81,6 +89,9 @@ class Seeker:
         self._lost: set[int] = set()
         self._container: InputContainer | None = None
         self._threads = DECODER_THREADS
+        self._skips: list[Skip] = ["BIDIR", "NONREF"]
+        self._skip: Skip = "DEFAULT"
+        self._whole_from = NO_PTS
 
     def _open(self, threads: int = DECODER_THREADS) -> None:
         """Open the file, at the first request and for a decode from the start."""
@@ -94,7 +105,7 @@ class Seeker:
                 f"The stored video {name} is missing or can no longer be opened; restore it from a backup."
             ) from error
         self._threads = threads
-        self._frames: Iterator[av.VideoFrame] = decoded(self._container, self._stream)
+        self._frames: Iterator[av.VideoFrame] = self._from_here(self._container)
         self._layout: Layout | None = None
         self._at = None
 
@@ -103,23 +114,29 @@ class Seeker:
             self._container.close()
             self._container = None
 
-    def find(self, n: int, wanted: Callable[[], bool] = lambda: True) -> Decoded | None:
+    def find(
+        self, n: int, wanted: Callable[[], bool] = lambda: True, *, jump: bool = False
+    ) -> Decoded | None:
         """Frame n, 0 <= n < N, identified by its checksum; None if it is no longer `wanted` on the way.
 
         Decodes on from where it stands if no key frame lies nearer, else from the key frame before n, then
-        from earlier ones; at last the same with one thread, as damaged recordings were taken in. Raises
-        Damaged if the file does not give that frame any more.
+        from earlier ones; at last the same with one thread, as damaged recordings were taken in. A `jump`
+        leaves out on its way what the decoder can do without; where that changes a picture, its checksum
+        tells, and all is decoded from then on. Raises Damaged if the file does not give that frame any more.
         """
         if n in self._lost:
             raise self._damaged(n)
         if self._container is None:
             self._open()
-        for attempt in self._attempts(n):
+        for attempt in chain(self._short_cuts(n) if jump else (), self._attempts(n)):
+            self._skip, self._whole_from = attempt.skip, int(self._media.pts[max(0, n - WHOLE)])
             if not self._go_to(attempt):
                 continue
             found = self._roll(n, attempt, wanted)
             if found is not None or not wanted():
                 return found
+            if attempt.skip in self._skips:
+                self._skips.remove(attempt.skip)
         self._lost.add(n)
         raise self._damaged(n)
 
@@ -128,6 +145,25 @@ class Seeker:
             f"Frame {n} cannot be shown: the stored video no longer gives the picture whose checksum was "
             "written down at ingest; restore the file from a backup or ingest it again as a new recording."
         )
+
+    def _short_cuts(self, n: int) -> Iterator[_Attempt]:
+        """The nearest start with frames left out, where the way is long."""
+        for skip in tuple(self._skips):
+            first = next(self._attempts(n))
+            if first.from_start or first.start + WHOLE >= n or self._media.pts[n - WHOLE] == NO_PTS:
+                return
+            yield replace(first, skip=skip)
+
+    def _from_here(self, container: InputContainer) -> Iterator[av.VideoFrame]:
+        """Frames from where the container stands; what is to be left out is looked up packet by packet."""
+        context = self._stream.codec_context
+
+        def look(packet: av.Packet[VideoStream]) -> None:
+            pts = packet.pts if packet.pts is not None else packet.dts
+            early = pts is not None and pts < self._whole_from
+            context.skip_frame = self._skip if early else "DEFAULT"
+
+        return decoded(container, self._stream, look=look)
 
     def _attempts(self, n: int) -> Iterator[_Attempt]:
         """Where to begin and how, the quickest first."""
@@ -155,7 +191,7 @@ class Seeker:
             self._container.seek(int(self._media.pts[attempt.start]), stream=self._stream)
         except av.error.FFmpegError:
             return False
-        self._frames = decoded(self._container, self._stream)
+        self._frames = self._from_here(self._container)
         self._at = None
         return True
 
@@ -170,6 +206,9 @@ class Seeker:
                 return None
             m = self._identify(frame)
             if m is None:
+                if attempt.skip != "DEFAULT" and self._is_spoilt(frame, attempt):
+                    self._at = None
+                    return None
                 strays += 1
                 continue
             self._at = m
@@ -193,6 +232,10 @@ class Seeker:
         low, high = np.searchsorted(self._sorted_pts, [pts, pts + 1])
         matches = [int(m) for m in self._by_pts[low:high] if self._media.crc[m] == crc]
         return min(matches, key=lambda m: (m < after, abs(m - after)), default=None)
+
+    def _is_spoilt(self, frame: av.VideoFrame, attempt: _Attempt) -> bool:
+        """Whether a frame that nothing was to be left out for is not what it was: no use in going on."""
+        return int(self._media.pts[attempt.start]) <= frame_pts(frame) < self._whole_from
 
     def _is(self, n: int, pts: int, crc: int) -> bool:
         return int(self._media.pts[n]) == pts and int(self._media.crc[n]) == crc

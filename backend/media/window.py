@@ -15,8 +15,8 @@ from backend.errors import NotFound
 from backend.media.caches import MemoryCache
 from backend.media.display import Display, shown_as
 from backend.media.images import jpeg, png, read_image, read_image_bgr
-from backend.media.picture import Bgr, Gray, Layout, upright, upright_gray
-from backend.media.seeker import Decoded, RecordingMedia, Seeker
+from backend.media.picture import Bgr, Gray, Layout, has_half_chroma, upright, upright_gray
+from backend.media.seeker import WHOLE, Decoded, RecordingMedia, Seeker
 
 JPEG_QUALITY = 95
 Wanted = Callable[[], bool]
@@ -91,9 +91,11 @@ class Window:
     def still(
         self, media: RecordingMedia, n: int, wanted: Wanted, display: Display, *, ahead: bool = False
     ) -> bytes:
-        """Frame n as JPEG, quality 95, 4:4:4, upright with square pixels; "bright": to look at only."""
+        """Frame n as JPEG, quality 95, colour sampled as in the recording; "bright": to look at only."""
         where = self._lane() if ahead and n not in self.warm(media) else self
-        return jpeg(shown_as(where.bgr(media, n, wanted), display), JPEG_QUALITY)
+        frame, layout = where._decoded(media, n, wanted)
+        picture = shown_as(upright(frame, layout), display)
+        return jpeg(picture, JPEG_QUALITY, half_chroma=has_half_chroma(frame, layout))
 
     def crop_png(
         self, media: RecordingMedia, n: int, rectangle: Rectangle, wanted: Wanted, display: Display
@@ -163,13 +165,18 @@ class Window:
                 return found or self._seek(desk, media, identity, n, wanted)
 
     def _seek(self, desk: _Desk, media: RecordingMedia, identity: str, n: int, wanted: Wanted) -> Decoded:
-        """Under the desk's lock: let the seeker find frame n; all it passes on the way goes to the cache."""
+        """Under the desk's lock: let the seeker find frame n; all it passes on the way goes to the cache.
+
+        Who steps back out of the window wants all the frames before n next; after a jump a few of them do.
+        """
 
         def keep(m: int, frame: av.VideoFrame, layout: Layout) -> None:
             self._frames.put((identity, m, int(media.crc[m])), (frame, layout), _size(frame))
 
         desk.seeker.keep = keep
-        found = desk.seeker.find(n, wanted)
+        after = range(n + 1, min(n + 1 + WHOLE, len(media)))
+        is_step_back = any((identity, m, int(media.crc[m])) in self._frames for m in after)
+        found = desk.seeker.find(n, wanted, jump=not is_step_back)
         if found is None:
             raise NotWanted(f"Frame {n} was no longer wanted.")
         return found

@@ -16,7 +16,7 @@ def main() -> None:
     """The child's own main with a seeker that has faults."""
     find = seeker.Seeker.find
 
-    def faulty(self: seeker.Seeker, n: int, *rest: Any) -> Any:
+    def faulty(self: seeker.Seeker, n: int, *rest: Any, **more: Any) -> Any:
         name = self._media.path.name
         if n >= AT and name.startswith("crash"):
             ctypes.string_at(0)
@@ -34,7 +34,7 @@ def main() -> None:
                 time.sleep(0.1)
                 if not rest[0]():
                     return None
-        return find(self, n, *rest)
+        return find(self, n, *rest, **more)
 
     image = window.Window.image
 

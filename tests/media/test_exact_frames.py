@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from dataclasses import replace
 from pathlib import Path
 
 import cv2
@@ -13,7 +14,9 @@ from numpy.typing import NDArray
 from backend.errors import Damaged
 from backend.media.decode import frames_of
 from backend.media.frames import FrameServer
-from tests.media.clips import SPECS, Spec, cut_copy, read_number, write
+from backend.media.picture import upright
+from backend.media.seeker import Decoded, Seeker
+from tests.media.clips import SPECS, X264_B, Spec, cut_copy, read_number, write
 from tests.media.conftest import Clip, Ingest, media_of
 
 BACK = {0: None, 90: cv2.ROTATE_90_CLOCKWISE, 180: cv2.ROTATE_180, -90: cv2.ROTATE_90_COUNTERCLOCKWISE}
@@ -53,6 +56,42 @@ def test_no_frame_is_wrong(spec: Spec, clip: Clip, tmp_path: Path, take_in: Inge
 def test_clips_are_read_in_the_same_order(spec: Spec, clip: Clip) -> None:
     read = [(n, number_in(gray, spec)) for n, _, gray in frames_of(clip(spec))]
     assert read == [(n, n) for n in range(spec.count)]
+
+
+# P frames that look back past B frames: leaving these out spoils what follows
+_PAST_B = "keyint=250:min-keyint=250:scenecut=0:bframes=5:b-adapt=0:b-pyramid=normal:ref=5"
+_LONG_B = tuple((key, value.replace("keyint=24", "keyint=250")) for key, value in X264_B)
+_JUMPS = {
+    "B frames": (Spec("b.mp4", options=_LONG_B, b_frames=3, gop=250), 25),
+    "B frames in AVI": (Spec("b.avi", options=_LONG_B, b_frames=3, gop=250), 30),
+    "B frames in TS": (Spec("b.ts", options=_LONG_B, b_frames=3, gop=250), 25),
+    "B frames that others need": (
+        Spec("past.mp4", options=(("preset", "veryfast"), ("x264-params", _PAST_B)), b_frames=5, gop=250),
+        36,
+    ),
+    "MPEG-4 part 2": (Spec("p2.avi", codec="mpeg4", options=(), b_frames=2, gop=250), 35),
+    "HEVC": (replace(next(s for s in SPECS if s.name == "hevc.mkv"), gop=250), 45),
+    "no B frames": (Spec("one_key.mp4", gop=250), 73),
+}
+
+
+@pytest.mark.parametrize(("spec", "most"), _JUMPS.values(), ids=_JUMPS)
+def test_a_jump_leaves_out_frames_and_is_exact(spec: Spec, most: int, clip: Clip, take_in: Ingest) -> None:
+    media = media_of(take_in(clip(spec)))
+    steps, jumps = Seeker(media), Seeker(media)
+    whole = [picture(steps.find(n)) for n in range(len(media))]
+    kept: set[int] = set()
+    jumps.keep = lambda n, frame, layout: kept.add(n)
+    assert np.array_equal(picture(jumps.find(72, jump=True)), whole[72])
+    assert set(range(68, 73)) <= kept, "for steps back"
+    assert len(kept) <= most
+    for n in (30, 79, 11, 55):
+        assert np.array_equal(picture(jumps.find(n, jump=True)), whole[n]), n
+
+
+def picture(found: Decoded | None) -> NDArray[np.uint8]:
+    assert found is not None
+    return upright(*found)
 
 
 @pytest.mark.parametrize("source", ["bframes.mp4", "open_gop.mp4", "hevc.mp4"])

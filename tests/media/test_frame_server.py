@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import random
 from concurrent.futures import ThreadPoolExecutor
+from fractions import Fraction
 from pathlib import Path
 
 import cv2
@@ -27,13 +28,27 @@ def media(clip: Clip, take_in: Ingest) -> RecordingMedia:
     return media_of(take_in(clip(LONG)))
 
 
-def test_still_is_the_frame_as_jpeg_444(media: RecordingMedia, server: FrameServer) -> None:
+@pytest.mark.parametrize(
+    ("spec", "sampling"),
+    [
+        (LONG, 0x22),
+        (Spec("chroma.mp4", pix_fmt="yuv444p"), 0x11),
+        (Spec("wide.mp4", aspect=Fraction(4, 3)), 0x11),
+    ],
+    ids=["half colour", "full colour", "stretched"],
+)
+def test_still_is_the_frame_as_jpeg_with_the_colour_that_it_has(
+    spec: Spec, sampling: int, clip: Clip, take_in: Ingest, server: FrameServer
+) -> None:
+    media = media_of(take_in(clip(spec)))
     data = server.still(media, 33)
-    sof = data.index(b"\xff\xc0")
-    assert data[sof + 11] == 0x11, "luma is sampled 1x1: no chroma subsampling"
+    assert data[data.index(b"\xff\xc0") + 11] == sampling, "luma's sampling against that of colour"
     image = read_image_bgr(data)
     assert read_number(image) == 33
-    assert np.abs(image.astype(int) - server.bgr(media, 33).astype(int)).mean() < 2
+    there = server.bgr(media, 33)
+    assert np.abs(image.astype(int) - there.astype(int)).mean() < 2
+    luma, expected = (cv2.cvtColor(one, cv2.COLOR_BGR2GRAY).astype(int) for one in (image, there))
+    assert np.abs(luma - expected).mean() < 1
 
 
 def test_crop_is_lossless_and_always_of_the_size_asked_for(
@@ -70,7 +85,7 @@ def test_a_step_back_in_the_window_decodes_nothing(
     media: RecordingMedia, server: FrameServer, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     server.bgr(media, 70)
-    monkeypatch.setattr(Seeker, "find", lambda *_: pytest.fail("a decoder was asked"))
+    monkeypatch.setattr(Seeker, "find", lambda *_, **__: pytest.fail("a decoder was asked"))
     assert [read_number(server.bgr(media, n)) for n in range(69, 30, -1)] == list(range(69, 30, -1))
     assert server.is_warm(media, 69)
 
@@ -79,7 +94,7 @@ def test_stills_survive_a_restart_on_disk(
     media: RecordingMedia, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     first = FrameServer(tmp_path / "c", 8_000_000, 8_000_000).still(media, 5)
-    monkeypatch.setattr(Seeker, "find", lambda *_: pytest.fail("a decoder was asked"))
+    monkeypatch.setattr(Seeker, "find", lambda *_, **__: pytest.fail("a decoder was asked"))
     assert FrameServer(tmp_path / "c", 8_000_000, 8_000_000).still(media, 5) == first
 
 
