@@ -2,8 +2,8 @@
 
 The chain is walked (ids without gap, each hash from the one before, the anchor and every export's head in
 place), then every row that is written once (revisions, reviews, calibrations, poses) and every frame table
-is hashed again and compared with what its audit event says, and every vehicle record with what its events
-made of it.
+is hashed again and compared with what its audit event says, and every vehicle record and line-scan recording
+with what its events made of it.
 """
 
 import json
@@ -19,6 +19,13 @@ from backend.storage.database import DatabaseAway, lock_chain, make_engine, read
 from backend.storage.records import Verification
 from backend.storage.rows import row_hash
 from backend.storage.tables import calibrations, recordings, road_poses
+from backend.storage.tables_of_scans import (
+    scan_measurements,
+    scan_reviews,
+    scan_runs,
+    scan_vehicles,
+    scans,
+)
 from backend.storage.tables_of_work import (
     audit_anchor,
     audit_events,
@@ -32,6 +39,13 @@ from backend.storage.tables_of_work import (
 )
 
 Promises = dict[tuple[str, int], str]
+
+# Records that people change: each must be what its events, one after the other, made of it.
+_CHANGED: dict[str, tuple[str, Table]] = {
+    "vehicle": ("vehicle", vehicles),
+    "scan": ("line-scan recording", scans),
+    "scan_vehicle": ("scanned vehicle", scan_vehicles),
+}
 
 
 class _Problem(Exception):
@@ -75,7 +89,7 @@ class _Walk:
         self.head = GENESIS
         self.hashes: list[str] = [GENESIS]
         self.promised: Promises = {}
-        self.vehicles: dict[int, dict[str, Any]] = {}
+        self.told: dict[str, dict[int, dict[str, Any]]] = {entity: {} for entity in _CHANGED}
 
     def chain(self, session: Session) -> None:
         """Every event in order: number, link and hash."""
@@ -97,8 +111,8 @@ class _Walk:
             self.promised[(row["entity"], row_id)] = after["content_sha256"]
         if "frames_sha256" in after:
             self.promised[("frames", row["entity_id"])] = after["frames_sha256"]
-        if row["entity"] == "vehicle":
-            self.vehicles.setdefault(row["entity_id"], {"deleted": False}).update(after)
+        if row["entity"] in _CHANGED:
+            self.told[row["entity"]].setdefault(row["entity_id"], {"deleted": False}).update(after)
         if (row["entity"], row["action"]) == ("measurement", "create"):
             place = {"survey_id": row["survey_id"], "vehicle_id": after["vehicle_id"]}
             place["repeat_of"] = after.get("repeat_of")
@@ -134,26 +148,30 @@ def _rows(session: Session, walk: _Walk) -> None:
         ("pose", "road pose", road_poses),
         ("wheel_pair", "pair of tyre contacts", wheel_pairs),
         ("click_sigma", "click sigma", click_sigmas),
+        ("scan_run", "run over a line-scan recording", scan_runs),
+        ("scan_measurement", "scanned vehicle's measurement", scan_measurements),
+        ("scan_review", "scanned vehicle's review", scan_reviews),
     )
     for entity, words, table in kept:
         found = ((row["id"], row_hash(row)) for row in _all(session, table))
         _compare(walk.promised, entity, words, found)
     _compare(walk.promised, "series", "measurement", _series(session))
     _compare(walk.promised, "frames", "frame table of recording", _frame_tables(session))
-    _vehicles(session, walk)
+    for entity, (words, table) in _CHANGED.items():
+        _changed(session, walk.told[entity], words, table)
 
 
-def _vehicles(session: Session, walk: _Walk) -> None:
-    """Every vehicle record is what its events made of it, for heights are compared with the maker's."""
-    missing = set(walk.vehicles)
-    for row in _all(session, vehicles):
+def _changed(session: Session, told: dict[int, dict[str, Any]], words: str, table: Table) -> None:
+    """Every record is what its events made of it, for results are compared with what it says."""
+    missing = set(told)
+    for row in _all(session, table):
         now = {**row, "deleted": row["deleted_at"] is not None}
-        told = walk.vehicles.get(row["id"])
-        if told is None or any(plain(now.get(name)) != value for name, value in told.items()):
-            raise _Problem(f"The vehicle {row['id']} is not what its events say; restore a backup.")
+        events = told.get(row["id"])
+        if events is None or any(plain(now.get(name)) != value for name, value in events.items()):
+            raise _Problem(f"The {words} {row['id']} is not what its events say; restore a backup.")
         missing.discard(row["id"])
     if missing:
-        raise _Problem(f"The vehicle {min(missing)} was removed behind the program's back; restore a backup.")
+        raise _Problem(f"The {words} {min(missing)} was removed behind the program's back; restore a backup.")
 
 
 def _compare(promised: Promises, entity: str, words: str, found: Iterator[tuple[int, str]]) -> None:

@@ -31,7 +31,7 @@ from backend.storage import (
 )
 from backend.storage.records import CatalogueRow
 from backend.storage.tables_of_work import audit_events
-from tests.storage import samples
+from tests.storage import samples, scans_samples
 from tests.storage.samples import Sample, frame_table, values
 
 Write = Callable[[Session, Sample], Any]
@@ -251,6 +251,7 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
     "jobs.cancelled": (_claimed, lambda s, o, job: jobs.cancelled(s, job)),
     "jobs.requeue": (_claimed, lambda s, o, job: jobs.requeue(s, job)),
     "jobs.release": (_claimed, lambda s, o, job: jobs.release(s, job)),
+    **scans_samples.WRITES,
 }
 
 # What changes rows but is no act of a person that anybody would look for; the reason stands beside it.

@@ -16,13 +16,14 @@ from backend.storage import (
     people,
     recordings,
     reviews,
+    scans_reviews,
     vehicles,
     verification,
     wheel_pairs,
 )
 from backend.storage.records import VehicleChanges
 from backend.storage.verification import verify_database
-from tests.storage import samples
+from tests.storage import samples, scans_samples
 
 WRITTEN_ONCE = (
     "audit_events",
@@ -33,6 +34,9 @@ WRITTEN_ONCE = (
     "road_poses",
     "wheel_pairs",
     "click_sigmas",
+    "scan_runs",
+    "scan_measurements",
+    "scan_reviews",
 )
 
 
@@ -49,6 +53,9 @@ def filled(factory: database.SessionFactory) -> database.SessionFactory:
         points: dict[str, Any] = {"first": (1.0, 2.0), "second": (3.0, 2.0)}
         wheel_pairs.add(session, one.vehicle.id, frame=20, frame_crc=crc, **points, actor=one.olga.id)
         click_sigmas.choose(session, one.survey.id, one.olga.id, sigma_px=0.7, pairs=9, actor=None)
+        scanned = scans_samples.measured(session, one)
+        scans_samples.run(session, one, scanned.scan_id)
+        scans_reviews.add(session, scanned.id, verdict="accepted", actor=one.rene.id)
     return factory
 
 
@@ -124,6 +131,27 @@ TAMPERED: dict[str, tuple[tuple[str, ...], str]] = {
             "DROP TABLE aside",
         ),
         "measurement revision 9 is not",
+    ),
+    "a scanned vehicle's speed": (
+        ("UPDATE scan_measurements SET speed_mps = 12.5 WHERE id = 1",),
+        "scanned vehicle's measurement 1 is not",
+    ),
+    "a scanned vehicle's boundary": (
+        ("UPDATE scan_measurements SET front_line_2 = front_line_2 + 0.5 WHERE id = 1",),
+        "scanned vehicle's measurement 1 is not",
+    ),
+    "a maker's length": (
+        ("UPDATE scan_vehicles SET true_length_m = 4.5 WHERE id = 1",),
+        "scanned vehicle 1 is not what its events say",
+    ),
+    "a baseline": (("UPDATE scans SET baseline_m = 0.6 WHERE id = 1",), "line-scan recording 1 is not"),
+    "a run removed": (
+        ("DELETE FROM scan_runs WHERE id = 1",),
+        "run over a line-scan recording 1 was removed",
+    ),
+    "a verdict on a scanned vehicle": (
+        ("UPDATE scan_reviews SET verdict = 'reopened' WHERE id = 1",),
+        "scanned vehicle's review 1 is not",
     ),
     "another vehicle": (
         ("UPDATE measurement_series SET vehicle_id = 2 WHERE id = 1",),
