@@ -1,0 +1,73 @@
+"""What the traffic says of the rig, and wheelbases from two clicks."""
+
+import numpy as np
+import pytest
+
+from backend.linescan.parts import Crossings, Motion, Rig
+from backend.linescan.rig import baseline_ratio, gain, misalignment, wheelbase
+
+RIG = Rig(0.593, 4882.8)
+
+
+def motion(**more: float) -> Motion:
+    return Motion("direct", Crossings(1000, 2000, 1200, 2200), "ok", None, **more)  # type: ignore[arg-type]
+
+
+def test_the_rigs_constants_are_medians_that_one_bad_vehicle_does_not_move() -> None:
+    rng = np.random.default_rng(4)
+    motions = [
+        motion(misalignment_px=0.6 + rng.normal(0, 0.03), u_misalignment_px=0.03, gain=1.04)
+        for _ in range(30)
+    ]
+    motions[3] = motion(misalignment_px=5.0, u_misalignment_px=0.03, gain=1.3)
+    found = misalignment(motions)
+    assert found.value == pytest.approx(0.6, abs=0.02) and found.warning is None and found.n == 30
+    assert found.u is not None and 0.003 < found.u < 0.015
+    assert gain(motions).value == 1.04
+    assert "5 are needed" in str(misalignment(motions[:4]).reason)
+    scattered = [motion(misalignment_px=one, u_misalignment_px=0.03) for one in np.linspace(-1, 1, 20)]
+    assert "camera moved" in str(misalignment(scattered).warning)
+
+
+def test_the_medians_uncertainty_holds() -> None:
+    rng = np.random.default_rng(5)
+    inside = 0
+    for _ in range(1000):
+        found = misalignment([motion(misalignment_px=rng.normal(0.2, 0.05)) for _ in range(15)])
+        inside += abs(found.value - 0.2) < 1.96 * found.u
+    assert 0.92 < inside / 1000 < 0.985
+
+
+def test_known_lengths_check_the_baseline() -> None:
+    rng = np.random.default_rng(6)
+    truth = rng.uniform(2.4, 3.0, 12)
+    right = baseline_ratio(truth + rng.normal(0, 0.01, 12), [0.01] * 12, truth, [0.002] * 12)
+    assert right.warning is None and right.value == pytest.approx(1, abs=0.004)
+    long = baseline_ratio(1.01 * truth + rng.normal(0, 0.01, 12), [0.01] * 12, truth, [0.002] * 12)
+    assert "longer" in str(long.warning) and long.value == pytest.approx(1.01, abs=0.004)
+    assert "too few" in str(baseline_ratio([2.6], [0.01], [2.6], [0.01]).reason)
+
+
+def test_a_wheelbase_is_what_the_motion_covers_between_the_hubs() -> None:
+    moving = motion(
+        speed_mps=17.0, u_speed_mps=0.01, acceleration_mps2=-1.2, u_acceleration_mps2=0.1, correlation=-0.9
+    )
+    seconds = np.array([0.05, 0.21])
+    lines = 1000 + seconds * RIG.line_rate_hz
+    expected = np.diff(17.0 * seconds - 0.6 * seconds**2)[0]
+    found = wheelbase(moving, RIG, lines[1], lines[0])
+    assert found.wheelbase_m == pytest.approx(expected, abs=1e-12)
+    rng = np.random.default_rng(7)
+    spread = np.array([[1e-4, -0.9e-3], [-0.9e-3, 1e-2]])
+    drawn = rng.multivariate_normal([17.0, -1.2], spread, 4000)
+    clicks = np.sort(seconds + rng.normal(0, 2 / RIG.line_rate_hz, (4000, 2)))
+    way = drawn[:, :1] * clicks + drawn[:, 1:] / 2 * clicks**2
+    assert found.u_wheelbase_m == pytest.approx(np.std(way[:, 1] - way[:, 0]), rel=0.05)
+
+
+def test_clicks_that_give_no_wheelbase_have_a_reason() -> None:
+    none = Motion("direct", Crossings(0, 1, 2, 3), "not_measurable", "It stopped in view.")
+    assert wheelbase(none, RIG, 1, 2).reason == "It stopped in view."
+    moving = motion(speed_mps=10.0, acceleration_mps2=-4.0)
+    assert "different wheels" in str(wheelbase(moving, RIG, 1500, 1500).reason)
+    assert "stood" in str(wheelbase(moving, RIG, 1500, 1000 + 4882.8 * 3).reason)
