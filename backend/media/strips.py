@@ -46,7 +46,7 @@ class Strip(Protocol):
     def notes(self) -> StripNotes: ...
 
     def chunks(self, lines: int | None = None) -> Iterator[Pixels]:
-        """All lines in order, (n, rows) each with n = `lines` (default: 4 MB) but for the last.
+        """All lines in order, (n, rows) each with n = `lines` (default 1024 or 4 MB) but for the last.
 
         Raises BadInput where the file is damaged or cut off.
         """
@@ -99,8 +99,8 @@ def check_pair(first: Strip, second: Strip) -> None:
 
 
 def chunk_lines(rows: int, item_bytes: int) -> int:
-    """How many lines make a chunk of about 4 MB."""
-    return max(16, CHUNK_BYTES // (rows * item_bytes))
+    """How many lines make a chunk: 1024, as in a tile of the stored form, or fewer to stay within 4 MB."""
+    return max(16, min(1024, CHUNK_BYTES // (rows * item_bytes)))
 
 
 def _sheet(path: Path, name: str) -> tuple[Sheet, str]:
@@ -169,7 +169,8 @@ class _SheetStrip:
 
     def chunks(self, lines: int | None = None) -> Iterator[Pixels]:
         lines = lines or chunk_lines(self.rows, self.dtype.itemsize)
-        pieces = with_gaps(self._pieces(lines), self.notes.dropped, lines)
+        at_once = max(lines, CHUNK_BYTES // (self.rows * self.dtype.itemsize))
+        pieces = with_gaps(self._pieces(at_once), self.notes.dropped, lines)
         return rebatched(pieces, lines)
 
     def close(self) -> None:

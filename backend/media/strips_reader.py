@@ -80,7 +80,7 @@ class StripReader:
         return out
 
     def chunks(self, lines: int | None = None) -> Iterator[Pixels]:
-        """All lines in order, (n, rows) each with n = `lines` (default: 4 MB) but for the last."""
+        """All lines in order, (n, rows) each with n = `lines` (default 1024 or 4 MB) but for the last."""
         lines = lines or chunk_lines(self.rows, self.dtype.itemsize)
         return (self.read(first, first + lines) for first in range(0, self.lines, lines))
 

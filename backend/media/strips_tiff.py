@@ -81,7 +81,7 @@ class Pieces:
             raise PieceError(cut=False)
         piece = flat[: rows * self.width].reshape(rows, self.width).astype(self.native, copy=False)
         if self.predictor == 2:
-            piece = imagecodecs.delta_decode(piece, axis=-1)
+            piece = imagecodecs.delta_decode(piece, axis=-1, out=piece if piece.flags.writeable else None)
         return piece
 
     @property
