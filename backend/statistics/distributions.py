@@ -87,21 +87,27 @@ def percentiles(
     n = len(ordered)
     if n == 0:
         return []
-    values = np.quantile(ordered, np.asarray(percents) / 100.0, method="median_unbiased")
+    p = np.asarray(percents, dtype=np.float64) / 100.0
+    values = np.quantile(ordered, p, method="median_unbiased")
+    low, high = _ranks(n, p, 0.5 * (1.0 - confidence))
     return [
-        _percentile(ordered, percent, float(value), confidence)
-        for percent, value in zip(percents, values, strict=True)
+        _percentile(ordered, percent, float(value), (int(first), int(last)), confidence)
+        for percent, value, first, last in zip(percents, values, low, high, strict=True)
     ]
 
 
-def _percentile(ordered: Floats, percent: float, value: float, confidence: float) -> Percentile:
-    n, p = len(ordered), percent / 100.0
-    tail = 0.5 * (1.0 - confidence)
+def _ranks(n: int, p: Floats, tail: float) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Places of the order statistics that enclose percentiles p, (P,) each; none outside 0 to n - 1."""
     # x[low] <= percentile fails if at most `low` values lie below it; likewise from above.
-    low = int(stats.binom.ppf(tail, n, p)) - 1
-    if low >= 0 and stats.binom.cdf(low, n, p) > tail:
-        low -= 1
-    high = int(stats.binom.ppf(1.0 - tail, n, p))
+    low = stats.binom.ppf(tail, n, p).astype(np.int64) - 1
+    low -= (low >= 0) & (stats.binom.cdf(low, n, p) > tail)
+    return low, stats.binom.ppf(1.0 - tail, n, p).astype(np.int64)
+
+
+def _percentile(
+    ordered: Floats, percent: float, value: float, ranks: tuple[int, int], confidence: float
+) -> Percentile:
+    n, (low, high) = len(ordered), ranks
     if low < 0 or high >= n:
         needed = vehicles_for_interval(percent, confidence)
         why = f"an interval of this percentile needs at least {needed} vehicles; there are {n}"

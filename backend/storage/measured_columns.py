@@ -1,11 +1,11 @@
 """All measurements that statistics are made of, as columns: plain scans in SQL, joined in NumPy.
 
-Lists of records cost 30 microseconds a row; these columns must serve a million rows.
+Lists of records cost 30 microseconds a row; these columns must serve a million rows. Joins in SQL cost more
+than those of sorted arrays.
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
-from itertools import chain
 from typing import Any, get_args
 
 import numpy as np
@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from sqlalchemy import BigInteger, ColumnElement, Select, case, cast, extract, func, select
 from sqlalchemy.orm import Session
 
+from backend.storage.bulk_columns import columns
 from backend.storage.tables import recordings
 from backend.storage.tables_of_work import measurement_series, measurements, reviews, vehicles
 from backend.storage.words import Category, Lighting, Target, Verdict
@@ -25,7 +26,6 @@ LIGHTING: tuple[str, ...] = get_args(Lighting)
 CATEGORIES: tuple[str, ...] = get_args(Category)
 VERDICTS: tuple[str, ...] = get_args(Verdict)
 NONE = -1
-_AT_ONCE = 1_000  # few enough to stay in the processor's cache
 _DAY_S = 86_400
 _JULIAN_1970 = 2_440_587.5
 
@@ -35,8 +35,8 @@ class Measured:
     """Standing measurements with a height, (N,) each: current, not withdrawn, no repeats, of living vehicles.
 
     In the order of `measurement_id`. Words are indices into TARGETS, LIGHTING, CATEGORIES, VERDICTS, -1 for
-    none; `day` counts days since 1970-01-01 (UTC) of the revision's making; lengths in metres, NaN where
-    unknown.
+    none; `day` counts days since 1970-01-01 (UTC) of the revision's making, 0 unless asked for; lengths in
+    metres, NaN where unknown.
     """
 
     measurement_id: Ints
@@ -61,86 +61,104 @@ class Measured:
         return Measured(*(getattr(self, one.name)[chosen] for one in fields(self)))
 
 
-def load(session: Session, survey_ids: Sequence[int] | None = None) -> Measured:
-    """The columns of some surveys, or of all."""
-    series, stamps, revised, height, uncorrected = _columns(session, _revisions(session, survey_ids))
-    newest = _newest(series)
-    operator, day, target, withdrawn = _unpacked(stamps[newest], _DAYS, _WORDS, 2)
-    vehicle, revision = _unpacked(revised[newest], _REVISIONS)
-    cars, packed, known, u_known = _columns(session, _vehicles(survey_ids))
-    at = _places(cars, vehicle)
-    keep = (withdrawn == 0) & (height[newest] > _UNKNOWN_M) & (at >= 0)
-    rows, at = newest[keep], at[keep]
-    survey, lighting, category = _unpacked(packed[at], _WORDS, _WORDS)
-    verdict = _verdicts(_columns(session, _judged(survey_ids)), series[rows], revision[keep])
+def load(session: Session, survey_ids: Sequence[int] | None = None, *, days: bool = False) -> Measured:
+    """The columns of some surveys, or of all.
+
+    days: whether each one's day is wanted; reading a million dates takes a third of a second.
+    """
+    series, vehicle = _unpacked(columns(session, _series(survey_ids), measurement_series.c.id)[0], _IDS)
+    cars, words, *of_cars = columns(session, _vehicles(survey_ids), vehicles.c.id)
+    few = _few(session, survey_ids, len(series))
+    keys, stamps, *lengths = columns(session, _revisions(session, few, days), measurements.c.id)
+    newest = _newest(keys, keys // _REVISIONS)
+    at = _places(series, keys[newest] // _REVISIONS)
+    car = np.where(at == NONE, NONE, _places(cars, vehicle)[at]) if len(series) else at
+    keep = (stamps[newest] % 2 == 0) & ~np.isnan(lengths[0][newest]) & (car != NONE)
+    rows, at, car = newest[keep], at[keep], car[keep]
+    survey, lighting, category = _unpacked(words[car], _WORDS, _WORDS)
+    operator, target, _ = _unpacked(stamps[rows], _WORDS, 2)
     return Measured(
-        series[rows].astype(np.int64),
-        vehicle[keep],
+        series[at],
+        vehicle[at],
         survey,
-        operator[keep] + NONE,
-        day[keep],
-        target[keep],
+        operator + NONE,
+        lengths[2][rows] if days else np.zeros(len(rows), np.int64),
+        target,
         lighting + NONE,
         category + NONE,
-        verdict,
-        *(_known(one) for one in (height[rows], uncorrected[rows], known[at], u_known[at])),
+        _verdicts(columns(session, _judged(few), reviews.c.id)[0], keys[rows]),
+        *(length[rows] for length in lengths[:2]),
+        *(length[car] for length in of_cars),
     )
 
 
-# Several small numbers travel as one, for each fetched value costs more than arithmetic; all stay below 2^53.
+# Small numbers travel as one, for each costs as much as its digits do.
+_IDS = 2**31
 _REVISIONS = 2**20
-_DAYS = 2**16
 _WORDS = 2**3
-_UNKNOWN_M = -1e9
 
 
-def _revisions(session: Session, survey_ids: Sequence[int] | None) -> Select[Any]:
-    """series, (operator + 1, day, target, withdrawn), (vehicle, revision), both heights; oldest first."""
-    m, s = measurements.c, measurement_series.c
-    operator = cast(func.coalesce(m.created_by, NONE) - NONE, BigInteger)
-    stamps = (operator * _DAYS + _day(session, m.created_at)) * _WORDS + _code(m.target, TARGETS)
-    query = (
-        select(
-            m.series_id,
-            stamps * 2 + case((m.withdrawn, 1), else_=0),
-            cast(s.vehicle_id, BigInteger) * _REVISIONS + m.revision,
-            func.coalesce(m.height_m, _UNKNOWN_M),
-            func.coalesce(m.uncorrected_height_m, _UNKNOWN_M),
-        )
-        .join(measurement_series, s.id == m.series_id)
-        .where(s.repeat_of.is_(None), *_of(s.survey_id, survey_ids))
-    )
-    return query.order_by(m.id)
+def _few(session: Session, survey_ids: Sequence[int] | None, found: int) -> Sequence[int] | None:
+    """The surveys again where they hold a small part of all measurements; of most, a scan of all is quicker
+    than a join, and the others fall out afterwards.
+    """
+    if survey_ids is None:
+        return None
+    of_all = session.execute(select(func.count()).select_from(measurement_series)).scalar_one()
+    return survey_ids if 4 * found < of_all else None
+
+
+def _series(survey_ids: Sequence[int] | None) -> Select[Any]:
+    """(id, vehicle); without repeats."""
+    s = measurement_series.c
+    packed = cast(s.id, BigInteger) * _IDS + s.vehicle_id
+    return select(packed).where(s.repeat_of.is_(None), *_of(s.survey_id, survey_ids))
 
 
 def _vehicles(survey_ids: Sequence[int] | None) -> Select[Any]:
-    """id, (survey, lighting + 1, category + 1), manufacturer's height, its u; ascending.
+    """id, (survey, lighting + 1, category + 1), manufacturer's height, its u.
 
     A vehicle without lighting has its recording's.
     """
     v = vehicles.c
     lighting = _code(func.coalesce(v.lighting, recordings.c.lighting), LIGHTING) - NONE
-    query = select(
-        v.id,
-        (cast(v.survey_id, BigInteger) * _WORDS + lighting) * _WORDS + _code(v.category, CATEGORIES) - NONE,
-        func.coalesce(v.manufacturer_height_m, _UNKNOWN_M),
-        func.coalesce(v.u_manufacturer_height_m, _UNKNOWN_M),
-    ).join(recordings, recordings.c.id == v.recording_id)
-    return query.where(v.deleted_at.is_(None), *_of(v.survey_id, survey_ids)).order_by(v.id)
+    words = (
+        (cast(v.survey_id, BigInteger) * _WORDS + lighting) * _WORDS + _code(v.category, CATEGORIES) - NONE
+    )
+    query = select(v.id, words, v.manufacturer_height_m, v.u_manufacturer_height_m)
+    joined = query.join(recordings, recordings.c.id == v.recording_id)
+    return joined.where(v.deleted_at.is_(None), *_of(v.survey_id, survey_ids))
+
+
+def _revisions(session: Session, survey_ids: Sequence[int] | None, days: bool) -> Select[Any]:
+    """(series, revision), (operator + 1, target, withdrawn), both heights, the day if wanted."""
+    m = measurements.c
+    operator = cast(func.coalesce(m.created_by, NONE) - NONE, BigInteger)
+    stamps = (operator * _WORDS + _code(m.target, TARGETS)) * 2 + case((m.withdrawn, 1), else_=0)
+    keys = cast(m.series_id, BigInteger) * _REVISIONS + m.revision
+    query = select(keys, stamps, m.height_m, m.uncorrected_height_m)
+    if days:
+        query = query.add_columns(_day(session, m.created_at))
+    return query.where(*_series_of(m.series_id, survey_ids))
 
 
 def _judged(survey_ids: Sequence[int] | None) -> Select[Any]:
-    """series, (revision that the verdict holds for, verdict); oldest first."""
+    """(series, revision that the verdict holds for, verdict)."""
     r = reviews.c
-    query = select(r.series_id, r.result_revision * _WORDS + _code(r.verdict, VERDICTS)).order_by(r.id)
-    if survey_ids is None:
-        return query
-    joined = query.join(measurement_series, measurement_series.c.id == r.series_id)
-    return joined.where(measurement_series.c.survey_id.in_(survey_ids))
+    keys = cast(r.series_id, BigInteger) * _REVISIONS + r.result_revision
+    query = select(keys * _WORDS + _code(r.verdict, VERDICTS))
+    return query.where(*_series_of(r.series_id, survey_ids))
 
 
 def _of(column: ColumnElement[Any], survey_ids: Sequence[int] | None) -> list[ColumnElement[bool]]:
     return [] if survey_ids is None else [column.in_(survey_ids)]
+
+
+def _series_of(column: ColumnElement[Any], survey_ids: Sequence[int] | None) -> list[ColumnElement[bool]]:
+    if survey_ids is None:
+        return []
+    s = measurement_series.c
+    return [column.in_(select(s.id).where(s.survey_id.in_(survey_ids)))]
 
 
 def _code(column: ColumnElement[Any], words: Sequence[str]) -> ColumnElement[int]:
@@ -150,26 +168,13 @@ def _code(column: ColumnElement[Any], words: Sequence[str]) -> ColumnElement[int
 
 def _day(session: Session, moment: ColumnElement[Any]) -> ColumnElement[Any]:
     if session.get_bind().dialect.name == "sqlite":
-        return func.floor(func.julianday(moment) - _JULIAN_1970)
+        return cast(func.floor(func.julianday(moment) - _JULIAN_1970), BigInteger)
     return cast(func.floor(extract("epoch", moment) / _DAY_S), BigInteger)
 
 
-def _columns(session: Session, query: Select[Any]) -> list[Floats]:
-    """The columns (N,) of a query of numbers, none of them NULL; without row objects, for speed."""
-    width = len(query.selected_columns)
-    parts: list[Floats] = [np.empty((0, width))]
-    cursor = session.connection().execute(query).cursor
-    assert cursor is not None
-    while rows := cursor.fetchmany(_AT_ONCE):
-        flat = np.fromiter(chain.from_iterable(rows), np.float64, len(rows) * width)
-        parts.append(flat.reshape(-1, width))
-    cursor.close()
-    return list(np.ascontiguousarray(np.concatenate(parts).T))
-
-
-def _unpacked(packed: Floats, *sizes: int) -> list[Ints]:
+def _unpacked(packed: Ints, *sizes: int) -> list[Ints]:
     """The numbers that were packed as ((first * size + second) * size + ...), in that order."""
-    left = packed.astype(np.int64)
+    left = packed
     found: list[Ints] = []
     for size in reversed(sizes):
         found.append(left % size)
@@ -177,18 +182,16 @@ def _unpacked(packed: Floats, *sizes: int) -> list[Ints]:
     return [left, *reversed(found)]
 
 
-def _known(length_m: Floats) -> Floats:
-    return np.where(length_m > _UNKNOWN_M, length_m, np.nan)
+def _newest(order: Ints, keys: Ints) -> Ints:
+    """Of rows (N,), the place of the one that comes last in `order` for each key, in the order of the keys;
+    `order` keeps equal keys together, and of equal rows the last one counts.
+    """
+    sorted_ = np.argsort(order, kind="stable")
+    last = np.append(np.diff(keys[sorted_]) != 0, True)[: len(keys)]
+    return np.asarray(sorted_[last], dtype=np.int64)
 
 
-def _newest(keys: Floats) -> Ints:
-    """Of rows (N,), oldest first, the places of the last one of each key, in the order of the keys."""
-    order = np.argsort(keys, kind="stable")
-    last = np.append(np.diff(keys[order]) != 0, True)[: len(keys)]
-    return np.asarray(order[last], dtype=np.int64)
-
-
-def _places(ids: Floats, wanted: Floats | Ints) -> Ints:
+def _places(ids: Ints, wanted: Ints) -> Ints:
     """Where each wanted id stands among ascending ids, -1 where it does not."""
     if len(ids) == 0:
         return np.full(len(wanted), NONE)
@@ -196,12 +199,9 @@ def _places(ids: Floats, wanted: Floats | Ints) -> Ints:
     return np.asarray(np.where(ids[at] == wanted, at, NONE), dtype=np.int64)
 
 
-def _verdicts(judged: Sequence[Floats], series: Floats, revision: Ints) -> Ints:
-    """The newest verdict on the very revision (N,) of each series (N,), "to_review" where there is none."""
-    out = np.zeros(len(series), dtype=np.int64)
-    on, verdict = _unpacked(judged[1], _WORDS)
-    keys = judged[0] * _REVISIONS + on
-    newest = _newest(keys)
-    at = _places(keys[newest], series * _REVISIONS + revision)
-    out[at >= 0] = verdict[newest][at[at >= 0]]
-    return out
+def _verdicts(packed: Ints, wanted: Ints) -> Ints:
+    """The newest verdict on each wanted (series, revision) (N,), "to_review" where there is none."""
+    judged, verdict = _unpacked(packed, _WORDS)
+    newest = _newest(judged, judged)
+    at = _places(judged[newest], wanted)
+    return np.where(at == NONE, 0, verdict[newest][at]) if len(newest) else np.zeros(len(wanted), np.int64)

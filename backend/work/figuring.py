@@ -98,12 +98,14 @@ def statistics(session: Session, chosen: Filter, choices: Choices = Choices()) -
 def _made(session: Session, known: str, chosen: Filter, choices: Choices) -> Statistics:
     places = surveys.names(session)
     _refuse(chosen, places)
+    days = chosen.first_day is not None or chosen.last_day is not None
     found = _columns.get(
-        (known, chosen.survey_ids), lambda: measured_columns.load(session, chosen.survey_ids or None)
+        (known, chosen.survey_ids, days),
+        lambda: measured_columns.load(session, chosen.survey_ids or None, days=days),
     )
     measured, left_out = filtered(found, chosen)
     named = _told_apart({one.id: one.name for one in people.list_all(session)})
-    there = {int(one) for one in np.unique(found.operator_id)}
+    there = {int(one) for one in _distinct(found.operator_id)}
     operators = {id_: name for id_, name in named.items() if id_ in there}
     groupings = {
         "lighting": Grouping(measured.lighting, LIGHTING),
@@ -164,7 +166,7 @@ def made_of(
             [one.height_m for one in standards_of(standards, name)],
             {grouping: one.where(rows) for grouping, one in groupings.items()},
         )
-    counted = Counted(len(measured), len(np.unique(measured.vehicle_id)), len(roofs.reference_m), left_out)
+    counted = Counted(len(measured), len(_distinct(measured.vehicle_id)), len(roofs.reference_m), left_out)
     errors = errors_of(roofs, choices.correction, choices.rounding)
     return Statistics(counted, standards, errors, targets, named_surveys, operators)
 
@@ -188,10 +190,17 @@ def _roofs(measured: Measured, u_reference_m: float) -> Roofs:
 
 def _named(ids: NDArray[np.int64], names: Mapping[int, str]) -> Grouping:
     """Groups by name: what has the same name is one group."""
-    distinct, at = np.unique(ids, return_inverse=True)
+    distinct = _distinct(ids)
     words = sorted({names[int(one)] for one in distinct if int(one) in names})
     code = [words.index(names[int(one)]) if int(one) in names else NONE for one in distinct]
-    return Grouping(np.array(code, dtype=np.int64)[at], words)
+    return Grouping(np.array(code, dtype=np.int64)[np.searchsorted(distinct, ids)], words)
+
+
+def _distinct(ids: NDArray[np.int64]) -> NDArray[np.int64]:
+    """The different ids (N,), ascending; ids lie close together, so counting is quicker than sorting."""
+    if len(ids) == 0 or ids.max() > 8 * len(ids) + 1000:
+        return np.unique(ids)
+    return np.flatnonzero(np.bincount(ids - NONE)) + NONE
 
 
 def _told_apart(names: Mapping[int, str]) -> dict[int, str]:

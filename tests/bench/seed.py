@@ -10,7 +10,10 @@ from backend.storage.tables_of_work import measurement_series, measurements, rev
 from tests.storage import samples
 from tests.storage.samples import Sample
 
-NUMBERS = "WITH RECURSIVE numbers(i) AS (SELECT {first} UNION ALL SELECT i + 1 FROM numbers WHERE i < {last})"
+NUMBERS = (
+    "WITH RECURSIVE numbers(i) AS "
+    "(SELECT CAST({first} AS BIGINT) UNION ALL SELECT i + 1 FROM numbers WHERE i < {last})"
+)
 TARGETS = ("roof", "driver_eye", "taillight")
 FIRST = 1000  # ids below belong to the sample
 

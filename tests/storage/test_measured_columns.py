@@ -1,11 +1,25 @@
 """The columns for statistics say of every measurement what its record says."""
 
+from dataclasses import replace
 from datetime import UTC, datetime
 
 import numpy as np
+import pytest
+from sqlalchemy import select, update
 
-from backend.storage import database, measured_columns, measurements, recordings, reviews, surveys, vehicles
+from backend.storage import (
+    bulk_columns,
+    cameras,
+    database,
+    measured_columns,
+    measurements,
+    recordings,
+    reviews,
+    surveys,
+    vehicles,
+)
 from backend.storage.measured_columns import CATEGORIES, LIGHTING, TARGETS, VERDICTS
+from backend.storage.tables_of_work import vehicles as vehicles_table
 from tests.storage import samples
 
 
@@ -36,10 +50,11 @@ def test_columns_are_the_records(factory: database.SessionFactory) -> None:
                 actor=one.rene.id,
             )
     with database.reading(factory) as session:
-        found = measured_columns.load(session, [one.survey.id])
+        found = measured_columns.load(session, [one.survey.id], days=True)
         records = [m for m in measurements.list_for_survey(session, one.survey.id) if m.height_m is not None]
         cars = {vehicle.id: vehicle for vehicle in vehicles.list_for_survey(session, one.survey.id)}
         everything = measured_columns.load(session)
+        assert not everything.day.any()  # not asked for
         assert len(measured_columns.load(session, [other.id])) == 0
     assert list(found.measurement_id) == [m.id for m in records]
     assert list(everything.measurement_id) == [m.id for m in records]
@@ -63,3 +78,50 @@ def test_columns_are_the_records(factory: database.SessionFactory) -> None:
     assert "accepted" in {VERDICTS[v] for v in found.verdict}
     chosen = found.where(found.target == TARGETS.index("roof"))
     assert 0 < len(chosen) < len(found)
+
+
+@pytest.mark.parametrize("far_m", [None, 63.999, 1e6])
+def test_bulk_columns_lose_no_digit(
+    factory: database.SessionFactory, monkeypatch: pytest.MonkeyPatch, far_m: float | None
+) -> None:
+    """Batches smaller than the table, NULL, and lengths that need the slow way."""
+    monkeypatch.setattr(bulk_columns, "_AT_ONCE", 4)
+    one = samples.fill(factory, 30)
+    v = vehicles_table.c
+    known = [0.0625, 1.0 / 3.0, 1.2345678901234567, -2.2, 0.1 + 0.2, np.nextafter(1.5, 2.0), far_m]
+    with database.writing(factory) as session:
+        for id_, value in enumerate(known, start=1):
+            row = update(vehicles_table).where(v.id == id_)
+            session.execute(row.values(manufacturer_height_m=None if value is None else float(value)))
+    with database.reading(factory) as session:
+        ids, heights = bulk_columns.columns(session, select(v.id, v.manufacturer_height_m), v.id)
+        there = session.execute(select(v.id, v.manufacturer_height_m).order_by(v.id)).all()
+        nothing = bulk_columns.columns(session, select(v.id, v.manufacturer_height_m).where(v.id < 0), v.id)
+        narrowed = measured_columns.load(session, [one.survey.id])
+    assert list(ids) == [row[0] for row in there] and len(ids) > 7
+    assert np.array_equal(heights, np.array([row[1] for row in there], float), equal_nan=True)
+    assert [(len(one), one.dtype.kind) for one in nothing] == [(0, "i"), (0, "f")]
+    assert len(narrowed) > 8
+
+
+def test_a_small_survey_among_others_is_the_same(factory: database.SessionFactory) -> None:
+    """Where a survey holds little of all, the database joins; else everything is read and matched here."""
+    with database.writing(factory) as session:
+        one = samples.sample(session)
+        for key in range(1, 10):
+            samples.measure(session, one, key=key)
+        survey = surveys.create(session, name="Other", actor=None)
+        camera = cameras.create(session, survey.id, name="Right", actor=None)
+        calibration = samples.add_calibration(session, camera.id, None)
+        recording = samples.add_recording(session, survey.id, None)
+        pose = samples.add_pose(session, recording.id, calibration.id, None)
+        car = vehicles.create(session, recording.id, {"first_frame": 10, "last_frame": 40}, actor=None)
+        other = replace(one, survey=survey, recording=recording, pose=pose, vehicle=car)
+        samples.measure(session, other, key=9000)
+    with database.reading(factory) as session:
+        both = [measured_columns.load(session, [each.survey.id]) for each in (one, other)]
+        everything = measured_columns.load(session)
+    assert len(both[1]) == 1 and len(both[0]) + 1 == len(everything)
+    assert set(both[1].survey_id) == {other.survey.id}
+    at = everything.survey_id == other.survey.id
+    assert list(everything.height_m[at]) == list(both[1].height_m)
