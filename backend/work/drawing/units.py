@@ -30,7 +30,7 @@ class Scale:
 HEIGHT: dict[Unit, Scale] = {"m": Scale(1.0, "m", 3), "ft": Scale(1.0 / _FOOT_M, "ft", 2)}
 SMALL: dict[Unit, Scale] = {"m": Scale(1000.0, "mm", 1), "ft": Scale(12.0 / _FOOT_M, "in", 2)}
 SQUARE: dict[Unit, Scale] = {
-    "m": Scale(1e6, "mm²", 0),
+    "m": Scale(1e4, "cm²", 2),
     "ft": Scale((12.0 / _FOOT_M) ** 2, "in²", 3),
 }
 

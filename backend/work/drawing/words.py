@@ -9,6 +9,12 @@ TARGETS: dict[str, str] = {
     "roof": "roof",
     "other": "other",
 }
+MANY: dict[str, str] = {
+    "driver_eye": "drivers’ eyes",
+    "taillight": "taillights’ lower limits",
+    "headlight": "headlights",
+    "roof": "roofs",
+}
 GROUPS: dict[str, str] = {"daytime": "daytime", "low_light": "low light", "overall": "overall"}
 LIGHTING: dict[str, str] = {"daytime": "daytime", "low_light": "low light", "": "lighting unknown"}
 CATEGORIES: dict[str, str] = {"suv": "SUV"}
