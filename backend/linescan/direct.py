@@ -1,0 +1,222 @@
+"""The direct chain: a vehicle's motion from the grey values of both strips, with its budget."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from backend.linescan.budget import budget_of, shift_of
+from backend.linescan.masks import ROWS, Points, Sheet, chosen, coarser, pooled, silhouette
+from backend.linescan.parts import Crossings, Motion, Passage, Profile, Rig
+from backend.linescan.registration import Clock, Fit, Prior, State, register
+from backend.linescan.warp import solved_by_boundaries
+
+Array = NDArray[np.float64]
+# a sample along the vehicle after pooling, metres; finer says nothing new, the optics blur it
+SAMPLE_M = 0.0028
+MOST_POINTS = 20000
+FEWEST_POINTS = 150
+BLOCK_M = 0.10
+BLOCK_ROWS = 12
+CELL_M = 0.18
+CLUSTER_M = 0.30
+PROFILE_M = 0.15
+NO_TEXTURE = "Too little of the vehicle stands out clearly enough to be followed from one strip to the other."
+NO_MATCH = (
+    "The two pictures of the vehicle do not fit one motion: two vehicles side by side, "
+    "a vehicle that stopped, or lost lines."
+)
+NO_ORDER = (
+    "The boundaries are not in order: the front must come before the rear, and camera 1 before camera 2."
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """What the registration works on: both sheets, the points, the clock, and what the points fall into.
+
+    `block`: trusted or not as a whole; `cell`: has a gain and an offset of its own; `cluster`: its errors
+    go together. (n,) numbers each.
+    """
+
+    first: Sheet
+    second: Sheet
+    points: Points
+    block: NDArray[np.intp]
+    cell: NDArray[np.intp]
+    cluster: NDArray[np.intp]
+    clock: Clock
+    lines_per_m: float
+
+
+def baseline_of(rig: Rig) -> tuple[float, float]:
+    """Baseline at the vehicle and its standard uncertainty, divergence of the planes included."""
+    away = rig.distance_m or 0.0
+    u = float(np.hypot(rig.u_baseline_m, rig.u_divergence_rad * away))
+    return rig.baseline_m + rig.divergence_rad * away, u
+
+
+def measure_direct(passage: Passage, rig: Rig) -> Motion:
+    """Motion of one vehicle by registering its two pictures (Gauss-Newton on grey values).
+
+    Standard uncertainties are those of the budget's root sum of squares. Left out: motion other than along
+    the road (pitch, lane change), acceleration that changes while the vehicle passes.
+    """
+    crossings = passage.crossings
+    if passage.reason:
+        return _none(crossings, passage.reason)
+    ordered = (
+        crossings.front_line_1 < crossings.rear_line_1 and crossings.front_line_2 < crossings.rear_line_2
+    )
+    later = crossings.front_line_2 + crossings.rear_line_2 > crossings.front_line_1 + crossings.rear_line_1
+    if not (ordered and later):
+        return _none(crossings, NO_ORDER)
+    scene, start, prior = _prepared(passage, rig)
+    if len(scene.points) < FEWEST_POINTS:
+        return _none(crossings, NO_TEXTURE)
+    whole, fit = _coarse_to_fine(scene, start, prior)
+    reason = _distrusted(fit, scene, start)
+    if reason:
+        return _none(crossings, reason)
+    return _answer(passage, rig, scene, whole, fit)
+
+
+def _none(crossings: Crossings, reason: str) -> Motion:
+    return Motion("direct", crossings, "not_measurable", reason)
+
+
+def _prepared(passage: Passage, rig: Rig) -> tuple[Scene, State, Prior]:
+    c = passage.crossings
+    baseline, _ = baseline_of(rig)
+    clock = Clock(c.front_line_1, rig.line_rate_hz)
+    crossed = clock.seconds(np.array([c.front_line_1, c.rear_line_1, c.front_line_2, c.rear_line_2]))
+    course = solved_by_boundaries(crossed, baseline)
+    lines_per_m = rig.line_rate_hz / course.speed_mps
+    step = max(1, round(SAMPLE_M * lines_per_m))
+    band = max(1, passage.first.shape[1] // ROWS)
+    first = pooled(passage.first, passage.start_1, step, band)
+    second = pooled(passage.second, passage.start_2, step, band)
+    inside = silhouette(first, passage.background_1, passage.noise_dn)
+    span = first.place(np.array([c.front_line_1, c.rear_line_1]))
+    inside[: max(round(span[0]) - 4, 0)] = False
+    inside[max(round(span[1]) + 5, 0) :] = False
+    points = chosen(first, inside, MOST_POINTS, passage.noise_dn)
+    per_m = lines_per_m / step
+    noise = passage.noise_dn / np.sqrt(step * band)
+    block = _blocks(points, BLOCK_M * per_m, BLOCK_ROWS)
+    cell = _blocks(points, CELL_M * per_m, int(np.clip(round(noise / 2.5), 1, 4)))
+    cluster = _blocks(points, CLUSTER_M * per_m, ROWS + 1)
+    prior = Prior()
+    if rig.misalignment_px is not None:
+        prior = Prior(rig.misalignment_px / band, max(rig.u_misalignment_px, 0.005) / band)
+    scene = Scene(first, second, points, block, cell, cluster, clock, lines_per_m)
+    return scene, State(course, prior.shift), prior
+
+
+def _blocks(points: Points, size: float, rows: int) -> NDArray[np.intp]:
+    """Numbers 0.. of the cells of size x rows in which the points lie."""
+    if not len(points):
+        return np.empty(0, np.intp)
+    cell = points.place.astype(int) // max(2, round(size)) * 10000 + points.row.astype(int) // rows
+    return np.asarray(np.unique(cell, return_inverse=True)[1], np.intp)
+
+
+def _coarse_to_fine(scene: Scene, start: State, prior: Prior) -> tuple[Fit, Fit]:
+    """On sheets pooled 4 and 2 times along time, then on the full one; the last two fits are returned.
+
+    The first of them solves for all five unknowns, the second for the motion alone, with a gain and an
+    offset for every small piece of every row.
+    """
+    state = start
+    free = (True, True, False, True, True)
+    for times in (4, 2):
+        if len(scene.first.values) < 40 * times:
+            continue
+        first, second = coarser(scene.first, times), coarser(scene.second, times)
+        inside = np.zeros(first.values.shape, bool)
+        place = np.minimum(scene.points.place.astype(int) // times, len(inside) - 1)
+        inside[place, scene.points.row.astype(int)] = True
+        points = chosen(first, inside, MOST_POINTS // 4, 0.5)
+        if len(points) < FEWEST_POINTS:
+            continue
+        block = _blocks(points, 8, BLOCK_ROWS)
+        state = register(first, second, points, scene.clock, state, prior, block, free).state
+    args = scene.first, scene.second, scene.points, scene.clock
+    global_fit = register(*args, state, prior, scene.block)
+    return global_fit, register(*args, global_fit.state, prior, scene.block, free, scene.cell)
+
+
+def _distrusted(fit: Fit, scene: Scene, start: State) -> str | None:
+    """Why the registration's end is not to be believed, or None."""
+    used = fit.weight > 0.05
+    if used.sum() < FEWEST_POINTS:
+        return NO_TEXTURE
+    moved = abs(fit.state.course.speed_mps / start.course.speed_mps - 1)
+    value, seen = scene.points.value[used], fit.look.residual[used]
+    explained = 1 - float(np.var(seen)) / max(float(np.var(value * fit.state.gain)), 1e-9)
+    if moved > 0.12 or explained < 0.5 or abs(fit.state.course.acceleration_mps2) > 11.5:
+        return NO_MATCH
+    return None
+
+
+def _answer(passage: Passage, rig: Rig, scene: Scene, whole: Fit, fit: Fit) -> Motion:
+    c, course = passage.crossings, fit.state.course
+    shift, u_shift = shift_of(whole, scene.cluster)
+    budget = budget_of(passage, rig, scene.clock, scene.cluster, fit, u_shift, baseline_of(rig))
+    profile = _profile(scene, fit, rig)
+    return Motion(
+        "direct",
+        c,
+        "ok",
+        None,
+        course.speed_mps,
+        budget.u_speed_mps,
+        course.acceleration_mps2,
+        budget.u_acceleration_mps2,
+        budget.length_m,
+        budget.u_length_m,
+        _fit_error(profile),
+        shift * scene.first.band,
+        u_shift * scene.first.band,
+        fit.state.gain,
+        budget.entries,
+        profile,
+        () if fit.settled else ("The registration did not settle completely.",),
+    )
+
+
+def _profile(scene: Scene, fit: Fit, rig: Rig) -> Profile:
+    """What the points of each piece of the vehicle say alone, beside the fitted motion."""
+    seen = fit.look
+    size = max(2, round(PROFILE_M * scene.lines_per_m / scene.first.step))
+    piece = scene.points.place.astype(int) // size
+    piece -= piece.min()
+    count = int(piece.max()) + 1
+
+    def total(values: Array) -> Array:
+        return np.asarray(np.bincount(piece, weights=values, minlength=count))
+
+    weight = fit.weight * seen.inside
+    told = total(weight * seen.along**2)
+    # residual = -gradient * error: the lines of the second sheet by which each piece strays
+    stray = -total(weight * seen.along * seen.residual) / np.maximum(told, 1e-9) * scene.second.step
+    share = np.maximum(total(weight), 1e-9)
+    first_s, second_s = total(weight * seen.first_s) / share, total(weight * seen.second_s) / share
+    baseline, _ = baseline_of(rig)
+    fitted = baseline / np.maximum(second_s - first_s, 1e-9)
+    own = baseline / np.maximum(second_s + stray / rig.line_rate_hz - first_s, 1e-9)
+    clear = told > 0.1 * np.median(told[told > 0]) if (told > 0).any() else told > 0
+    kept = told > 0
+    away = np.abs(own / fitted - 1)
+    spread = 1.4826 * float(np.median(away[clear])) if clear.any() else 0.0
+    used = clear & (away <= 4 * spread + 1e-12)
+    line = scene.clock.lines(first_s)
+    return Profile(line[kept], own[kept], fitted[kept], used[kept])
+
+
+def _fit_error(profile: Profile) -> float | None:
+    """Root mean square of profile against fit, per cent of the speed."""
+    used = profile.used
+    if not used.any():
+        return None
+    return float(100 * np.sqrt(np.mean((profile.speed_mps[used] / profile.fitted_mps[used] - 1) ** 2)))

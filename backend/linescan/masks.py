@@ -1,0 +1,142 @@
+"""Which pixels of strip 1 tell the motion: clear changes along time, inside the vehicle, spread over it."""
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from backend.linescan.parts import Pixels
+
+Floats = NDArray[np.float32]
+ROWS = 256
+
+
+@dataclass(frozen=True, eq=False)
+class Sheet:
+    """A picture pooled for matching: values (n, rows), softened; `step` lines by `band` rows a value.
+
+    `start_line`: strip line at the centre of row 0 of `values`.
+    """
+
+    values: Floats
+    start_line: float
+    step: int
+    band: int
+
+    def place(self, line: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Strip lines to places in `values`."""
+        return np.asarray((line - self.start_line) / self.step)
+
+    def line(self, place: NDArray[np.float64]) -> NDArray[np.float64]:
+        return np.asarray(self.start_line + place * self.step)
+
+
+def pooled(picture: Pixels, start: int, step: int, band: int, soft: float = 1.0) -> Sheet:
+    """Means over step x band pixels of a picture (lines, rows) that begins at line `start`, then softened.
+
+    Softening keeps the error of interpolating between coarse samples small; both strips get the same.
+    """
+    lines, rows = len(picture) // step * step, picture.shape[1] // band * band
+    cut = np.ascontiguousarray(picture[:lines, :rows])
+    if step > 1 or band > 1:
+        size = (rows // band, lines // step)
+        cut = np.asarray(cv2.resize(cut.astype(np.float32), size, interpolation=cv2.INTER_AREA))
+    values = cv2.GaussianBlur(cut.astype(np.float32), (0, 0), sigmaX=0.7, sigmaY=soft)
+    return Sheet(np.asarray(values, np.float32), start + (step - 1) / 2, step, band)
+
+
+def coarser(sheet: Sheet, times: int) -> Sheet:
+    """The same, `times` lines pooled to one."""
+    count = len(sheet.values) // times
+    small = sheet.values[: count * times].reshape(count, times, -1).mean(1)
+    start = sheet.start_line + (times - 1) / 2 * sheet.step
+    values = cv2.GaussianBlur(small, (0, 0), sigmaX=0.01, sigmaY=0.8)
+    return Sheet(np.asarray(values, np.float32), start, sheet.step * times, sheet.band)
+
+
+def silhouette(sheet: Sheet, road: NDArray[np.float32], noise_dn: float) -> NDArray[np.bool_]:
+    """(n, rows) whether a pixel lies well inside the vehicle: from its upper edge down, the rim left out."""
+    line = road[: sheet.values.shape[1] * sheet.band].reshape(sheet.values.shape[1], sheet.band).mean(1)
+    away = np.abs(sheet.values - line)
+    limit = max(4 * noise_dn / np.sqrt(sheet.step * sheet.band * 5), 0.04 * float(np.median(line)))
+    there = (away > limit).astype(np.uint8)
+    there = cv2.morphologyEx(there, cv2.MORPH_OPEN, np.ones((3, 3), np.uint8))
+    filled = np.maximum.accumulate(np.asarray(there), axis=1)
+    return np.asarray(cv2.erode(filled, np.ones((7, 5), np.uint8)) > 0)
+
+
+@dataclass(frozen=True, eq=False)
+class Points:
+    """Chosen pixels: place along time and row in the pooled sheet, value and gradients, block and column."""
+
+    place: NDArray[np.float64]
+    row: NDArray[np.float64]
+    value: NDArray[np.float64]
+    along: NDArray[np.float64]
+    across: NDArray[np.float64]
+
+    def __len__(self) -> int:
+        return len(self.place)
+
+
+def chosen(sheet: Sheet, inside: NDArray[np.bool_], most: int, noise_dn: float) -> Points:
+    """The `most` pixels with the clearest change along time, every part of the vehicle getting its share.
+
+    A ceiling for each cell of the picture keeps one sharp edge from speaking for the whole vehicle.
+    """
+    along = np.zeros_like(sheet.values)
+    along[1:-1] = (sheet.values[2:] - sheet.values[:-2]) / 2
+    across = np.zeros_like(sheet.values)
+    across[:, 1:-1] = (sheet.values[:, 2:] - sheet.values[:, :-2]) / 2
+    least = max(2.5 * 0.35 * noise_dn / np.sqrt(sheet.step * sheet.band), 0.4)
+    good = inside & (np.abs(along) > least)
+    good[:3], good[-3:] = False, False
+    good[:, :2], good[:, -2:] = False, False
+    where = np.flatnonzero(good)
+    if len(where) > most:
+        strength = np.abs(along.ravel()[where])
+        # the clearest half outright, the other half spread evenly over what is left
+        order = np.argpartition(-strength, most // 2)
+        rest = order[most // 2 :]
+        where = where[np.concatenate([order[: most // 2], rest[:: max(1, len(rest) // (most // 2))]])]
+    place, row = np.unravel_index(where, good.shape)
+    return Points(
+        place.astype(float),
+        row.astype(float),
+        sheet.values[place, row].astype(float),
+        along[place, row].astype(float),
+        across[place, row].astype(float),
+    )
+
+
+def _cubic(part: Floats) -> tuple[NDArray[np.floating], ...]:
+    """Catmull-Rom's four weights for fractions in 0..1."""
+    t, t2, t3 = part, part * part, part * part * part
+    return (
+        (-t3 + 2 * t2 - t) / 2,
+        (3 * t3 - 5 * t2 + 2) / 2,
+        (-3 * t3 + 4 * t2 + t) / 2,
+        (t3 - t2) / 2,
+    )
+
+
+def sampled(values: Floats, place: NDArray[np.float64], row: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Values (n,) of a picture between its samples, bicubic (Catmull-Rom); outside, the rim's.
+
+    OpenCV's remap rounds places to 1/32 of a pixel, which is more than is asked of the row shift.
+    """
+    lines, rows = values.shape
+    place, row = np.clip(place, 1, lines - 2.001), np.clip(row, 1, rows - 2.001)
+    at, column = place.astype(np.intp), row.astype(np.intp)
+    flat = values.ravel()
+    base = at * rows + column
+    down = _cubic((place - at).astype(np.float32))
+    along = _cubic((row - column).astype(np.float32))
+    total = np.zeros(len(place), np.float32)
+    for i, by_line in enumerate(down):
+        line = np.zeros(len(place), np.float32)
+        for j, by_row in enumerate(along):
+            line += by_row * flat[base + ((i - 1) * rows + j - 1)]
+        total += by_line * line
+    return total.astype(np.float64)

@@ -1,0 +1,234 @@
+"""Registers strip 2 to strip 1 by least squares on grey values: speed, acceleration, row shift, gain, offset.
+
+Every chosen pixel of strip 1 says what strip 2 must show where the motion puts it. Gauss-Newton from coarse
+to fine; weights follow the residuals of single pixels and of whole blocks, so that wheels (which turn between
+the cameras), windows (through which each camera sees its own background) and drops lose their say.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from backend.linescan.masks import Points, Sheet, sampled
+from backend.linescan.warp import Course
+
+Array = NDArray[np.float64]
+ROUNDS = 12
+LEVEL_DN = 6.0
+TUKEY = 4.7
+
+
+@dataclass(frozen=True)
+class Prior:
+    """What is known of the row shift beforehand, in rows of the sheets; u None: nothing."""
+
+    shift: float = 0.0
+    u_shift: float | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class State:
+    """The answer so far: motion, row shift (rows of the sheets), gain and offset of strip 2 against 1."""
+
+    course: Course
+    shift: float = 0.0
+    gain: float = 1.0
+    offset: float = 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class Clock:
+    """Turns lines into seconds since the front reached camera 1."""
+
+    front_line_1: float
+    line_rate_hz: float
+
+    def seconds(self, line: Array) -> Array:
+        return np.asarray((line - self.front_line_1) / self.line_rate_hz)
+
+    def lines(self, seconds: Array) -> Array:
+        return np.asarray(seconds * self.line_rate_hz + self.front_line_1)
+
+
+@dataclass(frozen=True, eq=False)
+class Look:
+    """Strip 2 compared with strip 1 under a state: residuals, derivatives (n, 5), and what was inside."""
+
+    residual: Array
+    jacobian: Array
+    inside: NDArray[np.bool_]
+    first_s: Array
+    second_s: Array
+    along: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Fit:
+    """The end: state, last look, weights (n,), normal matrix (5, 5), scale of residuals."""
+
+    state: State
+    look: Look
+    weight: Array
+    normal: Array
+    scale_dn: float
+    settled: bool
+
+
+def look(first: Sheet, second: Sheet, points: Points, clock: Clock, state: State) -> Look:
+    """Residuals and their derivatives by speed, acceleration, shift, gain and offset."""
+    first_s = clock.seconds(first.line(points.place))
+    second_s = state.course.second_s(first_s)
+    place = second.place(clock.lines(second_s))
+    row = points.row + state.shift
+    seen = sampled(second.values, place, row)
+    inside = (place > 2) & (place < len(second.values) - 3)
+    inside &= (row > 1) & (row < second.values.shape[1] - 2)
+    residual = seen - state.gain * points.value - state.offset
+    # strip 2's gradient from strip 1's, stretched as the motion stretches the picture
+    stretch = state.course.speed_at_mps(second_s) / np.maximum(state.course.speed_at_mps(first_s), 1e-3)
+    along = state.gain * points.along * stretch * first.step / second.step
+    per_s = along * clock.line_rate_hz / first.step
+    by_speed, by_acceleration = state.course.derivatives(first_s, second_s)
+    jacobian = np.stack(
+        [
+            per_s * by_speed,
+            per_s * by_acceleration,
+            state.gain * points.across,
+            -points.value,
+            -np.ones_like(residual),
+        ],
+        -1,
+    )
+    return Look(residual.astype(float), jacobian, inside, first_s, second_s, along)
+
+
+def _scale(residual: Array) -> float:
+    return float(max(1.4826 * np.median(np.abs(residual)), 0.05)) if len(residual) else 1.0
+
+
+def _weights(seen: Look, block: NDArray[np.intp], blocks: int) -> tuple[Array, float]:
+    """Tukey's weight of each pixel times that of its block, which falls where a whole block disagrees."""
+    use = seen.inside
+    scale = _scale(seen.residual[use])
+    part = np.clip(np.abs(seen.residual) / (TUKEY * scale), 0, 1)
+    pixel = np.where(use, (1 - part**2) ** 2, 0.0)
+    count = np.bincount(block, weights=use.astype(float), minlength=blocks)
+    capped = np.minimum((seen.residual / scale) ** 2, 36.0) * use
+    energy = np.bincount(block, weights=capped, minlength=blocks) / np.maximum(count, 1)
+    known = count > 8
+    usual = float(np.median(energy[known])) if known.any() else 1.0
+    trust = 1 / (1 + (energy / max(3 * usual, 1e-9)) ** 3)
+    return pixel * trust[block], scale
+
+
+def register(
+    first: Sheet,
+    second: Sheet,
+    points: Points,
+    clock: Clock,
+    start: State,
+    prior: Prior,
+    block: NDArray[np.intp],
+    free: tuple[bool, ...] = (True, True, True, True, True),
+    cell: NDArray[np.intp] | None = None,
+) -> Fit:
+    """Least squares from `start`; `block` (n,) groups the pixels, `free` says which of the five may move."""
+    state, settled = start, False
+    blocks = int(block.max()) + 1
+    last = np.ones(len(points))
+    held = np.flatnonzero(~np.array(free))
+    for _ in range(ROUNDS):
+        seen = look(first, second, points, clock, state)
+        if cell is not None:
+            seen = levelled(seen, points.value, last * seen.inside, cell)
+        weight, scale = _weights(seen, block, blocks)
+        last = weight
+        normal, right = _normal(seen, weight, prior, state, scale)
+        for k in held if cell is None else (3, 4, *held):
+            normal[k], normal[:, k], right[k] = 0, 0, 0
+            normal[k, k] = 1
+        step = _solved(normal, right)
+        state = _moved(state, step)
+        if abs(step[0]) < 2e-6 * state.course.speed_mps and abs(step[1]) < 2e-4 and abs(step[2]) < 1e-4:
+            settled = True
+            break
+    seen = look(first, second, points, clock, state)
+    if cell is not None:
+        seen = levelled(seen, points.value, last * seen.inside, cell)
+    weight, scale = _weights(seen, block, blocks)
+    normal, _ = _normal(seen, weight, prior, state, scale)
+    return Fit(state, seen, weight, normal, scale, settled)
+
+
+def levelled(seen: Look, value: Array, weight: Array, cell: NDArray[np.intp]) -> Look:
+    """The look with every cell's own gain and offset taken out of residuals and derivatives.
+
+    Behind a window each camera sees its own road, so an edge between paint and glass has another height in
+    strip 2 than in strip 1; without this it would seem moved. Gain and offset drop out of the unknowns.
+    """
+    count = int(cell.max()) + 1
+
+    def total(values: Array) -> Array:
+        return np.asarray(np.bincount(cell, weights=values, minlength=count))
+
+    mass = np.maximum(total(weight), 1e-9)
+    mean = total(weight * value) / mass
+    x = value - mean[cell]
+    wx = weight * x
+    power = total(wx * x) + LEVEL_DN**2
+
+    def cleared(y: Array) -> Array:
+        y = y - (total(weight * y) / mass)[cell]
+        return np.asarray(y - x * (total(wx * y) / power)[cell])
+
+    jacobian = seen.jacobian.copy()
+    for k in range(3):
+        jacobian[:, k] = cleared(jacobian[:, k])
+    jacobian[:, 3:] = 0.0
+    return Look(cleared(seen.residual), jacobian, seen.inside, seen.first_s, seen.second_s, seen.along)
+
+
+def _normal(seen: Look, weight: Array, prior: Prior, state: State, scale: float) -> tuple[Array, Array]:
+    weighted = seen.jacobian * weight[:, None]
+    normal = seen.jacobian.T @ weighted
+    right = -weighted.T @ seen.residual
+    if prior.u_shift is not None:
+        trust = (scale / max(prior.u_shift, 1e-3)) ** 2
+        normal[2, 2] += trust
+        right[2] += trust * (prior.shift - state.shift)
+    return np.asarray(normal), np.asarray(right)
+
+
+def _solved(normal: Array, right: Array) -> Array:
+    size = np.sqrt(np.maximum(np.diag(normal), 1e-12))
+    return np.asarray(np.linalg.lstsq(normal / np.outer(size, size), right / size, rcond=1e-12)[0] / size)
+
+
+def _moved(state: State, step: Array) -> State:
+    """A step of the five unknowns, kept from leaving what a vehicle can do."""
+    speed = state.course.speed_mps * (1 + float(np.clip(step[0] / state.course.speed_mps, -0.1, 0.1)))
+    acceleration = float(np.clip(state.course.acceleration_mps2 + np.clip(step[1], -3, 3), -12, 12))
+    return State(
+        Course(speed, acceleration, state.course.baseline_m),
+        state.shift + float(np.clip(step[2], -1, 1)),
+        float(np.clip(state.gain + np.clip(step[3], -0.3, 0.3), 0.2, 5)),
+        state.offset + float(np.clip(step[4], -60, 60)),
+    )
+
+
+def covariance(fit: Fit, cluster: NDArray[np.intp]) -> Array:
+    """Covariance (5, 5) from the scatter of whole clusters of pixels, whose errors go together.
+
+    Neighbouring pixels share the errors that matter (a reflection, a window's edge), so the score of each
+    cluster is one observation (Liang and Zeger 1986), and the sum is widened for few clusters.
+    """
+    count = int(cluster.max()) + 1
+    score = fit.look.jacobian * (fit.weight * fit.look.residual)[:, None]
+    sums = np.stack([np.bincount(cluster, weights=score[:, k], minlength=count) for k in range(5)], -1)
+    used = int(np.sum(np.bincount(cluster, weights=fit.weight, minlength=count) > 0))
+    size = np.sqrt(np.maximum(np.diag(fit.normal), 1e-12))
+    outer = np.outer(size, size)
+    inverse = np.linalg.pinv(fit.normal / outer, rcond=1e-12, hermitian=True) / outer
+    meat = sums.T @ sums * used / max(used - 5, 1)
+    return np.asarray(inverse @ meat @ inverse)
