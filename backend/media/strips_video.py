@@ -17,12 +17,12 @@ from numpy.typing import NDArray
 from backend.errors import BadInput
 from backend.media.cancelling import Cancelled, check_cancelled
 from backend.media.decode import frames_of
+from backend.media.report import JITTER, ROUNDING
 from backend.media.store import check_room, no_room_told
 from backend.media.strips import Strip, strip_of
 from backend.media.strips_notes import StripNotes
 from backend.media.strips_sheet import RawSheet
 
-MOST_JITTER = 0.02  # of a frame's duration
 LEAST_FRAMES = 20
 _AT_ONCE = 256
 
@@ -31,14 +31,14 @@ def line_rate(time_s: NDArray[np.float64], name: str, tick_s: float = 0.001) -> 
     """The constant frame rate (Hz) of a recording by its frame times (n,), from its frame table.
 
     `tick_s`: the unit of the file's time stamps, which are rounded to it. Raises BadInput where frames are
-    missing or come at uneven times: the strips would be stretched there.
+    missing or come at uneven times, by the rule of the ingest: the strips would be stretched there.
     """
     count = len(time_s)
     if count < LEAST_FRAMES:
         raise BadInput(f"{name} has {count} frames, too few for a line scan; choose another recording.")
     step_s = float(time_s[-1] - time_s[0]) / (count - 1)
     off_s = np.abs(time_s - (time_s[0] + step_s * np.arange(count)))
-    if step_s <= 0 or float(off_s.max()) > 1.1 * tick_s + MOST_JITTER * step_s:
+    if step_s <= 0 or float(off_s.max()) > max(ROUNDING * tick_s, JITTER * step_s):
         at = int(np.argmax(np.abs(np.diff(time_s) - np.median(np.diff(time_s)))))
         raise BadInput(
             f"{name} has no constant frame rate (its time stamps are uneven, most of all after frame {at}), "
