@@ -22,6 +22,7 @@ COMMANDS = {
     "height": "backend.commands.geometry:height",
     "plan": "backend.commands.plan:plan",
     "errors": "backend.commands.errors:errors",
+    "linescan": "backend.commands.linescan:linescan",
     "export": "backend.commands.export:export",
     "verify": "backend.commands.verify:verify",
 }

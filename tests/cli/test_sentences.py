@@ -28,6 +28,7 @@ def test_help_lists_the_commands_of_the_contract(capsys: pytest.CaptureFixture[s
         "pose",
         "height",
         "plan",
+        "linescan",
         "export",
         "verify",
         "worker",
