@@ -8,6 +8,7 @@ from backend.api.bodies import Id, JobBody, JobState
 from backend.api.deps import RANK, PathId, Reading, Viewer, Wired
 from backend.errors import NotAllowed
 from backend.storage import jobs
+from backend.work import scanning, scanning_read
 from backend.work.ingesting import cancel_job
 
 router = APIRouter()
@@ -37,4 +38,7 @@ def cancel(job_id: PathId, who: Viewer, services: Wired) -> JobBody:
         job = jobs.get(session, job_id)
         if job.created_by != who.id and RANK[who.role] < RANK["operator"]:
             raise NotAllowed("Somebody else started this job; ask them or an operator to cancel it.")
-        return JobBody.model_validate(cancel_job(session, job, who.id))
+        stopped = cancel_job(session, job, who.id)
+        if stopped.state == "cancelled" and stopped.kind == scanning.READ:
+            scanning_read.mark_failed(session, stopped, scanning_read.STOPPED)
+        return JobBody.model_validate(stopped)

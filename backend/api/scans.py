@@ -1,6 +1,6 @@
 """Line-scan recordings: made, read, looked at; their vehicles found."""
 
-from typing import Annotated, Literal, cast
+from typing import Annotated, cast
 
 from fastapi import APIRouter, Path, Query, Request, Response
 
@@ -24,7 +24,7 @@ from backend.work import scanning
 
 router = APIRouter()
 
-Camera = Literal[1, 2]
+Camera = Annotated[int, Path(ge=1, le=2)]
 PathLevel = Annotated[int, Path(ge=0, le=40)]
 PathIndex = Annotated[int, Path(ge=0, le=2**31 - 1)]
 

@@ -119,11 +119,12 @@ def _profile(values: ScanValues) -> ProfileBody | None:
 def _match(measured: ScanMeasurement, scan: Scan) -> MatchBody | None:
     if measured.values.status != "ok" or scan.lines is None or scan.rows_px is None:
         return None
-    first, stop = window_of(measured.values, scan.lines)
+    first, stop, step = window_of(measured.values, scan.lines)
     address = f"/api/scan-vehicles/{measured.vehicle_id}/match"
     return MatchBody(
         first_line=first,
         lines=stop - first,
+        step=step,
         rows_px=scan.rows_px,
         **{f"{word}_url": f"{address}/{word}?v={measured.id}" for word in ("first", "second", "difference")},
     )

@@ -286,10 +286,11 @@ class ScanReviewBody(Out):
 
 
 class MatchBody(Out):
-    """Where the pictures of the match lie: pixel (x, y) is line `first_line + x`, row y, of strip 1."""
+    """Where the pictures of the match lie: pixel (x, y) is line `first_line + step x`, row y, of strip 1."""
 
     first_line: int
     lines: int
+    step: int
     rows_px: int
     first_url: str
     second_url: str

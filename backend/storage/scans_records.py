@@ -182,6 +182,7 @@ class ScanValues:
     misalignment_px: float | None
     u_misalignment_px: float | None
     gain: float | None
+    correlation: float | None
     front_wheel_line: float | None
     rear_wheel_line: float | None
     wheelbase_m: float | None

@@ -75,6 +75,14 @@ def counts_of_scans(session: Session, rigs: Mapping[int, JsonObject]) -> dict[in
     return {scan_id: replace(ScanCounts(), **counts) for scan_id, counts in counted.items()}
 
 
+def placed_by_hand(session: Session, scan_id: int) -> frozenset[int]:
+    """The vehicles whose boundaries a person placed; no search moves those."""
+    query = select(scan_measurements.c.vehicle_id).where(
+        scan_measurements.c.scan_id == scan_id, scan_measurements.c.cause.in_(("boundaries", "added"))
+    )
+    return frozenset(session.execute(query).scalars())
+
+
 def change_facts(
     session: Session,
     vehicle_id: int,

@@ -159,6 +159,8 @@ scan_measurements = Table(
     Column("misalignment_px", Float),
     Column("u_misalignment_px", Float),
     Column("gain", Float),
+    # of speed and acceleration as fitted: gaps and wheelbases carry both on
+    Column("correlation", Float),
     Column("front_wheel_line", Float),
     Column("rear_wheel_line", Float),
     Column("wheelbase_m", Float),

@@ -2,29 +2,70 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from sqlalchemy.orm import Session
 
-from backend.errors import SightlineError
+from backend.errors import BadInput
+from backend.linescan.by_hand import seen_by_camera_2
 from backend.linescan.parts import Crossings, Method
-from backend.storage import catalogue, scans_vehicles
-from backend.storage.scans_records import ScanVehicle, ScanVehicleChanges
+from backend.storage import catalogue, scans, scans_measurements, scans_vehicles
+from backend.storage.scans_records import Scan, ScanValues, ScanVehicle, ScanVehicleChanges
+from backend.work.code_version import code_version
+from backend.work.scanning import open_strips
+from backend.work.scanning_measuring import Readers, measured_at
+from backend.work.scanning_motion import values_of, wheels_of, with_wheels
 from backend.work.services import Services
 
-_NOT_YET = "Measuring is not connected yet; try again later."
+MOST_LINES = 400_000
+MOST_PIXELS = 400_000_000
+UNSEEN = (
+    "Nothing in camera 2's strip looks like this vehicle; place its front and rear there by hand, or leave "
+    "it out if it is none."
+)
 
 
 def place_boundaries(
     services: Services, vehicle_id: int, crossings: Crossings, method: Method | None, version: int, actor: int
 ) -> None:
-    """Measure a vehicle from boundaries that a person placed, as a new revision."""
-    raise SightlineError(_NOT_YET)
+    """Measure a vehicle from boundaries that a person placed, as a new revision; its wheels stay.
+
+    Raises NotFound, Conflict for another version, BadInput for boundaries that cannot be.
+    """
+    vehicle, scan = _seen(services, vehicle_id, version)
+    before = vehicle.measurement
+    readers = open_strips(services, scan)
+    _check(crossings, readers)
+    chosen = method or (before.values.method if before else "direct")
+    motion = measured_at(crossings, scan.rig, chosen, readers)
+    values = values_of(motion, scan.rig, "boundaries", placed_by=actor)
+    if before is not None:
+        values = with_wheels(values, wheels_of(before.values))
+    with services.writing() as session:
+        scans_measurements.append(session, vehicle_id, values, version=version, actor=actor)
 
 
 def place_wheels(
     services: Services, vehicle_id: int, lines: tuple[float, float] | None, version: int, actor: int
 ) -> None:
-    """The wheelbase from both wheels' lines in strip 1 (None: none), as a new revision."""
-    raise SightlineError(_NOT_YET)
+    """The wheelbase from both wheels' lines in strip 1 (None: none), as a new revision.
+
+    Raises NotFound, Conflict for another version, BadInput where there can be no wheelbase.
+    """
+    vehicle, scan = _seen(services, vehicle_id, version)
+    before = vehicle.measurement
+    if before is None:
+        raise BadInput(
+            "This vehicle is not measured yet, so it has no wheelbase; place its boundaries first."
+        )
+    values = with_wheels(_own(before.values), lines)
+    if lines is not None and values.wheelbase_m is None:
+        raise BadInput(values.warnings[-1].removeprefix("No wheelbase: "))
+    if lines is not None and not all(0 <= line < (scan.lines or 0) for line in lines):
+        raise BadInput(f"A wheel lies outside the strips, which end at line {(scan.lines or 1) - 1}.")
+    made = replace(values, cause="wheels", placed_by=actor, run_id=None, code_version=code_version())
+    with services.writing() as session:
+        scans_measurements.append(session, vehicle_id, made, version=version, actor=actor)
 
 
 def add_vehicle(
@@ -35,8 +76,28 @@ def add_vehicle(
     method: Method,
     actor: int,
 ) -> int:
-    """A vehicle by hand, measured; its id."""
-    raise SightlineError(_NOT_YET)
+    """A vehicle by hand, measured; its id. Without `second` it is looked for in camera 2's strip.
+
+    Raises NotFound, BadInput for lines that cannot be or a vehicle that camera 2 did not see.
+    """
+    with services.reading() as session:
+        scan = scans.get(session, scan_id)
+    readers = open_strips(services, scan)
+    _check(Crossings(*first, *(second or first)), readers)
+    if second is None:
+        reads = (readers[0].read, readers[1].read)
+        try:
+            crossings = seen_by_camera_2(*first, scan.rig, readers[0].rows, reads)
+        except LookupError:
+            raise BadInput(UNSEEN) from None
+    else:
+        crossings = Crossings(*first, *second)
+    motion = measured_at(crossings, scan.rig, method, readers)
+    values = values_of(motion, scan.rig, "added", placed_by=actor)
+    with services.writing() as session:
+        made = scans_vehicles.create(session, scan_id, actor=actor)
+        scans_measurements.append(session, made.id, values, actor=actor)
+    return made.id
 
 
 def fill_in(
@@ -64,3 +125,41 @@ def fill_in(
         )
         changes = {**known, **changes}
     return scans_vehicles.change_facts(session, vehicle_id, changes, version=version, actor=actor)
+
+
+def _seen(services: Services, vehicle_id: int, version: int) -> tuple[ScanVehicle, Scan]:
+    """The vehicle and its scan, if nobody changed it since; looked at before the work and after it."""
+    with services.reading() as session:
+        scans_vehicles.seen(session, vehicle_id, version)
+        vehicle = scans_vehicles.get(session, vehicle_id)
+        return vehicle, scans.get(session, vehicle.scan_id)
+
+
+def _own(values: ScanValues) -> ScanValues:
+    """The content without what an earlier wheelbase said."""
+    kept = [one for one in values.warnings if not one.startswith("No wheelbase: ")]
+    return replace(values, warnings=kept)
+
+
+def _check(crossings: Crossings, readers: Readers) -> None:
+    """Raises BadInput for boundaries out of order, outside the strips, or too far apart to be one vehicle."""
+    spans = (
+        (crossings.front_line_1, crossings.rear_line_1),
+        (crossings.front_line_2, crossings.rear_line_2),
+    )
+    for camera, ((front, rear), reader) in enumerate(zip(spans, readers, strict=True), 1):
+        if not front < rear:
+            raise BadInput(
+                f"At camera {camera} the front (line {front:.1f}) must come before the rear ({rear:.1f}); "
+                "place them again."
+            )
+        if not 0 <= front < rear <= reader.lines - 1:
+            raise BadInput(
+                f"The boundaries at camera {camera} lie outside the strip, which ends at line "
+                f"{reader.lines - 1}; place them again."
+            )
+        if rear - front > min(MOST_LINES, MOST_PIXELS / reader.rows):
+            raise BadInput(
+                f"Front and rear at camera {camera} are {rear - front:.0f} lines apart, more than one "
+                "vehicle can be; place them again."
+            )

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import asdict
+from dataclasses import asdict, replace
 
-from backend.linescan.parts import Crossings, Gap, Method, Motion, Rig
+from backend.linescan.gaps import gaps
+from backend.linescan.parts import Crossings, Gap, Motion, Rig
+from backend.linescan.rig import wheelbase
 from backend.storage.records import JsonObject
 from backend.storage.scans import rig_columns
 from backend.storage.scans_records import Cause, ScanValues, ScanVehicle
@@ -22,6 +24,7 @@ _NUMBERS = (
     "misalignment_px",
     "u_misalignment_px",
     "gain",
+    "correlation",
 )
 
 
@@ -74,19 +77,47 @@ def crossings_of(values: ScanValues) -> Crossings:
     return Crossings(values.front_line_1, values.rear_line_1, values.front_line_2, values.rear_line_2)
 
 
+def with_wheels(values: ScanValues, lines: tuple[float, float] | None) -> ScanValues:
+    """The same revision with the wheelbase between two lines of strip 1 (None: without).
+
+    Where there is no wheelbase the lines stay, and a warning says why.
+    """
+    if lines is None:
+        return replace(
+            values, front_wheel_line=None, rear_wheel_line=None, wheelbase_m=None, u_wheelbase_m=None
+        )
+    front, rear = sorted(lines)
+    found = wheelbase(motion_of(values), rig_of(values.rig), front, rear)
+    warnings = [*values.warnings, *([f"No wheelbase: {found.reason}"] if found.reason else [])]
+    return replace(
+        values,
+        front_wheel_line=front,
+        rear_wheel_line=rear,
+        wheelbase_m=found.wheelbase_m,
+        u_wheelbase_m=found.u_wheelbase_m,
+        warnings=warnings,
+    )
+
+
+def wheels_of(values: ScanValues) -> tuple[float, float] | None:
+    """The lines of both wheels, where a person clicked them."""
+    if values.front_wheel_line is None or values.rear_wheel_line is None:
+        return None
+    return values.front_wheel_line, values.rear_wheel_line
+
+
 def rig_of(document: JsonObject) -> Rig:
     """The rig of a stored revision."""
     return Rig(**document)
 
 
 def gaps_of(rig: Rig, found: Sequence[ScanVehicle]) -> list[Gap | None]:
-    """The gap before each vehicle, in the order of the vehicles; None for the first."""
-    return [None for _ in found]
-
-
-def other_method(method: Method) -> Method:
-    """The method that a result can be compared with."""
-    return "paper" if method == "direct" else "direct"
+    """The gap before each vehicle, in the order of the vehicles; None for the first and the unmeasured."""
+    measured = [one.measurement.values for one in found if one.measurement is not None]
+    told = gaps([(crossings_of(values), motion_of(values)) for values in measured], rig)
+    before: list[Gap | None] = [None, *told[1:]]
+    after = iter(before)
+    return [None if one.measurement is None else next(after) for one in found]
 
 
 def _profile(motion: Motion) -> JsonObject | None:

@@ -3037,6 +3037,16 @@ export interface components {
             size_bytes: number;
             /** Sha256 */
             sha256: string;
+            /**
+             * Audit Count
+             * @description How many events the audit chain in it has.
+             */
+            audit_count: number;
+            /**
+             * Audit Head
+             * @description The last hash of that chain; keep it elsewhere.
+             */
+            audit_head: string;
             /** Url */
             url: string;
         };
@@ -3545,13 +3555,15 @@ export interface components {
         };
         /**
          * MatchBody
-         * @description Where the pictures of the match lie: pixel (x, y) is line `first_line + x`, row y, of strip 1.
+         * @description Where the pictures of the match lie: pixel (x, y) is line `first_line + step x`, row y, of strip 1.
          */
         MatchBody: {
             /** First Line */
             first_line: number;
             /** Lines */
             lines: number;
+            /** Step */
+            step: number;
             /** Rows Px */
             rows_px: number;
             /** First Url */
@@ -5632,6 +5644,15 @@ export interface components {
             corners_px: number[][];
             /** Residuals Px */
             residuals_px: number[][];
+        };
+        /** WantedBody */
+        WantedBody: {
+            /**
+             * Crops
+             * @description With the pictures that were clicked on.
+             * @default true
+             */
+            crops: boolean;
         };
         /**
          * WheelPairBody
@@ -19673,7 +19694,7 @@ export interface operations {
             header?: never;
             path: {
                 scan_id: number;
-                camera: 1 | 2;
+                camera: number;
                 level: number;
                 index: number;
             };
@@ -21802,7 +21823,11 @@ export interface operations {
             };
             cookie?: never;
         };
-        requestBody?: never;
+        requestBody?: {
+            content: {
+                "application/json": components["schemas"]["WantedBody"] | null;
+            };
+        };
         responses: {
             /** @description Successful Response */
             202: {

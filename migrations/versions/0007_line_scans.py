@@ -199,6 +199,7 @@ def _scan_measurements() -> None:
         sa.Column("misalignment_px", sa.Float(), nullable=True),
         sa.Column("u_misalignment_px", sa.Float(), nullable=True),
         sa.Column("gain", sa.Float(), nullable=True),
+        sa.Column("correlation", sa.Float(), nullable=True),
         sa.Column("front_wheel_line", sa.Float(), nullable=True),
         sa.Column("rear_wheel_line", sa.Float(), nullable=True),
         sa.Column("wheelbase_m", sa.Float(), nullable=True),

@@ -38,6 +38,7 @@ def values(**changed: Any) -> ScanValues:
             misalignment_px=0.41,
             u_misalignment_px=0.02,
             gain=1.04,
+            correlation=-0.8,
             front_wheel_line=None,
             rear_wheel_line=None,
             wheelbase_m=None,
