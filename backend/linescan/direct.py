@@ -14,7 +14,7 @@ from backend.linescan.warp import solved_by_boundaries
 Array = NDArray[np.float64]
 # a sample along the vehicle after pooling, metres; finer says nothing new, the optics blur it
 SAMPLE_M = 0.0028
-MOST_POINTS = 20000
+MOST_POINTS = 12000
 FEWEST_POINTS = 150
 BLOCK_M = 0.10
 BLOCK_ROWS = 12
@@ -136,11 +136,11 @@ def _coarse_to_fine(scene: Scene, start: State, prior: Prior) -> tuple[Fit, Fit]
         inside = np.zeros(first.values.shape, bool)
         place = np.minimum(scene.points.place.astype(int) // times, len(inside) - 1)
         inside[place, scene.points.row.astype(int)] = True
-        points = chosen(first, inside, MOST_POINTS // 4, 0.5)
+        points = chosen(first, inside, MOST_POINTS // 5, 0.5)
         if len(points) < FEWEST_POINTS:
             continue
         block = _blocks(points, 8, BLOCK_ROWS)
-        state = register(first, second, points, scene.clock, state, prior, block, free).state
+        state = register(first, second, points, scene.clock, state, prior, block, free, None, 3).state
     args = scene.first, scene.second, scene.points, scene.clock
     global_fit = register(*args, state, prior, scene.block)
     return global_fit, register(*args, global_fit.state, prior, scene.block, free, scene.cell)

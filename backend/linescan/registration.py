@@ -14,7 +14,8 @@ from backend.linescan.masks import Points, Sheet, sampled
 from backend.linescan.warp import Course
 
 Array = NDArray[np.float64]
-ROUNDS = 12
+ROUNDS = 8
+SETTLED = 1e-5
 LEVEL_DN = 6.0
 TUKEY = 4.7
 
@@ -132,33 +133,34 @@ def register(
     block: NDArray[np.intp],
     free: tuple[bool, ...] = (True, True, True, True, True),
     cell: NDArray[np.intp] | None = None,
+    most_rounds: int = ROUNDS,
 ) -> Fit:
-    """Least squares from `start`; `block` (n,) groups the pixels, `free` says which of the five may move."""
-    state, settled = start, False
+    """Least squares from `start`; `block` (n,) groups the pixels, `free` says which of the five may move.
+
+    With `cell` (n,), every cell has a gain and an offset of its own, and only the motion moves.
+    """
+    state, fit = start, None
     blocks = int(block.max()) + 1
-    last = np.ones(len(points))
-    held = np.flatnonzero(~np.array(free))
-    for _ in range(ROUNDS):
+    weight = np.ones(len(points))
+    held = np.flatnonzero(~np.array(free)) if cell is None else np.array([2, 3, 4])
+    for _ in range(most_rounds):
         seen = look(first, second, points, clock, state)
         if cell is not None:
-            seen = levelled(seen, points.value, last * seen.inside, cell)
+            seen = levelled(seen, points.value, weight * seen.inside, cell)
         weight, scale = _weights(seen, block, blocks)
-        last = weight
         normal, right = _normal(seen, weight, prior, state, scale)
-        for k in held if cell is None else (3, 4, *held):
-            normal[k], normal[:, k], right[k] = 0, 0, 0
-            normal[k, k] = 1
-        step = _solved(normal, right)
+        bound = normal.copy()
+        bound[held], bound[:, held], right[held] = 0, 0, 0
+        bound[held, held] = 1
+        step = _solved(bound, right)
+        small = abs(step[0]) < SETTLED * state.course.speed_mps and bool((np.abs(step[1:3]) < 2e-3).all())
+        # the last look is one small step behind the state, which no uncertainty would notice
         state = _moved(state, step)
-        if abs(step[0]) < 2e-6 * state.course.speed_mps and abs(step[1]) < 2e-4 and abs(step[2]) < 1e-4:
-            settled = True
+        fit = Fit(state, seen, weight, normal, scale, small)
+        if small:
             break
-    seen = look(first, second, points, clock, state)
-    if cell is not None:
-        seen = levelled(seen, points.value, last * seen.inside, cell)
-    weight, scale = _weights(seen, block, blocks)
-    normal, _ = _normal(seen, weight, prior, state, scale)
-    return Fit(state, seen, weight, normal, scale, settled)
+    assert fit is not None
+    return fit
 
 
 def levelled(seen: Look, value: Array, weight: Array, cell: NDArray[np.intp]) -> Look:
