@@ -6,8 +6,9 @@ from urllib.parse import quote
 
 from fastapi import APIRouter
 from fastapi.responses import FileResponse
+from pydantic import Field
 
-from backend.api.bodies import JobBody, Out, WhoBody
+from backend.api.bodies import In, JobBody, Out, WhoBody
 from backend.api.deps import PathId, Reading, Viewer, Wired, Writing
 from backend.storage import exports, surveys
 from backend.storage.records import Export
@@ -16,12 +17,18 @@ from backend.work.exporting import request_export
 router = APIRouter()
 
 
+class WantedBody(In):
+    crops: bool = Field(True, description="With the pictures that were clicked on.")
+
+
 class ExportBody(Out):
     id: int
     created_at: datetime
     created_by: WhoBody | None
     size_bytes: int
     sha256: str
+    audit_count: int = Field(description="How many events the audit chain in it has.")
+    audit_head: str = Field(description="The last hash of that chain; keep it elsewhere.")
     url: str
 
 
@@ -33,14 +40,19 @@ def body_of(made: Export) -> ExportBody:
         created_by=who,
         size_bytes=made.size_bytes,
         sha256=made.sha256,
+        audit_count=made.audit_count,
+        audit_head=made.audit_head,
         url=f"/api/exports/{made.id}.zip",
     )
 
 
 @router.post("/surveys/{survey_id}/exports", status_code=202)
-def make_export(survey_id: PathId, who: Viewer, session: Writing) -> JobBody:
+def make_export(
+    survey_id: PathId, who: Viewer, session: Writing, wanted: WantedBody | None = None
+) -> JobBody:
     """Build the package in the background."""
-    return JobBody.model_validate(request_export(session, survey_id, actor=who.id))
+    crops = wanted is None or wanted.crops
+    return JobBody.model_validate(request_export(session, survey_id, crops=crops, actor=who.id))
 
 
 @router.get("/surveys/{survey_id}/exports")

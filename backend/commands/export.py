@@ -1,7 +1,9 @@
-"""`sightline export`: the CSV package of a survey as a folder."""
+"""`sightline export`: the package of a survey as a folder."""
 
 from __future__ import annotations
 
+import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import click
@@ -18,25 +20,49 @@ from backend.commands.options import data_dir_option, require_database, settings
     type=click.Path(path_type=Path),
     help="Folder to write; an earlier export there is replaced.",
 )
+@click.option("--crops/--no-crops", default=True, help="Cut out the pictures that were clicked on (default).")
 @data_dir_option
-def export(survey: str, output: Path, data_dir: Path | None) -> None:
-    """Write the CSV package of a survey: measurements, vehicles, poses, calibrations, reviews, audit."""
+def export(survey: str, output: Path, crops: bool, data_dir: Path | None) -> None:
+    """Write the package of a survey: tables, poses, crops, audit chain, statistics, figures and report.
+
+    Progress goes to standard error.
+    """
     from backend.storage import database
-    from backend.work.exporting import find_survey, package_of, state_of
-    from backend.work.packaging import write_directory
+    from backend.work.exporting import find_survey
+    from backend.work.exporting_build import build
+    from backend.work.packaging_files import Staging, fresh_folder
+    from backend.work.services import open_services
 
     settings = settings_of(data_dir=data_dir)
     require_database(settings)
-    engine = database.make_engine(settings.database_url)
+    services = open_services(settings)
     try:
-        database.migrate(engine)
-        with database.reading(database.session_factory(engine)) as session:
-            state = state_of(session, find_survey(session, survey).id)
+        database.migrate(services.engine)
+        with services.reading() as session, fresh_folder(output) as folder:
+            staging = Staging(folder)
+            survey_id = find_survey(session, survey).id
+            built = build(staging, session, survey_id, services if crops else None, _told())
     finally:
-        engine.dispose()
-    package = package_of(state)
-    write_directory(package, output)
+        services.close()
     click.echo(
-        f"{len(state.current)} measurements of {len(state.vehicles)} vehicles written to {output} "
-        f"({len(package.files)} files)."
+        f"{built.measurements} measurements of {built.vehicles} vehicles written to {output} "
+        f"({len(staging.written)} files). Audit head {built.head.hash}; keep it elsewhere, for "
+        "`sightline verify --head`."
     )
+
+
+def _told() -> Callable[[float, str], None]:
+    """Progress on standard error: one line that changes on a terminal, one line a step elsewhere."""
+    last = ""
+
+    def tell(fraction: float, words: str) -> None:
+        nonlocal last
+        said = f"{100 * fraction:3.0f} %  {words}"
+        if sys.stderr.isatty():
+            end = "\n" if fraction >= 1.0 else ""
+            click.echo(f"\r{said:<70}{end}", err=True, nl=False)
+        elif words != last:
+            click.echo(said, err=True)
+        last = words
+
+    return tell

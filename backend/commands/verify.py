@@ -17,13 +17,15 @@ DATABASE = "sightline.db"
 
 @click.command()
 @click.argument("place", metavar="DIR_OR_DATABASE")
+@click.option("--head", help="Last hash of the audit chain as you kept it (16 signs or more); for an export.")
 @json_option
-def verify(place: str, as_json: bool) -> None:
+def verify(place: str, head: str | None, as_json: bool) -> None:
     """Check the audit chain of a database (file, data folder or postgresql:// address) or a whole export.
 
-    Of an export also the checksums of its files, and every height, computed again from clicks and pose.
+    Of an export also the sums of its files, every height and every statistic, computed again, and every row
+    against the audit chain. Only --head finds a chain that was written anew from end to end.
     """
-    found = check(place)
+    found = check(place, head)
     if as_json:
         print_json(found)
     if not found["ok"]:
@@ -32,7 +34,7 @@ def verify(place: str, as_json: bool) -> None:
         click.echo(_words(place, found))
 
 
-def check(place: str) -> dict[str, Any]:
+def check(place: str, head: str | None = None) -> dict[str, Any]:
     """What was checked, with `ok` and `problem`. Raises BadInput for a place that is neither."""
     if "://" in place:
         return check_database(place)
@@ -42,15 +44,17 @@ def check(place: str) -> dict[str, Any]:
     if path.is_dir() and (path / DATABASE).is_file():
         path = path / DATABASE
     if path.is_dir() or path.suffix == ".zip":
-        return check_export(path)
+        return check_export(path, head)
     return check_database(sqlite_url(path.absolute()), str(path))
 
 
-def check_export(path: Path) -> dict[str, Any]:
-    """An exported folder or ZIP."""
-    from backend.work.verifying import read_package, verify_package
+def check_export(path: Path, head: str | None = None) -> dict[str, Any]:
+    """An exported folder or ZIP, with the SHA-256 of the ZIP."""
+    from backend.media.store import sha256_of
+    from backend.work.verifying import verify_place
 
-    return {"kind": "export", **asdict(verify_package(read_package(path)))}
+    found = asdict(verify_place(path, head))
+    return {"kind": "export", **found, "sha256": sha256_of(path) if path.is_file() else None}
 
 
 def check_database(url: str, name: str | None = None) -> dict[str, Any]:
@@ -78,6 +82,13 @@ def check_database(url: str, name: str | None = None) -> dict[str, Any]:
 
 def _words(place: str, found: dict[str, Any]) -> str:
     said = f"{place}: the audit chain of {found['checked']} events holds, head {found['head_hash'][:16]}"
-    if found["kind"] == "export":
-        said += f"; {found['files']} files unchanged, {found['heights']} heights computed again and equal"
-    return said + "."
+    if found["kind"] != "export":
+        return said + "."
+    said += (
+        f"; {found['files']} files unchanged, {found['heights']} heights and {found['statistics']} figures "
+        f"of statistics computed again and equal, {found['keys']} keys followed, {found['crops']} crops "
+        f"compared, {found['drawings']} drawings made again."
+    )
+    if found["sha256"] is not None:
+        said += f" SHA-256 {found['sha256']}; compare it with the one on the export page."
+    return " ".join([said, *found["notes"]])

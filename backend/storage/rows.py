@@ -74,7 +74,12 @@ def stored_hash(session: Session, table: Table, row_id: int) -> str:
 
 
 def row_hash(row: Mapping[Any, Any]) -> str:
-    """The hash of a row's content, without its id.
+    """The hash of a row's content."""
+    return content_hash(row_content(row))
+
+
+def row_content(row: Mapping[Any, Any]) -> dict[str, Any]:
+    """What is hashed of a row: all but its id.
 
     Columns that came later are part of it only where they hold something: rows from before keep their hash.
     """
@@ -82,4 +87,4 @@ def row_hash(row: Mapping[Any, Any]) -> str:
     for name, nothing in _CAME_LATER.items():
         if name in content and content[name] == nothing:
             del content[name]
-    return content_hash(content)
+    return content

@@ -1,66 +1,28 @@
-"""Exports: the CSV package of a survey as one transaction saw it; the same state gives the same bytes."""
+"""Exports: the package of a survey as one transaction saw it, built in the background, kept and listed."""
 
 from __future__ import annotations
 
-import hashlib
-import tempfile
-from collections.abc import Mapping
+import shutil
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 from sqlalchemy.orm import Session
 
-from backend.media.store import check_room, key_of
-from backend.storage import (
-    audit,
-    calibrations,
-    cameras,
-    exports,
-    measurements,
-    poses,
-    recordings,
-    reviews,
-    surveys,
-    vehicles,
-    wheel_pairs,
-)
-from backend.storage.records import AuditHead, Job, Survey
-from backend.work import exporting_rows as rows
-from backend.work import exporting_tables as tables
+from backend.errors import NotFound
+from backend.media.store import check_room, key_of, sha256_of
+from backend.storage import exports, surveys
+from backend.storage import jobs as job_table
+from backend.storage.records import Job, Survey
 from backend.work import jobs
-from backend.work.exporting_repeats import REPEATS, repeat_rows
-from backend.work.exporting_rows import SurveyState
-from backend.work.exporting_wheels import WHEEL_PAIRS, wheel_pair_rows
-from backend.work.packaging import (
-    DESCRIPTION,
-    Package,
-    csv_bytes,
-    describe,
-    json_bytes,
-    with_checksums,
-    zip_bytes,
-)
-from backend.work.services import services_of
+from backend.work.exporting_build import Built, Tell, build
+from backend.work.packaging_files import Staging, zip_folder
+from backend.work.services import Services, services_of
 
 KIND = "export"
-
-_ROWS = {
-    tables.MEASUREMENTS: rows.measurement_rows,
-    tables.REVISIONS: rows.revision_rows,
-    tables.BUDGET: rows.budget_rows,
-    tables.CLICKS: rows.click_rows,
-    tables.VEHICLES: rows.vehicle_rows,
-    tables.RECORDINGS: rows.recording_rows,
-    tables.FRAMES: rows.frame_rows,
-    tables.POSES: rows.pose_rows,
-    tables.CALIBRATIONS: rows.calibration_rows,
-    tables.REVIEWS: rows.review_rows,
-    tables.INSETS: rows.inset_rows,
-    WHEEL_PAIRS: lambda state: wheel_pair_rows(state.wheel_pairs),
-    REPEATS: lambda state: repeat_rows(state.repeats),
-    tables.PEOPLE: rows.person_rows,
-    tables.AUDIT: rows.audit_rows,
-}
+_FOLDER = "export-"
+_BUILT, _ZIPPED = 0.85, 0.97  # of the whole work, by progress
 
 
 def find_survey(session: Session, name: str) -> Survey:
@@ -71,78 +33,11 @@ def find_survey(session: Session, name: str) -> Survey:
     return known[0] if known else surveys.by_name(session, name)
 
 
-def state_of(session: Session, survey_id: int) -> SurveyState:
-    """Everything that is stored of a survey. Raises NotFound."""
-    survey = surveys.get(session, survey_id)
-    stored = measurements.list_for_survey(session, survey_id, include_withdrawn=True, include_repeats=True)
-    current = tuple(one for one in stored if one.repeat_of is None)
-    known = {one.id for one in current}
-    return SurveyState(
-        survey=survey,
-        cameras=cameras.list_for_survey(session, survey_id),
-        calibrations=calibrations.list_for_survey(session, survey_id),
-        recordings=recordings.list_for_survey(session, survey_id),
-        poses=poses.whole_for_survey(session, survey_id),
-        vehicles=tuple(sorted(vehicles.list_for_survey(session, survey_id), key=lambda one: one.id)),
-        current=current,
-        revisions=measurements.list_for_survey(session, survey_id, every_revision=True),
-        reviews=tuple(
-            one for one in reviews.list_for_survey(session, survey_id) if one.measurement_id in known
-        ),
-        audit=audit.for_export(session),
-        wheel_pairs=wheel_pairs.list_for_survey(session, survey_id),
-        repeats=tuple(one for one in stored if one.repeat_of is not None),
-    )
-
-
-def package_of(state: SurveyState) -> Package:
-    """All files of the package: tables, poses, calibrations, clicks per pose, description and checksums."""
-    most = rows.most_frames(state)
-    files: dict[str, bytes] = {
-        table.path: csv_bytes(tables.with_frames(table, most), make(state)) for table, make in _ROWS.items()
-    }
-    for pose in state.poses:
-        files[rows.pose_path(pose.id)] = json_bytes(pose.document)
-    for calibration in state.calibrations:
-        files[rows.calibration_path(calibration.id)] = json_bytes(calibration.document)
-    clicks = rows.click_rows(state)
-    for pose_id in sorted({int(str(row["pose_id"])) for row in clicks}):
-        mine = [row for row in clicks if row["pose_id"] == pose_id]
-        files[rows.clicks_path(pose_id)] = csv_bytes(tables.with_frames(tables.CLICKS, most), mine)
-    title = f"{state.survey.name}, {state.survey.site}" if state.survey.site else state.survey.name
-    described = tuple(tables.with_frames(table, most) for table in tables.TABLES)
-    files[DESCRIPTION] = describe(title, _about(state), _last_change(state), described, files)
-    return with_checksums(files)
-
-
-def _about(state: SurveyState) -> str:
-    said = state.survey.description.strip()
-    about = (
-        "Heights of vehicles measured from roadside video with Sightline. Lengths are in metres with six "
-        "decimals; u_ is a standard uncertainty (k = 1), U95_ the half-width of the 95 % interval; pixels "
-        "have (0, 0) at the centre of the top-left pixel. `sightline verify` checks this folder; `sightline "
-        "height --pose poses/pose-N.json --clicks clicks/pose-N.csv` computes its heights again. An "
-        "apostrophe stands before any text that a spreadsheet would run as a formula."
-    )
-    return f"{said}\n\n{about}" if said else about
-
-
-def _last_change(state: SurveyState) -> str | None:
-    """When the last event of the chain happened: the package is dated by its content, not by the clock."""
-    return rows.when(state.audit[-1].at) if state.audit else None
-
-
-def head_of(state: SurveyState) -> AuditHead:
-    """The end of the audit chain that the package carries."""
-    if not state.audit:
-        return AuditHead(0, "")
-    return AuditHead(state.audit[-1].id, state.audit[-1].hash)
-
-
-def request_export(session: Session, survey_id: int, *, actor: int) -> Job:
-    """Queue an export. Raises NotFound."""
+def request_export(session: Session, survey_id: int, *, crops: bool = True, actor: int | None) -> Job:
+    """Queue an export, with or without pictures of the clicks. Raises NotFound."""
     surveys.get(session, survey_id)
-    return jobs.enqueue(session, KIND, {"survey_id": survey_id}, survey_id=survey_id, actor=actor)
+    payload = {"survey_id": survey_id, "crops": crops}
+    return jobs.enqueue(session, KIND, payload, survey_id=survey_id, actor=actor)
 
 
 @jobs.handler(KIND)
@@ -150,30 +45,74 @@ def export(context: jobs.JobContext) -> jobs.Outcome:
     """Build the package, keep it in the media store, and note it with the head of the audit chain."""
     survey_id = int(context.payload["survey_id"])
     services = services_of(context)
-    context.progress(0.05, "Reading the survey.")
-    with services.reading() as session:
-        state = state_of(session, survey_id)
-    context.progress(0.4, "Writing the tables.")
-    content = zip_bytes(package_of(state))
-    context.progress(0.8, "Storing the package.")
-    sha256 = hashlib.sha256(content).hexdigest()
-    key = key_of(sha256, ".zip")
-    check_room(services.scratch, 2 * len(content), "this export")  # here, and in the media store
-    with tempfile.TemporaryDirectory(dir=services.scratch) as folder:
-        path = Path(folder) / "export.zip"
-        path.write_bytes(content)
-        services.media.put_file(key, path)
+    pictures = services if context.payload.get("crops", True) else None
+    context.progress(0.0, "Reading the survey.")
+    with _scratch(services, context.job.id) as folder:
+        built, package = _package(services, survey_id, pictures, folder, _within(context.progress, _BUILT))
+        context.progress(_ZIPPED, "Storing the package.")
+        size, sha256 = package.stat().st_size, sha256_of(package)
+        key = key_of(sha256, ".zip")
+        services.media.put_file(key, package, link=True)
+    result = {"measurements": built.measurements, "vehicles": built.vehicles, "crops": built.crops}
 
     def store(session: Session) -> Mapping[str, Any]:
         made = exports.add(
             session,
             survey_id,
             media_key=key,
-            size_bytes=len(content),
+            size_bytes=size,
             sha256=sha256,
-            head=head_of(state),
+            head=built.head,
             actor=context.actor,
         )
-        return {"export_id": made.id}
+        return {"export_id": made.id, **result}
 
     return store
+
+
+def _package(
+    services: Services, survey_id: int, pictures: Services | None, folder: Path, tell: Tell
+) -> tuple[Built, Path]:
+    """Build and pack; the ZIP is written beside the files and takes their place."""
+    staging = Staging(folder / "package")
+    staging.folder.mkdir()
+    with services.reading() as session:
+        built = build(staging, session, survey_id, pictures, tell)
+    check_room(folder, 2 * sum(one.size for one in staging.written.values()), "this export")
+    package = folder / "package.zip"
+    zip_folder(
+        staging, package, lambda part: tell(1.0 + part * (_ZIPPED / _BUILT - 1.0), "Packing the files.")
+    )
+    return built, package
+
+
+def _within(tell: Tell, most: float) -> Tell:
+    return lambda fraction, words: tell(most * fraction, words)
+
+
+@contextmanager
+def _scratch(services: Services, job_id: int) -> Iterator[Path]:
+    """A folder for one job, gone when it ends; what killed workers left of jobs that are over goes first."""
+    _sweep(services, job_id)
+    folder = services.scratch / f"{_FOLDER}{job_id}"
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir()
+    try:
+        yield folder
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def _sweep(services: Services, job_id: int) -> None:
+    for folder in services.scratch.glob(f"{_FOLDER}*"):
+        number = folder.name.removeprefix(_FOLDER)
+        if number.isdigit() and int(number) != job_id and not _is_running(services, int(number)):
+            shutil.rmtree(folder, ignore_errors=True)
+
+
+def _is_running(services: Services, job_id: int) -> bool:
+    try:
+        with services.reading() as session:
+            return job_table.get(session, job_id).state == "running"
+    except NotFound:
+        return False

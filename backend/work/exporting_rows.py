@@ -2,48 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping
 from datetime import datetime
+from typing import Any
 
-from backend.storage.chain import plain
-from backend.storage.columns import canonical_json
+from backend.storage.exports_query import OfVehicle
 from backend.storage.records import (
-    AuditEvent,
     Calibration,
     Camera,
-    FurtherFrame,
     Measurement,
     Pose,
     Recording,
     Review,
     Survey,
     Vehicle,
-    WheelPair,
     Who,
 )
 from backend.work.packaging import Cell
 
-
-@dataclass(frozen=True, eq=False)
-class SurveyState:
-    """All that is stored of one survey, as one transaction saw it; every tuple in the order of ids."""
-
-    survey: Survey
-    cameras: tuple[Camera, ...]
-    calibrations: tuple[Calibration, ...]
-    recordings: tuple[Recording, ...]
-    poses: tuple[Pose, ...]
-    vehicles: tuple[Vehicle, ...]
-    current: tuple[Measurement, ...]
-    revisions: tuple[Measurement, ...]
-    reviews: tuple[Review, ...]
-    audit: tuple[AuditEvent, ...]
-    wheel_pairs: tuple[WheelPair, ...] = ()
-    repeats: tuple[Measurement, ...] = ()
-
-
-Rows = list[dict[str, Cell]]
+Cells = dict[str, Cell]
 
 
 def when(moment: datetime | None) -> str | None:
@@ -67,7 +44,12 @@ def clicks_path(pose_id: int) -> str:
     return f"clicks/pose-{pose_id}.csv"
 
 
-def measured(one: Measurement) -> dict[str, Cell]:
+def record_path(kind: str, row_id: int) -> str:
+    """Where the whole stored content of a pose or calibration is, as the audit chain vouches for it."""
+    return f"records/{kind}-{row_id}.json"
+
+
+def measured(one: Measurement) -> Cells:
     """The columns that a current measurement and a revision share."""
     return {
         "vehicle_id": one.vehicle_id,
@@ -100,7 +82,7 @@ def measured(one: Measurement) -> dict[str, Cell]:
     }
 
 
-def clicked(one: Measurement) -> dict[str, Cell]:
+def clicked(one: Measurement) -> Cells:
     """The two points with their sigma and inset, as `sightline height --clicks` names them."""
     return {
         "contact_x_px": float(one.contact[0]),
@@ -113,114 +95,98 @@ def clicked(one: Measurement) -> dict[str, Cell]:
     }
 
 
-def most_frames(state: SurveyState) -> int:
-    """On how many frames the points of a measurement were clicked at most: so many columns there are."""
-    return max((1 + len(one.more_frames) for one in state.revisions), default=1)
-
-
-def further(one: Measurement) -> dict[str, Cell]:
+def further(one: Measurement) -> Cells:
     """The same two points on the further frames: contact2, target2 on the second, and so on."""
-    cells: dict[str, Cell] = {}
+    cells: Cells = {}
     for k, other in enumerate(one.more_frames, start=2):
         for word, (x, y) in (("contact", other.contact), ("target", other.point)):
             cells |= {f"{word}{k}_x_px": float(x), f"{word}{k}_y_px": float(y)}
     return cells
 
 
-def measurement_rows(state: SurveyState) -> Rows:
-    return [
-        {
-            "id": one.id,
-            "revision": one.revision,
-            **measured(one),
-            "verdict": one.review.verdict,
-            "review_reason": one.review.reason,
-            "reviewer_id": _who(one.review.reviewer),
-            "reviewed_at": when(one.review.at),
-        }
-        for one in state.current
-    ]
+def measurement_row(one: Measurement) -> Cells:
+    return {
+        "id": one.id,
+        "revision": one.revision,
+        **measured(one),
+        "verdict": one.review.verdict,
+        "review_reason": one.review.reason,
+        "reviewer_id": _who(one.review.reviewer),
+        "reviewed_at": when(one.review.at),
+    }
 
 
-def revision_rows(state: SurveyState) -> Rows:
-    return [{"measurement_id": one.id, "revision": one.revision, **measured(one)} for one in state.revisions]
+def revision_row(one: Measurement) -> Cells:
+    return {"measurement_id": one.id, "revision": one.revision, **measured(one)}
 
 
-def budget_rows(state: SurveyState) -> Rows:
+def budget_rows(one: Measurement) -> list[Cells]:
     return [
         {"measurement_id": one.id, "source": str(entry["source"]), "u_m": float(entry["u_m"])}
-        for one in state.current
         for entry in one.budget
     ]
 
 
-def click_rows(state: SurveyState) -> Rows:
-    """One row for every measurement that still counts; those withdrawn are left out."""
-    vehicles = {vehicle.id: vehicle for vehicle in state.vehicles}
-    rows: Rows = []
-    for one in state.current:
-        if one.withdrawn:
-            continue
-        vehicle = vehicles.get(one.vehicle_id)
-        roof = vehicle is not None and one.target == "roof"
-        rows.append(
-            {
-                "id": f"m{one.id}",
-                **clicked(one),
-                **further(one),
-                "lighting": None if vehicle is None else vehicle.lighting,
-                "reference_height_m": vehicle.manufacturer_height_m if vehicle is not None and roof else None,
-                "target": one.target,
-                "category": None if vehicle is None else vehicle.category,
-                "pose_id": one.pose_id,
-                "pose_file": pose_path(one.pose_id),
-            }
-        )
-    return rows
+def click_row(one: Measurement, car: OfVehicle) -> Cells:
+    return {
+        "id": f"m{one.id}",
+        **clicked(one),
+        **further(one),
+        "lighting": car.lighting,
+        "reference_height_m": car.manufacturer_height_m if one.target == "roof" else None,
+        "target": one.target,
+        "category": car.category,
+        "pose_id": one.pose_id,
+        "pose_file": pose_path(one.pose_id),
+    }
 
 
-def vehicle_rows(state: SurveyState) -> Rows:
-    fields = (
-        "id number recording_id first_frame last_frame best_frame make model year category "
-        "manufacturer_height_m u_manufacturer_height_m height_source lighting notes state"
-    )
-    return [{name: getattr(vehicle, name) for name in fields.split()} for vehicle in state.vehicles]
+_OF_VEHICLE = [
+    "id",
+    "number",
+    "recording_id",
+    "first_frame",
+    "last_frame",
+    "best_frame",
+    "make",
+    "model",
+    "year",
+    "category",
+    "manufacturer_height_m",
+    "u_manufacturer_height_m",
+    "height_source",
+    "lighting",
+    "notes",
+    "state",
+]
 
 
-def recording_rows(state: SurveyState) -> Rows:
-    fields = (
-        "id name sha256 size_bytes width_px height_px frame_count duration_s codec container lighting "
-        "camera_id pose_id"
-    )
-    return [
-        {**{name: getattr(one, name) for name in fields.split()}, "variable_rate": one.vfr}
-        for one in state.recordings
-    ]
+def vehicle_row(vehicle: Vehicle) -> Cells:
+    return {name: getattr(vehicle, name) for name in _OF_VEHICLE}
 
 
-def frame_rows(state: SurveyState) -> Rows:
-    """Every frame that any revision was clicked on, once."""
-    seen: dict[tuple[int, int], Measurement | FurtherFrame] = {}
-    for one in state.revisions:
-        clicked_on: tuple[Measurement | FurtherFrame, ...] = (one, *one.more_frames)
-        seen |= {(one.recording_id, frame.frame): frame for frame in clicked_on}
-    return [
-        {
-            "recording_id": recording_id,
-            "frame": frame,
-            "pts": one.pts,
-            "time_s": one.time_s,
-            "crc32": one.frame_crc,
-        }
-        for (recording_id, frame), one in sorted(seen.items())
-    ]
+_OF_RECORDING = [
+    "id",
+    "name",
+    "sha256",
+    "size_bytes",
+    "width_px",
+    "height_px",
+    "frame_count",
+    "duration_s",
+    "codec",
+    "container",
+    "lighting",
+    "camera_id",
+    "pose_id",
+]
 
 
-def pose_rows(state: SurveyState) -> Rows:
-    return [_pose_row(pose) for pose in state.poses]
+def recording_row(one: Recording) -> Cells:
+    return {**{name: getattr(one, name) for name in _OF_RECORDING}, "variable_rate": one.vfr}
 
 
-def _pose_row(pose: Pose) -> dict[str, Cell]:
+def pose_row(pose: Pose) -> Cells:
     board = pose.document.get("board") or {}
     return {
         "id": pose.id,
@@ -248,100 +214,48 @@ def _pose_row(pose: Pose) -> dict[str, Cell]:
     }
 
 
-def calibration_rows(state: SurveyState) -> Rows:
-    names = {camera.id: camera.name for camera in state.cameras}
-    rows: Rows = []
-    for one in state.calibrations:
-        fields = "model width_px height_px fx_px fy_px cx_px cy_px rms_px"
-        rows.append(
-            {
-                "id": one.id,
-                "camera_id": one.camera_id,
-                "camera_name": names.get(one.camera_id),
-                "source": one.source,
-                **{name: one.document.get(name) for name in fields.split()},
-                "distortion": " ".join(repr(float(value)) for value in one.document["distortion"]),
-                "trusted": one.trusted,
-                "document": calibration_path(one.id),
-                "created_by_id": _who(one.created_by),
-                "created_at": when(one.created_at),
-            }
-        )
-    return rows
+def calibration_row(one: Calibration, cameras: Mapping[int, Camera]) -> Cells:
+    fields = "model width_px height_px fx_px fy_px cx_px cy_px rms_px"
+    camera = cameras.get(one.camera_id)
+    return {
+        "id": one.id,
+        "camera_id": one.camera_id,
+        "camera_name": None if camera is None else camera.name,
+        "source": one.source,
+        **{name: one.document.get(name) for name in fields.split()},
+        "distortion": " ".join(repr(float(value)) for value in one.document["distortion"]),
+        "trusted": one.trusted,
+        "document": calibration_path(one.id),
+        "created_by_id": _who(one.created_by),
+        "created_at": when(one.created_at),
+    }
 
 
-def review_rows(state: SurveyState) -> Rows:
-    return [
-        {
-            "id": one.id,
-            "measurement_id": one.measurement_id,
-            "revision": one.revision,
-            "result_revision": one.result_revision,
-            "verdict": one.verdict,
-            "reason": one.reason,
-            "reviewer_id": _who(one.reviewer),
-            "at": when(one.at),
-        }
-        for one in state.reviews
-    ]
+def review_row(one: Review) -> Cells:
+    return {
+        "id": one.id,
+        "measurement_id": one.measurement_id,
+        "revision": one.revision,
+        "result_revision": one.result_revision,
+        "verdict": one.verdict,
+        "reason": one.reason,
+        "reviewer_id": _who(one.reviewer),
+        "at": when(one.at),
+    }
 
 
-def inset_rows(state: SurveyState) -> Rows:
+def inset_rows(survey: Survey) -> list[Cells]:
     return [
         {"target": target, "inset_m": inset.inset_m, "u_inset_m": inset.u_inset_m, "note": inset.note}
-        for target, inset in sorted(state.survey.insets.items())
+        for target, inset in sorted(survey.insets.items())
     ]
 
 
-def person_rows(state: SurveyState) -> Rows:
-    """Everybody who is named in another table, by number and name, and nothing else about them."""
-    people: dict[int, str] = {}
-    for person in _named(state):
-        if person is not None:
-            people[person.id] = person.name
-    return [{"id": number, "name": people[number]} for number in sorted(people)]
+_TOLD = ("at", "actor_id", "action", "entity", "entity_id", "survey_id", "before", "after")
 
 
-def _named(state: SurveyState) -> Iterable[Who | None]:
-    made: Sequence[Measurement | Pose | Calibration] = (*state.revisions, *state.poses, *state.calibrations)
-    yield from (one.created_by for one in made)
-    yield from (one.review.reviewer for one in state.current)
-    yield from (one.reviewer for one in state.reviews)
-    yield from (event.actor for event in _shown(state))
-
-
-def _shown(state: SurveyState) -> list[AuditEvent]:
-    return [event for event in state.audit if event.survey_id == state.survey.id]
-
-
-def audit_rows(state: SurveyState) -> Rows:
-    """The chain from this survey's first event on; rows of other surveys and accounts as links only."""
-    shown = _shown(state)
-    first = shown[0].id if shown else 1
-    return [
-        audit_row(event, event.survey_id != state.survey.id) for event in state.audit if event.id >= first
-    ]
-
-
-def audit_row(event: AuditEvent, withheld: bool) -> dict[str, Cell]:
+def audit_row(event: Mapping[str, Any], withheld: bool) -> Cells:
     """One link; its content as the text that was hashed, or left out."""
-    links: dict[str, Cell] = {
-        "id": event.id,
-        "previous_hash": event.previous_hash,
-        "content_sha256": event.content_sha256,
-        "hash": event.hash,
-        "withheld": withheld,
-    }
-    if withheld:
-        return links
-    return {
-        **links,
-        "at": plain(event.at),
-        "actor_id": _who(event.actor),
-        "action": event.action,
-        "entity": event.entity,
-        "entity_id": event.entity_id,
-        "survey_id": event.survey_id,
-        "before": None if event.before is None else canonical_json(event.before),
-        "after": None if event.after is None else canonical_json(event.after),
-    }
+    links = {name: event[name] for name in ("id", "previous_hash", "content_sha256", "hash")}
+    told = {} if withheld else {name: event[name] for name in _TOLD}
+    return {**links, **told, "withheld": withheld}

@@ -1,15 +1,13 @@
 """What each CSV of an export holds: the name, type, unit and meaning of every column.
 
 This is the data dictionary of the package (`datapackage.json` is made from it); the rows come from
-`exporting_rows.py`.
+`exporting_rows.py`. Which tables a package has, derived ones too, says `exporting_contents.py`.
 """
 
 from __future__ import annotations
 
 from dataclasses import replace
 
-from backend.work.exporting_repeats import REPEATS
-from backend.work.exporting_wheels import WHEEL_PAIRS
 from backend.work.packaging import Column, Table
 
 TARGETS = ("roof", "driver_eye", "taillight", "headlight", "other")
@@ -361,24 +359,6 @@ AUDIT = Table(
         Column("withheld", "boolean", "true where only the hashes are given", required=True),
     ),
     primary=("id",),
-)
-
-TABLES: tuple[Table, ...] = (
-    MEASUREMENTS,
-    REVISIONS,
-    BUDGET,
-    CLICKS,
-    VEHICLES,
-    RECORDINGS,
-    FRAMES,
-    POSES,
-    CALIBRATIONS,
-    REVIEWS,
-    INSETS,
-    WHEEL_PAIRS,
-    REPEATS,
-    PEOPLE,
-    AUDIT,
 )
 
 

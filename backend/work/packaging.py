@@ -1,26 +1,17 @@
-"""The shape of an exported package: described tables, safe CSV, checksums, and whole-or-nothing writing.
+"""The shape of an exported package: described tables, safe cells, and their description for machines.
 
-Nothing here knows what is exported (`exporting_tables.py` does); this file knows how a table becomes CSV
-(contract.md, "Files"), how a Frictionless Data Package describes it, and how bytes reach the disk.
+Nothing here knows what is exported (`exporting_tables.py` does) or touches a disk (`packaging_files.py`
+does); this file knows how a value becomes a cell (contract.md, "Files") and how a Frictionless Data Package
+describes a file.
 """
 
 from __future__ import annotations
 
-import csv
 import hashlib
-import io
 import json
-import os
-import shutil
-import tempfile
-import zipfile
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
-from pathlib import Path
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
-
-from backend.errors import BadInput, NoRoom
-from backend.media.store import check_room
 
 Cell = str | int | float | bool | None
 Row = Mapping[str, Cell]
@@ -69,9 +60,15 @@ class Table:
     primary: tuple[str, ...] = ()
     foreign: tuple[tuple[tuple[str, ...], str, tuple[str, ...]], ...] = ()
 
+    folder: str = ""
+
     @property
     def path(self) -> str:
-        return f"{self.name}.csv"
+        return f"{self.folder}{self.name}.csv"
+
+    @property
+    def header(self) -> list[str]:
+        return [column.name for column in self.columns]
 
     def schema(self) -> dict[str, Any]:
         """The Table Schema: every column, the missing value, the keys."""
@@ -87,16 +84,6 @@ class Table:
                 for mine, table, theirs in self.foreign
             ]
         return schema
-
-
-@dataclass(frozen=True)
-class Package:
-    """All files of one export by relative path, in the order in which they are written."""
-
-    files: Mapping[str, bytes] = field(repr=False)
-
-    def total_bytes(self) -> int:
-        return sum(len(content) for content in self.files.values())
 
 
 def safe_text(text: str) -> str:
@@ -130,16 +117,6 @@ def _number_text(value: float, unit: str) -> str:
     return repr(float(value))
 
 
-def csv_bytes(table: Table, rows: Iterable[Row]) -> bytes:
-    """The table as UTF-8 CSV: comma, line feed, one header row (RFC 4180)."""
-    out = io.StringIO()
-    writer = csv.writer(out, lineterminator="\n")
-    writer.writerow([column.name for column in table.columns])
-    for row in rows:
-        writer.writerow([cell_text(column, row.get(column.name)) for column in table.columns])
-    return out.getvalue().encode("utf-8")
-
-
 def json_bytes(value: object) -> bytes:
     """JSON for people and machines: keys as given, two blanks, one line feed at the end, no NaN."""
     return (json.dumps(value, indent=2, ensure_ascii=False, allow_nan=False) + "\n").encode("utf-8")
@@ -149,24 +126,54 @@ def sha256_hex(content: bytes) -> str:
     return hashlib.sha256(content).hexdigest()
 
 
-def describe(
-    title: str, description: str, created: str | None, tables: Sequence[Table], files: Mapping[str, bytes]
-) -> bytes:
-    """`datapackage.json`: one tabular resource a table, with the hash and size of its bytes."""
-    resources = [_resource(table, files[table.path]) for table in tables]
+@dataclass(frozen=True)
+class Written:
+    """What was written of one file."""
+
+    sha256: str
+    size: int
+
+
+@dataclass(frozen=True)
+class Other:
+    """A file of the package that is no table: its path, kind and meaning."""
+
+    path: str
+    mediatype: str
+    meaning: str
+
+
+@dataclass(frozen=True)
+class About:
+    """What a package says of itself; `made_with` are the versions that drew its figures and its report."""
+
+    title: str
+    description: str
+    created: str | None
+    made_with: Mapping[str, str]
+
+
+def description_of(
+    about: About, tables: Sequence[Table], others: Sequence[Other], written: Mapping[str, Written]
+) -> dict[str, Any]:
+    """`datapackage.json`: one resource for every table and document, with the hash and size of its bytes."""
     package: dict[str, Any] = {
-        "profile": "tabular-data-package",
+        "profile": "data-package",
         "name": "sightline-survey",
-        "title": title,
-        "description": description,
-        "resources": resources,
+        "title": about.title,
+        "description": about.description,
+        "made_with": dict(about.made_with),
+        "resources": [
+            *(_table_resource(table, written[table.path]) for table in tables),
+            *(_other_resource(other, written[other.path]) for other in others),
+        ],
     }
-    if created is not None:
-        package["created"] = created
-    return json_bytes(package)
+    if about.created is not None:
+        package["created"] = about.created
+    return package
 
 
-def _resource(table: Table, content: bytes) -> dict[str, Any]:
+def _table_resource(table: Table, written: Written) -> dict[str, Any]:
     return {
         "name": table.name,
         "path": table.path,
@@ -177,70 +184,21 @@ def _resource(table: Table, content: bytes) -> dict[str, Any]:
         "mediatype": "text/csv",
         "encoding": "utf-8",
         "dialect": {"delimiter": ",", "lineTerminator": "\n", "header": True},
-        "bytes": len(content),
-        "hash": f"sha256:{sha256_hex(content)}",
+        "bytes": written.size,
+        "hash": f"sha256:{written.sha256}",
         "schema": table.schema(),
     }
 
 
-def with_checksums(files: Mapping[str, bytes]) -> Package:
-    """The files in order of path, and last the list of their SHA-256 sums (the format of sha256sum)."""
-    ordered = {path: files[path] for path in sorted(files)}
-    lines = [f"{sha256_hex(content)}  {path}\n" for path, content in ordered.items()]
-    return Package(files={**ordered, CHECKSUMS: "".join(lines).encode("utf-8")})
-
-
-def zip_bytes(package: Package) -> bytes:
-    """The package as a ZIP whose bytes depend on nothing but its content (fixed times and modes)."""
-    out = io.BytesIO()
-    with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED, compresslevel=6) as archive:
-        for path, content in package.files.items():
-            entry = zipfile.ZipInfo(path, date_time=(1980, 1, 1, 0, 0, 0))
-            entry.compress_type = zipfile.ZIP_DEFLATED
-            entry.external_attr = 0o644 << 16
-            entry.create_system = 3
-            archive.writestr(entry, content)
-    return out.getvalue()
-
-
-def write_directory(package: Package, target: Path) -> None:
-    """Write the package as a folder that appears whole or not at all.
-
-    Raises:
-        BadInput: the place is taken by something that is not an earlier export.
-        NoRoom: the disk is full (nothing is left behind).
-    """
-    _refuse_strangers(target)
-    target.parent.mkdir(parents=True, exist_ok=True)
-    check_room(target.parent, sum(map(len, package.files.values())), "this export")
-    fresh = Path(tempfile.mkdtemp(prefix=f".{target.name}-", dir=target.parent))
-    try:
-        for path, content in package.files.items():
-            place = fresh / path
-            place.parent.mkdir(parents=True, exist_ok=True)
-            place.write_bytes(content)
-        fresh.chmod(0o755)
-        _put_in_place(fresh, target)
-    except OSError as error:
-        raise NoRoom(
-            f"{target} could not be written ({error.strerror}); free some space and export again."
-        ) from error
-    finally:
-        shutil.rmtree(fresh, ignore_errors=True)
-
-
-def _refuse_strangers(target: Path) -> None:
-    if target.is_symlink() or (target.exists() and not target.is_dir()):
-        raise BadInput(f"{target} is a file; name a folder for the export that does not exist yet.")
-    if target.is_dir() and any(target.iterdir()) and not (target / CHECKSUMS).is_file():
-        raise BadInput(f"{target} holds other files; name a folder that is empty or does not exist yet.")
-
-
-def _put_in_place(fresh: Path, target: Path) -> None:
-    if not target.exists():
-        os.rename(fresh, target)
-        return
-    old = Path(tempfile.mkdtemp(prefix=f".{target.name}-old-", dir=target.parent))
-    os.rename(target, old / "export")
-    os.rename(fresh, target)
-    shutil.rmtree(old, ignore_errors=True)
+def _other_resource(other: Other, written: Written) -> dict[str, Any]:
+    stem, _, suffix = other.path.rpartition(".")
+    return {
+        "name": stem.replace("/", "-").replace("_", "-").lower(),
+        "path": other.path,
+        "profile": "data-resource",
+        "description": other.meaning,
+        "format": suffix,
+        "mediatype": other.mediatype,
+        "bytes": written.size,
+        "hash": f"sha256:{written.sha256}",
+    }

@@ -1,8 +1,8 @@
-import { useState } from "preact/hooks";
+import { useEffect, useState } from "preact/hooks";
 import { api } from "../../api";
 import { Button, Empty, JobProgress, Loading, Notice, Problem, TableScroll } from "../../components";
 import type { ScreenProps } from "../../router";
-import { cancelJob, useJob } from "../../state/jobs";
+import { cancelJob, isOver, useJob } from "../../state/jobs";
 import { useResource } from "../../state/resource";
 import { survey } from "../../state/survey";
 import { toast } from "../../state/toasts";
@@ -12,14 +12,18 @@ import { formatBytes, plural } from "../../units";
 import "./export.css";
 
 const CONTENTS: [file: string, what: string][] = [
+  ["report.pdf", "a few pages for people: set-up, calibration, method, errors, figures, exclusions"],
   ["measurements.csv", "each measurement as it stands: vehicle, target, frame, height and its uncertainty"],
+  ["exclusions.csv", "what counts for no result, and why"],
+  ["statistics, figures", "error table, percentiles, distributions and corrections as CSV; figures as SVG"],
+  ["crops", "the picture that each click was made on, unmarked, and with its points beside it"],
   ["revisions.csv, budget.csv", "every revision with its clicks, and where its uncertainty comes from"],
   ["clicks/pose-N.csv", "the clicks alone: “sightline height” computes the same heights from them"],
   ["vehicles.csv", "make, model, year, manufacturer height and its source, lighting"],
   ["recordings.csv, frames.csv", "file hashes, and the time stamp and checksum of each frame measured on"],
   ["poses, calibrations", "where the camera stood and what its lens does, as tables and as JSON"],
   ["insets.csv, wheel_pairs.csv", "insets in force; both tyres of a vehicle, for its direction of travel"],
-  ["reviews.csv", "who accepted, fixed or rejected what, and why"],
+  ["reviews.csv, repeats.csv", "who accepted, fixed or rejected what, and why; what was clicked again"],
   ["audit.csv", "each change with its hash; the chain can be checked"],
   ["datapackage.json", "name, unit and meaning of every column (Frictionless Data)"],
 ];
@@ -34,6 +38,8 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
   const [starting, setStarting] = useState(false);
   const [problem, setProblem] = useState<unknown>(null);
   const [failed, setFailed] = useState<string | null>(null);
+  const [crops, setCrops] = useState(true);
+  useRunning(Number(surveyId), setJobId);
   const job = useJob(
     jobId,
     (over) => {
@@ -51,7 +57,7 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
     setProblem(null);
     setFailed(null);
     try {
-      setJobId((await api.post<Job>(`/surveys/${surveyId}/exports`)).id);
+      setJobId((await api.post<Job>(`/surveys/${surveyId}/exports`, { crops })).id);
     } catch (error) {
       setProblem(error);
     }
@@ -68,9 +74,25 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
             A zip file with everything needed to check each height, and to compute it again.
           </p>
         </div>
-        <Button kind="primary" icon="package" busy={starting || jobId !== null} onClick={() => void build()}>
-          Build the package
-        </Button>
+        <div class="row row--wrap">
+          <label class="row">
+            <input
+              type="checkbox"
+              checked={crops}
+              disabled={jobId !== null}
+              onChange={(event) => setCrops(event.currentTarget.checked)}
+            />
+            <span>with pictures of the clicks</span>
+          </label>
+          <Button
+            kind="primary"
+            icon="package"
+            busy={starting || jobId !== null}
+            onClick={() => void build()}
+          >
+            Build the package
+          </Button>
+        </div>
       </header>
       {counts && open > 0 && (
         <Notice kind="warning">
@@ -99,11 +121,15 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
         {!packages.data && packages.loading && <Loading what="packages" />}
         {packages.data?.length === 0 && (
           <Empty title="No package yet">
-            <p>Press “Build the package”; it takes a few seconds, and you can go on working meanwhile.</p>
+            <p>
+              Press “Build the package”. It takes from seconds to minutes, with the number of pictures, and
+              you can go on working meanwhile.
+            </p>
           </Empty>
         )}
         {packages.data && packages.data.length > 0 && <Packages list={packages.data} />}
       </section>
+      {packages.data && packages.data.length > 0 && <Checking newest={packages.data[0]} />}
       <section class="panel">
         <header class="panel__head">
           <h2>What is in a package</h2>
@@ -125,11 +151,27 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
   );
 }
 
+/** A package that is being built when the page is opened is followed as if it had been started here. */
+function useRunning(surveyId: number, found: (jobId: number) => void) {
+  useEffect(() => {
+    const stop = new AbortController();
+    api
+      .get<Job[]>(`/jobs?survey_id=${surveyId}`, { signal: stop.signal })
+      .then((jobs) => {
+        const running = jobs.find((job) => job.kind === "export" && !isOver(job));
+        if (running) found(running.id);
+      })
+      .catch(() => undefined); // the list of packages tells what is wrong
+    return () => stop.abort();
+  }, [surveyId]);
+}
+
+async function copy(text: string, said: string) {
+  await navigator.clipboard.writeText(text);
+  toast(said);
+}
+
 function Packages({ list }: { list: ExportPackage[] }) {
-  const copy = async (sha256: string) => {
-    await navigator.clipboard.writeText(sha256);
-    toast("The SHA-256 is on the clipboard.");
-  };
   return (
     <TableScroll label="Packages">
       <table class="table table--hover">
@@ -139,6 +181,7 @@ function Packages({ list }: { list: ExportPackage[] }) {
             <th>by</th>
             <th class="num">size</th>
             <th>SHA-256</th>
+            <th>head of the audit chain</th>
             <th>
               <span class="visually-hidden">download</span>
             </th>
@@ -149,17 +192,9 @@ function Packages({ list }: { list: ExportPackage[] }) {
             <tr key={entry.id}>
               <td class="nowrap">{formatMoment(entry.created_at)}</td>
               <td class="nowrap">{entry.created_by?.name ?? "–"}</td>
-              <td class="num">{formatBytes(entry.size_bytes)}</td>
-              <td class="export__hash">
-                <code title={entry.sha256}>{entry.sha256}</code>
-                <Button
-                  small
-                  kind="quiet"
-                  icon="copy"
-                  label="Copy the SHA-256"
-                  onClick={() => void copy(entry.sha256)}
-                />
-              </td>
+              <td class="num nowrap">{formatBytes(entry.size_bytes)}</td>
+              <Hash text={entry.sha256} what="SHA-256" />
+              <Hash text={entry.audit_head} what="head of the audit chain" />
               <td class="num">
                 <Button small icon="download" href={entry.url} download>
                   Download
@@ -170,5 +205,50 @@ function Packages({ list }: { list: ExportPackage[] }) {
         </tbody>
       </table>
     </TableScroll>
+  );
+}
+
+function Hash({ text, what }: { text: string; what: string }) {
+  return (
+    <td class="export__hash">
+      <code title={text}>{text.slice(0, 16)}…</code>
+      <Button
+        small
+        kind="quiet"
+        icon="copy"
+        label={`Copy the ${what}`}
+        onClick={() => void copy(text, `The ${what} is on the clipboard.`)}
+      />
+    </td>
+  );
+}
+
+/** How the one who receives a package checks it, ready to be copied. */
+function Checking({ newest }: { newest: ExportPackage }) {
+  const name = newest.url.replace(/.*\//, "");
+  const command = `sightline verify ${name} --head ${newest.audit_head}`;
+  return (
+    <section class="panel">
+      <header class="panel__head">
+        <h2>Checking a package</h2>
+      </header>
+      <div class="panel__body stack stack--tight">
+        <p>
+          This checks every file, the audit chain and each row against it, and computes every height and every
+          statistic again. Send the head of the audit chain and the SHA-256 by another way than the package:
+          they find a package that was written anew from end to end.
+        </p>
+        <p class="export__command">
+          <code>{command}</code>
+          <Button
+            small
+            kind="quiet"
+            icon="copy"
+            label="Copy the command"
+            onClick={() => void copy(command, "The command is on the clipboard.")}
+          />
+        </p>
+      </div>
+    </section>
   );
 }

@@ -1,0 +1,271 @@
+"""Building an export: one pass over each stored table, then what is made of the tables written.
+
+Rows are written as they are read; what is held is a page of rows, one byte for each frame of each video, and
+what statistics need of a measurement (some 100 bytes).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass, field
+from itertools import groupby
+
+import numpy as np
+from sqlalchemy.orm import Session
+
+from backend.media.store import check_room
+from backend.storage import (
+    calibrations,
+    cameras,
+    exports_query,
+    frames,
+    poses,
+    recordings,
+    surveys,
+    wheel_pairs,
+)
+from backend.storage.exports_query import OfVehicle
+from backend.storage.records import AuditHead, Measurement, Survey, Who
+from backend.work import exporting_rows as rows
+from backend.work import exporting_tables as tables
+from backend.work.exporting_contents import about_of, others_of, tables_of
+from backend.work.exporting_crops import CROPS, Spots, spots_of, take_crops
+from backend.work.exporting_derived import derive
+from backend.work.exporting_repeats import REPEATS, repeat_rows
+from backend.work.exporting_wheels import WHEEL_PAIRS, wheel_pair_rows
+from backend.work.packaging import DESCRIPTION, Table, description_of, json_bytes
+from backend.work.packaging_files import Staging, TableWriter
+from backend.work.services import Services
+
+Tell = Callable[[float, str], None]
+# Of one measurement with its revisions, budget and audit events, uncompressed; of one crop.
+_ROW_BYTES, _CROP_BYTES = 4_000, 60_000
+
+
+def silent(_fraction: float, _words: str) -> None:
+    """Progress that nobody follows."""
+
+
+@dataclass(frozen=True)
+class Built:
+    """What was written; `head` is the end of the audit chain that the package carries."""
+
+    head: AuditHead
+    measurements: int
+    vehicles: int
+    crops: int
+
+
+@dataclass(eq=False)
+class _Seen:
+    """What is gathered on the way: people named, frames clicked on, places to crop."""
+
+    people: dict[int, str] = field(default_factory=dict)
+    marks: dict[int, bytearray] = field(default_factory=dict)
+    spots: list[Spots] = field(default_factory=list)
+    crops: bool = False
+    measurements: int = 0
+    vehicles: int = 0
+
+    def name(self, person: Who | None) -> None:
+        if person is not None:
+            self.people[person.id] = person.name
+
+    def mark(self, one: Measurement) -> None:
+        for n in (one.frame, *(more.frame for more in one.more_frames)):
+            marks = self.marks.setdefault(one.recording_id, bytearray())
+            if len(marks) <= n:
+                marks.extend(bytes(n + 1 - len(marks)))
+            marks[n] = 1
+
+
+def build(
+    staging: Staging,
+    session: Session,
+    survey_id: int,
+    services: Services | None = None,
+    tell: Tell = silent,
+) -> Built:
+    """Write the whole package of a survey, as one transaction sees it.
+
+    `services` give the pictures for crops; without them there are none. Raises NotFound, NoRoom, and whatever
+    `tell` raises to stop.
+    """
+    survey = surveys.get(session, survey_id)
+    count = exports_query.count_measurements(session, survey_id)
+    needed = count * (_ROW_BYTES + (_CROP_BYTES if services is not None else 0))
+    check_room(staging.folder, needed, "this export")
+    most = exports_query.most_frames(session, survey_id)
+    seen = _Seen(crops=services is not None)
+    _measurements(
+        staging, session, survey_id, most, seen, _part(tell, 0.0, 0.35, "Writing the measurements."), count
+    )
+    tell(0.35, "Writing vehicles, reviews and the audit chain.")
+    _small_tables(staging, session, survey, seen)
+    head, moment = _audit(staging, session, survey_id, seen)
+    staging.fill(tables.PEOPLE, ({"id": id_, "name": seen.people[id_]} for id_ in sorted(seen.people)))
+    taken = _crops(
+        staging, services, seen, _part(tell, 0.45, 0.75, "Cutting out the pictures of each click.")
+    )
+    derive(staging, _part(tell, 0.75, 1.0, "Computing statistics, drawing figures and the report."))
+    about = about_of(survey.name, survey.site, survey.description, moment)
+    described = description_of(about, tables_of(most), others_of(staging.written), staging.written)
+    staging.add(DESCRIPTION, json_bytes(described))
+    staging.seal()
+    return Built(head, seen.measurements, seen.vehicles, taken)
+
+
+def _part(tell: Tell, start: float, end: float, words: str) -> Callable[[float], None]:
+    """Progress of a part as progress of the whole."""
+    return lambda fraction: tell(start + (end - start) * min(max(fraction, 0.0), 1.0), words)
+
+
+def _measurements(
+    staging: Staging,
+    session: Session,
+    survey_id: int,
+    most: int,
+    seen: _Seen,
+    tick: Callable[[float], None],
+    count: int,
+) -> None:
+    """Everything that is told of measurements, in one pass over the revisions."""
+    done = 0
+    with ExitStack() as stack:
+        out = _Writers(staging, stack, most)
+        for page in exports_query.revision_pages(session, survey_id):
+            current: list[Measurement] = []
+            for _, group in groupby(page, key=lambda pair: pair[0].id):
+                revisions = list(group)
+                done += 1
+                for one, _ in revisions:
+                    seen.name(one.created_by)
+                    seen.mark(one)
+                newest, car = revisions[-1]
+                if newest.repeat_of is not None:
+                    out.repeats.add(repeat_rows([newest])[0])
+                    continue
+                out.measurement([one for one, _ in revisions], car)
+                seen.name(newest.review.reviewer)
+                seen.measurements += 1
+                if not newest.withdrawn:
+                    current.append(newest)
+            if seen.crops:
+                seen.spots.append(spots_of(current))
+            tick(done / max(count, 1))
+
+
+class _Writers:
+    """The open files of all tables that a pass over the measurements fills."""
+
+    def __init__(self, staging: Staging, stack: ExitStack, most: int) -> None:
+        self._staging, self._stack = staging, stack
+        self._clicks_table = tables.with_frames(tables.CLICKS, most)
+
+        def opened(table: Table, path: str | None = None) -> TableWriter:
+            return stack.enter_context(staging.table(tables.with_frames(table, most), path))
+
+        self._opened = opened
+        self._current, self._all = opened(tables.MEASUREMENTS), opened(tables.REVISIONS)
+        self._budget, self._clicks = opened(tables.BUDGET), opened(tables.CLICKS)
+        self._of_poses: dict[int, TableWriter] = {}
+        self.repeats = opened(REPEATS)
+
+    def measurement(self, revisions: Sequence[Measurement], car: OfVehicle) -> None:
+        """One measurement with all its revisions, the newest last."""
+        for one in revisions:
+            self._all.add(rows.revision_row(one))
+        newest = revisions[-1]
+        self._current.add(rows.measurement_row(newest))
+        for row in rows.budget_rows(newest):
+            self._budget.add(row)
+        if not newest.withdrawn:
+            clicks = rows.click_row(newest, car)
+            self._clicks.add(clicks)
+            self._of_pose(newest.pose_id).add(clicks)
+
+    def _of_pose(self, pose_id: int) -> TableWriter:
+        if pose_id not in self._of_poses:
+            self._of_poses[pose_id] = self._opened(tables.CLICKS, rows.clicks_path(pose_id))
+        return self._of_poses[pose_id]
+
+
+def _small_tables(staging: Staging, session: Session, survey: Survey, seen: _Seen) -> None:
+    with staging.table(tables.VEHICLES) as table:
+        for page in exports_query.vehicle_pages(session, survey.id):
+            for vehicle in page:
+                table.add(rows.vehicle_row(vehicle))
+        seen.vehicles = table.rows
+    with staging.table(tables.REVIEWS) as table:
+        for reviews in exports_query.review_pages(session, survey.id):
+            for review in reviews:
+                seen.name(review.reviewer)
+                table.add(rows.review_row(review))
+    staging.fill(tables.RECORDINGS, map(rows.recording_row, recordings.list_for_survey(session, survey.id)))
+    staging.fill(tables.FRAMES, _frame_rows(session, seen))
+    staging.fill(tables.INSETS, rows.inset_rows(survey))
+    pairs = wheel_pairs.list_for_survey(session, survey.id)
+    for pair in pairs:
+        seen.name(pair.created_by)
+    staging.fill(WHEEL_PAIRS, wheel_pair_rows(sorted(pairs, key=lambda pair: pair.id)))
+    _set_up(staging, session, survey, seen)
+
+
+def _set_up(staging: Staging, session: Session, survey: Survey, seen: _Seen) -> None:
+    """Poses and calibrations: as tables, as files for the command line, and as the audit chain knows them."""
+    found = poses.whole_for_survey(session, survey.id)
+    staging.fill(tables.POSES, map(rows.pose_row, found))
+    by_id = {camera.id: camera for camera in cameras.list_for_survey(session, survey.id)}
+    lenses = calibrations.list_for_survey(session, survey.id)
+    staging.fill(tables.CALIBRATIONS, (rows.calibration_row(one, by_id) for one in lenses))
+    for pose in found:
+        seen.name(pose.created_by)
+        staging.add(rows.pose_path(pose.id), json_bytes(pose.document))
+    for lens in lenses:
+        seen.name(lens.created_by)
+        staging.add(rows.calibration_path(lens.id), json_bytes(lens.document))
+    for kind, contents in (
+        ("pose", exports_query.pose_contents(session, survey.id)),
+        ("calibration", exports_query.calibration_contents(session, survey.id)),
+    ):
+        for row_id, content in contents.items():
+            staging.add(rows.record_path(kind, row_id), json_bytes(content))
+
+
+def _frame_rows(session: Session, seen: _Seen) -> Iterator[rows.Cells]:
+    """Every frame that was clicked on, once, as the frame table has it."""
+    for recording_id in sorted(seen.marks):
+        table = frames.table(session, recording_id)
+        for n in np.flatnonzero(np.frombuffer(seen.marks[recording_id], np.uint8)):
+            if n < len(table):
+                yield {
+                    "recording_id": recording_id,
+                    "frame": int(n),
+                    "pts": int(table.pts[n]),
+                    "time_s": float(table.time_s[n]),
+                    "crc32": int(table.crc32[n]),
+                }
+
+
+def _audit(staging: Staging, session: Session, survey_id: int, seen: _Seen) -> tuple[AuditHead, str | None]:
+    """The chain from the survey's first event on; its end, and when this survey's last event happened."""
+    head, moment = AuditHead(0, ""), None
+    with staging.table(tables.AUDIT) as table:
+        for page in exports_query.audit_pages(session, survey_id):
+            for event in page:
+                withheld = event["survey_id"] != survey_id
+                table.add(rows.audit_row(event, withheld))
+                head = AuditHead(event["id"], event["hash"])
+                if not withheld:
+                    moment = str(event["at"]).replace("+00:00", "Z")
+                    if event["actor_id"] is not None:
+                        seen.people[event["actor_id"]] = event["actor_name"] or ""
+    return head, moment
+
+
+def _crops(staging: Staging, services: Services | None, seen: _Seen, tick: Callable[[float], None]) -> int:
+    spots = [page for page in seen.spots if len(page)]
+    if services is None or not spots:
+        return staging.fill(CROPS, ())
+    return take_crops(staging, services, np.concatenate(spots), tick)

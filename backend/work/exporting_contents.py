@@ -1,0 +1,87 @@
+"""What an export consists of: its tables in their order, its other files, and what it says of itself."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from importlib.metadata import version
+
+from backend.work import exporting_statistics as statistics
+from backend.work import exporting_tables as tables
+from backend.work.code_version import code_version
+from backend.work.exporting_crops import CROPS
+from backend.work.exporting_exclusions import EXCLUSIONS
+from backend.work.exporting_repeats import REPEATS
+from backend.work.exporting_wheels import WHEEL_PAIRS
+from backend.work.packaging import About, Other, Table
+
+REPORT = "report.pdf"
+FIGURES = "figures/"
+
+PRIMARY: tuple[Table, ...] = (
+    tables.MEASUREMENTS,
+    tables.REVISIONS,
+    tables.BUDGET,
+    tables.CLICKS,
+    tables.VEHICLES,
+    tables.RECORDINGS,
+    tables.FRAMES,
+    tables.POSES,
+    tables.CALIBRATIONS,
+    tables.REVIEWS,
+    tables.INSETS,
+    WHEEL_PAIRS,
+    REPEATS,
+    tables.PEOPLE,
+    tables.AUDIT,
+    CROPS,
+)
+DERIVED: tuple[Table, ...] = (EXCLUSIONS, *statistics.TABLES)
+
+_OTHERS = (
+    (REPORT, "application/pdf", "Report: site, set-up, calibration, method, errors, figures, exclusions."),
+    (FIGURES, "image/svg+xml", "A figure of the statistics."),
+    ("poses/", "application/json", "A road pose with its camera (sightline-pose-1)."),
+    ("calibrations/", "application/json", "A calibration (sightline-camera-1)."),
+    (
+        "records/",
+        "application/json",
+        "A pose or calibration whole, as the audit chain vouches for it.",
+    ),
+    ("clicks/", "text/csv", "The clicks of one road pose, as `sightline height --clicks` reads them."),
+)
+_ABOUT = (
+    "Heights of vehicles measured from roadside video with Sightline. Lengths are in metres with six "
+    "decimals; u_ is a standard uncertainty (k = 1), U95_ the half-width of the 95 % interval; pixels have "
+    "(0, 0) at the centre of the top-left pixel. `sightline verify` checks this folder; `sightline height "
+    "--pose poses/pose-N.json --clicks clicks/pose-N.csv` computes its heights again. statistics/ is made of "
+    "the accepted measurements in these tables, heights to the micrometre. An apostrophe stands before any "
+    "text that a spreadsheet would run as a formula."
+)
+
+
+def tables_of(most_frames: int) -> tuple[Table, ...]:
+    """Every table, with columns for as many frames as a measurement has at most."""
+    return tuple(tables.with_frames(table, most_frames) for table in (*PRIMARY, *DERIVED))
+
+
+def others_of(paths: Collection[str]) -> tuple[Other, ...]:
+    """The files that are described beside the tables; crops are described by crops.csv."""
+    return tuple(
+        Other(path, mediatype, meaning)
+        for start, mediatype, meaning in _OTHERS
+        for path in sorted(paths)
+        if path.startswith(start)
+    )
+
+
+def about_of(name: str, site: str, description: str, created: str | None) -> About:
+    """What the package of a survey says of itself; it is dated by its last event, not by the clock."""
+    said = description.strip()
+    title = f"{name}, {site}" if site else name
+    return About(title, f"{said}\n\n{_ABOUT}" if said else _ABOUT, created, made_with())
+
+
+def made_with() -> dict[str, str]:
+    """What figures and report were drawn with: the same versions draw the same bytes."""
+    used = ("numpy", "scipy", "matplotlib", "typst")
+    return {"sightline": code_version(), **{name: version(name) for name in used}}

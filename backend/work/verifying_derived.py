@@ -1,0 +1,142 @@
+"""Making again what an export derived from its own tables, and comparing: what was replaced is found."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import re
+from collections.abc import Iterable, Mapping
+from itertools import zip_longest
+
+import cv2
+import numpy as np
+
+from backend.errors import Damaged
+from backend.work.exporting_contents import about_of, others_of, tables_of
+from backend.work.exporting_crops import expected_overlay
+from backend.work.exporting_derived import drawn
+from backend.work.exporting_exclusions import EXCLUSIONS, exclusion_rows
+from backend.work.exporting_measured import PackageStatistics, statistics_of
+from backend.work.exporting_statistics import TABLES, same_cell, statistics_rows
+from backend.work.packaging import DESCRIPTION, Row, Table, Written, cell_text, description_of
+from backend.work.packaging_files import Files, read_columns, read_rows, read_whole
+from backend.work.verifying_chain import Told
+
+_FRAME = re.compile(r"frame(\d+)")
+
+
+def described_tables(files: Files) -> tuple[Table, ...]:
+    """The tables that this program would write, for as many frames as this package has columns for."""
+    with files.open("measurements.csv") as file:
+        header = next(csv.reader(io.TextIOWrapper(file, encoding="utf-8", newline="")), [])
+    numbers = [int(found[1]) for name in header if (found := _FRAME.fullmatch(name))]
+    return tables_of(max(numbers, default=2))
+
+
+def check_description(files: Files, told: Told, written: Mapping[str, Written]) -> list[str]:
+    """datapackage.json is what this program would say of these files; returns what else made the package."""
+    try:
+        found = json.loads(read_whole(files, DESCRIPTION))
+        made_with = dict(found["made_with"])
+    except (ValueError, KeyError, TypeError) as error:
+        raise Damaged(f"{DESCRIPTION} cannot be read; take the whole export again.") from error
+    words = {name: str(told.survey.get(name, "")) for name in ("name", "site", "description")}
+    about = about_of(**words, created=told.moment)
+    expected = description_of(about, described_tables(files), others_of(written), written)
+    other = [f"{name} {one}" for name, one in sorted(made_with.items()) if about.made_with.get(name) != one]
+    expected["made_with"] = found["made_with"]
+    for name in sorted({*found, *expected} - {"resources"}):
+        if found.get(name) != expected.get(name):
+            raise Damaged(f"{DESCRIPTION} has another {name} than the files and the chain; it was changed.")
+    for mine, theirs in zip_longest(expected["resources"], found["resources"]):
+        if mine != theirs:
+            named = (theirs or mine).get("path", "a file")
+            raise Damaged(f"{DESCRIPTION} describes {named} otherwise than this program; it was changed.")
+    return other
+
+
+def check_statistics(files: Files) -> tuple[PackageStatistics, int]:
+    """Every exclusion and every statistic computed again from the rows; how many figures were compared."""
+    _compare(files, EXCLUSIONS, exclusion_rows(files))
+    found = statistics_of(files)
+    rows = statistics_rows(found)
+    return found, sum(_compare(files, table, rows[table.path]) for table in TABLES)
+
+
+def _compare(files: Files, table: Table, rows: Iterable[Row]) -> int:
+    count = 0
+    for at, (told, row) in enumerate(zip_longest(read_rows(files, table.path), rows), start=2):
+        if told is None or row is None:
+            raise Damaged(f"{table.path} has too {'few' if told is None else 'many'} rows; it was changed.")
+        for column in table.columns:
+            found = cell_text(column, row.get(column.name))
+            if not same_cell(column, told[column.name], found):
+                raise Damaged(
+                    f"{table.path}, line {at}: {column.name} says {told[column.name] or 'nothing'}, the rows "
+                    f"give {found or 'nothing'}; one is wrong."
+                )
+            count += column.type == "number" and found != ""
+    return count
+
+
+def check_drawn(files: Files, found: PackageStatistics, written: dict[str, Written]) -> int:
+    """Figures and report drawn again, byte for byte; how many."""
+    made = drawn(files, found, written)
+    for path, content in made:
+        if path not in files.paths or read_whole(files, path) != content:
+            raise Damaged(f"{path} is not the one that these rows and statistics give; it was replaced.")
+    strange = {path for path in files.paths if path.startswith("figures/")} - {path for path, _ in made}
+    if strange:
+        raise Damaged(f"{min(strange)} does not follow from these statistics; it was put in.")
+    return len(made)
+
+
+def check_crops(files: Files, written: Mapping[str, Written]) -> int:
+    """Crops are those that crops.csv names, of their size, with the points of their measurement; how many.
+
+    Whether a crop shows the frame that it names, only the video can tell.
+    """
+    there = {path for path in files.paths if path.startswith("crops/")}
+    if not there:
+        return 0
+    measured = _points(files, {id_ for (id_,) in read_columns(files, "crops.csv", ("measurement_id",))})
+    count = 0
+    for row in read_rows(files, "crops.csv"):
+        if not row["file"]:
+            continue
+        for path in (row["file"], row["overlay"]):
+            if path not in there:
+                raise Damaged(f"{path} is missing or named twice in crops.csv; take the whole export again.")
+            there.discard(path)
+        _check_crop(files, row, measured[row["measurement_id"]], written)
+        count += 1
+    if there:
+        raise Damaged(f"{min(there)} is in no row of crops.csv; it was put in.")
+    return count
+
+
+def _points(files: Files, wanted: set[str]) -> dict[str, dict[str, str]]:
+    return {row["id"]: row for row in read_rows(files, "measurements.csv") if row["id"] in wanted}
+
+
+def _check_crop(
+    files: Files, row: Mapping[str, str], measured: Mapping[str, str], written: Mapping[str, Written]
+) -> None:
+    path = row["file"]
+    k = "" if row["k"] == "1" else row["k"]
+    frame = measured["frame"] if not k else measured[f"frame{k}"]
+    same = (row["frame"], row["recording_id"]) == (frame, measured["recording_id"])
+    for word in ("contact", "target"):
+        for axis in "xy":
+            inside = float(measured[f"{word}{k}_{axis}_px"]) - int(row[f"{axis}_px"])
+            same = same and float(row[f"{word}_{axis}_px"]) == inside
+    if not same:
+        raise Damaged(f"crops.csv: {path} has other points or frames than its measurement; one is wrong.")
+    if written[path].sha256 != row["sha256"]:
+        raise Damaged(f"{path} is not the one whose hash crops.csv holds; it was exchanged.")
+    picture = cv2.imdecode(np.frombuffer(read_whole(files, path), np.uint8), cv2.IMREAD_GRAYSCALE)
+    if picture is None or picture.shape != (int(row["height_px"]), int(row["width_px"])):
+        raise Damaged(f"{path} is no picture of the size that crops.csv tells; it was exchanged.")
+    if read_whole(files, row["overlay"]) != expected_overlay(row, measured):
+        raise Damaged(f"{row['overlay']} does not show the points of its measurement; it was changed.")
