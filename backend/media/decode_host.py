@@ -103,6 +103,7 @@ class _Child:
         self._why: str | None = None
         self._ready = False
         self._end: _Died | None = None
+        self._is_closed = False
         self._reader = threading.Thread(target=self._read, name="decode-reader", daemon=True)
         self._reader.start()
 
@@ -133,7 +134,8 @@ class _Child:
                 self._check_silence(call.recording)
 
     def end(self) -> None:
-        """Kill it and wait for its end."""
+        """Kill it and wait for its end; nobody is blamed for that."""
+        self._is_closed = True
         self.process.kill()
         self._reader.join(5)
 
@@ -204,11 +206,12 @@ class _Child:
         with self._lock:
             calls = list(self._calls.values())
             self._calls.clear()
-            decoding = frozenset(call.recording for call in calls) if self._ready else frozenset()
+            blamed = self._ready and not self._is_closed
+            decoding = frozenset(call.recording for call in calls) if blamed else frozenset()
             why = self._why or _why(status, self._limits)
             self._end = _Died(why, self._blame.died(decoding))
             self._link.close()
-        if calls:
+        if calls and not self._is_closed:
             log.warning("the decoding process %s (status %s) and is started anew", why, status)
         for call in calls:
             call.answer.set_exception(self._end)

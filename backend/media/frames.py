@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from contextlib import nullcontext
 from pathlib import Path
 
 from backend.errors import BadInput, NotFound
 from backend.media.caches import DiskCache, MemoryCache
 from backend.media.display import Display
+from backend.media.onward import Onward
 from backend.media.picture import Bgr, Gray
 from backend.media.seeker import RecordingMedia
 from backend.media.window import NotWanted, Pictures, Wanted, Window, always
@@ -20,9 +22,10 @@ __all__ = ["FrameServer", "NotWanted", "RecordingMedia"]
 class FrameServer:
     """Serves frame n of a recording as it was numbered at ingest, or an error; never another picture.
 
-    Frames come from `pictures`: a decoder in this process unless another is given. Memory holds frames (three
-    quarters, where they are decoded) and JPEGs (a quarter, here); the disk holds JPEGs. Thread-safe. `wanted`
-    (asked between frames) lets a caller give up: the answer is then NotWanted.
+    Frames come from `pictures`: a decoder in this process unless another is given, which then also makes the
+    next ones before they are asked for. Memory holds frames (three quarters, where they are decoded) and
+    JPEGs (a quarter, here); the disk holds JPEGs. Thread-safe. `wanted` (asked between frames) lets a caller
+    give up: the answer is then NotWanted.
 
     All methods raise NotFound for an n outside the table, Damaged if the file does not give the frame whose
     checksum is in the table, or is missing.
@@ -40,6 +43,7 @@ class FrameServer:
         self._pictures = pictures or Window(memory_bytes * 3 // 4, max_open=max_open)
         self._jpegs: MemoryCache[bytes] = MemoryCache(memory_bytes // 4)
         self._disk = DiskCache(cache_dir / "stills", disk_bytes)
+        self._onward = Onward(self._jpegs, pictures, _key) if pictures else None
 
     def still(
         self, media: RecordingMedia, n: int, wanted: Wanted = always, display: Display = "plain"
@@ -49,14 +53,20 @@ class FrameServer:
         """
         _check(media, n)
         key = _key(media, n, display)
-        data = self._jpegs.get(key)
+        data = self._jpegs.get(key) or self._onward_gives(key, wanted)
         if data is None:
             data = self._disk.get(key)
             if data is None:
-                data = self._pictures.still(media, n, wanted, display)
+                with self._onward.first() if self._onward else nullcontext():
+                    data = self._pictures.still(media, n, wanted, display)
                 self._disk.put(key, data)
             self._jpegs.put(key, data, len(data))
+        if self._onward and display == "plain":
+            self._onward.asked(media, n, len(data))
         return data
+
+    def _onward_gives(self, key: str, wanted: Wanted) -> bytes | None:
+        return self._onward.coming(key, wanted) if self._onward else None
 
     def prepare(self, media: RecordingMedia, n: int, wanted: Wanted = always) -> int:
         """Have frame n ready on disk before somebody asks; its size there in bytes."""
@@ -136,6 +146,8 @@ class FrameServer:
 
     def close(self) -> None:
         """Close all decoders; caches stay. The server opens them again when asked."""
+        if self._onward:
+            self._onward.close()
         self._pictures.close()
 
 
@@ -150,7 +162,7 @@ def runs(numbers: Iterable[int]) -> list[tuple[int, int]]:
     return found
 
 
-def _key(media: RecordingMedia, n: int, display: Display) -> str:
+def _key(media: RecordingMedia, n: int, display: Display = "plain") -> str:
     kind = "" if display == "plain" else f"-{display}"
     return f"{media.identity}/{n // 1000}/{n}-{int(media.crc[n]):08x}{kind}.jpg"
 

@@ -1,7 +1,9 @@
-"""How fast frames come out: `python tests/bench/bench_media.py [seconds of video]`, medians in ms.
+"""How fast frames come out: `python tests/bench/bench_media.py [seconds of video] [--ten-minutes]`, medians.
 
 Our server beside OpenCV's set(POS_FRAMES) and a bare PyAV seek in the same run; on a busy machine trust the
-ratios, not the milliseconds. Clips are rendered first, with a key frame every 250 frames unless said.
+ratios, not the milliseconds. Clips are rendered first, with a key frame every 250 frames unless said. Steps
+are measured at an operator's speed, with time in between in which the server works ahead, and as fast as
+they come. With `--ten-minutes` a ten-minute recording in 1080p is ingested too, beside a plain decode of it.
 """
 
 from __future__ import annotations
@@ -29,6 +31,9 @@ from backend.media.writer import write_mp4
 SIZES = ((640, 480), (1920, 1080), (3840, 2160))
 RATE = 25
 GOP = 250
+STEPS_HZ = 8
+PACES = ((f"{STEPS_HZ} a second", STEPS_HZ), ("as fast as they come", 0))
+TEN_MINUTES_S = 600
 
 
 def scene(count: int, width: int, height: int) -> Iterator[NDArray[np.uint8]]:
@@ -42,10 +47,13 @@ def scene(count: int, width: int, height: int) -> Iterator[NDArray[np.uint8]]:
         yield cv2.add(base[:, shift : shift + width], noise[y : y + height, x : x + width])
 
 
-def median_ms(action: Callable[[int], object], numbers: Sequence[int]) -> float:
-    """Median wall time of one call, in ms."""
+def median_ms(action: Callable[[int], object], numbers: Sequence[int], steps_hz: float = 0) -> float:
+    """Median wall time of one call, in ms; `steps_hz` calls a second, or one right after the other."""
     times = []
-    for n in numbers:
+    begun = time.perf_counter()
+    for k, n in enumerate(numbers):
+        if steps_hz:
+            time.sleep(max(0.0, begun + (k + 1) / steps_hz - time.perf_counter()))
         start = time.perf_counter()
         action(n)
         times.append(1000 * (time.perf_counter() - start))
@@ -114,23 +122,17 @@ def bench(width: int, height: int, duration_s: int, folder: Path) -> None:
 def show_table(media: RecordingMedia, folder: Path) -> None:
     """Stills of the frame server, decoded in a child as in the server, beside two readers without a cache."""
     count = len(media)
-    jumps = random.Random(3).sample(range(count), 3)
+    jumps = random.Random(3).sample(range(count), 5)
     on = list(range(count // 2, count // 2 + 15))
-    back = list(range(on[0] - 2, on[0] - 17, -1))
-    server = served(folder / f"{media.path.stem}-steps")
-    server.still(media, on[0] - 1)
-    stills = median_ms(lambda n: server.still(media, n), on)
-    again = median_ms(lambda n: server.still(media, n), on)
-    steps_back = median_ms(lambda n: server.still(media, n), back)
-    crop = median_ms(lambda n: server.crop_png(media, n, 100, 100, 64, 64, 4), back)
-    server.close()
+    back = on[-2:2:-1]
     pyav, opencv = bare_seek(media.path, media), opencv_seek(media.path)
-    print(f"  {'ms':<34} {'Sightline':>10} {'OpenCV':>10} {'bare PyAV':>10}   goal")
-    print_row("next frame, decoder warm", "50", stills, median_ms(opencv, on[:2]), median_ms(pyav, on[:2]))
-    print_row("the same frame again", "16", again, median_ms(opencv, on[:2]), median_ms(pyav, on[:2]))
-    print_row(
-        "back step in the window", "10", steps_back, median_ms(opencv, back[:2]), median_ms(pyav, back[:2])
-    )
+    theirs = median_ms(opencv, on[:2]), median_ms(pyav, on[:2])
+    print(f"  {'ms':<40} {'Sightline':>10} {'OpenCV':>10} {'bare PyAV':>10}   goal")
+    for how, hz in PACES:
+        print_row(f"next frame, {how}", "50", steps_on(media, folder, on, hz), *theirs)
+    theirs = median_ms(opencv, back[:2]), median_ms(pyav, back[:2])
+    for how, hz in PACES:
+        print_row(f"back step in the window, {how}", "10", steps_back(media, folder, back, hz), *theirs)
     print_row(
         "cold jump, decoder closed",
         "300 at 1080p",
@@ -138,7 +140,22 @@ def show_table(media: RecordingMedia, folder: Path) -> None:
         median_ms(lambda n: opencv_seek(media.path)(n), jumps),
         median_ms(lambda n: bare_seek(media.path, media)(n), jumps),
     )
-    print(f"  {'loupe crop 64x64 PNG':<34} {crop:10.1f}")
+
+
+def steps_on(media: RecordingMedia, folder: Path, numbers: Sequence[int], hz: float) -> float:
+    """Median ms of steps on after a jump."""
+    with closing(served(folder / f"{media.path.stem}-on-{hz}")) as server:
+        server.still(media, numbers[0] - 1)
+        return median_ms(lambda n: server.still(media, n), numbers, hz)
+
+
+def steps_back(media: RecordingMedia, folder: Path, numbers: Sequence[int], hz: float) -> float:
+    """Median ms of steps back through frames that are decoded already and of which no still was ever made."""
+    with closing(served(folder / f"{media.path.stem}-back-{hz}")) as server:
+        for n in reversed(numbers):
+            server.gray(media, n)
+        server.still(media, numbers[0] + 1)
+        return median_ms(lambda n: server.still(media, n), numbers, hz)
 
 
 def served(cache: Path) -> FrameServer:
@@ -163,16 +180,60 @@ def cold_jump(media: RecordingMedia, folder: Path) -> Callable[[int], object]:
 
 
 def print_row(what: str, goal: str, ours: float, opencv: float, pyav: float) -> None:
-    print(f"  {what:<34} {ours:10.1f} {opencv:10.1f} {pyav:10.1f}   {goal}")
+    print(f"  {what:<40} {ours:10.1f} {opencv:10.1f} {pyav:10.1f}   {goal}")
 
 
-def main() -> None:
+def repeated(source: Path, target: Path, duration_s: int) -> Path:
+    """The recording again and again until it lasts so long; nothing is encoded anew."""
+    with closing(av.open(str(target), "w")) as out:
+        copy = None
+        shift = 0
+        while copy is None or shift * copy.time_base < duration_s:
+            with closing(av.open(str(source))) as read:
+                stream = read.streams.video[0]
+                copy = copy or out.add_stream_from_template(stream)
+                for packet in read.demux(stream):
+                    if packet.dts is None:
+                        continue
+                    packet.pts += shift
+                    packet.dts += shift
+                    packet.stream = copy
+                    out.mux(packet)
+                shift += int(stream.duration)
+    return target
+
+
+def ten_minutes(folder: Path) -> None:
+    """Ingest beside the mean of a plain decode before and one after it."""
+    short = folder / "short.mp4"
+    write_mp4(short, scene(12 * RATE, 1920, 1080), RATE, crf=23, gop=GOP)
+    path = repeated(short, folder / "long.mp4", TEN_MINUTES_S)
+    walls = []
+    for action in (plain_decode, take_in, plain_decode):
+        begun = time.perf_counter()
+        count = action(path)
+        walls.append(time.perf_counter() - begun)
+    plain = (walls[0] + walls[2]) / 2
+    print(f"1920x1080, ten minutes, {count} frames, {path.stat().st_size / 1e6:.0f} MB")
+    print(f"  ingest {walls[1]:.0f} s, plain decode {plain:.0f} s, ratio {walls[1] / plain:.2f}   goal 1.2")
+
+
+def take_in(path: Path) -> int:
+    found = ingest(path, lambda _: None, lambda: False, path.with_name("thumbs"))
+    assert len(found.frames) >= TEN_MINUTES_S * RATE
+    return len(found.frames)
+
+
+def main(wanted: list[str]) -> None:
     """Render, measure, print."""
-    duration_s = int(sys.argv[1]) if len(sys.argv) > 1 else 6
+    seconds = [int(one) for one in wanted if one.isdigit()]
+    duration_s = seconds[0] if seconds else 6
     with tempfile.TemporaryDirectory() as folder:
+        if "--ten-minutes" in wanted:
+            ten_minutes(Path(folder))
         for width, height in SIZES:
             bench(width, height, max(2, duration_s * 1080 // max(1080, height)), Path(folder))
 
 
 if __name__ == "__main__":
-    main()
+    main(sys.argv[1:])
