@@ -21,7 +21,8 @@ from backend.errors import BadInput
 from backend.media.cancelling import Cancelled
 from backend.media.decode import Damage, decoded, open_container, same_size, video_stream
 from backend.media.passes_background import WINDOW_S, Background, Sampler, Small, foreground, gain_of
-from backend.media.passes_blobs import Box, boxes_of
+from backend.media.passes_blobs import LEAST_AREA_SHARE, Box, boxes_of
+from backend.media.passes_flow import Motion
 from backend.media.passes_judge import FoundPass, View, best_sight, direction_of, is_vehicle, score_of
 from backend.media.passes_stitch import stitched
 from backend.media.passes_tracks import Sight, Track, Tracker
@@ -139,6 +140,8 @@ class PassFinder:
         self._waiting: deque[Reduced] = deque()
         self._kept = _Kept()
         self._gain = 1.0
+        self._motion = Motion()
+        self._before: Small | None = None
 
     def offer(self, picture: Reduced) -> None:
         """The next picture."""
@@ -160,6 +163,7 @@ class PassFinder:
         for _ in range(count):
             picture = self._waiting.popleft()
             boxes = self._boxes(picture.small, road)
+            self._before = picture.small
             self._tracker.step(picture.n, boxes)
             if boxes:
                 self._kept.sharp[picture.n] = picture.sharp
@@ -167,7 +171,10 @@ class PassFinder:
 
     def _boxes(self, small: Small, road: Background) -> list[Box]:
         self._gain = gain_of(small, road, self._gain)
-        return boxes_of(*foreground(small, road, self._gain))
+        mask, solid = foreground(small, road, self._gain)
+        moving = self._before is not None and cv2.countNonZero(mask) >= LEAST_AREA_SHARE * mask.size
+        flow = self._motion.between(small, self._before) if moving and self._before is not None else None
+        return boxes_of(mask, solid, None if flow is None else -flow)
 
     def _found(self, track: Track) -> FoundPass:
         best, whole = best_sight(track, self._view, self._sharpness)

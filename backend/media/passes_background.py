@@ -113,8 +113,15 @@ def foreground(small: Small, road: Background, gain: float) -> tuple[Mask, Mask]
     mask = np.asarray(cv2.medianBlur(mask, 3), np.uint8)
     light = (apart > 0) & (step < STEEP * apart + np.maximum(road.tolerance, SOFT))
     solid = cv2.bitwise_and(mask, _mask(~light))
-    closed = cv2.morphologyEx(mask, cv2.MORPH_CLOSE, np.ones((5, 7), np.uint8))
-    return np.asarray(closed, np.uint8), np.asarray(solid, np.uint8)
+    return _closed(mask), np.asarray(solid, np.uint8)
+
+
+def _closed(mask: Mask) -> Mask:
+    """Small gaps filled; with a border, or what comes near the picture's edge would be taken to touch it."""
+    wide = cv2.copyMakeBorder(mask, 4, 4, 4, 4, cv2.BORDER_CONSTANT, value=0)
+    return np.asarray(
+        cv2.morphologyEx(wide, cv2.MORPH_CLOSE, np.ones((5, 7), np.uint8))[4:-4, 4:-4], np.uint8
+    )
 
 
 def _mask(where: NDArray[np.bool_]) -> Mask:

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Literal
 
+import numpy as np
+
 from backend.media.passes_blobs import Box
 from backend.media.passes_stitch import course, enters, leaves
 from backend.media.passes_tracks import Sight, Track
@@ -14,10 +16,15 @@ from backend.media.passes_tracks import Sight, Track
 LEAST_TRAVEL_SHARE = 0.2
 LEAST_AREA_SHARE = 0.012
 LEAST_SIGHTS = 4
+LEAST_SIGHTS_DOWN = 10
+LEAST_SIGHTS_WITHIN = 15
 LEAST_STRAIGHTNESS = 0.6
 NARROWEST = 0.8
 BORDER_PX = 1.0
 SHARP_WEIGHT = 0.1
+SHOWN_WEIGHT = 0.3
+CLEAR_PX = 4.0
+STEPS = 8
 
 Direction = Literal["right", "left"]
 Sharpness = Callable[[int, Box], float]
@@ -68,25 +75,43 @@ def is_vehicle(track: Track, view: View) -> bool:
     largest = max(sight.box.area_px for sight in seen)
     if abs(way.far_px) < LEAST_TRAVEL_SHARE * view.size[way.axis]:
         return False
-    if largest < LEAST_AREA_SHARE * view.width * view.height or straightness(track) < LEAST_STRAIGHTNESS:
+    if (
+        largest < LEAST_AREA_SHARE * view.width * view.height
+        or straightness(track, way.axis) < LEAST_STRAIGHTNESS
+    ):
         return False
-    widest = max(seen, key=lambda sight: sight.box.width).box
-    return way.axis == 1 or widest.width >= NARROWEST * widest.height
+    if way.axis == 1 and len(seen) < LEAST_SIGHTS_DOWN:
+        return False
+    if not (enters(track, view.size) or leaves(track, view.size)) and len(seen) < LEAST_SIGHTS_WITHIN:
+        return False
+    return way.axis == 1 or _breadth(seen, view) >= NARROWEST
+
+
+def _breadth(seen: list[Sight], view: View) -> float:
+    """Width over height: the middle one of the sights in which all of it is in view, else the largest."""
+    whole = [
+        sight.box.width / sight.box.height for sight in seen if sight.clear and is_whole(sight.box, view)
+    ]
+    if len(whole) >= LEAST_SIGHTS:
+        return float(np.median(whole))
+    return max(sight.box.width / sight.box.height for sight in seen)
 
 
 def score_of(track: Track, whole: bool, view: View) -> float:
     """How much speaks for a vehicle, 0 to 1: straight, driven in and out at the borders, seen whole."""
     marks = enters(track, view.size), leaves(track, view.size), whole
-    return round(0.4 * straightness(track) + 0.2 * sum(marks), 3)
+    return round(0.4 * straightness(track, course(track, view.size).axis) + 0.2 * sum(marks), 3)
 
 
-def straightness(track: Track) -> float:
-    """Net way of the middle over the way it went, 0 to 1: what flickers stays where it is."""
-    middles = [sight.box.middle for sight in _seen(track)]
-    steps = [(b[0] - a[0], b[1] - a[1]) for a, b in pairwise(middles)]
-    went = sum(abs(dx) + abs(dy) for dx, dy in steps)
-    net = abs(middles[-1][0] - middles[0][0]) + abs(middles[-1][1] - middles[0][1])
-    return net / went if went else 0.0
+def straightness(track: Track, axis: int) -> float:
+    """Net way of the middle along an axis over the way it went, 0 to 1: what flickers stays where it is.
+
+    Looked at in a few steps, for what is hidden in part makes the middle jump.
+    """
+    middles = [sight.box.middle[axis] for sight in _seen(track)]
+    picked = [middles[i] for i in sorted({round(at) for at in np.linspace(0, len(middles) - 1, STEPS)})]
+    went = sum(abs(b - a) for a, b in pairwise(picked))
+    return abs(picked[-1] - picked[0]) / went if went else 0.0
 
 
 def direction_of(track: Track, view: View) -> Direction | None:
@@ -99,12 +124,12 @@ def direction_of(track: Track, view: View) -> Direction | None:
 
 def is_whole(box: Box, view: View) -> bool:
     """Whether nothing of it is cut off by the picture's border."""
-    return (
-        box.x0 >= BORDER_PX
-        and box.y0 >= BORDER_PX
-        and box.x1 <= view.width - BORDER_PX
-        and box.y1 <= view.height - BORDER_PX
-    )
+    return _margin_px(box, view) >= BORDER_PX
+
+
+def _margin_px(box: Box, view: View) -> float:
+    """How far it stays from the picture's border."""
+    return min(box.x0, box.y0, view.width - box.x1, view.height - box.y1)
 
 
 def best_sight(track: Track, view: View, sharpness: Sharpness) -> tuple[Sight, bool]:
@@ -112,18 +137,20 @@ def best_sight(track: Track, view: View, sharpness: Sharpness) -> tuple[Sight, b
 
     A vehicle that is never whole is taken where least of it is cut off.
     """
-    seen = _seen(track)
-    whole = [sight for sight in seen if is_whole(sight.box, view)]
+    seen = [sight for sight in _seen(track) if sight.clear] or _seen(track)
+    whole = [sight for sight in seen if sight.clear and is_whole(sight.box, view)]
     sharp = {sight.n: sharpness(sight.n, sight.box) for sight in whole or seen}
     most = max(sharp.values()) or 1.0
 
+    largest = max(sight.box.area_px for sight in whole or seen)
+
     def worth(sight: Sight) -> float:
         off = abs(sight.box.middle[0] / view.width - view.square_at)
-        return SHARP_WEIGHT * sharp[sight.n] / most - off
+        shown = sight.box.area_px / largest - max(0.0, 1.0 - _margin_px(sight.box, view) / CLEAR_PX)
+        return SHARP_WEIGHT * sharp[sight.n] / most + SHOWN_WEIGHT * shown - off
 
     if whole:
         return max(whole, key=worth), True
-    largest = max(sight.box.area_px for sight in seen)
     return max(seen, key=lambda one: one.box.area_px / largest + worth(one)), False
 
 
