@@ -210,7 +210,8 @@ class PackedSheet:
             )
         for top in range(0, self.height_px, pieces.length):
             rows = min(pieces.length, self.height_px - top)
-            yield np.hstack([self._piece(top, i, rows) for i in range(pieces.across)])
+            beside = [self._piece(top, i, rows) for i in range(pieces.across)]
+            yield beside[0] if len(beside) == 1 else np.hstack(beside)
 
     def slabs(self, columns: int) -> Iterator[Pixels] | None:
         pieces = self._pieces
