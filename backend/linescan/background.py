@@ -14,6 +14,8 @@ from backend.linescan.parts import Pixels
 
 Floats = NDArray[np.float32]
 ENOUGH_LINES = 100
+# the lowest part of the picture shows the road and the vehicle's shadow on it
+UPPER_PART = 0.85
 SIGMAS = 6.0
 LEAST_CONTRAST = 0.035
 
@@ -126,6 +128,7 @@ def first_road(block: Pixels, grid: Grid) -> Road:
 
 def same_but_for_light(seen: Floats, road: Road) -> bool:
     """Whether a pooled line (bands,) is the road under another light: gain and offset explain it."""
+    upper = max(1, int(len(seen) * UPPER_PART))
     x, y = road.pooled.astype(float), seen.astype(float)
     design = np.stack([x, np.ones_like(x)], -1)
     for _ in range(3):
@@ -135,4 +138,4 @@ def same_but_for_light(seen: Floats, road: Road) -> bool:
         weight = np.sqrt(np.where(away < limit, 1.0, 0.0))
         design, y = np.stack([x, np.ones_like(x)], -1) * weight[:, None], seen * weight
     left = np.abs(x * answer[0] + answer[1] - seen)
-    return bool(0.4 < answer[0] < 2.5 and np.mean(left < 1.5 * road.threshold_dn) > 0.9)
+    return bool(0.4 < answer[0] < 2.5 and np.mean((left < 1.5 * road.threshold_dn)[:upper]) > 0.88)

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from backend.linescan.background import UPPER_PART
 from backend.linescan.parts import Crossings, Passage, Pixels, Rig
-from backend.linescan.watching import UPPER_PART
 
 Array = NDArray[np.float64]
 BANDS = 48

@@ -18,13 +18,17 @@ MODEL = 1.6
 
 @dataclass(frozen=True)
 class Budget:
-    """Length, and the standard uncertainties with their entries."""
+    """Length, and the standard uncertainties with their entries.
+
+    `apart_m`: by how much the cameras disagree about the front or the rear, whichever is worse.
+    """
 
     length_m: float
     u_speed_mps: float
     u_acceleration_mps2: float
     u_length_m: float
     entries: tuple[Entry, ...]
+    apart_m: float
 
 
 def shift_of(whole: Fit, cluster: NDArray[np.intp]) -> tuple[float, float]:
@@ -60,7 +64,8 @@ def budget_of(
     alone = MODEL**2 * covariance(fit, cluster)[:2, :2]
     answer = _answer_to_shift(fit) * u_shift
     due = np.outer(answer, answer)
-    u_edges = _u_edges(gone(f2) - course.baseline_m, gone(r2) - gone(r1) - course.baseline_m)
+    apart = gone(f2) - course.baseline_m, gone(r2) - gone(r1) - course.baseline_m
+    u_edges = _u_edges(*apart)
     gradient = np.array([by_speed, by_acceleration])
 
     def entry(source: str, spread: Array) -> Entry:
@@ -80,7 +85,7 @@ def budget_of(
         float(np.sqrt(sum(getattr(e, name) ** 2 for e in entries)))
         for name in ("u_speed_mps", "u_acceleration_mps2", "u_length_m")
     ]
-    return Budget(length, u[0], u[1], u[2], entries)
+    return Budget(length, u[0], u[1], u[2], entries, max(map(abs, apart)))
 
 
 def _answer_to_shift(fit: Fit) -> Array:

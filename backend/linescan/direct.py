@@ -6,7 +6,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from backend.linescan.budget import budget_of, shift_of
-from backend.linescan.masks import ROWS, Points, Sheet, chosen, coarser, pooled, silhouette
+from backend.linescan.masks import (
+    ROWS,
+    Points,
+    Sheet,
+    chosen,
+    coarser,
+    pooled,
+    silhouette,
+    softened_noise,
+    softness,
+)
 from backend.linescan.parts import Crossings, Motion, Passage, Profile, Rig
 from backend.linescan.registration import Clock, Fit, Prior, State, register
 from backend.linescan.warp import solved_by_boundaries
@@ -21,6 +31,8 @@ BLOCK_ROWS = 12
 CELL_M = 0.18
 CLUSTER_M = 0.30
 PROFILE_M = 0.15
+UNLIKE_M = 0.05
+MOST_SATURATED = 0.03
 NO_TEXTURE = "Too little of the vehicle stands out clearly enough to be followed from one strip to the other."
 NO_MATCH = (
     "The two pictures of the vehicle do not fit one motion: two vehicles side by side, "
@@ -47,6 +59,7 @@ class Scene:
     cluster: NDArray[np.intp]
     clock: Clock
     lines_per_m: float
+    noise_dn: float
 
 
 def baseline_of(rig: Rig) -> tuple[float, float]:
@@ -94,22 +107,23 @@ def _prepared(passage: Passage, rig: Rig) -> tuple[Scene, State, Prior]:
     lines_per_m = rig.line_rate_hz / course.speed_mps
     step = max(1, round(SAMPLE_M * lines_per_m))
     band = max(1, passage.first.shape[1] // ROWS)
-    first = pooled(passage.first, passage.start_1, step, band)
-    second = pooled(passage.second, passage.start_2, step, band)
+    noise = passage.noise_dn / float(np.sqrt(step * band))
+    soft = softness(noise)
+    first = pooled(passage.first, passage.start_1, step, band, soft)
+    second = pooled(passage.second, passage.start_2, step, band, soft)
     inside = silhouette(first, passage.background_1, passage.noise_dn)
     span = first.place(np.array([c.front_line_1, c.rear_line_1]))
     inside[: max(round(span[0]) - 4, 0)] = False
     inside[max(round(span[1]) + 5, 0) :] = False
-    points = chosen(first, inside, MOST_POINTS, passage.noise_dn)
+    points = chosen(first, inside, MOST_POINTS, noise)
     per_m = lines_per_m / step
-    noise = passage.noise_dn / np.sqrt(step * band)
     block = _blocks(points, BLOCK_M * per_m, BLOCK_ROWS)
     cell = _blocks(points, CELL_M * per_m, int(np.clip(round(noise / 2.5), 1, 4)))
     cluster = _blocks(points, CLUSTER_M * per_m, ROWS + 1)
     prior = Prior()
     if rig.misalignment_px is not None:
         prior = Prior(rig.misalignment_px / band, max(rig.u_misalignment_px, 0.005) / band)
-    scene = Scene(first, second, points, block, cell, cluster, clock, lines_per_m)
+    scene = Scene(first, second, points, block, cell, cluster, clock, lines_per_m, noise)
     return scene, State(course, prior.shift), prior
 
 
@@ -152,9 +166,11 @@ def _distrusted(fit: Fit, scene: Scene, start: State) -> str | None:
     if used.sum() < FEWEST_POINTS:
         return NO_TEXTURE
     moved = abs(fit.state.course.speed_mps / start.course.speed_mps - 1)
-    value, seen = scene.points.value[used], fit.look.residual[used]
-    explained = 1 - float(np.var(seen)) / max(float(np.var(value * fit.state.gain)), 1e-9)
-    if moved > 0.12 or explained < 0.5 or abs(fit.state.course.acceleration_mps2) > 11.5:
+    # by how many samples the pictures typically miss each other, noise taken off
+    noise = 1.5 * softened_noise(scene.noise_dn)
+    left = np.sqrt(max(fit.scale_dn**2 - noise**2, 0.0))
+    missed = left / max(1.4826 * float(np.median(np.abs(fit.look.along))), 1e-6)
+    if moved > 0.12 or (moved > 0.05 and missed > 0.25) or abs(fit.state.course.acceleration_mps2) > 11.5:
         return NO_MATCH
     return None
 
@@ -181,8 +197,24 @@ def _answer(passage: Passage, rig: Rig, scene: Scene, whole: Fit, fit: Fit) -> M
         fit.state.gain,
         budget.entries,
         profile,
-        () if fit.settled else ("The registration did not settle completely.",),
+        _warnings(passage, scene, fit, budget.apart_m),
     )
+
+
+def _warnings(passage: Passage, scene: Scene, fit: Fit, apart_m: float) -> tuple[str, ...]:
+    """What a person should look at before believing the numbers."""
+    said = []
+    if not fit.settled:
+        said.append("The registration did not settle completely.")
+    if apart_m > UNLIKE_M:
+        said.append(
+            f"The cameras disagree by {100 * apart_m:.0f} cm about the front or the rear: look at the "
+            "boundaries, and whether two vehicles pass side by side."
+        )
+    top = 255 if passage.first.dtype == np.uint8 else 65535
+    if max(float(np.mean(picture >= top)) for picture in (passage.first, passage.second)) > MOST_SATURATED:
+        said.append("Part of the picture is saturated: open the exposure less.")
+    return tuple(said)
 
 
 def _profile(scene: Scene, fit: Fit, rig: Rig) -> Profile:

@@ -28,10 +28,10 @@ STOPPED = "The vehicle stopped or nearly stopped in view; mark another vehicle, 
 TOO_LONG = (
     "Something stood in view for longer than a vehicle takes to pass; it stopped, or the light changed."
 )
-CUT = "The vehicle is cut off by the end of the recording."
+CUT = "The vehicle is cut off by the beginning or the end of the recording."
 OTHER_WAY = (
-    "The vehicle reached camera 2 first: it drives the other way, or the two strips are swapped; "
-    "if most vehicles say so, exchange the strips."
+    "The vehicle reached camera 2 first: it drives the other way (alone or beside another), or the two "
+    "strips are swapped; if most vehicles say so, exchange the strips."
 )
 TWO_AT_ONCE = (
     "The two cameras saw it for different lengths of time: two vehicles pass side by side, or it stopped."

@@ -32,7 +32,18 @@ class Sheet:
         return np.asarray(self.start_line + place * self.step)
 
 
-def pooled(picture: Pixels, start: int, step: int, band: int, soft: float = 1.0) -> Sheet:
+def softness(noise_dn: float) -> tuple[float, float]:
+    """Standard deviations (samples, rows) of the softening before matching: wider where noise is high."""
+    return float(np.clip(0.25 * noise_dn, 0.7, 1.4)), float(np.clip(0.35 * noise_dn, 1.0, 2.2))
+
+
+def softened_noise(noise_dn: float) -> float:
+    """What softening leaves of a pixel's noise: a Gaussian of s samples averages 2 s sqrt(pi) of them."""
+    along, across = softness(noise_dn)
+    return noise_dn / float(np.sqrt(4 * np.pi * along * across))
+
+
+def pooled(picture: Pixels, start: int, step: int, band: int, soft: tuple[float, float]) -> Sheet:
     """Means over step x band pixels of a picture (lines, rows) that begins at line `start`, then softened.
 
     Softening keeps the error of interpolating between coarse samples small; both strips get the same.
@@ -42,7 +53,7 @@ def pooled(picture: Pixels, start: int, step: int, band: int, soft: float = 1.0)
     if step > 1 or band > 1:
         size = (rows // band, lines // step)
         cut = np.asarray(cv2.resize(cut.astype(np.float32), size, interpolation=cv2.INTER_AREA))
-    values = cv2.GaussianBlur(cut.astype(np.float32), (0, 0), sigmaX=0.7, sigmaY=soft)
+    values = cv2.GaussianBlur(cut.astype(np.float32), (0, 0), sigmaX=soft[1], sigmaY=soft[0])
     return Sheet(np.asarray(values, np.float32), start + (step - 1) / 2, step, band)
 
 
@@ -83,13 +94,13 @@ class Points:
 def chosen(sheet: Sheet, inside: NDArray[np.bool_], most: int, noise_dn: float) -> Points:
     """The `most` pixels with the clearest change along time, every part of the vehicle getting its share.
 
-    A ceiling for each cell of the picture keeps one sharp edge from speaking for the whole vehicle.
+    noise_dn: of a pixel of the sheet before softening.
     """
     along = np.zeros_like(sheet.values)
     along[1:-1] = (sheet.values[2:] - sheet.values[:-2]) / 2
     across = np.zeros_like(sheet.values)
     across[:, 1:-1] = (sheet.values[:, 2:] - sheet.values[:, :-2]) / 2
-    least = max(2.5 * 0.35 * noise_dn / np.sqrt(sheet.step * sheet.band), 0.4)
+    least = max(2.0 * softened_noise(noise_dn), 0.4)
     good = inside & (np.abs(along) > least)
     good[:3], good[-3:] = False, False
     good[:, :2], good[:, -2:] = False, False

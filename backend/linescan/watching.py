@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from backend.linescan.background import (
     ENOUGH_LINES,
+    UPPER_PART,
     Grid,
     Road,
     blended,
@@ -16,8 +17,6 @@ from backend.linescan.background import (
 )
 from backend.linescan.parts import Pixels
 
-# the lowest part of the picture shows the road and the vehicle's shadow on it
-UPPER_PART = 0.85
 LEAST_PART = 0.04
 
 
