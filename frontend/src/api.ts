@@ -188,6 +188,9 @@ export const api = {
     request<T>("POST", path, body, options),
   put: <T>(path: string, body?: unknown, options: RequestOptions = {}) =>
     request<T>("PUT", path, body, options),
+  /** Changes some fields of a version that was seen; sent once, since a second one would be of an older version. */
+  patch: <T>(path: string, body?: unknown, options: RequestOptions = {}) =>
+    request<T>("PATCH", path, body, { retry: false, ...options }),
   del: <T = void>(path: string, options: RequestOptions = {}) =>
     request<T>("DELETE", path, undefined, options),
   /** Sends one file as multipart form data, with the field name `file`. */

@@ -4,7 +4,7 @@ import { useEffect, useRef } from "preact/hooks";
 import { stored } from "./state/stored";
 
 /** Where an action listens. "point" lies on top of "frames": while a point is selected the arrows move it, not the frame. */
-export type Scope = "anywhere" | "frames" | "measure" | "point" | "review";
+export type Scope = "anywhere" | "frames" | "measure" | "point" | "scan" | "review";
 
 export interface Action {
   label: string;
@@ -71,6 +71,12 @@ export const ACTIONS = {
   nudgeUpFine: { label: "Move the point up 0.1 px", scope: "point", keys: ["Alt+ArrowUp"] },
   nudgeDownFine: { label: "Move the point down 0.1 px", scope: "point", keys: ["Alt+ArrowDown"] },
 
+  scanFit: { label: "Fill the window with the vehicle", scope: "scan", keys: ["Q"] },
+  scanTaller: { label: "Stretch the height", scope: "scan", keys: ["R"] },
+  scanFlatter: { label: "Flatten the height", scope: "scan", keys: ["Shift+R"] },
+  scanWheels: { label: "Click both wheels for the wheelbase", scope: "scan", keys: ["U"] },
+  scanNew: { label: "Add a vehicle by its front and rear", scope: "scan", keys: ["O"] },
+
   reviewAccept: { label: "Accept", scope: "review", keys: ["A"] },
   reviewReject: { label: "Reject", scope: "review", keys: ["X"] },
   reviewFix: { label: "Fix", scope: "review", keys: ["E"] },
@@ -87,6 +93,7 @@ export const SCOPE_NAMES: Record<Scope, string> = {
   frames: "Frames",
   measure: "Measure",
   point: "A selected point",
+  scan: "Line scan",
   review: "Review",
 };
 

@@ -104,6 +104,20 @@ export const ROUTES: readonly Route[] = [
     load: () => import("./screens/repeats/ClickAgainScreen"),
   },
   {
+    name: "scans",
+    pattern: "/surveys/:id/scans",
+    title: "Line scans",
+    layout: "bench",
+    load: () => import("./scan/ScansScreen"),
+  },
+  {
+    name: "scan",
+    pattern: "/surveys/:id/scan",
+    title: "Line scan",
+    layout: "full",
+    load: () => import("./scan/BenchScreen"),
+  },
+  {
     name: "export",
     pattern: "/surveys/:id/export",
     title: "Export",

@@ -123,3 +123,10 @@ export type ToClickAgain = Schemas["BlindBody"];
 export type ExportPackage = Schemas["ExportBody"];
 export type AuditEvent = Schemas["AuditEventBody"];
 export type AuditCheck = Schemas["VerificationBody"];
+
+export type Scan = With<Schemas["ScanBody"], { job: Job | null }>;
+export type ScanVehicle = Schemas["ScanVehicleBody"];
+export type ScanMotion = Schemas["ScanMotionBody"];
+export type ScanVehicleDetail = Schemas["ScanVehicleDetailBody"];
+export type StripUpload = Schemas["StripUploadBody"];
+export type ScanMethod = NonNullable<Schemas["FindWanted"]["method"]>;

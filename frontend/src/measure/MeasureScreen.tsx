@@ -2,11 +2,10 @@
 import { useEffect, useMemo } from "preact/hooks";
 import { Empty, Loading, Problem } from "../components";
 import { Button } from "../components/Button";
-import { hint, useKeys } from "../keys";
+import { useKeys } from "../keys";
 import type { ScreenProps } from "../router";
 import { canWork } from "../state/session";
 import { toastProblem } from "../state/toasts";
-import { useTopTools } from "../state/topbar";
 import { frameKeys, HELD_KEYS } from "../viewer/Transport";
 import { Assist } from "./assist/assist";
 import { FramePanel } from "./FramePanel";
@@ -15,6 +14,7 @@ import { linesShown, MeasureModel } from "./model";
 import { PassList } from "./PassList";
 import { TimelinePanel } from "./TimelinePanel";
 import { useTabs } from "./tabs";
+import { useUndoTools } from "./undoTools";
 import { VehiclePanel } from "./VehiclePanel";
 import "./vehicle.css";
 import "./measure.css";
@@ -37,7 +37,11 @@ export default function MeasureScreen({ surveyId }: ScreenProps) {
   }, [model]);
   useMeasureKeys(model, assist);
   useTabs(model);
-  useUndoButtons(model);
+  useUndoTools(
+    model.undo,
+    () => takeBack(model),
+    () => void model.undo.redo().catch(toastProblem),
+  );
 
   if (model.problem.value) {
     return (
@@ -78,41 +82,6 @@ function NothingToMeasure({ surveyId }: { surveyId: number }) {
         soon as they are read.
       </p>
     </Empty>
-  );
-}
-
-function useUndoButtons(model: MeasureModel): void {
-  const { undoLabel, redoLabel } = model.undo;
-  useTopTools(
-    () => (
-      <>
-        <span data-testid="undo">
-          <Button
-            kind="quiet"
-            icon="undo"
-            label="Undo"
-            title={
-              undoLabel.value ? `Undo: ${undoLabel.value}${hint("undo")}` : `Nothing to undo${hint("undo")}`
-            }
-            disabled={undoLabel.value === null}
-            onClick={() => takeBack(model)}
-          />
-        </span>
-        <span data-testid="redo">
-          <Button
-            kind="quiet"
-            icon="redo"
-            label="Redo"
-            title={
-              redoLabel.value ? `Redo: ${redoLabel.value}${hint("redo")}` : `Nothing to redo${hint("redo")}`
-            }
-            disabled={redoLabel.value === null}
-            onClick={() => void model.undo.redo().catch(toastProblem)}
-          />
-        </span>
-      </>
-    ),
-    [undoLabel.value, redoLabel.value],
   );
 }
 

@@ -20,6 +20,7 @@ export const WORK: readonly WorkEntry[] = [
   { name: "checks", title: "Checks", path: "/checks", icon: "check", step: null },
   { name: "review", title: "Review", path: "/review", icon: "review", step: "review" },
   { name: "repeats", title: "Repeats", path: "/repeats", icon: "retry", step: null },
+  { name: "scans", title: "Line scans", path: "/scans", icon: "scan", step: null },
   { name: "export", title: "Export", path: "/export", icon: "package", step: "results" },
 ];
 

@@ -49,7 +49,7 @@ export default function RecordingsScreen({ surveyId }: ScreenProps) {
       });
     }
   };
-  const mine = uploads.value.filter((item) => item.surveyId === surveyId);
+  const mine = uploads.value.filter((item) => item.surveyId === surveyId && item.purpose === "video");
   const left = (unfinished.data ?? []).filter((old) => !mine.some((item) => item.name === old.filename));
   const canWork = may("operator");
   return (

@@ -55,7 +55,7 @@ function words(item: UploadItem): string {
     case "failed":
       return "stopped";
     case "done":
-      return "here, being read";
+      return item.purpose === "strip" ? "here" : "here, being read";
     case "sending":
       return item.resumedFrom > 0 ? `sending, resumed at ${formatBytes(item.resumedFrom)}` : "sending";
   }

@@ -6,9 +6,13 @@ import { toApiError } from "../../api";
 
 export type UploadState = "waiting" | "sending" | "paused" | "retrying" | "done" | "failed";
 
+/** A video becomes a recording; a strip waits for its line scan. */
+export type UploadPurpose = "video" | "strip";
+
 export interface UploadItem {
   key: number;
   surveyId: number;
+  purpose: UploadPurpose;
   name: string;
   size: number;
   sent: number;
@@ -43,6 +47,7 @@ export async function startUpload(
   surveyId: number,
   file: File,
   onDone: (recordingId: number | null) => void,
+  purpose: UploadPurpose = "video",
 ): Promise<void> {
   const key = nextKey++;
   uploads.value = [
@@ -50,6 +55,7 @@ export async function startUpload(
     {
       key,
       surveyId,
+      purpose,
       name: file.name,
       size: file.size,
       sent: 0,
@@ -71,7 +77,7 @@ export async function startUpload(
   const upload = new Upload(file, {
     endpoint: `/api/surveys/${surveyId}/uploads`,
     headers: { "X-Sightline": "1" },
-    metadata: { filename: file.name },
+    metadata: { filename: file.name, ...(purpose === "strip" ? { purpose } : {}) },
     chunkSize: CHUNK_BYTES,
     retryDelays: RETRY_DELAYS_MS,
     removeFingerprintOnSuccess: true,

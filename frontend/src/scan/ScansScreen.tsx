@@ -1,0 +1,181 @@
+/** The line-scan recordings of a survey, and where new ones come in. */
+import { useState } from "preact/hooks";
+import { api } from "../api";
+import { ask, Button, Empty, JobProgress, Loading, Notice, Problem, StateMark } from "../components";
+import type { ScreenProps } from "../router";
+import { useEvery, useResource } from "../state/resource";
+import { canWork } from "../state/session";
+import { toast, toastProblem } from "../state/toasts";
+import { formatDuration } from "../times";
+import type { Scan } from "../types";
+import { formatCount, formatLength, plural } from "../units";
+import { AddScan } from "./AddScan";
+import "../screens/recordings/recordings.css";
+import "./scan.css";
+
+export default function ScansScreen({ surveyId }: ScreenProps) {
+  const scans = useResource(
+    (signal) => api.get<Scan[]>(`/surveys/${surveyId}/scans`, { signal }),
+    [surveyId],
+  );
+  const [adding, setAdding] = useState(false);
+  const busy = scans.data?.some((scan) => scan.state === "reading" || isWorking(scan)) ?? false;
+  useEvery(busy ? 1000 : null, scans.reload);
+  const none = scans.data?.length === 0;
+  return (
+    <div class="page">
+      <header class="page__head">
+        <div>
+          <h1>Line scans</h1>
+          <p class="page__lead">
+            Two line cameras a known baseline apart: speed, length, acceleration and the gaps between
+            vehicles, with the picture to check each by.
+          </p>
+        </div>
+        {canWork.value && !none && !adding && (
+          <Button kind="primary" icon="add" onClick={() => setAdding(true)}>
+            Add a line scan
+          </Button>
+        )}
+      </header>
+      <Problem error={scans.error} again={scans.reload} />
+      {!scans.data && scans.loading && <Loading what="the line scans" />}
+      {canWork.value && (adding || none) && (
+        <AddScan
+          surveyId={surveyId}
+          onClose={none ? undefined : () => setAdding(false)}
+          added={async () => {
+            setAdding(false);
+            await scans.reload();
+          }}
+        />
+      )}
+      {none && !canWork.value && (
+        <div class="panel">
+          <Empty title="No line scans yet">
+            <p>An operator can upload the strips of both cameras here.</p>
+          </Empty>
+        </div>
+      )}
+      <div class="stack">
+        {scans.data?.map((scan) => (
+          <ScanCard key={scan.id} scan={scan} reload={scans.reload} />
+        ))}
+      </div>
+    </div>
+  );
+}
+
+function isWorking(scan: Scan): boolean {
+  return scan.job?.state === "running" || scan.job?.state === "queued";
+}
+
+function ScanCard({ scan, reload }: { scan: Scan; reload: () => Promise<void> }) {
+  const run = async (work: () => Promise<unknown>): Promise<void> => {
+    try {
+      await work();
+      await reload();
+    } catch (error) {
+      toastProblem(error);
+    }
+  };
+  const remove = () =>
+    run(async () => {
+      const yes = await ask({
+        title: `Delete ${scan.name}?`,
+        body: "Both strips and what was found in them go; a line scan on which somebody worked cannot be deleted.",
+        action: "Delete the line scan",
+      });
+      if (!yes) return;
+      await api.del(`/scans/${scan.id}`);
+      toast(`${scan.name} was deleted.`);
+    });
+  const bench = `/surveys/${scan.survey_id}/scan?scan=${scan.id}`;
+  return (
+    <article class="panel scan-card" data-testid={`scan-${scan.id}`}>
+      {scan.state === "ready" && (
+        <div class="scan-card__picture">
+          <Overview scan={scan} />
+        </div>
+      )}
+      <div class="scan-card__body">
+        <header class="row row--apart">
+          <h2 class="clip">{scan.name}</h2>
+          <div class="row">
+            <StateMark state={scan.state === "reading" ? "ingesting" : scan.state} />
+            {canWork.value && scan.state !== "reading" && (
+              <Button kind="quiet" icon="trash" label={`Delete ${scan.name}`} onClick={() => void remove()} />
+            )}
+          </div>
+        </header>
+        <p class="small muted">{facts(scan)}</p>
+        {isWorking(scan) && scan.job && <JobProgress job={scan.job} />}
+        {scan.state === "failed" && (
+          <Notice
+            kind="problem"
+            actions={
+              canWork.value && (
+                <Button small icon="retry" onClick={() => void run(() => api.post(`/scans/${scan.id}/read`))}>
+                  Read it again
+                </Button>
+              )
+            }
+          >
+            {scan.error ?? "The strips could not be read."}
+          </Notice>
+        )}
+        {scan.notes.map((note) => (
+          <p key={note} class="small">
+            {note}
+          </p>
+        ))}
+        {scan.state === "ready" && (
+          <footer class="row row--apart">
+            <span class="small">{counts(scan)}</span>
+            <Button kind="primary" href={bench}>
+              Open the bench
+            </Button>
+          </footer>
+        )}
+      </div>
+    </article>
+  );
+}
+
+/** The whole recording, squeezed: the coarsest tiles of camera 1. */
+function Overview({ scan }: { scan: Scan }) {
+  const coarsest = scan.levels.at(-1);
+  if (!coarsest) return null;
+  const level = scan.levels.find((one) => one.tiles === 1) ?? coarsest;
+  return (
+    <img
+      src={`/api/scans/${scan.id}/tiles/1/${level.level}/0?v=${scan.tiles_version ?? ""}`}
+      alt=""
+      loading="lazy"
+    />
+  );
+}
+
+function facts(scan: Scan): string {
+  return [
+    scan.lines !== null ? `${formatCount(scan.lines)} lines of ${scan.rows_px} rows` : null,
+    scan.duration_s !== null ? formatDuration(scan.duration_s) : null,
+    `baseline ${formatLength(scan.rig.baseline_m)}`,
+    `${formatCount(scan.rig.line_rate_hz)} lines a second`,
+    scan.source === "video"
+      ? `cut from a video at columns ${scan.column_1_px} and ${scan.column_2_px}`
+      : null,
+  ]
+    .filter(Boolean)
+    .join("  ·  ");
+}
+
+function counts({ counts: one, run }: Scan): string {
+  if (!run && one.vehicles === 0) return "vehicles not looked for yet";
+  const parts = [plural(one.vehicles, "vehicle")];
+  if (one.to_review > 0) parts.push(`${one.to_review} to review`);
+  if (one.accepted > 0) parts.push(`${one.accepted} accepted`);
+  if (one.rejected > 0) parts.push(`${one.rejected} rejected`);
+  if (one.not_measurable > 0) parts.push(`${one.not_measurable} not measurable`);
+  return parts.join(", ");
+}
