@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -26,6 +26,7 @@ from backend.work.services import services_of
 
 SAME_SHARE = 0.5
 NEIGHBOURS = 4
+Report = Callable[[float, str], None]
 _LOOKING = "Looking for vehicles."
 _AGAIN = "Measuring the known vehicles again."
 _NOT_COMPARED = ("cause", "run_id", "code_version", "placed_by")
@@ -62,22 +63,23 @@ def find_vehicles(context: JobContext) -> Finish:
     readers = open_strips(services, scan)
     found = Search()
     if context.payload.get("search", True):
-        found = search(context, scan.rig, method, readers)
-    plans, discarded = plan(context, found, known, by_hand, scan.rig, method, readers)
+        found = search(context.progress, scan.rig, method, readers)
+    plans, discarded = plan(context.progress, found, known, by_hand, scan.rig, method, readers)
 
     def finish(session: Session) -> Mapping[str, Any]:
-        return store(session, context, scan, method, found, plans, discarded)
+        place = {"job_id": context.job.id, "actor": context.actor}
+        return store(session, scan, method, found, plans, discarded, **place)
 
     return finish
 
 
-def search(context: JobContext, rig: Rig, method: Method, readers: Readers) -> Search:
+def search(report: Report, rig: Rig, method: Method, readers: Readers) -> Search:
     """Every vehicle of the strips, measured as soon as it has passed; memory is bounded."""
     finder = Finder(readers[0].rows, rig)
     motions: list[Motion] = []
     for done, passages in _passages(finder, readers):
         motions += [measured(one, rig, method, readers) for one in passages]
-        context.progress(0.9 * done / readers[0].lines, f"{_LOOKING} {len(motions)} so far.")
+        report(0.9 * done / readers[0].lines, f"{_LOOKING} {len(motions)} so far.")
     motions.sort(key=lambda one: one.crossings.front_line_1)
     return Search(tuple(motions), tuple(_notes(motions, finder)))
 
@@ -91,7 +93,7 @@ def _passages(finder: Finder, readers: Readers) -> Iterator[tuple[int, list[Any]
 
 
 def plan(
-    context: JobContext,
+    report: Report,
     found: Search,
     known: Sequence[ScanVehicle],
     by_hand: frozenset[int],
@@ -115,7 +117,7 @@ def plan(
             plans.append(Planned(there, motion, "again"))
     again = [one for one in known if not one.deleted and one.id not in matched and one.measurement]
     for count, one in enumerate(again):
-        context.progress(0.9 + 0.09 * count / len(again), _AGAIN)
+        report(0.9 + 0.09 * count / len(again), _AGAIN)
         assert one.measurement is not None
         motion = measured_at(crossings_of(one.measurement.values), rig, method, readers)
         plans.append(Planned(one, motion, "again"))
@@ -124,15 +126,17 @@ def plan(
 
 def store(
     session: Session,
-    context: JobContext,
     scan: Scan,
     method: Method,
     found: Search,
     plans: Sequence[Planned],
     discarded: int,
+    *,
+    job_id: int | None,
+    actor: int | None,
 ) -> dict[str, Any]:
     """Write the run and what it changes. What somebody changed while it ran stays as they left it."""
-    actor, rig = context.actor, scan.rig
+    rig = scan.rig
     motions = [one.motion for one in plans]
     run = scans_runs.add(
         session,
@@ -146,7 +150,7 @@ def store(
             warnings=list(found.notes),
             code_version=code_version(),
         ),
-        job_id=context.job.id,
+        job_id=job_id,
         actor=actor,
     )
     now = scans_vehicles.list_for_scan(session, scan.id, deleted=True)

@@ -10,11 +10,12 @@ from typing import Any
 import numpy as np
 import pytest
 
+from backend.demonstration.scan_traffic import demo_traffic
 from backend.errors import SightlineError
 from backend.media.ingest import IngestCancelled
 from backend.storage import audit, surveys
 from backend.storage.records import Job
-from backend.work import demo, demo_parts
+from backend.work import demo, demo_parts, demo_scan
 from backend.work.demo_request import ensure_requested
 from backend.work.jobs import Cancelled
 from backend.work.services import Services
@@ -43,6 +44,8 @@ def test_it_is_made_once_and_its_heights_are_the_truth(
         return made[0]
 
     monkeypatch.setattr(demo, "make_parts", make_once)
+    few = functools.partial(demo_scan.make_scan, traffic=demo_traffic()[:2])
+    monkeypatch.setattr(demo_scan, "make_scan", few)
     first, again = request(services), request(services)
     assert first is not None and again is not None and first.id == again.id
 
@@ -64,6 +67,7 @@ def test_it_is_made_once_and_its_heights_are_the_truth(
     survey_id = admin.seen("/session")["demo_survey_id"]
     assert ended[0].result == {"survey_id": survey_id}
     check_truth(services, admin, survey_id)
+    check_scan(admin, survey_id)
     check_people(nobody, admin)
     with services.reading() as session:
         assert surveys.demo_survey_id(session) == survey_id
@@ -100,6 +104,19 @@ def check_truth(services: Services, admin: Client, survey_id: int) -> None:
     assert still.status_code == 200
 
 
+def check_scan(admin: Client, survey_id: int) -> None:
+    """The line scan's vehicles as our own code found them, against the motion that they were made with."""
+    (scan,) = admin.seen(f"/surveys/{survey_id}/scans")
+    assert (scan["state"], scan["counts"]["accepted"]) == ("ready", 2)
+    found = admin.seen(f"/scans/{scan['id']}/vehicles")
+    for one, car in zip(found, demo_traffic()[:2], strict=True):
+        motion = one["measurement"]
+        assert motion["speed_mps"] == pytest.approx(car.speed_mps, rel=0.002)
+        assert one["make"] == car.vehicle.model.make
+        assert abs(one["length_error_m"]) < 0.02 and abs(one["wheelbase_error_m"]) < 0.06
+    assert admin.get(f"/scans/{scan['id']}/tiles/1/0/0").status_code == 200
+
+
 def check_people(nobody: Client, admin: Client) -> None:
     """The two names at the work are no accounts anybody could use."""
     for person in admin.seen("/people"):
@@ -121,6 +138,7 @@ def test_cancelled_by_somebody_it_ends_as_cancelled(
     request(services)
     (job,) = work()
     assert (job.state, job.error) == ("cancelled", None)
+    assert not [one for one in threading.enumerate() if one.name.startswith("demonstration")]
 
 
 @pytest.mark.once
