@@ -89,13 +89,14 @@ class Pieces:
         return self.stored.newbyteorder("=")
 
     def _unpacked(self, data: bytes) -> NDArray[Any]:
-        if self.compression != 1:
-            room = bytearray(self.length * self.width * self.stored.itemsize)
-            try:
-                data = _UNPACK[self.compression](data, out=room)
-            except _PACKED:
-                raise PieceError(cut=False) from None
-        return np.frombuffer(data, self.stored, len(data) // self.stored.itemsize)
+        if self.compression == 1:
+            return np.frombuffer(data, self.stored, len(data) // self.stored.itemsize)
+        room = np.empty(self.length * self.width * self.stored.itemsize, np.uint8)
+        try:
+            found = _UNPACK[self.compression](data, out=room)
+        except _PACKED:
+            raise PieceError(cut=False) from None
+        return np.frombuffer(found, self.stored, len(found) // self.stored.itemsize)
 
 
 def pieces_of(page: tifffile.TiffPage, handle: int, byteorder: str, least: int = 1) -> Pieces:
