@@ -44,7 +44,8 @@ import os, sys
 os.sched_setaffinity(0, [min(os.sched_getaffinity(0))])
 from backend.cli import main
 status = main(sys.argv[1:])
-print(next(line.split()[1] for line in open("/proc/self/status") if line.startswith("VmHWM")), file=sys.stderr)
+about = dict(line.split(":", 1) for line in open("/proc/self/status"))
+print(about["VmHWM"].split()[0], file=sys.stderr)
 sys.exit(status)
 """
 SECONDS = float(sys.argv[1]) if len(sys.argv) > 1 else 20.0
