@@ -185,7 +185,7 @@ class Finder:
         delay = two.front - one.front
         if one.still or two.still or one.cut or two.cut:
             overlap = min(one.rear, two.rear) - max(one.front, two.front)
-            return 1 if overlap > -2 * self.spans.still else None
+            return 1 if overlap > -self.spans.guard else None
         shift = abs(delay + two.rear - one.rear) / 2
         lines = self.rig.baseline_m * self.rig.line_rate_hz
         # a step of uncertainty in the delay matters where it is only a few steps long

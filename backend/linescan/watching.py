@@ -18,6 +18,7 @@ from backend.linescan.background import (
 from backend.linescan.parts import Pixels
 
 LEAST_PART = 0.04
+LIGHT = 0.1
 
 
 @dataclass(frozen=True)
@@ -61,7 +62,7 @@ class Watcher:
     blips: int = 0
     jumps: int = 0
     lines: int = 0
-    saturated: int = 0
+    saturated_lines: float = 0.0
     _open: _Open | None = None
     _still: int = 0
     _mean: NDArray[np.float32] | None = None
@@ -88,6 +89,8 @@ class Watcher:
         if self._open and self.lines + len(block) - self._open.front > self.spans.longest:
             events += self._end(self._open.last, cut=True)
         self._refresh(block, there)
+        top = 255 if block.dtype == np.uint8 else 65535
+        self.saturated_lines += len(block) * float(np.mean(block[::32] >= top))
         self.lines += len(block)
         return events
 
@@ -96,9 +99,15 @@ class Watcher:
         return self._end(self._open.last, cut=True) if self._open else []
 
     def _present(self, cells: NDArray[np.float32], road: Road) -> NDArray[np.bool_]:
-        """(steps,) whether enough cells of the upper part differ from the road."""
+        """(steps,) whether enough cells of the upper part differ from the road under the light of the moment.
+
+        The light is the middle cell's, within LIGHT: clouds and lamps change it from line to line.
+        """
         upper = max(1, int(self.grid.bands * UPPER_PART))
-        differs = np.abs(cells[:, :upper] - road.pooled[:upper]) > road.threshold_dn[:upper]
+        line = np.maximum(road.pooled[:upper], 1.0)
+        light = np.median(cells[:, :upper] / line, axis=1, keepdims=True)
+        expected = np.clip(light, 1 - LIGHT, 1 + LIGHT) * line
+        differs = np.abs(cells[:, :upper] - expected) > road.threshold_dn[:upper]
         return np.asarray(differs.sum(1) >= max(2, LEAST_PART * upper))
 
     def _follow(self, there: NDArray[np.bool_]) -> list[Event]:
@@ -121,7 +130,7 @@ class Watcher:
     def _end(self, rear: int, cut: bool = False) -> list[Event]:
         was, self._open = self._open, None
         assert was is not None
-        if rear - was.front < self.spans.least and not cut:
+        if rear - was.front < self.spans.least:
             self.blips += 1
             return []
         return [Event(was.front - 0.5, rear - 0.5, was.road, was.still, cut)]

@@ -1,0 +1,64 @@
+"""Small recordings for the tests of finding and measuring, from the demonstration's generator."""
+
+from dataclasses import replace
+from functools import lru_cache
+
+import numpy as np
+
+from backend.demonstration.scan_strips import strips
+from backend.demonstration.scan_traffic import Halt, ScanSite, ScanTruth, ScanVehicle, traffic, truths
+from backend.linescan.finding import Finder
+from backend.linescan.parts import Passage, Rig
+
+RIG = Rig(0.593, 4882.8)
+SITE = ScanSite(rows=128, misalignment_px=0.4)
+Strips = tuple[np.ndarray, np.ndarray]
+
+
+@lru_cache(maxsize=1)
+def cars() -> tuple[ScanVehicle, ...]:
+    """Three vehicles at town speed, well apart."""
+    return traffic(4, 3, speeds_mps=(11.0, 24.0), gaps_s=(0.4, 0.6))
+
+
+@lru_cache(maxsize=1)
+def plain() -> Strips:
+    return strips(SITE, cars())
+
+
+@lru_cache(maxsize=1)
+def plain_truth() -> tuple[ScanTruth, ...]:
+    return truths(SITE, cars())
+
+
+def at(car: ScanVehicle, front_s: float, speed_mps: float, **changes: object) -> ScanVehicle:
+    """The same body on another trip."""
+    return replace(car, front_s=front_s, speed_mps=speed_mps, acceleration_mps2=0.0, **changes)
+
+
+def touching() -> tuple[Strips, tuple[ScanTruth, ...]]:
+    """The second vehicle's front 0.45 m behind the first one's rear."""
+    first = at(cars()[0], 0.6, 12.0)
+    second = at(cars()[1], first.time_s(first.length_m + 0.45), 12.0)
+    return strips(SITE, (first, second)), truths(SITE, (first, second))
+
+
+def side_by_side(against: bool) -> Strips:
+    """A far vehicle is passed by, or meets, a near one in front of the cameras."""
+    near = at(cars()[0], 0.7, 20.0)
+    far = at(cars()[1], 0.62, 13.0, far=True, against=against)
+    return strips(SITE, (near, far))
+
+
+def stopping(wait_s: float) -> Strips:
+    """A vehicle stops with its front 1.6 m beyond camera 1, waits and drives on."""
+    return strips(SITE, (at(cars()[0], 0.9, 7.0, halt=Halt(1.6, wait_s)),))
+
+
+def found(pair: Strips, rig: Rig = RIG, piece: int = 1500) -> tuple[list[Passage], Finder]:
+    """All vehicles of a pair, pushed in pieces."""
+    finder = Finder(pair[0].shape[1], rig)
+    out: list[Passage] = []
+    for start in range(0, len(pair[0]), piece):
+        out += finder.push(pair[0][start : start + piece], pair[1][start : start + piece])
+    return out + finder.finish(), finder

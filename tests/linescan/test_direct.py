@@ -1,0 +1,162 @@
+"""The direct chain on strips whose motion is known; the large runs are in tests/bench/bench_linescan.py."""
+
+from dataclasses import replace
+from functools import lru_cache
+
+import numpy as np
+import pytest
+
+from backend.demonstration.scan_strips import strips
+from backend.demonstration.scan_traffic import ScanSite, ScanVehicle, truths
+from backend.linescan.direct import NO_ORDER, NO_TEXTURE, baseline_of, measure_direct
+from backend.linescan.masks import sampled
+from backend.linescan.parts import Crossings, Passage, Rig
+from backend.linescan.warp import Course, solved_by_boundaries
+from tests.linescan.scenes import RIG, SITE, cars, found, plain, plain_truth
+
+pytestmark = pytest.mark.once
+SOURCES = ("baseline", "clock", "misalignment", "fit", "boundaries")
+
+
+@lru_cache(maxsize=1)
+def passages() -> tuple[Passage, ...]:
+    return tuple(found(plain())[0])
+
+
+@pytest.mark.parametrize("number", [0, 1, 2])
+def test_speed_acceleration_length_and_misalignment_are_the_true_ones(number):
+    motion = measure_direct(passages()[number], RIG)
+    car = plain_truth()[number].vehicle
+    assert motion.status == "ok" and motion.method == "direct"
+    assert motion.speed_mps == pytest.approx(car.speed_mps, rel=0.0012)
+    assert motion.acceleration_mps2 == pytest.approx(car.acceleration_mps2, abs=0.25)
+    assert motion.length_m == pytest.approx(car.length_m, abs=0.012)
+    assert motion.misalignment_px == pytest.approx(SITE.misalignment_px, abs=0.05)
+    assert motion.gain == pytest.approx(SITE.gain_2, rel=0.02)
+    assert abs(motion.speed_mps - car.speed_mps) < 3 * motion.u_speed_mps
+    assert motion.u_speed_mps < 0.0012 * car.speed_mps
+
+
+def test_noise_of_8_grey_values_and_256_rows():
+    site = ScanSite(rows=256, read_noise_dn=8.0, misalignment_px=-0.5, seed=9)
+    car = cars()[1]
+    found_passages, _ = found(strips(site, (replace(car, front_s=0.6),)))
+    motion = measure_direct(found_passages[0], RIG)
+    assert len(found_passages) == 1
+    assert motion.speed_mps == pytest.approx(car.speed_mps, rel=0.0024)
+    assert motion.misalignment_px == pytest.approx(-0.5, abs=0.1)
+
+
+def test_the_budget_lists_its_sources_and_sums_to_the_uncertainty():
+    rig = replace(RIG, u_baseline_m=0.002, u_line_rate_ratio=5e-5)
+    motion = measure_direct(passages()[0], rig)
+    assert tuple(entry.source for entry in motion.budget) == SOURCES
+    for name, total in (
+        ("u_speed_mps", motion.u_speed_mps),
+        ("u_acceleration_mps2", motion.u_acceleration_mps2),
+        ("u_length_m", motion.u_length_m),
+    ):
+        assert total == pytest.approx(np.sqrt(sum(getattr(e, name) ** 2 for e in motion.budget)))
+    by_source = {entry.source: entry for entry in motion.budget}
+    assert by_source["baseline"].u_speed_mps == pytest.approx(motion.speed_mps * 0.002 / 0.593)
+    assert by_source["baseline"].u_length_m == pytest.approx(motion.length_m * 0.002 / 0.593)
+    assert by_source["clock"].u_speed_mps == pytest.approx(motion.speed_mps * 5e-5)
+    assert by_source["clock"].u_length_m == 0.0
+    assert by_source["boundaries"].u_speed_mps == 0.0 < by_source["boundaries"].u_length_m
+
+
+def test_a_baseline_off_by_a_per_cent_is_an_error_of_a_per_cent():
+    right = measure_direct(passages()[2], RIG)
+    wrong = measure_direct(passages()[2], replace(RIG, baseline_m=0.593 * 1.01))
+    assert wrong.speed_mps / right.speed_mps == pytest.approx(1.01, abs=1e-4)
+    assert wrong.length_m / right.length_m == pytest.approx(1.01, abs=1e-4)
+
+
+def test_planes_that_open_lengthen_the_baseline_with_the_distance():
+    rig = Rig(0.593, 4882.8, u_baseline_m=0.001, divergence_rad=2e-4, u_divergence_rad=1e-4, distance_m=10.0)
+    assert baseline_of(rig) == pytest.approx((0.595, np.hypot(0.001, 0.001)))
+
+
+def test_a_known_misalignment_is_used():
+    known = replace(RIG, misalignment_px=0.4, u_misalignment_px=0.01)
+    free, held = measure_direct(passages()[0], RIG), measure_direct(passages()[0], known)
+    assert abs(held.misalignment_px - 0.4) <= abs(free.misalignment_px - 0.4) + 1e-9
+    assert held.u_misalignment_px <= free.u_misalignment_px
+
+
+@pytest.mark.parametrize("lines", [-6.0, 6.0])
+def test_boundaries_set_roughly_by_hand_hardly_move_the_speed(lines):
+    passage = passages()[1]
+    c = passage.crossings
+    moved = replace(c, front_line_2=c.front_line_2 + lines, rear_line_1=c.rear_line_1 - lines)
+    motion = measure_direct(replace(passage, crossings=moved), RIG)
+    assert motion.speed_mps == pytest.approx(plain_truth()[1].vehicle.speed_mps, rel=0.0015)
+
+
+def test_the_profile_follows_the_fit_and_its_error_is_what_the_profile_says():
+    motion = measure_direct(passages()[2], RIG)
+    profile = motion.profile
+    assert len(profile.line_1) >= 20 and profile.used.sum() > 10
+    assert (np.diff(profile.line_1) > 0).all()
+    ratio = profile.speed_mps[profile.used] / profile.fitted_mps[profile.used] - 1
+    assert motion.fit_error_percent == pytest.approx(100 * np.sqrt(np.mean(ratio**2)))
+    assert motion.fit_error_percent < 0.3
+    middle = Course(motion.speed_mps, motion.acceleration_mps2, 0.593)
+    first_s = (profile.line_1 - motion.crossings.front_line_1) / RIG.line_rate_hz
+    assert profile.fitted_mps == pytest.approx(0.593 / (middle.second_s(first_s) - first_s), rel=1e-4)
+
+
+def test_what_cannot_be_measured_has_a_reason():
+    passage = passages()[0]
+    assert measure_direct(replace(passage, reason="It rained."), RIG).reason == "It rained."
+    c = passage.crossings
+    turned = Crossings(c.rear_line_1, c.front_line_1, c.front_line_2, c.rear_line_2)
+    assert measure_direct(replace(passage, crossings=turned), RIG).reason == NO_ORDER
+    grey = np.full_like(passage.first, 200)
+    blank = replace(passage, first=grey, second=np.full_like(passage.second, 200))
+    motion = measure_direct(blank, RIG)
+    assert motion.reason == NO_TEXTURE and motion.speed_mps is None and motion.budget == ()
+
+
+def test_another_vehicle_in_the_second_picture_is_not_measured():
+    one, other = passages()[0], passages()[1]
+    lines = len(other.second)
+    c = one.crossings
+    stop = min(len(one.second), lines)
+    mixed = replace(one, second=other.second[:stop])
+    motion = measure_direct(replace(mixed, crossings=c), RIG)
+    assert motion.status == "not_measurable" or motion.fit_error_percent > 1.0 or motion.warnings
+
+
+@pytest.mark.parametrize("acceleration", [-4.0, 0.0, 1.5])
+def test_crossings_follow_the_kinematics_exactly(acceleration):
+    course = Course(10.0, acceleration, 0.593)
+    first = np.array([0.0, 0.1, 0.4])
+    second = course.second_s(first)
+    assert course.travelled_m(second) - course.travelled_m(first) == pytest.approx([0.593] * 3, abs=1e-12)
+    by_speed, by_acceleration = course.derivatives(first, second)
+    h = 1e-6
+    assert by_speed == pytest.approx(
+        (Course(10 + h, acceleration, 0.593).second_s(first) - second) / h, rel=1e-4
+    )
+    assert by_acceleration == pytest.approx(
+        (Course(10, acceleration + h, 0.593).second_s(first) - second) / h, rel=1e-4, abs=1e-12
+    )
+
+
+def test_boundaries_alone_give_speed_and_acceleration():
+    car = replace(cars()[0], front_s=0.0, speed_mps=10.0, acceleration_mps2=-2.0)
+    true = truths(ScanSite(), (car,))[0]
+    lines = np.array([true.front_line_1, true.rear_line_1, true.front_line_2, true.rear_line_2])
+    course = solved_by_boundaries(lines / 4882.8, 0.593)
+    assert (course.speed_mps, course.acceleration_mps2) == pytest.approx((10.0, -2.0), abs=1e-6)
+    assert isinstance(car, ScanVehicle)
+
+
+def test_sampling_is_exact_for_quadratics():
+    y, x = np.mgrid[0:12, 0:9].astype(float)
+    picture = (0.3 * y**2 - 0.2 * x * y + 0.1 * x**2 + 4).astype(np.float32)
+    at, row = np.array([3.25, 7.9]), np.array([2.6, 5.5])
+    assert sampled(picture, at, row) == pytest.approx(
+        0.3 * at**2 - 0.2 * row * at + 0.1 * row**2 + 4, abs=1e-5
+    )

@@ -1,0 +1,76 @@
+"""Recordings with something wrong: a sentence that names it, and no vehicle measured wrongly without one."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from backend.demonstration.scan_strips import strips
+from backend.linescan.direct import measure_direct
+from backend.linescan.faults import notes_of
+from tests.linescan.scenes import RIG, SITE, cars, found, plain, plain_truth
+
+pytestmark = pytest.mark.once
+
+
+def _notes(pair):
+    passages, finder = found(pair)
+    return " ".join(notes_of(finder)), passages
+
+
+def test_a_good_recording_says_nothing():
+    said, passages = _notes(plain())
+    assert said == "" and len(passages) == 3
+
+
+def test_empty_road_and_swapped_strips():
+    assert "No vehicle was found" in _notes(strips(SITE, (), 2.5))[0]
+    first, second = plain()
+    assert "swapped" in _notes((second, first))[0]
+
+
+def test_flicker_is_named_and_the_vehicle_still_found():
+    said, passages = _notes(strips(replace(SITE, flicker=0.1), cars()[:1]))
+    assert said.count("flickers by") == 2
+    motion = measure_direct(passages[0], RIG)
+    assert motion.speed_mps == pytest.approx(cars()[0].speed_mps, rel=0.004)
+
+
+def test_rain_is_named_and_the_vehicle_still_found():
+    said, passages = _notes(strips(replace(SITE, rain_per_s=200.0), cars()[:1]))
+    assert "rain" in said
+    motion = measure_direct(passages[0], RIG)
+    assert motion.speed_mps == pytest.approx(cars()[0].speed_mps, rel=0.0015)
+
+
+def test_saturation_is_named():
+    pair = tuple(np.clip(strip.astype(float) * 2.2, 0, 255).astype(np.uint8) for strip in plain())
+    said, passages = _notes(pair)
+    assert "saturated" in said
+    motion = measure_direct(passages[0], RIG)
+    assert motion.reason or any("saturated" in warning for warning in motion.warnings)
+
+
+def test_a_light_that_jumps_is_counted():
+    pair = [strip.astype(float) for strip in plain()]
+    for strip in pair:
+        strip[int(plain_truth()[1].rear_line_2) + 120 :] *= 1.3
+    said, _ = _notes(tuple(np.clip(strip, 0, 255).astype(np.uint8) for strip in pair))
+    assert "The light jumped once" in said
+
+
+def test_lines_lost_while_a_vehicle_passes_are_not_measured_over():
+    first, second = plain()
+    at = int(plain_truth()[1].front_line_2) + 500
+    second = np.delete(second, slice(at, at + 25), 0)
+    _, passages = _notes((first[: len(second)], second))
+    assert measure_direct(passages[0], RIG).status == "ok"
+    motion = measure_direct(passages[1], RIG)
+    assert motion.status == "not_measurable" and "lost lines" in motion.reason
+
+
+def test_cameras_that_look_at_different_lanes_are_told():
+    first, second = plain()
+    said, passages = _notes((first, np.roll(second, 4000, axis=0)))
+    assert "one camera only" in said
+    assert not [passage for passage in passages if passage.reason is None]

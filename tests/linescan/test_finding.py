@@ -1,0 +1,182 @@
+"""Finding vehicles in strips of the demonstration's generator: none missed, invented or merged."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from backend.demonstration.scan_strips import strips
+from backend.errors import BadInput
+from backend.linescan.background import Grid, first_road, road_from, same_but_for_light
+from backend.linescan.direct import measure_direct
+from backend.linescan.finding import CUT, OTHER_WAY, STOPPED, Finder
+from backend.linescan.parts import Rig
+from tests.linescan.scenes import (
+    RIG,
+    SITE,
+    cars,
+    found,
+    plain,
+    plain_truth,
+    side_by_side,
+    stopping,
+    touching,
+)
+
+pytestmark = pytest.mark.once
+
+
+def _boundaries_m(passages, truth):
+    """(n, 4) errors of the boundaries, metres along the road."""
+    rows = []
+    for passage, true in zip(passages, truth, strict=True):
+        c, per_line = passage.crossings, true.vehicle.speed_mps / RIG.line_rate_hz
+        rows.append(
+            [
+                (c.front_line_1 - true.front_line_1) * per_line,
+                (c.rear_line_1 - true.rear_line_1) * per_line,
+                (c.front_line_2 - true.front_line_2) * per_line,
+                (c.rear_line_2 - true.rear_line_2) * per_line,
+            ]
+        )
+    return np.array(rows)
+
+
+def test_all_are_found_with_boundaries_to_millimetres_despite_the_shadow():
+    passages, finder = found(plain())
+    errors = _boundaries_m(passages, plain_truth())
+    # the shadow begins 270 mm before the front
+    assert np.abs(errors).max() < 0.010
+    assert finder.found == 3 and finder.alone == 0
+    assert all(passage.reason is None for passage in passages)
+    assert all(abs(passage.noise_dn - math.hypot(2.0, math.sqrt(0.02 * 110))) < 0.5 for passage in passages)
+
+
+def test_time_gaps_are_right_within_half_a_millisecond():
+    passages, _ = found(plain())
+    for before, this, true in zip(passages, passages[1:], plain_truth()[1:], strict=False):
+        gap_s = (this.crossings.front_line_1 - before.crossings.rear_line_1) / RIG.line_rate_hz
+        assert gap_s == pytest.approx(true.time_gap_s, abs=0.5e-3)
+
+
+@pytest.mark.parametrize("piece", [97, 40_000])
+def test_pieces_of_any_size_give_the_same_vehicles(piece):
+    first, _ = found(plain())
+    other, _ = found(plain(), piece=piece)
+    for a, b in zip(first, other, strict=True):
+        assert a.crossings == b.crossings
+        assert a.start_1 == b.start_1 and np.array_equal(a.second, b.second)
+
+
+def test_pictures_are_cut_with_their_margin_at_the_right_lines():
+    first, second = plain()
+    for passage in found(plain())[0]:
+        assert np.array_equal(passage.first, first[passage.start_1 : passage.start_1 + len(passage.first)])
+        assert np.array_equal(passage.second, second[passage.start_2 : passage.start_2 + len(passage.second)])
+        assert passage.start_1 < passage.crossings.front_line_1 - 40
+        assert passage.start_2 + len(passage.second) > passage.crossings.rear_line_2 + 40
+
+
+def test_sixteen_bits_give_the_same_boundaries():
+    pair = tuple(np.asarray(strip.astype(np.uint16) * 200) for strip in plain())
+    for a, b in zip(found(pair)[0], found(plain())[0], strict=True):
+        assert a.crossings.front_line_1 == pytest.approx(b.crossings.front_line_1, abs=0.3)
+        assert a.crossings.rear_line_2 == pytest.approx(b.crossings.rear_line_2, abs=0.3)
+
+
+def test_vehicles_nearly_touching_are_kept_apart():
+    pair, truth = touching()
+    passages, _ = found(pair)
+    assert len(passages) == 2
+    assert np.abs(_boundaries_m(passages, truth)).max() < 0.010
+
+
+@pytest.mark.parametrize("against", [False, True])
+def test_two_side_by_side_are_not_measured(against):
+    passages, _ = found(side_by_side(against))
+    motions = [measure_direct(passage, RIG) for passage in passages]
+    assert [motion.status for motion in motions] == ["not_measurable"]
+    assert motions[0].speed_mps is None and motions[0].length_m is None
+    assert ("beside another" if against else "side by side") in (motions[0].reason or "")
+
+
+@pytest.mark.parametrize("wait_s", [0.3, 1.5])
+def test_a_vehicle_that_stops_in_view_is_not_measured(wait_s):
+    passages, _ = found(stopping(wait_s))
+    motions = [measure_direct(passage, RIG) for passage in passages]
+    assert [motion.status for motion in motions] == ["not_measurable"]
+    assert "stopped" in (motions[0].reason or "")
+    if wait_s > 1:
+        assert motions[0].reason == STOPPED
+
+
+def test_swapped_strips_are_recognised_from_the_traffic():
+    first, second = plain()
+    passages, finder = found((second, first))
+    assert [passage.reason for passage in passages] == [OTHER_WAY] * 3
+    assert finder.reversed == finder.found == 3
+
+
+def test_vehicles_cut_by_the_ends_of_the_recording_say_so():
+    start = int(plain_truth()[0].front_line_1 + 300)
+    stop = int(plain_truth()[2].front_line_1 + 400)
+    passages, _ = found(tuple(strip[start:stop] for strip in plain()))
+    assert [passage.reason for passage in passages] == [CUT, None, CUT]
+
+
+def test_an_empty_road_under_drifting_light_holds_no_vehicle():
+    site = replace(SITE, drift=0.2, drift_period_s=6.0)
+    passages, finder = found(strips(site, (), 4.0))
+    assert passages == [] and finder.found == 0
+
+
+def test_a_jump_of_the_light_becomes_the_new_background():
+    pair = [strip.astype(float) for strip in plain()]
+    at = int(plain_truth()[1].rear_line_2 + 120)
+    for strip in pair:
+        strip[at:] *= 1.25
+    pair = tuple(np.clip(strip, 0, 255).astype(np.uint8) for strip in pair)
+    passages, finder = found(pair)
+    lines = [passage.crossings.front_line_1 for passage in passages if passage.reason is None]
+    assert min(abs(line - plain_truth()[2].front_line_1) for line in lines) < 8
+    assert all(watcher.jumps == 1 for watcher in finder.watchers)
+
+
+def test_memory_stays_bounded_while_the_road_is_empty():
+    finder = Finder(64, Rig(0.593, 4882.8))
+    road = np.full((5000, 64), 90, np.uint8) + np.arange(64, dtype=np.uint8)
+    for _ in range(12):
+        finder.push(road, road)
+    assert all(sum(len(block) for _, block in reel.blocks) < 2500 for reel in finder._reels)
+
+
+def test_strips_that_differ_are_refused_in_words():
+    finder = Finder(64, RIG)
+    with pytest.raises(BadInput, match="both cameras"):
+        finder.push(np.zeros((100, 64), np.uint8), np.zeros((90, 64), np.uint8))
+    with pytest.raises(BadInput, match="64 rows expected"):
+        finder.push(np.zeros((100, 32), np.uint8), np.zeros((100, 32), np.uint8))
+    with pytest.raises(BadInput, match="at least 8"):
+        Finder(4, RIG)
+
+
+def test_the_first_road_is_found_although_a_vehicle_passes():
+    first, _ = plain()
+    true = plain_truth()[0]
+    part = first[int(true.front_line_1) - 300 : int(true.rear_line_1) + 900]
+    grid = Grid(128, 4, 2)
+    empty = first[200:700].mean(0)
+    assert np.abs(first_road(part, grid).line - empty).mean() < 1.5
+
+
+def test_light_is_told_from_a_vehicle():
+    first, _ = plain()
+    grid = Grid(128, 4, 2)
+    road = road_from(first[200:500], grid)
+    brighter = np.asarray(road.pooled * 1.3 + 4, np.float32)
+    middle = int(np.mean([plain_truth()[0].front_line_1, plain_truth()[0].rear_line_1]))
+    vehicle = grid.pooled(first[middle : middle + 40]).mean(0)
+    assert same_but_for_light(brighter, road)
+    assert not same_but_for_light(vehicle, road)
+    assert len(cars()) == 3
