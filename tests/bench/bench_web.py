@@ -20,9 +20,10 @@ sys.path.insert(0, str(ROOT))
 
 from playwright.sync_api import Browser, BrowserContext, Page  # noqa: E402
 from web_ground import (  # noqa: E402
+    CLIP_GOP,
     chromium,
+    clip_recording,
     cold_starts,
-    hd_recording,
     measurable,
     median_ms,
     prepare,
@@ -36,6 +37,7 @@ from tests.real.client import Client  # noqa: E402
 PROBE = (Path(__file__).parent / "web_probe.js").read_text()
 TARGETS = {"1": "roof", "2": "driver_eye", "3": "taillight"}
 Row = tuple[str, str, str, bool]
+STEPS_HZ = 8
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,31 +102,61 @@ def steps(ground: Ground) -> Iterator[Row]:
 
 
 def steps_hd(ground: Ground) -> Iterator[Row]:
-    """Frame steps at 1920 x 1080."""
-    recording_id = hd_recording(ground.client, ground.survey_id, ground.folder)
+    """Frame steps and jumps at 1920 x 1080."""
+    recording_id = clip_recording(ground.client, ground.survey_id, ground.folder, (1920, 1080), 250)
     context = ground.context()
-    yield from _steps(ground.measure_page(context, recording_id, "&frame=20"), "1080p", 300)
+    page = ground.measure_page(context, recording_id, "&frame=20")
+    yield from _steps(page, "1080p", 300)
+    yield from _jumps(page, "1080p", 1920, (150, 240, 60, 120, 200))
     context.close()
 
 
-def _steps(page: Page, size: str, limit_ms: float) -> Iterator[Row]:
+def steps_4k(ground: Ground) -> Iterator[Row]:
+    """Frame steps at 3840 x 2160; the browser keeps a handful of these."""
+    recording_id = clip_recording(ground.client, ground.survey_id, ground.folder, (3840, 2160), 60)
+    context = ground.context()
+    yield from _steps(ground.measure_page(context, recording_id, "&frame=10"), "4K", 500, far=4)
+    context.close()
+
+
+def _steps(page: Page, size: str, limit_ms: float, far: int = 9) -> Iterator[Row]:
+    """`d` goes back, `f` on, `v` ten on."""
     page.get_by_test_id("frame-view").focus()
     page.wait_for_timeout(1500)
-    near = [_pressed(page, key, 400) for key in "ddddddddffffffff"]
+    rested = [_pressed(page, key, 500) for key in "ddddddddffffffff"]
+    yield row(f"frame step, prefetched neighbour, {size}", 16, "ms", median_ms(rested))
+    working = [_pressed(page, key, 1000 / STEPS_HZ) for key in "ffffffffffffffffdddddddd"]
+    yield row(f"frame step, {STEPS_HZ} a second, {size}", 50, "ms", median_ms(working))
     # Ten on is past what was fetched ahead; each place is visited once.
-    far = [_pressed(page, "v", 700) for _ in range(9)]
-    yield row(f"frame step, cached neighbour, {size}", 50, "ms", median_ms(near))
-    yield row(f"frame step, ten on, not in the browser, {size}", limit_ms, "ms", median_ms(far))
+    times = [_pressed(page, "v", 700) for _ in range(far)]
+    yield row(f"frame step, ten on, not in the browser, {size}", limit_ms, "ms", median_ms(times))
 
 
-def _pressed(page: Page, key: str, pause_ms: float) -> float:
-    """Seconds from the key press until the new frame is drawn; waits until what is fetched ahead is there."""
+def _pressed(page: Page, key: str, every_ms: float) -> float:
+    """Seconds from the key press until the new frame is drawn; returns so long after the press, or later."""
+    begun = time.monotonic()
     before = page.evaluate("window.__probe.pictures.length")
     page.keyboard.press(key)
     page.wait_for_function(f"window.__probe.pictures.length > {before}", timeout=10_000)
     took = page.evaluate(f"window.__probe.pictures[{before}].at - window.__probe.keys.at(-1)")
-    page.wait_for_timeout(pause_ms)
+    page.wait_for_timeout(max(1.0, every_ms - 1000 * (time.monotonic() - begun)))
     return float(took) / 1000
+
+
+def _jumps(page: Page, size: str, width_px: int, frames: tuple[int, ...]) -> Iterator[Row]:
+    """From the frame's number typed to its thumbnail, and to the frame itself."""
+    first, whole = [], []
+    for frame in frames:
+        before = page.evaluate("window.__probe.pictures.length")
+        page.get_by_test_id("frame-box").fill(str(frame))
+        page.get_by_test_id("frame-box").press("Enter")
+        there = f"window.__probe.pictures.slice({before}).find((one) => one.width === {width_px})"
+        page.wait_for_function(there, timeout=30_000)
+        first.append(page.evaluate(f"window.__probe.pictures[{before}].at - window.__probe.keys.at(-1)"))
+        whole.append(page.evaluate(f"({there}).at - window.__probe.keys.at(-1)"))
+        page.wait_for_timeout(1500)
+    yield row(f"jump, its thumbnail, {size}", 50, "ms", median_ms(first) / 1000)
+    yield row(f"jump, the frame, key frame every {CLIP_GOP}, {size}", 300, "ms", median_ms(whole) / 1000)
 
 
 def clicks(ground: Ground) -> Iterator[Row]:
@@ -183,7 +215,7 @@ def _click(page: Page, pixel: list[float]) -> None:
     page.mouse.click(spot["x"], spot["y"])
 
 
-PARTS = (first_picture, steps, clicks, steps_hd)
+PARTS = (first_picture, steps, clicks, steps_hd, steps_4k)
 
 
 def show(found: Row) -> bool:

@@ -1,4 +1,4 @@
-"""The ground of bench_web: a demonstration survey, a server on it, a session, a clip in 1080p."""
+"""The ground of bench_web: a demonstration survey, a server on it, a session, clips in 1080p and 4K."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from tests.browser.conftest import chromium_path
 from tests.browser.server import Server, start
 from tests.real.client import Client
 
-HD_FRAMES, HD_RATE, HD_GOP = 150, 25, 250
+CLIP_RATE, CLIP_GOP = 25, 250
 _DATABASES = (".db", ".db-wal", ".db-shm")
 
 
@@ -97,10 +97,10 @@ def signed_in(server: Server, folder: Path) -> Client:
     return client
 
 
-def hd_recording(client: Client, survey_id: int, folder: Path) -> int:
-    """The id of an ingested recording of 1920 x 1080 px with a key frame every ten seconds."""
-    path = folder / "bench-1080p.mp4"
-    write_mp4(path, scene(HD_FRAMES, 1920, 1080), HD_RATE, crf=23, gop=HD_GOP)
+def clip_recording(client: Client, survey_id: int, folder: Path, size: tuple[int, int], count: int) -> int:
+    """The id of an ingested recording of so many pixels and frames with a key frame every ten seconds."""
+    path = folder / f"bench-{size[1]}p.mp4"
+    write_mp4(path, scene(count, *size), CLIP_RATE, crf=23, gop=CLIP_GOP)
     recording_id = client.upload(survey_id, path)
     client.ready(recording_id)
     return recording_id
