@@ -7,8 +7,8 @@ from typing import Annotated, Any
 import numpy as np
 from fastapi import APIRouter, Query
 
-from backend.api.deps import Reading, Viewer
-from backend.api.statistics_bodies import SampleSizeBody, StatisticsBody
+from backend.api.deps import Operator, PathId, Reading, Viewer, Writing
+from backend.api.statistics_bodies import SampleSizeBody, StandardsBody, StandardsIn, StatisticsBody
 from backend.errors import BadInput
 from backend.statistics.agreement import U_MANUFACTURER_M
 from backend.statistics.corrections import Correction
@@ -17,6 +17,7 @@ from backend.statistics.paper import PAPER
 from backend.statistics.sample_size import vehicles_needed
 from backend.statistics.standards import Standard
 from backend.statistics.summary import Distribution, Errors, Groups, Target
+from backend.storage import standards
 from backend.storage.records import Category, Lighting
 from backend.work.figuring import Choices, Filter, Shown, State, Statistics, standards_of, statistics
 
@@ -39,6 +40,9 @@ def statistics_of_measurements(
     first_day: date | None = None,
     last_day: date | None = None,
     state: State = "accepted",
+    target: Annotated[
+        Shown | None, Query(description="Only this target is counted and shown; errors are of roofs anyway.")
+    ] = None,
     rounding: Rounding = "cm",
     correction: Correction = "inset",
     u_reference_m: Annotated[
@@ -51,7 +55,9 @@ def statistics_of_measurements(
     if not 0.0 <= u_reference_m < 1.0:
         raise BadInput("The reference heights' u must be at least 0 and below 1 m, such as 0.0173.")
     own = _own("driver_eye", eye_limit_m) + _own("object", object_limit_m)
-    chosen = Filter(tuple(sorted(set(survey))), lighting, category, operator, first_day, last_day, state)
+    chosen = Filter(
+        tuple(sorted(set(survey))), lighting, category, operator, first_day, last_day, state, target
+    )
     choices = Choices(rounding, correction, u_reference_m, own)
     return statistics_body(statistics(session, chosen, choices), correction)
 
@@ -60,6 +66,20 @@ def statistics_of_measurements(
 def sample_size(who: Viewer, percent: Metres, width_m: Metres, sd_m: Metres) -> SampleSizeBody:
     """How many vehicles give a percentile's 95 % interval a wanted width."""
     return SampleSizeBody.model_validate(vehicles_needed(percent, width_m, sd_m))
+
+
+@router.get("/surveys/{survey_id}/standards")
+def standards_of_survey(who: Viewer, session: Reading, survey_id: PathId) -> StandardsBody:
+    """The heights of standards that a survey's figures are read against, with their sources."""
+    return StandardsBody.model_validate(standards.get(session, survey_id))
+
+
+@router.put("/surveys/{survey_id}/standards")
+def choose_standards(who: Operator, session: Writing, survey_id: PathId, body: StandardsIn) -> StandardsBody:
+    """Put another table in its place; `version` is that of the table it replaces."""
+    table = [Standard(**one.model_dump()) for one in body.standards]
+    made = standards.choose(session, survey_id, table, version=body.version, actor=who.id)
+    return StandardsBody.model_validate(made)
 
 
 def _own(what: Any, limits_m: list[float]) -> tuple[Standard, ...]:
@@ -132,31 +152,31 @@ def _no_interval(one: ErrorGroup, key: str) -> str | None:
     return "too few different errors for a bootstrap interval"
 
 
-def _target(name: Shown, one: Target, standards: list[Standard]) -> dict[str, Any]:
+def _target(name: Shown, one: Target, table: list[Standard]) -> dict[str, Any]:
     done = one.correction
-    corrected = _distribution(one.corrected, standards) | (
+    corrected = _distribution(one.corrected, table) | (
         {"words": None, "warning": None, "reason": done}
         if isinstance(done, str)
         else {"words": done.words, "warning": done.warning, "reason": None}
     )
     return {
         "target": name,
-        "raw": _distribution(one.raw, standards),
+        "raw": _distribution(one.raw, table),
         "corrected": corrected,
         "density": _part(one.density),
-        "groups": {key: _grouping(groups, standards) for key, groups in one.groups.items()},
+        "groups": {key: _grouping(groups, table) for key, groups in one.groups.items()},
     }
 
 
-def _grouping(groups: Groups, standards: list[Standard]) -> dict[str, Any]:
-    listed = [{"word": word, **_distribution(one, standards)} for word, one in groups.of.items()]
+def _grouping(groups: Groups, table: list[Standard]) -> dict[str, Any]:
+    listed = [{"word": word, **_distribution(one, table)} for word, one in groups.of.items()]
     return {"groups": listed, "left_out": groups.left_out}
 
 
-def _distribution(one: Distribution, standards: list[Standard]) -> dict[str, Any]:
+def _distribution(one: Distribution, table: list[Standard]) -> dict[str, Any]:
     shares = [
         {"standard": asdict(standard), **asdict(share)}
-        for standard, share in zip(standards, one.shares, strict=False)
+        for standard, share in zip(table, one.shares, strict=False)
     ]
     return {
         "n": one.n,

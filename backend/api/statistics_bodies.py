@@ -1,10 +1,10 @@
 """Bodies of the statistics: lengths in metres; a part that cannot be computed is its reason."""
 
-from typing import Literal
+from typing import Annotated, Literal
 
 from pydantic import Field
 
-from backend.api.bodies import Out
+from backend.api.bodies import Finite, In, Out
 from backend.work.figuring import Shown
 
 
@@ -136,6 +136,23 @@ class StandardBody(Out):
     what: Literal["driver_eye", "object"]
     height_m: float
     source: str
+
+
+class StandardIn(In):
+    name: Annotated[str, Field(min_length=1, max_length=100)]
+    what: Literal["driver_eye", "object"]
+    height_m: Finite
+    source: Annotated[str, Field(max_length=500)] = ""
+
+
+class StandardsIn(In):
+    version: Annotated[int, Field(ge=0, le=2**31 - 1)]
+    standards: list[StandardIn]
+
+
+class StandardsBody(Out):
+    version: int = Field(description="0: the usual ones; give it back with a change.")
+    standards: list[StandardBody]
 
 
 class ShareBody(Out):

@@ -1,10 +1,17 @@
-"""Statistics of stored measurements: a filter, the columns that it leaves, and what is shown of them."""
+"""Statistics of stored measurements: a filter, the columns that it leaves, and what is shown of them.
+
+`statistics(session, Filter, Choices)` is the one way in: page, report and package all show its answer.
+`Filter((survey_id,))` with the usual `Choices()` gives a survey's accepted measurements, read against the
+survey's own table of standards (`storage.standards`).
+`made_of` makes the same of columns that come from elsewhere, such as the rows of a package: what the database
+would tell is then given, `Choices.standards` included.
+"""
 
 from __future__ import annotations
 
 from collections import Counter, OrderedDict
 from collections.abc import Callable, Hashable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import date
 from threading import Lock
 from typing import Any, Generic, Literal, TypeVar
@@ -19,7 +26,7 @@ from backend.statistics.corrections import Correction
 from backend.statistics.errors import Rounding
 from backend.statistics.standards import STANDARDS, Standard
 from backend.statistics.summary import Errors, Grouping, Roofs, Target, errors_of, target_of
-from backend.storage import audit, measured_columns, people, surveys
+from backend.storage import audit, measured_columns, people, standards, surveys
 from backend.storage.measured_columns import CATEGORIES, LIGHTING, NONE, TARGETS, VERDICTS, Measured
 from backend.storage.records import Category, Lighting
 
@@ -41,7 +48,10 @@ _EPOCH = date(1970, 1, 1)
 
 @dataclass(frozen=True)
 class Filter:
-    """Which measurements count; None or empty: no limit. Days are of a measurement's making (UTC)."""
+    """Which measurements count; None or empty: no limit. Days are of a measurement's making (UTC).
+
+    `target` limits what is counted and shown, not the errors: they are of roofs, and corrections need them.
+    """
 
     survey_ids: tuple[int, ...] = ()
     lighting: Lighting | None = None
@@ -50,18 +60,20 @@ class Filter:
     first_day: date | None = None
     last_day: date | None = None
     state: State = "accepted"
+    target: Shown | None = None
 
 
 @dataclass(frozen=True)
 class Choices:
     """How figures are made: rounding of the error table, correction, u of a height without one of its own,
-    and limits of the reader's own beside the standards', by what they are of.
+    limits of the reader's own beside the standards', and the standards; None: those of the surveys.
     """
 
     rounding: Rounding = "cm"
     correction: Correction = "inset"
     u_reference_m: float = float(U_MANUFACTURER_M)
     own_standards: tuple[Standard, ...] = ()
+    standards: tuple[Standard, ...] | None = None
 
 
 @dataclass(frozen=True)
@@ -114,7 +126,9 @@ def _made(session: Session, known: str, chosen: Filter, choices: Choices) -> Sta
         "operator": _named(measured.operator_id, named),
     }
     choosable = {id_: name for id_, (name, _) in places.items()}
-    return made_of(measured, left_out, choices, groupings, choosable, operators)
+    if choices.standards is None:
+        choices = replace(choices, standards=standards.of_surveys(session, chosen.survey_ids))
+    return made_of(measured, left_out, choices, groupings, choosable, operators, chosen.target)
 
 
 def _refuse(chosen: Filter, places: Mapping[int, Any]) -> None:
@@ -139,9 +153,16 @@ def filtered(found: Measured, chosen: Filter) -> tuple[Measured, dict[str, int]]
     if chosen.last_day is not None:
         keep &= found.day <= (chosen.last_day - _EPOCH).days
     wanted = np.isin(found.verdict, [VERDICTS.index(word) for word in _STATES[chosen.state]])
-    others = np.bincount(found.verdict[keep & ~wanted], minlength=len(VERDICTS))
+    of_target = _of_target(found, chosen.target)
+    others = np.bincount(found.verdict[keep & ~wanted & of_target], minlength=len(VERDICTS))
     left_out = {word: int(count) for word, count in zip(VERDICTS, others, strict=True) if count}
     return found.where(keep & wanted), left_out
+
+
+def _of_target(measured: Measured, target: Shown | None) -> NDArray[np.bool_]:
+    if target is None:
+        return np.ones(len(measured), dtype=np.bool_)
+    return np.equal(measured.target, TARGETS.index(target))
 
 
 def made_of(
@@ -151,29 +172,32 @@ def made_of(
     groupings: Mapping[str, Grouping],
     named_surveys: dict[int, str],
     operators: dict[int, str],
+    only: Shown | None = None,
 ) -> Statistics:
-    """The statistics of columns (N,), divided by groupings (N,)."""
+    """The statistics of columns (N,), divided by groupings (N,); of one target `only`, or of all."""
     roofs = _roofs(measured, choices.u_reference_m)
-    standards = (*STANDARDS, *choices.own_standards)
+    table = STANDARDS if choices.standards is None else choices.standards
+    against = (*table, *choices.own_standards)
     targets: dict[Shown, Target] = {}
-    for name in SHOWN:
-        rows = measured.target == TARGETS.index(name)
+    for name in SHOWN if only is None else (only,):
+        rows = _of_target(measured, name)
         targets[name] = target_of(
             measured.height_m[rows],
             measured.uncorrected_height_m[rows],
             roofs,
             choices.correction,
-            [one.height_m for one in standards_of(standards, name)],
+            [one.height_m for one in standards_of(against, name)],
             {grouping: one.where(rows) for grouping, one in groupings.items()},
         )
-    counted = Counted(len(measured), len(_distinct(measured.vehicle_id)), len(roofs.reference_m), left_out)
+    vehicles = measured.vehicle_id[_of_target(measured, only)]
+    counted = Counted(len(vehicles), len(_distinct(vehicles)), len(roofs.reference_m), left_out)
     errors = errors_of(roofs, choices.correction, choices.rounding)
-    return Statistics(counted, standards, errors, targets, named_surveys, operators)
+    return Statistics(counted, against, errors, targets, named_surveys, operators)
 
 
-def standards_of(standards: Sequence[Standard], target: Shown) -> list[Standard]:
+def standards_of(table: Sequence[Standard], target: Shown) -> list[Standard]:
     """The standards that speak of a target, in the order of its shares."""
-    return [one for one in standards if one.what == _WHAT.get(target)]
+    return [one for one in table if one.what == _WHAT.get(target)]
 
 
 def _roofs(measured: Measured, u_reference_m: float) -> Roofs:

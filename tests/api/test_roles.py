@@ -120,6 +120,8 @@ MATRIX = {
     "POST /scan-measurements/{measurement_id}/review": "reviewer",
     "GET /statistics": "viewer",
     "GET /statistics/sample-size": "viewer",
+    "GET /surveys/{survey_id}/standards": "viewer",
+    "PUT /surveys/{survey_id}/standards": "operator",
     "POST /surveys/{survey_id}/exports": "viewer",
     "GET /surveys/{survey_id}/exports": "viewer",
     "GET /exports/{export_id}.zip": "viewer",

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from backend.storage import measurements, reviews, surveys, vehicles
+from backend.storage import audit, measurements, reviews, surveys, vehicles
 from backend.work.services import Services
 from tests.api.conftest import Client, error_of
 from tests.storage import samples
@@ -133,6 +133,7 @@ FILTERS: dict[str, tuple[str, Keep]] = {
     "to review": ("state=to_review", lambda t, g: t.verdict is None),
     "rejected": ("state=rejected", lambda t, g: t.verdict == "rejected"),
     "all": ("state=all", lambda t, g: True),
+    "target": ("target=taillight", lambda t, g: t.verdict in ACCEPTED and t.target == "taillight"),
     "several": (
         "survey={survey}&lighting=daytime&category=hatchback&state=all",
         lambda t, g: t.lighting == "daytime" and t.category == "hatchback",
@@ -150,9 +151,11 @@ def filters_are_a_recount(viewer: Client, ground: Ground) -> None:
         assert found["counted"]["vehicles"] == len({one.vehicle_id for one in left}), name
         same_but_state = found["counted"]["measurements"] + sum(found["counted"]["left_out"].values())
         assert same_but_state >= len(left)
-        errors = [
-            t.height_m - t.reference_m for t in left if t.target == "roof" and t.reference_m is not None
+        # a target limits what is counted and shown; errors are those of the roofs anyway
+        roofs = [
+            t for t in ground.told if keep(replace(t, target="taillight"), ground) and t.target == "roof"
         ]
+        errors = [t.height_m - t.reference_m for t in roofs if t.reference_m is not None]
         overall = found["errors"]["groups"][2]
         assert overall["n"] == found["counted"]["with_reference"] == len(errors), name
         if len(errors) > 1:
@@ -160,6 +163,7 @@ def filters_are_a_recount(viewer: Client, ground: Ground) -> None:
             assert figures["bias_m"] == pytest.approx(plain.fmean(errors), abs=1e-12), name
             assert figures["mae_m"] == pytest.approx(plain.fmean(map(abs, errors)), abs=1e-12), name
             assert figures["sd_m"] == pytest.approx(plain.stdev(errors), abs=1e-12), name
+        assert len(found["targets"]) == (1 if name == "target" else 4)
         for target in found["targets"]:
             heights = [one.height_m for one in left if one.target == target["target"]]
             paper = [one.paper_m for one in left if one.target == target["target"]]
@@ -252,6 +256,49 @@ def test_empty_one_and_few_have_reasons(viewer: Client, services: Services) -> N
     assert [one["low"] for one in roof["percentiles"]] == [None] * 11
     assert "needs at least 183" in roof["percentiles"][0]["reason"]
     assert "at least 10" in found["targets"][3]["density"]["reason"]
+
+
+def test_a_survey_has_its_own_standards(
+    viewer: Client, operator: Client, services: Services, ground: Ground
+) -> None:
+    one = ground.one.survey.id
+    usual = viewer.seen(f"/surveys/{one}/standards")
+    assert usual["version"] == 0 and usual["standards"] == viewer.seen("/statistics")["standards"]
+    table = [{"name": "House rule", "what": "driver_eye", "height_m": 1.15, "source": "By-law 7"}]
+    told = operator.put(f"/surveys/{one}/standards", json={"version": 0, "standards": table}).json()
+    assert told["standards"] == table and told["version"] > 0
+    assert viewer.seen(f"/surveys/{one}/standards") == told
+    with services.writing() as session:
+        other = surveys.create(session, name="Other", actor=None).id
+    found = viewer.seen(f"/statistics?survey={one}&state=all")
+    assert found["standards"] == table
+    eyes = [t.height_m for t in ground.told if t.target == "driver_eye"]
+    share = found["targets"][0]["corrected"]["shares"][0]
+    assert share["standard"] == table[0] and share["below"] == sum(eye < 1.15 for eye in eyes)
+    assert viewer.seen(f"/statistics?survey={other}")["standards"] == usual["standards"]
+    assert viewer.seen("/statistics")["standards"] == [*usual["standards"], *table]
+    with services.reading() as session:
+        event = audit.listing(session, survey_id=one, entity="standards")[0]
+    assert event.after == {"standards": table} and event.before == {"standards": usual["standards"]}
+
+
+def test_a_table_of_standards_that_cannot_be_is_refused(operator: Client, ground: Ground) -> None:
+    path = f"/surveys/{ground.one.survey.id}/standards"
+    row = {"name": "A", "what": "object", "height_m": 0.6, "source": ""}
+    bad: list[tuple[list[dict[str, Any]], str]] = [
+        ([row, row], "twice"),
+        ([{**row, "name": "  "}], "needs a name"),
+        ([{**row, "height_m": 0}], "between 0 and 10 m"),
+        ([{**row, "name": f"A{n}"} for n in range(41)], "40 are the most"),
+    ]
+    for table, word in bad:
+        answer = operator.put(path, json={"version": 0, "standards": table})
+        assert answer.status_code == 422 and word in error_of(answer)
+    assert operator.put(path, json={"version": 0, "standards": [row]}).status_code == 200
+    late = operator.put(path, json={"version": 0, "standards": []})
+    assert late.status_code == 409 and "meanwhile" in error_of(late)
+    missing = operator.put("/surveys/77/standards", json={"version": 0, "standards": []})
+    assert missing.status_code == 404
 
 
 def test_the_paper_stands_beside(viewer: Client) -> None:
