@@ -18,6 +18,7 @@ from backend.commands.clicks import harmless, metres
 from backend.commands.files import write_whole
 from backend.commands.options import json_option
 from backend.errors import BadInput
+from backend.linescan import faults
 from backend.linescan.direct import measure_direct
 from backend.linescan.finding import Finder
 from backend.linescan.gaps import gaps
@@ -99,7 +100,9 @@ def linescan(
         for vehicle in _vehicles(one, two, finder, method):
             table.add(vehicle)
         said = {"method": method, "lines": one.lines, "rows": one.rows, **_of_rig(rig)}
-    notes += _traffic_notes(table, finder)
+    notes += faults.notes_of(finder)
+    if table.measured and rig.u_baseline_m == 0:
+        notes.append("The uncertainties leave out the baseline's, which was not given (--u-baseline).")
     if output is not None:
         write_whole(output, table.csv())
     if as_json:
@@ -204,23 +207,6 @@ def _columns(crossings: Crossings, one: Strip, two: Strip) -> Crossings:
         column_of(crossings.front_line_2, second),
         column_of(crossings.rear_line_2, second),
     )
-
-
-def _traffic_notes(table: _Table, finder: Finder) -> list[str]:
-    notes = []
-    if table.found and finder.rig.u_baseline_m == 0:
-        notes.append("The uncertainties leave out the baseline's, which was not given (--u-baseline).")
-    if not table.found:
-        notes.append(
-            "No vehicle was found: the road is empty, or the strips do not show it; look at them, and check "
-            "that time runs along the axis given."
-        )
-    if finder.reversed * 2 > max(2, table.found):
-        notes.append(
-            f"{finder.reversed} of {table.found} vehicles reached the second strip first; if all traffic "
-            "goes one way, the strips are swapped: give them the other way round."
-        )
-    return notes
 
 
 def _row(vehicle: Vehicle) -> dict[str, Any]:
