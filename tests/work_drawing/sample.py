@@ -21,6 +21,7 @@ def statistics(
     low_light: float = 0.35,
     choices: Choices = Choices(),
     absent: tuple[str, ...] = ("headlight",),
+    site: Grouping | None = None,
 ) -> Statistics:
     """`n` vehicles, a share of them in low light; the paper's heights are too high below the camera."""
     rng = np.random.default_rng(7)
@@ -39,6 +40,8 @@ def statistics(
             "lighting": Grouping((lighting[:size] == "low_light").astype(np.int64), ("daytime", "low_light")),
             "category": Grouping(rng.integers(0, len(categories), size), categories),
         }
+        if site is not None and size:
+            groupings["site"] = site
         limits = [one.height_m for one in standards_of(standards, name)]
         raw = height + (1.5 - height) * 0.13
         targets[name] = target_of(height, raw, roofs, choices.correction, limits, groupings)

@@ -13,12 +13,12 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from backend.work.drawing.canvas import Drawing
+from backend.work.drawing.photos import as_svg
 
 Cell = str | tuple[str, str]  # words, or a figure with small words below it
 _LONG_RUN = re.compile(r"[!-~\u00c0-\u024f]{19,}")
 _STEP = 9
-_PNG = b"\x89PNG"
-_BREAK = "\u200b"  # where a line may end
+_BREAK = "\u200b"  # where a line may end; the template takes it out
 
 
 @dataclass(frozen=True)
@@ -100,12 +100,17 @@ class Document:
 
     def photos(self, pictures: Iterable[tuple[str, bytes]]) -> None:
         """Photographs side by side, each a caption and a PNG or JPEG file."""
-        shown = []
+        shown, unread = [], []
         for k, (caption, content) in enumerate(pictures, start=1):
-            name = f"photo-{k}.{'png' if content.startswith(_PNG) else 'jpg'}"
-            self.files[name] = content
-            shown.append({"file": name, "title": text(caption), "caption": ""})
-        self._add("figures", across=2, figures=shown)
+            picture = as_svg(content)
+            if picture is None:
+                unread.append(f"The photograph “{caption}” cannot be read as PNG or JPEG.")
+                continue
+            self.files[f"photo-{k}.svg"] = picture
+            shown.append({"file": f"photo-{k}.svg", "title": text(caption), "caption": ""})
+        if shown:
+            self._add("figures", across=2, figures=shown)
+        self.note(*unread)
 
     def as_json(self, **head: str) -> bytes:
         """The blocks and what the template asks for besides."""

@@ -14,7 +14,7 @@ from backend.statistics.summary import Distribution, Groups, Target
 from backend.work.drawing import labels, marks
 from backend.work.drawing.canvas import FULL, HALF, INK, MUTED, NOTE_PT, Drawing, Sheet, svg
 from backend.work.drawing.marks import MAIN, RAW, Limit
-from backend.work.drawing.units import HEIGHT, Scale, Unit, count, fixed, percent
+from backend.work.drawing.units import HEIGHT, Scale, Unit, count, fixed, limit, percent
 from backend.work.drawing.words import TARGETS, group_word, heading
 
 _MARKED = (5.0, 15.0, 50.0, 85.0, 95.0)
@@ -26,7 +26,7 @@ def height_figures(
     name: str, target: Target, standards: Sequence[Standard], unit: Unit
 ) -> dict[str, Drawing | str]:
     """One target's figures by name; `standards` in the order of the target's shares."""
-    limits = _limits(target, standards, HEIGHT[unit])
+    limits = _limits(target, standards, unit)
     found: dict[str, Drawing | str] = {
         f"{name}-ecdf": _cumulative(name, target, limits, unit),
         f"{name}-density": _density(name, target, limits, unit),
@@ -37,7 +37,7 @@ def height_figures(
     return found
 
 
-def _limits(target: Target, standards: Sequence[Standard], scale: Scale) -> list[Limit]:
+def _limits(target: Target, standards: Sequence[Standard], unit: Unit) -> list[Limit]:
     """The standards near enough to the heights to be drawn; those of one height share a rule."""
     parts = [one.ecdf for one in (target.raw, target.corrected) if one.ecdf is not None]
     if not parts:
@@ -49,12 +49,11 @@ def _limits(target: Target, standards: Sequence[Standard], scale: Scale) -> list
     for one in standards:
         if low - reach <= one.height_m <= high + reach:
             by_height.setdefault(one.height_m, []).append(_short(one.name))
-    return [_limit(at, names, shares.get(at), scale) for at, names in sorted(by_height.items())]
+    return [_limit(at, names, shares.get(at), unit) for at, names in sorted(by_height.items())]
 
 
-def _limit(at_m: float, names: Sequence[str], share: float | None, scale: Scale) -> Limit:
-    height = f"{fixed(scale.factor * at_m, 2)} {scale.sign}"
-    return Limit(scale.factor * at_m, f"{', '.join(names)} {height}", share)
+def _limit(at_m: float, names: Sequence[str], share: float | None, unit: Unit) -> Limit:
+    return Limit(HEIGHT[unit].factor * at_m, f"{', '.join(names)} {limit(at_m, unit)}", share)
 
 
 def _with_share(one: Limit) -> Limit:

@@ -93,6 +93,7 @@ def limits(axes: Axes, drawn: Sequence[Limit]) -> list[Bbox]:
                 va="top" if top else "bottom",
                 fontsize=NOTE_PT,
                 color=INK,
+                bbox={"facecolor": "white", "alpha": 0.85, "linewidth": 0, "pad": 0.4},
                 annotation_clip=False,
             )
         )

@@ -42,7 +42,7 @@ def report(facts: ReportFacts, drawn: Drawn | None = None) -> bytes:
 
 def sources(facts: ReportFacts, drawn: Drawn | None = None) -> dict[str, bytes]:
     """The files that Typst compiles: template, blocks, pictures."""
-    document = Document()
+    document, name = Document(), facts.survey.strip() or "Survey"
     figures = drawings(facts.statistics, facts.unit) if drawn is None else drawn
     report_setup.title(document, facts)
     report_results.glance(document, facts)
@@ -54,8 +54,8 @@ def sources(facts: ReportFacts, drawn: Drawn | None = None) -> dict[str, bytes]:
     report_end.exclusions(document, facts)
     report_end.verification(document, facts)
     head = document.as_json(
-        title=text(facts.survey) or "Survey",
-        short=text(facts.survey if len(facts.survey) <= _SHORT else f"{facts.survey[:_SHORT]}…"),
+        title=text(name),
+        short=text(name if len(name) <= _SHORT else f"{name[:_SHORT]}…"),
         site=text(facts.site),
         as_of=report_setup.moment(facts.as_of),
         head=facts.audit_head[:16],

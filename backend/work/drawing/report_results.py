@@ -14,7 +14,19 @@ from backend.work.drawing import words
 from backend.work.drawing.blocks import Cell, Column, Document
 from backend.work.drawing.canvas import Drawing
 from backend.work.drawing.facts import ReportFacts
-from backend.work.drawing.units import HEIGHT, NONE, SMALL, SQUARE, Scale, Unit, count, fixed, percent, plural
+from backend.work.drawing.units import (
+    HEIGHT,
+    NONE,
+    SMALL,
+    SQUARE,
+    Scale,
+    Unit,
+    count,
+    fixed,
+    limit,
+    percent,
+    plural,
+)
 from backend.work.figuring import standards_of
 
 Drawn = Mapping[str, Drawing | str]
@@ -66,11 +78,10 @@ def _below_standards(document: Document, facts: ReportFacts) -> None:
     eyes = facts.statistics.targets.get("driver_eye")
     if eyes is None or not eyes.corrected.shares:
         return
-    height = HEIGHT[facts.unit]
     standards = standards_of(facts.statistics.standards, "driver_eye")
     document.words("Drivers’ eyes below the heights that standards are set by:", sticky=True)
     document.listed(
-        f"{one.name}, {fixed(height.factor * one.height_m, 2)}\u00a0{height.sign}: {percent(share.share)} "
+        f"{one.name}, {limit(one.height_m, facts.unit)}: {percent(share.share)} "
         f"(95 %: {fixed(100 * share.low, 1)} to {fixed(100 * share.high, 1)}\u00a0%)"
         for one, share in zip(standards, eyes.corrected.shares, strict=True)
     )
@@ -124,7 +135,7 @@ def errors(document: Document, facts: ReportFacts, drawn: Drawn) -> None:
     )
     heights = "corrected by their inset" if facts.choices.correction == "inset" else "with inset 0"
     document.words(
-        f"Error = measured minus reference, of roofs measured {heights}, {rounded}. Every figure comes "
+        f"Error = measured minus reference, of roofs {heights}, {rounded}. Every figure comes "
         f"from the "
         "single errors, never from other figures. Intervals at 95 %: BCa bootstrap of 4999 resamples up "
         "to 1000 "
@@ -291,8 +302,16 @@ def _percentile_table(document: Document, facts: ReportFacts, name: str, one: Ta
             for p in raw | corrected
         ],
     )
-    reasons = {found.reason: None for found in (raw | corrected).values() if found.reason}
-    document.note(*(f"Without an interval: {reason}." for reason in reasons))
+    document.note(_without_interval(list((raw | corrected).values())))
+
+
+def _without_interval(found: Sequence[Percentile]) -> str:
+    """Why some percentiles have no interval, each reason once."""
+    alike: dict[str, list[str]] = {}
+    for one in found:
+        if one.reason:
+            alike.setdefault(one.reason, []).append(f"{one.percent:g}\u00a0%")
+    return " ".join(f"{', '.join(which)}: {reason}." for reason, which in alike.items())
 
 
 def _value(found: Percentile | None) -> float | None:
@@ -309,26 +328,25 @@ def _share_table(document: Document, facts: ReportFacts, name: str, one: Target)
     standards = standards_of(facts.statistics.standards, name)  # type: ignore[arg-type]
     if not standards or not one.corrected.shares:
         return
-    height = HEIGHT[facts.unit]
     who = words.MANY[name]
     document.table(
         f"Standards, and the share of {who} below them (corrected heights), with 95 % intervals.",
         [
             Column("Standard", 1.0),
-            Column("Height", 0.0, "right", height.sign),
+            Column("Height", align="right"),
             Column("Below", align="right"),
             Column("Share", align="right"),
             Column("95 % interval", align="right"),
             Column("Source", 1.6),
         ],
-        [_share(*both, height) for both in zip(standards, one.corrected.shares, strict=True)],
+        [_share(*both, facts.unit) for both in zip(standards, one.corrected.shares, strict=True)],
     )
 
 
-def _share(standard: Standard, found: Share, height: Scale) -> Sequence[str]:
+def _share(standard: Standard, found: Share, unit: Unit) -> Sequence[str]:
     return [
         standard.name,
-        fixed(height.factor * standard.height_m, 2),
+        limit(standard.height_m, unit),
         f"{count(found.below)} of {count(found.n)}",
         percent(found.share),
         f"{fixed(100 * found.low, 1)} to {fixed(100 * found.high, 1)}\u00a0%",

@@ -149,7 +149,7 @@ def _lens(document: Document, one: CalibrationFacts) -> None:
 
 
 def _parameter(name: str) -> Column:
-    return Column(name.removesuffix("_px"), 0.0, "right", "px" if name.endswith("_px") else "1")
+    return Column(name.removesuffix("_px"), 0.0, "right", "px" if name.endswith("_px") else "")
 
 
 def _decimals(one: LensParameter) -> int:

@@ -11,7 +11,11 @@ _PAGE = r"""
 #let hair = 0.4pt + luma(60%)
 #let measure = 134mm
 
-#set document(title: doc.title + ", measurement report", author: "Sightline")
+#let gap = "\u{200b}" // where a long run may be broken; not to be written, for readers search the words
+#let t(words) = if words.contains(gap) { words.split(gap).join(box(width: 0pt)) } else { words }
+#let plain(words) = words.replace(gap, "")
+
+#set document(title: plain(doc.title) + ", measurement report", author: "Sightline")
 #set text(font: ("Libertinus Serif", "DejaVu Sans"), size: 10pt, fill: ink, lang: "en", hyphenate: true)
 #set par(leading: 0.62em, spacing: 0.85em)
 #set heading(numbering: "1")
@@ -24,7 +28,7 @@ _PAGE = r"""
   header: context if here().page() > 1 {
     set text(size: 8.5pt, fill: muted)
     grid(columns: (1fr, auto), gutter: 8mm,
-      doc.short, [Measurement report])
+      t(doc.short), [Measurement report])
     v(-0.5em)
     line(length: 100%, stroke: hair)
   },
@@ -60,28 +64,30 @@ _PAGE = r"""
 #let small(body) = text(size: 8.5pt, fill: muted, body)
 #let hashed(body) = text(font: "DejaVu Sans Mono", size: 7pt, body)
 #let cell(parts) = {
-  parts.at(0)
-  if parts.len() > 1 { linebreak(); text(size: 7.8pt, fill: muted, parts.at(1)) }
+  t(parts.at(0))
+  if parts.len() > 1 { linebreak(); text(size: 7.8pt, fill: muted, t(parts.at(1))) }
 }
 """
 
 _BLOCKS = r"""
 #let title-block(b) = {
   block(below: 1.1em, text(size: 9pt, fill: muted, tracking: 0.08em, upper[Measurement report]))
-  block(below: 1.1em, par(leading: 0.45em, text(size: 24pt, weight: 600, hyphenate: false, doc.title)))
-  if doc.site != "" { block(text(size: 13pt, fill: muted, doc.site)) }
+  block(below: 1.1em, par(leading: 0.45em, text(size: 24pt, weight: 600, hyphenate: false, t(doc.title))))
+  if doc.site != "" { block(text(size: 13pt, fill: muted, t(doc.site))) }
   block(above: 1.2em, below: 1.3em, line(length: 100%, stroke: 0.9pt + ink))
 }
-#let pairs-block(b) = block(below: 1.2em, grid(
+#let pairs-block(b) = block(below: 1.2em, breakable: false, grid(
   columns: (38mm, 1fr), row-gutter: 0.62em, column-gutter: 4mm,
-  ..b.rows.map(row => (text(fill: muted, row.at(0)), row.at(1))).flatten(),
+  ..b.rows.map(row => (text(fill: muted, row.at(0)), t(row.at(1)))).flatten(),
 ))
 #let table-block(b) = {
   set text(size: 9pt, number-width: "tabular", hyphenate: false)
   set par(leading: 0.48em)
   let widths = b.columns.map(c => if c.at(1) == 0 { auto } else { c.at(1) * 1fr })
   let sides = b.columns.map(c => if c.at(2) == "right" { right } else { left })
-  let set-cell(x, parts) = if b.columns.at(x).at(2) == "hash" { hashed(parts.at(0)) } else { cell(parts) }
+  let set-cell(x, parts) = {
+    if b.columns.at(x).at(2) == "hash" { hashed(plain(parts.at(0))) } else { cell(parts) }
+  }
   let wide = b.columns.any(c => c.at(1) != 0)
   show figure: set block(breakable: b.rows.len() > short-rows)
   if b.rows.len() > short-rows {
@@ -89,7 +95,7 @@ _BLOCKS = r"""
     block(height: 36mm, above: 0pt, below: 0pt, breakable: false)
     v(-36mm)
   }
-  figure(kind: table, caption: b.caption, block(width: if wide { 100% } else { auto }, table(
+  figure(kind: table, caption: t(b.caption), block(width: if wide { 100% } else { auto }, table(
     columns: widths,
     align: (x, y) => sides.at(x) + if y == 0 { bottom } else { top },
     inset: (x, y) => (
@@ -112,26 +118,28 @@ _BLOCKS = r"""
   ..b.figures.map(f => block(breakable: false, figure(
     kind: image,
     caption: {
-      text(weight: 600, f.title)
-      if f.caption != "" { [. ] + text(fill: muted, f.caption) }
+      text(weight: 600, t(f.title))
+      if f.caption != "" { [. ] + text(fill: muted, t(f.caption)) }
     },
-    image(f.file, alt: f.title + ". " + f.caption, width: 100%),
+    image(f.file, alt: plain(f.title + ". " + f.caption), width: 100%, fit: "contain",
+      height: if b.across > 1 and f.file.starts-with("photo") { 62mm } else { auto }),
   ))),
 ))
 #let warning-block(b) = block(
-  width: measure, inset: (left: 3mm, y: 1mm), stroke: (left: 1.6pt + ink), text(size: 9pt, b.text))
+  width: measure, inset: (left: 3mm, y: 1mm), stroke: (left: 1.6pt + ink), text(size: 9pt, t(b.text)))
 #let code-block(b) = block(
-  width: 100%, inset: 3mm, fill: luma(95%), par(leading: 0.55em, b.lines.map(l => raw(l)).join(linebreak())))
+  width: 100%, inset: 3mm, fill: luma(95%),
+  par(leading: 0.55em, b.lines.map(l => raw(plain(l))).join(linebreak())))
 
 #show grid: set block(above: 0.9em)
 #for b in doc.blocks {
   if b.kind == "title" { title-block(b) }
   else if b.kind == "section" { heading(level: 1, b.text) }
-  else if b.kind == "subsection" { heading(level: 2, numbering: none, b.text) }
-  else if b.kind == "words" { block(width: measure, sticky: b.sticky, b.text) }
-  else if b.kind == "note" { block(width: measure, small(b.text)) }
+  else if b.kind == "subsection" { heading(level: 2, numbering: none, t(b.text)) }
+  else if b.kind == "words" { block(width: measure, sticky: b.sticky, t(b.text)) }
+  else if b.kind == "note" { block(width: measure, small(t(b.text))) }
   else if b.kind == "warning" { warning-block(b) }
-  else if b.kind == "list" { block(width: measure, list(marker: [–], ..b.items)) }
+  else if b.kind == "list" { block(width: measure, list(marker: [–], ..b.items.map(t))) }
   else if b.kind == "pairs" { pairs-block(b) }
   else if b.kind == "code" { code-block(b) }
   else if b.kind == "table" { table-block(b) }

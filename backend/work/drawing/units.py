@@ -27,12 +27,19 @@ class Scale:
         return NONE if value_m is None else f"{self.number(value_m)}\u00a0{self.sign}"
 
 
-HEIGHT: dict[Unit, Scale] = {"m": Scale(1.0, "m", 3), "ft": Scale(1.0 / _FOOT_M, "ft", 2)}
+HEIGHT: dict[Unit, Scale] = {"m": Scale(1.0, "m", 3), "ft": Scale(1.0 / _FOOT_M, "ft", 3)}
 SMALL: dict[Unit, Scale] = {"m": Scale(1000.0, "mm", 1), "ft": Scale(12.0 / _FOOT_M, "in", 2)}
 SQUARE: dict[Unit, Scale] = {
     "m": Scale(1e4, "cm²", 2),
     "ft": Scale((12.0 / _FOOT_M) ** 2, "in²", 3),
 }
+
+
+def limit(height_m: float, unit: Unit) -> str:
+    """The height of a standard with its unit: two decimals, a third only where its metres have one."""
+    scale = HEIGHT[unit]
+    whole = fixed(height_m, 3).endswith("0")
+    return f"{fixed(scale.factor * height_m, 2 if whole else 3)}\u00a0{scale.sign}"
 
 
 def fixed(value: float, digits: int, *, signed: bool = False) -> str:
