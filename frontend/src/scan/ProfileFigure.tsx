@@ -53,7 +53,7 @@ export function ProfileFigure({ detail }: { detail: ScanVehicleDetail }) {
           plot.line(rows, { x: "time_s", y: "fitted", strokeWidth: 2 }),
           plot.dot(
             rows.filter((row) => row.used && row.speed >= low && row.speed <= high),
-            { x: "time_s", y: "speed", r: 2.2, fill: "currentColor" },
+            { x: "time_s", y: "speed", r: 2.4, stroke: "currentColor" },
           ),
           plot.dot(
             rows.filter((row) => !row.used && row.speed >= low && row.speed <= high),

@@ -142,18 +142,26 @@ function ScanCard({ scan, reload }: { scan: Scan; reload: () => Promise<void> })
   );
 }
 
-/** The whole recording, squeezed: the coarsest tiles of camera 1. */
+const OVERVIEW_LINES = 800;
+
+/** The whole recording, squeezed: camera 1 at the coarsest level that still shows vehicles. */
 function Overview({ scan }: { scan: Scan }) {
-  const coarsest = scan.levels.at(-1);
-  if (!coarsest) return null;
-  const level = scan.levels.find((one) => one.tiles === 1) ?? coarsest;
-  return (
+  const level = scan.levels.findLast((one) => one.lines >= OVERVIEW_LINES) ?? scan.levels[0];
+  if (!level) return null;
+  const tiles = Array.from({ length: level.tiles }, (_, index) => ({
+    index,
+    lines: Math.min(scan.tile_lines, level.lines - index * scan.tile_lines),
+  }));
+  const address = `/api/scans/${scan.id}/tiles/1/${level.level}`;
+  return tiles.map(({ index, lines }) => (
     <img
-      src={`/api/scans/${scan.id}/tiles/1/${level.level}/0?v=${scan.tiles_version ?? ""}`}
+      key={index}
+      src={`${address}/${index}?v=${scan.tiles_version ?? ""}`}
+      style={{ flexGrow: lines }}
       alt=""
       loading="lazy"
     />
-  );
+  ));
 }
 
 function facts(scan: Scan): string {
