@@ -96,7 +96,9 @@ FULL = Sheet(174.0, 78.0, right=23.0)  # its width, with words on the right
 
 def svg(draw: Callable[[Axes], None], title: str, sheet: Sheet) -> bytes:
     """What `draw` puts on a sheet, as SVG; `title` is what a screen reader says."""
-    with _alone, matplotlib.rc_context(_LOOK):
+    with _alone, matplotlib.rc_context():
+        matplotlib.rcdefaults()  # whatever a machine's own settings say
+        matplotlib.rcParams.update(_LOOK)
         figure = Figure(figsize=(sheet.width * _MM, sheet.height * _MM), dpi=_DPI)
         FigureCanvasAgg(figure)  # measures texts
         draw(figure.add_axes(sheet.frame()))

@@ -47,7 +47,7 @@ class LensParameter:
 
 @dataclass(frozen=True)
 class CalibrationFacts:
-    """A calibration that measurements rest on. `source`: how it was made, for people."""
+    """A calibration that measurements rest on. `source`: images, clip, import, or words of one's own."""
 
     camera: str
     number: int

@@ -16,6 +16,11 @@ _MODELS = {
     "brown": "Brown’s radial and tangential model",
     "fisheye": "equidistant fisheye (Kannala and Brandt)",
 }
+_SOURCES = {
+    "images": "from pictures of a board",
+    "clip": "from a clip of a board",
+    "import": "imported from another tool’s file",
+}
 _MOST_VERSIONS = 6
 
 
@@ -122,7 +127,7 @@ def _lens(document: Document, one: CalibrationFacts) -> None:
     views = f"{count(one.views_used)} of {count(one.views_given)} used" if one.views_given else ""
     document.pairs(
         [
-            ("Made", f"{one.made_on.isoformat()}, {one.source}"),
+            ("Made", f"{one.made_on.isoformat()}, {_SOURCES.get(one.source, one.source)}"),
             ("Picture", f"{one.width_px} × {one.height_px} pixels"),
             ("Lens model", _MODELS.get(one.model, one.model)),
             ("Views", views),
