@@ -31,6 +31,7 @@ MODULES = (
     "repeats",
     "scans",
     "scans_vehicles",
+    "scans_statistics",
     "statistics",
     "exports",
     "audit",

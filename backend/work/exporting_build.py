@@ -29,6 +29,7 @@ from backend.storage.exports_query import OfVehicle
 from backend.storage.records import AuditHead, Measurement, Survey, Who
 from backend.work import exporting_rows as rows
 from backend.work import exporting_tables as tables
+from backend.work import scanning_rows
 from backend.work.exporting_contents import about_of, others_of, tables_of
 from backend.work.exporting_crops import CROPS, Spots, spots_of, take_crops
 from backend.work.exporting_derived import derive
@@ -175,11 +176,12 @@ class _Writers:
     def measurement(self, revisions: Sequence[Measurement], car: OfVehicle) -> None:
         """One measurement with all its revisions, the newest last."""
         for one in revisions:
-            self._all.add(rows.revision_row(one))
+            row = rows.revision_row(one)
+            self._all.add(row)
         newest = revisions[-1]
-        self._current.add(rows.measurement_row(newest))
-        for row in rows.budget_rows(newest):
-            self._budget.add(row)
+        self._current.add(rows.measurement_row(newest, row))
+        for entry in rows.budget_rows(newest):
+            self._budget.add(entry)
         if not newest.withdrawn:
             clicks = rows.click_row(newest, car)
             self._clicks.add(clicks)
@@ -209,6 +211,10 @@ def _small_tables(staging: Staging, session: Session, survey: Survey, seen: _See
     for pair in pairs:
         seen.name(pair.created_by)
     staging.fill(WHEEL_PAIRS, wheel_pair_rows(sorted(pairs, key=lambda pair: pair.id)))
+    scanned, people = scanning_rows.rows_of(session, survey.id)
+    seen.people.update(people)
+    for table_of_scans in scanning_rows.TABLES:
+        staging.fill(table_of_scans, scanned[table_of_scans.name])
     _set_up(staging, session, survey, seen)
 
 

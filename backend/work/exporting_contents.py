@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Collection
+from functools import cache
 from importlib.metadata import version
+from pathlib import Path
 
 from backend.work import exporting_statistics as statistics
 from backend.work import exporting_tables as tables
@@ -13,6 +16,7 @@ from backend.work.exporting_exclusions import EXCLUSIONS
 from backend.work.exporting_repeats import REPEATS
 from backend.work.exporting_wheels import WHEEL_PAIRS
 from backend.work.packaging import About, Other, Table
+from backend.work.scanning_rows import TABLES as SCANS
 
 REPORT = "report.pdf"
 FIGURES = "figures/"
@@ -31,6 +35,7 @@ PRIMARY: tuple[Table, ...] = (
     tables.INSETS,
     WHEEL_PAIRS,
     REPEATS,
+    *SCANS,
     tables.PEOPLE,
     tables.AUDIT,
     CROPS,
@@ -82,6 +87,19 @@ def about_of(name: str, site: str, description: str, created: str | None) -> Abo
 
 
 def made_with() -> dict[str, str]:
-    """What figures and report were drawn with: the same versions draw the same bytes."""
+    """What figures and report were drawn with: all but the first the same draw the same bytes."""
     used = ("numpy", "scipy", "matplotlib", "typst")
-    return {"sightline": code_version(), **{name: version(name) for name in used}}
+    versions = {name: version(name) for name in used}
+    return {"sightline": code_version(), "drawing": _drawing(), **versions}
+
+
+@cache
+def _drawing() -> str:
+    """The hash of the code that statistics, figures and report come from, whatever version it is part of."""
+    root = Path(__file__).resolve().parents[1]
+    files = [*root.glob("statistics/*.py"), *root.glob("work/drawing/*.py")]
+    files += [root / "work" / name for name in ("figuring.py", "reporting.py")]
+    digest = hashlib.sha256()
+    for file in sorted(files):
+        digest.update(file.read_bytes())
+    return digest.hexdigest()[:16]

@@ -9,6 +9,7 @@ from typing import Any
 
 from sqlalchemy.orm import Session
 
+from backend.linescan import faults
 from backend.linescan.finding import Finder
 from backend.linescan.parts import Crossings, Method, Motion, Rig
 from backend.linescan.rig import gain, misalignment
@@ -81,7 +82,7 @@ def search(report: Report, rig: Rig, method: Method, readers: Readers) -> Search
         motions += [measured(one, rig, method, readers) for one in passages]
         report(0.9 * done / readers[0].lines, f"{_LOOKING} {len(motions)} so far.")
     motions.sort(key=lambda one: one.crossings.front_line_1)
-    return Search(tuple(motions), tuple(_notes(motions, finder)))
+    return Search(tuple(motions), tuple(faults.notes_of(finder)))
 
 
 def _passages(finder: Finder, readers: Readers) -> Iterator[tuple[int, list[Any]]]:
@@ -229,21 +230,6 @@ def _of_rig(motions: Sequence[Motion]) -> JsonObject:
         "gain": light.value,
         "u_gain": light.u,
     }
-
-
-def _notes(motions: Sequence[Motion], finder: Finder) -> list[str]:
-    notes = list(getattr(finder, "notes", ()))
-    if not motions:
-        notes.append(
-            "No vehicle was found: the road is empty, or the strips do not show it; look at them, and check "
-            "the line rate and along which side time runs."
-        )
-    if finder.reversed * 2 > max(2, len(motions)):
-        notes.append(
-            f"{finder.reversed} of {len(motions)} vehicles reached the second strip first; if all traffic "
-            "goes one way, the strips are swapped: make the recording again with the other one first."
-        )
-    return notes
 
 
 def _told(found: int, added: int, revised: int, overtaken: int) -> str:

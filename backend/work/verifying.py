@@ -34,6 +34,7 @@ from backend.work.verifying_rows import (
     check_set_up,
     check_verdicts,
 )
+from backend.work.verifying_scans import check_scans
 
 _LEAST_OF_HEAD = 16
 
@@ -120,17 +121,15 @@ def _check(files: Files, head: str | None, found: _Found, tick: Tick) -> None:
     )
     for step in steps:
         step()
+    check_scans(files, told)
     found.keys = check_keys(files, described_tables(files))
     tick(0.6)
     statistics, found.statistics = check_statistics(files)
     found.crops = check_crops(files, written)
     tick(0.8)
-    others = check_description(files, told, written)
-    if others:
-        found.notes.append(
-            f"Made with {', '.join(others)}, so figures and report were not drawn again, only summed."
-        )
-    else:
+    drawn_alike, notes = check_description(files, told, written)
+    found.notes += notes
+    if drawn_alike:
         found.drawings = check_drawn(files, statistics, written)
 
 

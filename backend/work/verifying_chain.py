@@ -39,6 +39,7 @@ class Told:
     revisions: dict[tuple[int, int], bytes] = field(default_factory=dict)
     of_vehicle: dict[int, int] = field(default_factory=dict)
     repeats: dict[int, bytes] = field(default_factory=dict)
+    scans: int = 0
 
     def is_gone(self, vehicle_id: int) -> bool:
         """Whether a vehicle was deleted in the end; its measurements are then in no table."""
@@ -72,6 +73,8 @@ def _gather(told: Told, event: Event, after: dict[str, Any]) -> None:
         told.reviews[number] = {**after, "at": event["at"], "actor_id": event["actor_id"]}
     elif entity == "wheel_pair":
         told.pairs[number] = after
+    elif entity == "scan":
+        told.scans += 1
     if entity in ("pose", "calibration") and "content_sha256" in after:
         told.contents[entity, number] = after["content_sha256"]
 

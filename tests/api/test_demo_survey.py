@@ -115,6 +115,14 @@ def check_scan(admin: Client, survey_id: int) -> None:
         assert one["make"] == car.vehicle.model.make
         assert abs(one["length_error_m"]) < 0.02 and abs(one["wheelbase_error_m"]) < 0.06
     assert admin.get(f"/scans/{scan['id']}/tiles/1/0/0").status_code == 200
+    told = admin.seen(f"/surveys/{survey_id}/scan-statistics")
+    assert told["counted"]["used"] == 2 and len(told["paper"]) == 15
+    overall = next(one for one in told["length_errors"] if one["group"] == "overall")
+    errors = [one["length_error_m"] for one in found]
+    assert overall["figures"]["mae_m"]["value"] == pytest.approx(sum(map(abs, errors)) / 2)
+    spreads = {one["quantity"]: one for one in told["spreads"]}
+    assert spreads["time_gap"]["n"] == 1 and spreads["speed"]["n"] == 2
+    assert 85.0 in [one["percent"] for one in spreads["speed"]["percentiles"]]
 
 
 def check_people(nobody: Client, admin: Client) -> None:

@@ -118,6 +118,7 @@ MATRIX = {
     "POST /scan-vehicles/{vehicle_id}/restore": "operator",
     "GET /scan-vehicles/{vehicle_id}/match/{picture}": "viewer",
     "POST /scan-measurements/{measurement_id}/review": "reviewer",
+    "GET /surveys/{survey_id}/scan-statistics": "viewer",
     "GET /statistics": "viewer",
     "GET /statistics/sample-size": "viewer",
     "GET /surveys/{survey_id}/standards": "viewer",
