@@ -10,7 +10,7 @@ from backend.linescan.registration import Clock, Fit, covariance
 
 Array = NDArray[np.float64]
 # what the half-way rule leaves on a round bumper, metres, standard uncertainty of one boundary
-U_EDGE_M = 0.0018
+U_EDGE_M = 0.0016
 # how much wider the errors scatter than the clusters of one vehicle say (reflections, sampling, weights that
 # follow the residuals): found on 72 simulated vehicles, checked on others by the bench
 MODEL = 1.6

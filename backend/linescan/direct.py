@@ -25,6 +25,7 @@ Array = NDArray[np.float64]
 # a sample along the vehicle after pooling, metres; finer says nothing new, the optics blur it
 SAMPLE_M = 0.0028
 MOST_POINTS = 12000
+SHIFT_POINTS = 5000
 FEWEST_POINTS = 150
 BLOCK_M = 0.10
 BLOCK_ROWS = 12
@@ -132,7 +133,11 @@ def _blocks(points: Points, size: float, rows: int) -> NDArray[np.intp]:
     if not len(points):
         return np.empty(0, np.intp)
     cell = points.place.astype(int) // max(2, round(size)) * 10000 + points.row.astype(int) // rows
-    return np.asarray(np.unique(cell, return_inverse=True)[1], np.intp)
+    return _renumbered(cell)
+
+
+def _renumbered(numbers: NDArray[np.intp]) -> NDArray[np.intp]:
+    return np.asarray(np.unique(numbers, return_inverse=True)[1], np.intp)
 
 
 def _coarse_to_fine(scene: Scene, start: State, prior: Prior) -> tuple[Fit, Fit]:
@@ -156,8 +161,10 @@ def _coarse_to_fine(scene: Scene, start: State, prior: Prior) -> tuple[Fit, Fit]
         block = _blocks(points, 8, BLOCK_ROWS)
         state = register(first, second, points, scene.clock, state, prior, block, free, None, 3).state
     args = scene.first, scene.second, scene.points, scene.clock
-    global_fit = register(*args, state, prior, scene.block)
-    return global_fit, register(*args, global_fit.state, prior, scene.block, free, scene.cell)
+    few = max(1, len(scene.points) // SHIFT_POINTS)
+    block = _renumbered(scene.block[::few])
+    whole = register(*args[:2], scene.points.every(few), scene.clock, state, prior, block)
+    return whole, register(*args, whole.state, prior, scene.block, free, scene.cell)
 
 
 def _distrusted(fit: Fit, scene: Scene, start: State) -> str | None:
@@ -177,7 +184,8 @@ def _distrusted(fit: Fit, scene: Scene, start: State) -> str | None:
 
 def _answer(passage: Passage, rig: Rig, scene: Scene, whole: Fit, fit: Fit) -> Motion:
     c, course = passage.crossings, fit.state.course
-    shift, u_shift = shift_of(whole, scene.cluster)
+    few = round(len(scene.cluster) / len(whole.weight))
+    shift, u_shift = shift_of(whole, _renumbered(scene.cluster[::few]))
     budget = budget_of(passage, rig, scene.clock, scene.cluster, fit, u_shift, baseline_of(rig))
     profile = _profile(scene, fit, rig)
     return Motion(

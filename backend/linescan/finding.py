@@ -19,6 +19,7 @@ BANDS = 64
 STEPS_HZ = 1220.0
 BLOCK_S = 0.2
 BEGIN_S = 1.0
+TILE = 1024
 KEPT_BYTES = 48 << 20
 # what a vehicle may be: from a motorcycle to a road train, from walking pace to 300 km/h
 LENGTHS_M = (1.0, 32.0)
@@ -78,7 +79,11 @@ class Finder:
         step = max(1, round(rate / STEPS_HZ))
         self.rig, self.rows = rig, rows
         self.grid = Grid(rows, step, max(1, rows // BANDS))
-        self.block = step * max(16, round(BLOCK_S * rate / step))
+        lines = max(16 * step, round(BLOCK_S * rate))
+        # whole tiles of the stored form where that comes near
+        self.block = (
+            round(lines / TILE) * TILE if lines > 0.9 * TILE and TILE % step == 0 else lines // step * step
+        )
         longest = int(KEPT_BYTES / rows / 1.5)
         self.spans = Spans(
             close=max(step, round(0.004 * rate)),
@@ -125,7 +130,7 @@ class Finder:
             return []
         if not held:
             return []
-        pieces = [cast(Pixels, np.concatenate(held)) for held in self._held]
+        pieces = [cast(Pixels, held[0] if len(held) == 1 else np.concatenate(held)) for held in self._held]
         if not begun:
             for watcher, piece in zip(self.watchers, pieces, strict=True):
                 watcher.begin(piece[: self._begin_lines])

@@ -79,7 +79,7 @@ def silhouette(sheet: Sheet, road: NDArray[np.float32], noise_dn: float) -> NDAr
 
 @dataclass(frozen=True, eq=False)
 class Points:
-    """Chosen pixels: place along time and row in the pooled sheet, value and gradients, block and column."""
+    """Chosen pixels (n,): place along time and row in the sheet, value, change along time and across."""
 
     place: NDArray[np.float64]
     row: NDArray[np.float64]
@@ -90,16 +90,21 @@ class Points:
     def __len__(self) -> int:
         return len(self.place)
 
+    def every(self, nth: int) -> "Points":
+        """Each nth of them."""
+        parts = (self.place, self.row, self.value, self.along, self.across)
+        return Points(*(part[::nth] for part in parts))
+
 
 def chosen(sheet: Sheet, inside: NDArray[np.bool_], most: int, noise_dn: float) -> Points:
     """The `most` pixels with the clearest change along time, every part of the vehicle getting its share.
 
     noise_dn: of a pixel of the sheet before softening.
     """
-    along = np.zeros_like(sheet.values)
-    along[1:-1] = (sheet.values[2:] - sheet.values[:-2]) / 2
-    across = np.zeros_like(sheet.values)
-    across[:, 1:-1] = (sheet.values[:, 2:] - sheet.values[:, :-2]) / 2
+    values = sheet.values
+    along = np.zeros_like(values)
+    np.subtract(values[2:], values[:-2], out=along[1:-1])
+    along *= 0.5
     least = max(2.0 * softened_noise(noise_dn), 0.4)
     good = inside & (np.abs(along) > least)
     good[:3], good[-3:] = False, False
@@ -115,9 +120,9 @@ def chosen(sheet: Sheet, inside: NDArray[np.bool_], most: int, noise_dn: float) 
     return Points(
         place.astype(float),
         row.astype(float),
-        sheet.values[place, row].astype(float),
+        values[place, row].astype(float),
         along[place, row].astype(float),
-        across[place, row].astype(float),
+        (values[place, row + 1] - values[place, row - 1]).astype(float) / 2,
     )
 
 
@@ -133,21 +138,28 @@ def _cubic(part: Floats) -> tuple[NDArray[np.floating], ...]:
 
 
 def sampled(values: Floats, place: NDArray[np.float64], row: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Values (n,) of a picture between its samples, bicubic (Catmull-Rom); outside, the rim's.
+    """Values (n,) of a picture between its lines, at whole rows; cubic (Catmull-Rom); outside, the rim's.
 
-    OpenCV's remap rounds places to 1/32 of a pixel, which is more than is asked of the row shift.
+    OpenCV's remap rounds places to 1/32 of a pixel, which is too much here.
     """
     lines, rows = values.shape
-    place, row = np.clip(place, 1, lines - 2.001), np.clip(row, 1, rows - 2.001)
-    at, column = place.astype(np.intp), row.astype(np.intp)
+    place = np.clip(place, 1, lines - 2.001)
+    at = place.astype(np.intp)
     flat = values.ravel()
-    base = at * rows + column
-    down = _cubic((place - at).astype(np.float32))
-    along = _cubic((row - column).astype(np.float32))
+    base = (at - 1) * rows + row.astype(np.intp)
     total = np.zeros(len(place), np.float32)
-    for i, by_line in enumerate(down):
-        line = np.zeros(len(place), np.float32)
-        for j, by_row in enumerate(along):
-            line += by_row * flat[base + ((i - 1) * rows + j - 1)]
-        total += by_line * line
+    for by_line in _cubic((place - at).astype(np.float32)):
+        total += by_line * flat.take(base)
+        base += rows
     return total.astype(np.float64)
+
+
+def shifted(sheet: Sheet, shift: float) -> Sheet:
+    """The sheet whose row r shows what the given one shows at row r + shift; cubic, the rim repeated."""
+    whole = int(np.floor(shift))
+    kernel = np.zeros((1, 2 * abs(whole) + 5), np.float32)
+    middle = kernel.shape[1] // 2
+    weights = _cubic(np.array(shift - whole, np.float32))
+    kernel[0, middle + whole - 1 : middle + whole + 3] = weights
+    values = cv2.filter2D(sheet.values, -1, kernel, borderType=cv2.BORDER_REPLICATE)
+    return Sheet(np.asarray(values, np.float32), sheet.start_line, sheet.step, sheet.band)

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from backend.linescan.masks import Points, Sheet, sampled
+from backend.linescan.masks import Points, Sheet, sampled, shifted
 from backend.linescan.warp import Course
 
 Array = NDArray[np.float64]
@@ -77,14 +77,17 @@ class Fit:
 
 
 def look(first: Sheet, second: Sheet, points: Points, clock: Clock, state: State) -> Look:
-    """Residuals and their derivatives by speed, acceleration, shift, gain and offset."""
+    """Residuals and their derivatives by speed, acceleration, shift, gain and offset.
+
+    `second` is already shifted by the state's rows.
+    """
     first_s = clock.seconds(first.line(points.place))
     second_s = state.course.second_s(first_s)
     place = second.place(clock.lines(second_s))
-    row = points.row + state.shift
-    seen = sampled(second.values, place, row)
+    seen = sampled(second.values, place, points.row)
+    margin = 2 + abs(state.shift)
     inside = (place > 2) & (place < len(second.values) - 3)
-    inside &= (row > 1) & (row < second.values.shape[1] - 2)
+    inside &= (points.row > margin) & (points.row < second.values.shape[1] - 1 - margin)
     residual = seen - state.gain * points.value - state.offset
     # strip 2's gradient from strip 1's, stretched as the motion stretches the picture
     stretch = state.course.speed_at_mps(second_s) / np.maximum(state.course.speed_at_mps(first_s), 1e-3)
@@ -143,8 +146,11 @@ def register(
     blocks = int(block.max()) + 1
     weight = np.ones(len(points))
     held = np.flatnonzero(~np.array(free)) if cell is None else np.array([2, 3, 4])
+    moved, at = shifted(second, state.shift), state.shift
     for _ in range(most_rounds):
-        seen = look(first, second, points, clock, state)
+        if abs(state.shift - at) > 1e-6:
+            moved, at = shifted(second, state.shift), state.shift
+        seen = look(first, moved, points, clock, state)
         if cell is not None:
             seen = levelled(seen, points.value, weight * seen.inside, cell)
         weight, scale = _weights(seen, block, blocks)

@@ -9,7 +9,7 @@ import pytest
 from backend.demonstration.scan_strips import strips
 from backend.demonstration.scan_traffic import ScanSite, ScanVehicle, truths
 from backend.linescan.direct import NO_ORDER, NO_TEXTURE, baseline_of, measure_direct
-from backend.linescan.masks import sampled
+from backend.linescan.masks import Sheet, sampled, shifted
 from backend.linescan.parts import Crossings, Passage, Rig
 from backend.linescan.warp import Course, solved_by_boundaries
 from tests.linescan.scenes import RIG, SITE, cars, found, plain, plain_truth
@@ -156,7 +156,8 @@ def test_boundaries_alone_give_speed_and_acceleration():
 def test_sampling_is_exact_for_quadratics():
     y, x = np.mgrid[0:12, 0:9].astype(float)
     picture = (0.3 * y**2 - 0.2 * x * y + 0.1 * x**2 + 4).astype(np.float32)
-    at, row = np.array([3.25, 7.9]), np.array([2.6, 5.5])
-    assert sampled(picture, at, row) == pytest.approx(
+    at, row = np.array([3.25, 7.9]), np.array([2.6, 5.6])
+    sheet = shifted(Sheet(picture, 0.0, 1, 1), -0.4)
+    assert sampled(sheet.values, at, np.array([3.0, 6.0])) == pytest.approx(
         0.3 * at**2 - 0.2 * row * at + 0.1 * row**2 + 4, abs=1e-5
     )
