@@ -58,7 +58,7 @@ def check_claim(name: str, width: int, height: int, item_bytes: int, file_bytes:
         raise BadInput(f"{name} claims a picture of {width} x {height} pixels; {AGAIN}.")
     if width * height * item_bytes > ANY_FILE_BYTES + LARGEST_RATIO * file_bytes:
         raise BadInput(
-            f"{name} claims {width} x {height} pixels, more than {file_bytes / 1e6:.1f} MB of file can hold; "
+            f"{name} claims {width} x {height} pixels, more than {file_bytes / 1e6:.3g} MB of file can hold; "
             f"it is damaged or no recording: {AGAIN}."
         )
 
