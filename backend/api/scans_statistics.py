@@ -27,7 +27,7 @@ class ScanErrorGroupBody(Out):
     reason: str | None
 
 
-class EstimateBody(Out):
+class ScanRatioBody(Out):
     """Measured over true, by weighted mean: 1.01 says that the baseline is 1 % too long."""
 
     value: float | None
@@ -38,7 +38,7 @@ class EstimateBody(Out):
     warning: str | None
 
 
-class SpreadBody(Out):
+class ScanSpreadBody(Out):
     """The distribution of one quantity over the vehicles, in its unit."""
 
     quantity: str
@@ -82,9 +82,9 @@ class ScanStatisticsBody(Out):
     counted: dict[str, int]
     length_errors: list[ScanErrorGroupBody]
     wheelbase_errors: list[ScanErrorGroupBody]
-    length_ratio: EstimateBody
-    wheelbase_ratio: EstimateBody
-    spreads: list[SpreadBody] = Field(description="Speed, length, time gap, distance gap, headway.")
+    length_ratio: ScanRatioBody
+    wheelbase_ratio: ScanRatioBody
+    spreads: list[ScanSpreadBody] = Field(description="Speed, length, time gap, distance gap, headway.")
     table: list[ScanRowBody]
     paper: list[PaperCarBody]
     paper_note: str
@@ -108,8 +108,8 @@ def _body(found: ScanStatistics) -> ScanStatisticsBody:
         counted=found.counted,
         length_errors=_errors(found.length_errors),
         wheelbase_errors=_errors(found.wheelbase_errors),
-        length_ratio=EstimateBody.model_validate(found.length_ratio),
-        wheelbase_ratio=EstimateBody.model_validate(found.wheelbase_ratio),
+        length_ratio=ScanRatioBody.model_validate(found.length_ratio),
+        wheelbase_ratio=ScanRatioBody.model_validate(found.wheelbase_ratio),
         spreads=[_spread(one) for one in found.spreads],
         table=[ScanRowBody.model_validate(one) for one in found.table],
         paper=[PaperCarBody.model_validate(one) for one in TABLE_I],
@@ -132,8 +132,8 @@ def _figure(group: ErrorGroup, name: str) -> FigureBody:
     return FigureBody(value=group.figures[name], ci95=within, reason=group.reason)
 
 
-def _spread(one: Spread) -> SpreadBody:
-    return SpreadBody(
+def _spread(one: Spread) -> ScanSpreadBody:
+    return ScanSpreadBody(
         quantity=one.quantity,
         unit=one.unit,
         n=one.n,

@@ -852,7 +852,7 @@ export interface paths {
         };
         /**
          * Get Drift
-         * @description What was found of the camera since the road pose in force.
+         * @description What was found of the camera since the road pose in force, and whether it is being looked at.
          */
         get: operations["get_drift"];
         put?: never;
@@ -1691,6 +1691,26 @@ export interface paths {
          * @description Accept, reject (with a reason) or reopen a revision; never boundaries of one's own.
          */
         post: operations["review_scan_measurement"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/surveys/{survey_id}/scan-statistics": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Scan Statistics
+         * @description Errors of length and wheelbase, distributions of speed and gaps, the paper's Table I beside it.
+         */
+        get: operations["get_scan_statistics"];
+        put?: never;
+        post?: never;
         delete?: never;
         options?: never;
         head?: never;
@@ -2871,6 +2891,8 @@ export interface components {
             decision: components["schemas"]["DecisionBody"] | null;
             /** Flagged */
             flagged: components["schemas"]["OpenSpanBody"][];
+            /** @description A look that waits or is under way. */
+            job?: components["schemas"]["JobBody"] | null;
         };
         /**
          * EcdfBody
@@ -3073,6 +3095,11 @@ export interface components {
             audit_head: string;
             /** Url */
             url: string;
+            /**
+             * Filename
+             * @description What the downloaded file is called.
+             */
+            filename: string;
         };
         /** FigureBody */
         FigureBody: {
@@ -4131,6 +4158,28 @@ export interface components {
             /** Note */
             note: string;
         };
+        /**
+         * PaperCarBody
+         * @description A row of the paper's Table I as printed; the length's error is not printed there.
+         */
+        PaperCarBody: {
+            /** Car Id */
+            car_id: number;
+            /** Speed Kmh */
+            speed_kmh: number;
+            /** Acceleration Mps2 */
+            acceleration_mps2: number;
+            /** Size M */
+            size_m: number;
+            /** Counter */
+            counter: string | null;
+            /** True Length M */
+            true_length_m: number;
+            /** Fit Error Percent */
+            fit_error_percent: number;
+            /** Length Error M */
+            length_error_m: number;
+        };
         /** PercentileBody */
         PercentileBody: {
             /** Percent */
@@ -4764,6 +4813,22 @@ export interface components {
             older: number;
         };
         /**
+         * ScanErrorGroupBody
+         * @description Errors of one lighting, metres: measured minus the maker's; Pearson's against the maker's value.
+         */
+        ScanErrorGroupBody: {
+            /** Group */
+            group: string;
+            /** N */
+            n: number;
+            /** Figures */
+            figures: {
+                [key: string]: components["schemas"]["FigureBody"];
+            };
+            /** Reason */
+            reason: string | null;
+        };
+        /**
          * ScanFacts
          * @description What is known of the vehicle; left out stays, null clears. `catalogue_id` fills in the rest.
          */
@@ -4897,6 +4962,24 @@ export interface components {
              */
             mine: boolean;
         };
+        /**
+         * ScanRatioBody
+         * @description Measured over true, by weighted mean: 1.01 says that the baseline is 1 % too long.
+         */
+        ScanRatioBody: {
+            /** Value */
+            value: number | null;
+            /** U */
+            u: number | null;
+            /** Spread */
+            spread: number | null;
+            /** N */
+            n: number;
+            /** Reason */
+            reason: string | null;
+            /** Warning */
+            warning: string | null;
+        };
         /** ScanReviewBody */
         ScanReviewBody: {
             /** Revision */
@@ -4914,6 +4997,28 @@ export interface components {
              * Format: date-time
              */
             at: string;
+        };
+        /**
+         * ScanRowBody
+         * @description A vehicle in the layout of the paper's Table I.
+         */
+        ScanRowBody: {
+            /** Vehicle Id */
+            vehicle_id: number;
+            /** Scan Id */
+            scan_id: number;
+            /** Number */
+            number: number;
+            /** Speed Mps */
+            speed_mps: number | null;
+            /** Acceleration Mps2 */
+            acceleration_mps2: number | null;
+            /** Length M */
+            length_m: number | null;
+            /** True Length M */
+            true_length_m: number | null;
+            /** Fit Error Percent */
+            fit_error_percent: number | null;
         };
         /**
          * ScanRunBody
@@ -4947,6 +5052,54 @@ export interface components {
              * Format: date-time
              */
             created_at: string;
+        };
+        /**
+         * ScanSpreadBody
+         * @description The distribution of one quantity over the vehicles, in its unit.
+         */
+        ScanSpreadBody: {
+            /** Quantity */
+            quantity: string;
+            /** Unit */
+            unit: string;
+            /** N */
+            n: number;
+            /** Mean */
+            mean: number | null;
+            /** Sd */
+            sd: number | null;
+            /** Ecdf */
+            ecdf: components["schemas"]["EcdfBody"] | components["schemas"]["ReasonBody"];
+            /** Density */
+            density: components["schemas"]["DensityBody"] | components["schemas"]["ReasonBody"];
+            /** Percentiles */
+            percentiles: components["schemas"]["PercentileBody"][];
+        };
+        /** ScanStatisticsBody */
+        ScanStatisticsBody: {
+            /** Scans */
+            scans: number;
+            /** Counted */
+            counted: {
+                [key: string]: number;
+            };
+            /** Length Errors */
+            length_errors: components["schemas"]["ScanErrorGroupBody"][];
+            /** Wheelbase Errors */
+            wheelbase_errors: components["schemas"]["ScanErrorGroupBody"][];
+            length_ratio: components["schemas"]["ScanRatioBody"];
+            wheelbase_ratio: components["schemas"]["ScanRatioBody"];
+            /**
+             * Spreads
+             * @description Speed, length, time gap, distance gap, headway.
+             */
+            spreads: components["schemas"]["ScanSpreadBody"][];
+            /** Table */
+            table: components["schemas"]["ScanRowBody"][];
+            /** Paper */
+            paper: components["schemas"]["PaperCarBody"][];
+            /** Paper Note */
+            paper_note: string;
         };
         /**
          * ScanVehicleBody
@@ -21282,6 +21435,157 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["ScanVehicleBody"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unauthorized */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Forbidden */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Method Not Allowed */
+            405: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Precondition Failed */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+            /** @description Insufficient Storage */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ErrorBody"];
+                };
+            };
+        };
+    };
+    get_scan_statistics: {
+        parameters: {
+            query?: {
+                /** @description false: those that wait for a review too. */
+                accepted_only?: boolean;
+            };
+            header?: never;
+            path: {
+                survey_id: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ScanStatisticsBody"];
                 };
             };
             /** @description Bad Request */
