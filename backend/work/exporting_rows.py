@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from datetime import datetime
 from typing import Any
 
+from backend.storage import drift_flags
 from backend.storage.exports_query import OfVehicle
 from backend.storage.records import (
     Calibration,
@@ -104,11 +105,11 @@ def further(one: Measurement) -> Cells:
     return cells
 
 
-def measurement_row(one: Measurement) -> Cells:
+def measurement_row(one: Measurement, revision: Cells) -> Cells:
+    """The current revision with its verdict, from its `revision_row`."""
     return {
+        **revision,
         "id": one.id,
-        "revision": one.revision,
-        **measured(one),
         "verdict": one.review.verdict,
         "review_reason": one.review.reason,
         "reviewer_id": _who(one.review.reviewer),
@@ -183,7 +184,26 @@ _OF_RECORDING = [
 
 
 def recording_row(one: Recording) -> Cells:
-    return {**{name: getattr(one, name) for name in _OF_RECORDING}, "variable_rate": one.vfr}
+    known = {name: getattr(one, name) for name in _OF_RECORDING}
+    return {**known, "variable_rate": one.vfr, **_drift_cells(one)}
+
+
+def _drift_cells(one: Recording) -> Cells:
+    """Whether the camera moved since the road pose in force, and what a person decided about it."""
+    check, decision = drift_flags.check_of(one.drift, one.pose_id), one.drift_decision
+    moved = [] if check is None else [span for span in check["spans"] if span["moved"]]
+    changes = [abs(span["change_m"]) for span in moved if span["change_m"] is not None]
+    cells: Cells = {
+        "drift_state": None if check is None else check["state"],
+        "drift_floor_px": None if check is None else check["floor_px"],
+        "drift_moved_px": max((span["moved_px"] for span in moved), default=None),
+        "drift_height_m": max(changes, default=None),
+        "drift_checked_at": None if check is None else check["checked_at"].replace("+00:00", "Z"),
+    }
+    if decision is not None and decision["pose_id"] == one.pose_id:
+        cells["drift_decision"], cells["drift_decided_by_id"] = decision["reason"], decision["by_id"]
+        cells["drift_decided_at"] = decision["at"].replace("+00:00", "Z")
+    return cells
 
 
 def pose_row(pose: Pose) -> Cells:

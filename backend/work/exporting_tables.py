@@ -13,6 +13,7 @@ from backend.work.packaging import Column, Table
 TARGETS = ("roof", "driver_eye", "taillight", "headlight", "other")
 CATEGORIES = ("hatchback", "saloon", "estate", "suv", "van", "lorry", "other")
 LIGHTING = ("daytime", "low_light")
+DRIFT = ("still", "moved", "unknown")
 VERDICTS = ("to_review", "accepted", "fixed", "rejected", "reopened")
 
 
@@ -220,8 +221,17 @@ RECORDINGS = Table(
         Column("lighting", "string", "light in the recording", enum=LIGHTING),
         _id("camera_id", "camera that made it", required=False),
         _id("pose_id", "road pose in force", required=False),
+        Column("drift_state", "string", "whether the camera moved since that pose", enum=DRIFT),
+        Column("drift_floor_px", "number", "motion that could not be told from standing still", "px"),
+        Column("drift_moved_px", "number", "largest motion found, where it moved", "px"),
+        _m("drift_height_m", "by how much heights are off at most for it"),
+        Column("drift_checked_at", "datetime", "when that was looked at (ISO 8601, UTC)"),
+        Column("drift_decision", "string", "why a person lets the pose stand although the camera moved"),
+        _id("drift_decided_by_id", "who decided that", required=False),
+        Column("drift_decided_at", "datetime", "when that was decided (ISO 8601, UTC)"),
     ),
     primary=("id",),
+    foreign=((("drift_decided_by_id",), "people", ("id",)),),
 )
 
 FRAMES = Table(

@@ -35,7 +35,7 @@ class TableWriter:
     """Rows into one CSV file (UTF-8, comma, line feed, RFC 4180), hashed and counted on the way."""
 
     def __init__(self, file: BinaryIO, table: Table) -> None:
-        self._file, self._columns = file, table.columns
+        self._file, self._columns = file, [(column, column.name) for column in table.columns]
         self._hash, self._size, self.rows = hashlib.sha256(), 0, 0
         self._csv = csv.writer(self, lineterminator="\n")
         self._csv.writerow(table.header)
@@ -50,7 +50,12 @@ class TableWriter:
     def add(self, row: Row) -> None:
         """One row; columns that it does not name stay empty."""
         found = row.get
-        self._csv.writerow([cell_text(column, found(column.name)) for column in self._columns])
+        self._csv.writerow(
+            [
+                "" if (value := found(name)) is None else cell_text(column, value)
+                for column, name in self._columns
+            ]
+        )
         self.rows += 1
 
     def written(self) -> Written:

@@ -18,7 +18,8 @@ from backend.cli import main
 from backend.errors import NoRoom
 from backend.storage import jobs, recordings
 from backend.storage.records import Job
-from backend.work.packaging_files import FolderFiles
+from backend.work.jobs import Cancelled
+from backend.work.packaging_files import FolderFiles, Staging
 from backend.work.services import Services
 from backend.work.verifying import verify_package
 from tests.api.conftest import Client
@@ -41,6 +42,7 @@ def test_room_is_looked_at_before_an_export(
 def test_the_button_makes_a_package_that_holds_everything_and_the_same_state_the_same_bytes(
     viewer: Client, worked: Ground, work: Callable[[], list[Job]], services: Services, tmp_path: Path
 ) -> None:
+    (services.scratch / "export-999").mkdir()  # of a worker that was killed
     job = viewer.made(f"/surveys/{worked.survey_id}/exports")
     assert [one.state for one in work()] == ["done"]
     made = viewer.seen(f"/surveys/{worked.survey_id}/exports")
@@ -67,6 +69,24 @@ def test_the_button_makes_a_package_that_holds_everything_and_the_same_state_the
     # the same state, which the export itself has moved on by its own events, gives the same bytes
     (once, twice) = (_bytes(written(services, worked.survey_id, tmp_path / name)) for name in ("a", "b"))
     assert once == twice
+
+
+def test_an_export_that_is_cancelled_leaves_nothing(
+    viewer: Client,
+    survey_id: int,
+    work: Callable[[], list[Job]],
+    services: Services,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def stopped(staging: Staging, *_rest: object) -> None:
+        staging.add("measurements.csv", b"half")
+        raise Cancelled("Cancelled.")
+
+    monkeypatch.setattr("backend.work.exporting.build", stopped)
+    viewer.made(f"/surveys/{survey_id}/exports")
+    assert [one.state for one in work()] == ["cancelled"]
+    assert viewer.seen(f"/surveys/{survey_id}/exports") == []
+    assert list(services.scratch.iterdir()) == []
 
 
 def _bytes(place: Path) -> dict[str, bytes]:
