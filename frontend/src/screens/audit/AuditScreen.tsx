@@ -23,6 +23,7 @@ const ENTITIES = [
   "measurement",
   "review",
   "click_sigma",
+  "standards",
   "export",
   "person",
   "sign_in_link",

@@ -2,8 +2,8 @@ import { useState } from "preact/hooks";
 import { Button, Field, SelectField, TextField } from "../../components";
 import { query } from "../../router";
 import { parseNumber, plural } from "../../units";
-import { CORRECTIONS, type Correction, narrowed, type SingleName, setFilter } from "./filters";
-import { CATEGORY_WORDS, LIGHTING_WORDS, type Statistics } from "./model";
+import { CORRECTIONS, type Correction, narrowed, type SingleName, setFilter, WIDE } from "./filters";
+import { CATEGORY_WORDS, LIGHTING_WORDS, type Statistics, TARGET_TITLES } from "./model";
 
 const CORRECTION_WORDS: Record<Correction, string> = {
   inset: "inset of each (default)",
@@ -44,6 +44,7 @@ export function FilterBar({ found }: { found: Statistics | null }) {
     >
       <Surveys found={found} chosen={at.getAll("survey")} />
       {choice("state", "Review state", STATES)}
+      {choice("target", "Target", words(TARGET_TITLES, "all"))}
       {choice("lighting", "Lighting", words(LIGHTING_WORDS, "any"))}
       {choice("category", "Category", words(CATEGORY_WORDS, "any"))}
       {choice("operator", "Operator", [{ value: "", label: "anybody" }, ...operators])}
@@ -59,19 +60,7 @@ export function FilterBar({ found }: { found: Statistics | null }) {
       <ReferenceU value={at.get("u_reference_m")} />
       {narrowed(at) && (
         <div class="stat-filter__clear">
-          <Button
-            small
-            onClick={() =>
-              setFilter({
-                lighting: null,
-                category: null,
-                operator: null,
-                first_day: null,
-                last_day: null,
-                state: null,
-              })
-            }
-          >
+          <Button small onClick={() => setFilter(WIDE)}>
             Clear the filter
           </Button>
         </div>

@@ -1,11 +1,12 @@
 import { useState } from "preact/hooks";
 import { Button, SelectField, TextField } from "../../components";
 import { query } from "../../router";
+import { canWork } from "../../state/session";
 import { formatLength, lengthUnit, parseLength } from "../../units";
 import { setFilter } from "./filters";
-import { type Standard, standardKey } from "./model";
+import { type Standard, standardKey, STANDARD_OF as WHAT } from "./model";
+import { StandardsEditor } from "./StandardsEditor";
 
-const WHAT = { driver_eye: "driver’s eye", object: "object (taillight, headlight)" } as const;
 const OWN = "own value";
 
 /** The standards that are switched on in this address. */
@@ -13,8 +14,19 @@ export function switchedOn(standards: readonly Standard[], off: readonly string[
   return standards.filter((one) => !off.includes(standardKey(one)));
 }
 
-/** Which heights are drawn in: those of standards with their sources, and the reader's own; all in the address. */
-export function Standards({ standards }: { standards: readonly Standard[] }) {
+interface Props {
+  standards: readonly Standard[];
+  /** Whose table can be changed here: that of the only survey shown. */
+  surveyId: string | null;
+  /** After a change. */
+  reload: () => void;
+}
+
+/** Which heights are drawn in: the survey's standards with their sources, and the reader's own, which are in the
+ * address only, as is what is switched off.
+ */
+export function Standards({ standards, surveyId, reload }: Props) {
+  const [editing, setEditing] = useState(false);
   const off = query.value.getAll("off");
   const toggle = (key: string, on: boolean) =>
     setFilter({ off: on ? off.filter((one) => one !== key) : [...off, key] });
@@ -22,57 +34,89 @@ export function Standards({ standards }: { standards: readonly Standard[] }) {
     <section class="panel stat-noprint" aria-labelledby="stat-standards">
       <header class="panel__head">
         <h2 id="stat-standards">Standards drawn in</h2>
-        <span class="muted small">kept in this page’s address, not stored</span>
+        {surveyId && canWork.value && !editing && (
+          <Button small onClick={() => setEditing(true)}>
+            Change this survey’s standards
+          </Button>
+        )}
       </header>
-      <div class="table-scroll">
-        <table class="table" data-testid="standards">
-          <thead>
-            <tr>
-              <th>drawn</th>
-              <th>standard</th>
-              <th>for</th>
-              <th class="num">height</th>
-              <th>source</th>
-              <th>
-                <span class="visually-hidden">remove</span>
-              </th>
-            </tr>
-          </thead>
-          <tbody>
-            {standards.map((one) => {
-              const key = standardKey(one);
-              return (
-                <tr key={key}>
-                  <td>
-                    <input
-                      type="checkbox"
-                      aria-label={`Draw ${one.name}, ${WHAT[one.what]}, ${formatLength(one.height_m, 2)}`}
-                      checked={!off.includes(key)}
-                      onChange={(event) => toggle(key, event.currentTarget.checked)}
-                    />
-                  </td>
-                  <td>{one.name}</td>
-                  <td>{WHAT[one.what]}</td>
-                  <td class="num">{formatLength(one.height_m, 2)}</td>
-                  <td>{one.source}</td>
-                  <td class="num">
-                    {one.name === OWN && (
-                      <Button
-                        small
-                        icon="close"
-                        label={`Remove ${formatLength(one.height_m, 2)}`}
-                        onClick={() => remove(one)}
-                      />
-                    )}
-                  </td>
-                </tr>
-              );
-            })}
-          </tbody>
-        </table>
-      </div>
-      <AddOwn />
+      {editing && surveyId ? (
+        <StandardsEditor
+          surveyId={surveyId}
+          done={(saved) => {
+            setEditing(false);
+            if (saved) reload();
+          }}
+        />
+      ) : (
+        <Drawn standards={standards} off={off} toggle={toggle} />
+      )}
+      <p class="stat-notes small">
+        {surveyId
+          ? "The table belongs to the survey and goes into its package. "
+          : "Each survey has a table of its own; choose one survey to change it. "}
+        Ticks and own values are kept in this page’s address.
+      </p>
+      {!editing && <AddOwn />}
     </section>
+  );
+}
+
+interface DrawnProps {
+  standards: readonly Standard[];
+  off: readonly string[];
+  toggle: (key: string, on: boolean) => void;
+}
+
+function Drawn({ standards, off, toggle }: DrawnProps) {
+  return (
+    <div class="table-scroll">
+      <table class="table" data-testid="standards">
+        <thead>
+          <tr>
+            <th>drawn</th>
+            <th>standard</th>
+            <th>for</th>
+            <th class="num">height</th>
+            <th>source</th>
+            <th>
+              <span class="visually-hidden">remove</span>
+            </th>
+          </tr>
+        </thead>
+        <tbody>
+          {standards.map((one) => {
+            const key = standardKey(one);
+            return (
+              <tr key={key}>
+                <td>
+                  <input
+                    type="checkbox"
+                    aria-label={`Draw ${one.name}, ${WHAT[one.what]}, ${formatLength(one.height_m, 2)}`}
+                    checked={!off.includes(key)}
+                    onChange={(event) => toggle(key, event.currentTarget.checked)}
+                  />
+                </td>
+                <td>{one.name}</td>
+                <td>{WHAT[one.what]}</td>
+                <td class="num">{formatLength(one.height_m, 2)}</td>
+                <td>{one.source}</td>
+                <td class="num">
+                  {one.name === OWN && (
+                    <Button
+                      small
+                      icon="close"
+                      label={`Remove ${formatLength(one.height_m, 2)}`}
+                      onClick={() => remove(one)}
+                    />
+                  )}
+                </td>
+              </tr>
+            );
+          })}
+        </tbody>
+      </table>
+    </div>
   );
 }
 

@@ -8,7 +8,7 @@ import { formatCount, plural } from "../../units";
 import { ErrorFigures } from "./ErrorFigures";
 import { ErrorTable } from "./ErrorTable";
 import { FilterBar } from "./FilterBar";
-import { narrowed, setFilter, statisticsPath } from "./filters";
+import { narrowed, setFilter, statisticsPath, WIDE } from "./filters";
 import { GroupSection } from "./GroupSection";
 import type { Statistics } from "./model";
 import { SamplePlan } from "./SamplePlan";
@@ -52,7 +52,7 @@ export default function StatisticsScreen() {
           {data.counted.measurements === 0 ? (
             <Nothing found={data} surveyId={only} />
           ) : (
-            <Figures found={data} />
+            <Figures found={data} surveyId={only} reload={found.reload} />
           )}
         </div>
       )}
@@ -60,10 +60,16 @@ export default function StatisticsScreen() {
   );
 }
 
-function Figures({ found }: { found: Statistics }) {
+interface FiguresProps {
+  found: Statistics;
+  surveyId: string | null;
+  reload: () => void;
+}
+
+function Figures({ found, surveyId, reload }: FiguresProps) {
   const standards = switchedOn(found.standards, query.value.getAll("off"));
   const shown = found.targets.filter(
-    (one) => one.target === "driver_eye" || one.target === "taillight" || one.raw.n > 0,
+    (one) => ALWAYS.includes(one.target) || found.targets.length === 1 || one.raw.n > 0,
   );
   const eye = found.targets.find((one) => one.target === "driver_eye");
   return (
@@ -78,12 +84,14 @@ function Figures({ found }: { found: Statistics }) {
         />
       ))}
       <GroupSection targets={found.targets} />
-      <Standards standards={found.standards} />
+      <Standards standards={found.standards} surveyId={surveyId} reload={reload} />
       <SamplePlan sdM={eye?.corrected.sd_m ?? null} />
     </>
   );
 }
 
+/** Shown even where nothing was measured; other targets only where something was. */
+const ALWAYS: readonly string[] = ["driver_eye", "taillight"];
 const WHAT: Record<string, string> = { driver_eye: "driver_eye", taillight: "object", headlight: "object" };
 
 const LEFT_OUT: Record<string, string> = {
@@ -127,22 +135,7 @@ function Nothing({ found, surveyId }: { found: Statistics; surveyId: string | nu
             {waiting > 0 && (
               <Button onClick={() => setFilter({ state: "to_review" })}>Show those to review</Button>
             )}
-            {filtered && (
-              <Button
-                onClick={() =>
-                  setFilter({
-                    lighting: null,
-                    category: null,
-                    operator: null,
-                    first_day: null,
-                    last_day: null,
-                    state: null,
-                  })
-                }
-              >
-                Clear the filter
-              </Button>
-            )}
+            {filtered && <Button onClick={() => setFilter(WIDE)}>Clear the filter</Button>}
             {surveyId && waiting === 0 && !filtered && (
               <Button href={`/surveys/${surveyId}/measure`}>Measure vehicles</Button>
             )}

@@ -6,6 +6,7 @@ export type Correction = (typeof CORRECTIONS)[number];
 
 /** Names that the server takes, some of them more than once. */
 const SINGLE = [
+  "target",
   "lighting",
   "category",
   "operator",
@@ -50,9 +51,22 @@ export function setFilter(changes: Parameters<typeof changed>[1]): void {
   navigate(location.pathname + (text ? `?${text}` : ""), { replace: true });
 }
 
+const NARROWING = [
+  "target",
+  "lighting",
+  "category",
+  "operator",
+  "first_day",
+  "last_day",
+  "state",
+] as const satisfies readonly SingleName[];
+
+/** What clears all that narrows the measurements beyond the survey. */
+export const WIDE: Partial<Record<SingleName, null>> = Object.fromEntries(
+  NARROWING.map((name) => [name, null]),
+);
+
 /** Whether anything beyond the survey narrows the measurements. */
 export function narrowed(query: URLSearchParams): boolean {
-  return ["lighting", "category", "operator", "first_day", "last_day", "state"].some((name) =>
-    query.get(name),
-  );
+  return NARROWING.some((name) => query.get(name));
 }

@@ -57,6 +57,9 @@ export function groupWord(grouping: string, word: string): string {
   return word;
 }
 
+/** What a standard speaks of. */
+export const STANDARD_OF = { driver_eye: "driver’s eye", object: "object (taillight, headlight)" } as const;
+
 /** A standard's own address in the link: what and name. */
 export function standardKey(one: Standard): string {
   return `${one.what}:${one.name}:${one.height_m}`;

@@ -1,0 +1,134 @@
+import { useState } from "preact/hooks";
+import { api } from "../../api";
+import { Button, Loading, Problem, SelectField, TextField } from "../../components";
+import type { components } from "../../schema";
+import { useResource } from "../../state/resource";
+import { lengthUnit, METRES_PER_FOOT, parseLength } from "../../units";
+import { STANDARD_OF, type Standard } from "./model";
+
+type Table = components["schemas"]["StandardsBody"];
+interface Row {
+  name: string;
+  what: Standard["what"];
+  height: string;
+  source: string;
+}
+
+const EMPTY: Row = { name: "", what: "driver_eye", height: "", source: "" };
+
+/** A survey's own table of standards: rows to change, add and remove, saved as a whole. */
+export function StandardsEditor({ surveyId, done }: { surveyId: string; done: (saved: boolean) => void }) {
+  const path = `/surveys/${surveyId}/standards`;
+  const found = useResource((signal) => api.get<Table>(path, { signal }), [path]);
+  const [typed, setTyped] = useState<Row[] | null>(null);
+  const [problem, setProblem] = useState<unknown>(null);
+  const [busy, setBusy] = useState(false);
+  if (!found.data) return found.error ? <Problem error={found.error} /> : <Loading what="the standards" />;
+  const { version, standards } = found.data;
+  const rows = typed ?? standards.map(rowOf);
+  const change = (at: number, changes: Partial<Row>) =>
+    setTyped(rows.map((row, i) => (i === at ? { ...row, ...changes } : row)));
+  const save = async () => {
+    const read = rows.map((row) => ({ ...row, height_m: parseLength(row.height) }));
+    const wrong = read.find((row) => row.height_m === null);
+    if (wrong) {
+      setProblem(new Error(`Give the height of ${wrong.name || "the new standard"}, such as ${example()}.`));
+      return;
+    }
+    setBusy(true);
+    try {
+      const table = read.map(({ name, what, height_m, source }) => ({ name, what, height_m, source }));
+      await api.put<Table>(path, { version, standards: table });
+      done(true);
+    } catch (error) {
+      setProblem(error);
+      setBusy(false);
+    }
+  };
+  return (
+    <form
+      class="stat-editor"
+      onSubmit={(event) => {
+        event.preventDefault();
+        void save();
+      }}
+    >
+      {rows.map((row, at) => (
+        <RowFields
+          // rows have no name of their own while they are typed
+          key={at}
+          row={row}
+          at={at}
+          change={(changes) => change(at, changes)}
+          remove={() => setTyped(rows.filter((_, i) => i !== at))}
+        />
+      ))}
+      <Problem error={problem} />
+      <div class="row">
+        <Button icon="add" onClick={() => setTyped([...rows, EMPTY])}>
+          Add a standard
+        </Button>
+        <span class="grow" />
+        <Button onClick={() => done(false)}>Cancel</Button>
+        <Button type="submit" kind="primary" disabled={busy}>
+          Save for this survey
+        </Button>
+      </div>
+    </form>
+  );
+}
+
+const shown = (metres: number) =>
+  String(Number((lengthUnit.value === "ft" ? metres / METRES_PER_FOOT : metres).toFixed(3)));
+const example = () => `${shown(1.08)} ${lengthUnit.value}`;
+const rowOf = ({ name, what, height_m, source }: Standard): Row => ({
+  name,
+  what,
+  height: shown(height_m),
+  source,
+});
+
+interface RowProps {
+  row: Row;
+  at: number;
+  change: (changes: Partial<Row>) => void;
+  remove: () => void;
+}
+
+function RowFields({ row, at, change, remove }: RowProps) {
+  const hide = at > 0;
+  return (
+    <fieldset class="stat-editor__row">
+      <legend class="visually-hidden">{row.name || "New standard"}</legend>
+      <TextField
+        label="Standard"
+        hideLabel={hide}
+        value={row.name}
+        required
+        onInput={(name) => change({ name })}
+      />
+      <SelectField
+        label="For"
+        hideLabel={hide}
+        value={row.what}
+        options={(["driver_eye", "object"] as const).map((value) => ({ value, label: STANDARD_OF[value] }))}
+        onChange={(what) => change({ what })}
+      />
+      <TextField
+        label="Height"
+        hideLabel={hide}
+        numeric
+        unit={lengthUnit.value}
+        value={row.height}
+        onInput={(height) => change({ height })}
+      />
+      <TextField
+        label="Source"
+        hideLabel={hide}
+        value={row.source}
+        onInput={(source) => change({ source })}
+      />
+      <Button icon="close" label={`Remove ${row.name || "the new standard"}`} onClick={remove} />
+    </fieldset>
+  );
+}
