@@ -38,7 +38,7 @@ class Settings(BaseSettings):
     #: how long a worker may be silent before its job is given to another one
     lease_s: float = Field(default=5.0, ge=0.5, le=600)
     #: whether the passes of an upload are looked for as soon as it was read; else a person asks for it
-    find_passes: bool = False
+    find_passes: bool = True
 
 
 def load_settings(**overrides: Any) -> Settings:

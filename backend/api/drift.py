@@ -89,6 +89,7 @@ class DriftBody(Out):
     check: CheckBody | None
     decision: DecisionBody | None
     flagged: list[OpenSpanBody]
+    job: JobBody | None = Field(default=None, description="A look that waits or is under way.")
 
 
 class Decision(In):
@@ -111,8 +112,12 @@ def drift_body(recording: Recording) -> DriftBody:
 
 @router.get("/recordings/{recording_id}/drift")
 def get_drift(recording_id: PathId, who: Viewer, session: Reading) -> DriftBody:
-    """What was found of the camera since the road pose in force."""
-    return drift_body(recordings.get(session, recording_id))
+    """What was found of the camera since the road pose in force, and whether it is being looked at."""
+    recording = recordings.get(session, recording_id)
+    job = drifting.under_way(session, recording)
+    return drift_body(recording).model_copy(
+        update={"job": None if job is None else JobBody.model_validate(job)}
+    )
 
 
 @router.post("/recordings/{recording_id}/drift", status_code=202)

@@ -14,9 +14,10 @@ from backend.geometry.drift import TARGET_M, HeightChange, Motion, height_change
 from backend.geometry.drift_spans import Course, Look, course
 from backend.geometry.road_pose import RoadPose
 from backend.media.drift import Background, background, mean_of, register
+from backend.storage import jobs as job_table
 from backend.storage import poses, recordings
 from backend.storage.columns import now
-from backend.storage.records import Job, Pose, Recording
+from backend.storage.records import Job, JobState, Pose, Recording
 from backend.work import jobs
 from backend.work.code_version import code_version
 from backend.work.measuring import road_pose
@@ -26,6 +27,7 @@ KIND = "drift"
 _OF_POSE = 8  # frames of the pose's span whose mean is looked for
 _EVERY_S = 1.0
 _FEWEST, _MOST = 24, 120
+UNDER_WAY: tuple[JobState, ...] = ("running", "queued")
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,6 +60,15 @@ def request_if_posed(session: Session, recording_id: int, *, actor: int | None) 
     recording = recordings.get(session, recording_id)
     if recording.state == "ready" and recording.frame_count and recording.pose_id is not None:
         request_drift(session, recording_id, actor=actor)
+
+
+def under_way(session: Session, recording: Recording) -> Job | None:
+    """The look at a recording that waits or runs, if there is one."""
+    for state in UNDER_WAY:
+        for job in job_table.listing(session, survey_id=recording.survey_id, state=state):
+            if job.kind == KIND and job.recording_id == recording.id:
+                return job
+    return None
 
 
 @jobs.handler(KIND)

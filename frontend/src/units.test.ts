@@ -6,6 +6,7 @@ import {
   formatHeight,
   formatLength,
   formatSmall,
+  inUnits,
   lengthUnit,
   parseLength,
   parseNumber,
@@ -72,6 +73,12 @@ describe("numbers", () => {
     expect(plain(formatCount(1234567))).toBe("1 234 567");
     expect(plain(plural(1, "frame"))).toBe("1 frame");
     expect(plain(plural(0, "frame"))).toBe("0 frames");
+  });
+
+  it("puts the millimetres of a sentence into inches for those who read feet", () => {
+    const words = "The camera moved by 2.5 px: heights are off by up to 25.4 mm on frames 17 to 39.";
+    expect(inUnits(words, "m")).toBe(words);
+    expect(plain(inUnits(words, "ft"))).toContain("off by up to 1.00 in on frames 17");
   });
 
   it("rounds bytes into the next unit rather than 1000 of the last", () => {

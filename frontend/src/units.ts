@@ -48,6 +48,12 @@ export function formatSmall(metres: number | null, unit = lengthUnit.value): str
   return `${fixed(mm, Math.abs(mm) < 10 ? 1 : 0)}${NBSP}mm`;
 }
 
+/** A sentence of the server, which speaks millimetres, with its small lengths in the shown unit. */
+export function inUnits(words: string, unit = lengthUnit.value): string {
+  if (unit === "m") return words;
+  return words.replace(/(\d+(?:\.\d+)?) mm\b/g, (_, mm: string) => formatSmall(Number(mm) / 1000, unit));
+}
+
 /** What a person typed as a length in the shown unit, in metres; null when it is no number. Takes a comma for the point. */
 export function parseLength(text: string, unit = lengthUnit.value): number | null {
   const value = parseNumber(text);

@@ -39,6 +39,7 @@ def settings(tmp_path: Path, database_url: str) -> Settings:
         media_url=str(data_dir / "media"),
         frontend_dir=tmp_path / "pages",
         secret=SecretStr("a secret for tests only"),
+        find_passes=False,
     )
 
 

@@ -9,14 +9,14 @@ import pytest
 from sqlalchemy import select
 
 from backend.media.writer import write_mp4
-from backend.storage import audit
+from backend.storage import audit, recordings
 from backend.storage.records import Job
 from backend.storage.tables_of_work import measurements
+from backend.work.exporting_rows import recording_row
+from backend.work.exporting_tables import RECORDINGS
 from backend.work.services import Services
 from tests.api.conftest import FRAME_HEIGHT, FRAME_WIDTH, Client, error_of, upload
 from tests.api.ground import Ground, add_pose, add_vehicle, flat_camera, lay_ground, measure
-
-pytestmark = pytest.mark.once
 
 BUMP, COUNT = 17, 40
 
@@ -89,6 +89,13 @@ def test_a_bump_flags_what_comes_after_it_until_somebody_decides(
     assert decided["flagged"] == [] and decided["decision"]["holds"] is True
     assert flags(viewer, late) == []
     with services.reading() as session:
+        cells = recording_row(recordings.get(session, ground.recording_id))
+        assert {"drift_state": "moved", "drift_decision": "Checked on the kerb."}.items() <= cells.items()
+        assert (
+            cells["drift_moved_px"] == pytest.approx(2.5, abs=0.05)
+            and str(cells["drift_decided_at"])[-1] == "Z"
+        )
+        assert set(cells) <= {column.name for column in RECORDINGS.columns}
         events = [event.action for event in audit.listing(session, entity="recording")]
     assert events[:2] == ["decide_drift", "check_drift"]
 
@@ -131,4 +138,8 @@ def test_choosing_a_pose_looks_by_itself_and_without_one_there_is_nothing_to_loo
     ground = lay_ground(services, survey_id, recording_id)
     answer = operator.put(f"/recordings/{recording_id}", {"pose_id": ground.pose_id})
     assert answer.status_code == 200
+    waiting = operator.seen(f"/recordings/{recording_id}/drift")
+    assert waiting["check"] is None and waiting["job"]["state"] == "queued"
     assert [(job.kind, job.state) for job in work()] == [("drift", "done")]
+    looked = operator.seen(f"/recordings/{recording_id}/drift")
+    assert looked["job"] is None and looked["check"] is not None

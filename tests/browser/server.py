@@ -66,7 +66,8 @@ def start(
     log = data_dir / f"server-{port}-{time.time_ns()}.log"
     data_dir.mkdir(parents=True, exist_ok=True)
     environment = {name: value for name, value in os.environ.items() if not name.startswith("SIGHTLINE_")}
-    environment |= {"SIGHTLINE_PORT": str(port), "PYTHONUNBUFFERED": "1", **(extra or {})}
+    environment |= {"SIGHTLINE_PORT": str(port), "PYTHONUNBUFFERED": "1", "SIGHTLINE_FIND_PASSES": "false"}
+    environment |= extra or {}
     process = subprocess.Popen(
         [str(SIGHTLINE), *command.split(), "--data-dir", str(data_dir)],
         stdout=log.open("w"),

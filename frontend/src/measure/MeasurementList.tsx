@@ -4,7 +4,7 @@ import { Button, Icon, StateMark } from "../components";
 import { hint, keyMap, showChord } from "../keys";
 import { canWork } from "../state/session";
 import type { Target } from "../types";
-import { formatHeight } from "../units";
+import { formatHeight, inUnits } from "../units";
 import { MeasurementConflict } from "./Conflicts";
 import { REQUIRED, TARGET_WORDS, TARGETS } from "./flow";
 import { InsetChoice } from "./InsetChoice";
@@ -166,7 +166,7 @@ function Said({ model, entry }: { model: MeasureModel; entry: Entry }) {
       {m.flags.map((flag) => (
         <p key={flag} class="height-row__said">
           <Icon name="info" size={14} />
-          {flag}
+          {inUnits(flag)}
         </p>
       ))}
       {verdict !== "to_review" && (

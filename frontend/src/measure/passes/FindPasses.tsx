@@ -1,5 +1,5 @@
 /** "Find the passes": starts the search in a recording, follows it, says what came of it. */
-import { useState } from "preact/hooks";
+import { useEffect, useState } from "preact/hooks";
 import { api } from "../../api";
 import { Button, JobProgress, Problem } from "../../components";
 import { cancelJob, isOver, useJob } from "../../state/jobs";
@@ -15,9 +15,12 @@ interface Props {
 
 export function FindPasses({ recording, found }: Props) {
   const known = recording.job;
-  const [jobId, setJobId] = useState<number | null>(
-    known?.kind === "passes" && !isOver(known) ? known.id : null,
-  );
+  const underWay = known?.kind === "passes" && !isOver(known) ? known.id : null;
+  const [jobId, setJobId] = useState<number | null>(underWay);
+  // a search that began by itself when the video was read
+  useEffect(() => {
+    if (underWay !== null) setJobId(underWay);
+  }, [underWay]);
   const [problem, setProblem] = useState<unknown>(null);
   const job = useJob(
     jobId,

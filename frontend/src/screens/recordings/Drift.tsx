@@ -6,6 +6,7 @@ import { useJob } from "../../state/jobs";
 import { useResource } from "../../state/resource";
 import { may } from "../../state/session";
 import type { Drift, Job } from "../../types";
+import { inUnits } from "../../units";
 import { DriftPlot } from "./DriftPlot";
 import "./drift.css";
 
@@ -28,7 +29,7 @@ export function DriftVerdict({ recordingId, poseId, open }: Props) {
     if (ended.state === "failed") setProblem(new Error(ended.error ?? "The check stopped."));
     void drift.reload();
   };
-  const job = useJob(jobId, over, setProblem);
+  const job = useJob(jobId ?? drift.data?.job?.id ?? null, over, setProblem);
   if (poseId === null || !drift.data) return null;
   const { check, decision, flagged } = drift.data;
   const look = async (): Promise<void> => {
@@ -53,7 +54,13 @@ export function DriftVerdict({ recordingId, poseId, open }: Props) {
                   : "check"
           }
         />
-        <span>{check?.words ?? "Whether the camera moved since its road pose has not been looked at."}</span>
+        <span>
+          {check
+            ? inUnits(check.words)
+            : job
+              ? "Whether the camera moved since its road pose is being looked at."
+              : "Whether the camera moved since its road pose has not been looked at."}
+        </span>
       </p>
       {decision?.holds && (
         <p class="small">
@@ -68,7 +75,7 @@ export function DriftVerdict({ recordingId, poseId, open }: Props) {
           <DriftPlot check={check} />
           <div class="row row--wrap">
             <Decide recordingId={recordingId} drift={drift.data} set={drift.set} onProblem={setProblem} />
-            {may("operator") && jobId === null && (
+            {may("operator") && !job && (
               <Button small onClick={() => void look()}>
                 Look again
               </Button>
@@ -77,7 +84,7 @@ export function DriftVerdict({ recordingId, poseId, open }: Props) {
         </details>
       ) : (
         may("operator") &&
-        jobId === null && (
+        !job && (
           <Button small onClick={() => void look()}>
             Did the camera move?
           </Button>

@@ -1,6 +1,6 @@
 /** How far the picture moved over the recording's time: a dot a look, the floor as a band, moved parts shaded. */
 import type { DriftCheck } from "../../types";
-import { fixed, formatSmall } from "../../units";
+import { fixed, formatLength, formatSmall, inUnits } from "../../units";
 
 const WIDTH = 420;
 const HEIGHT = 92;
@@ -20,7 +20,12 @@ export function DriftPlot({ check }: { check: DriftCheck }) {
   const worst = told.reduce((most, look) => Math.max(most, Math.abs(look.change_m ?? 0)), 0);
   return (
     <figure class="drift__figure">
-      <svg viewBox={`0 0 ${WIDTH} ${HEIGHT}`} role="img" aria-label={check.words} class="drift__plot">
+      <svg
+        viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
+        role="img"
+        aria-label={inUnits(check.words)}
+        class="drift__plot"
+      >
         <rect
           class="drift__floor"
           x={LEFT}
@@ -59,8 +64,8 @@ export function DriftPlot({ check }: { check: DriftCheck }) {
       </svg>
       <figcaption class="small muted">
         {told.length} frames against the road pose's{untold > 0 ? `, ${untold} told nothing` : ""}; worst{" "}
-        {formatSmall(worst)} of height for a target {check.target_m} m high at {check.distance_m ?? "–"} m.
-        The band is what could not be told from standing still.
+        {formatSmall(worst)} of height for a target {formatLength(check.target_m, 2)} high at{" "}
+        {formatLength(check.distance_m, 1)}. The band is what could not be told from standing still.
       </figcaption>
     </figure>
   );
