@@ -25,6 +25,7 @@ STEP = 12
 # after so many steps back in a row, frames in front of the window are decoded as well
 BACKWARDS = 3
 THREADS = 2
+IDLE_S = 10.0
 MOST_FAILED = 1000
 _LOOK_S = 0.05
 _END_S = 5.0
@@ -45,7 +46,8 @@ class _Item:
 class Onward:
     """Fills a cache of JPEGs, nearest in the direction of travel first: one thread decodes, one encodes.
 
-    Thread-safe. Its threads stop while somebody waits for a frame that is not here, and end by `close`.
+    Thread-safe. Its threads pause while somebody waits for a frame that is not here, and end after a while
+    without work, or by `close`.
     """
 
     def __init__(
@@ -143,9 +145,8 @@ class Onward:
     def _run(self) -> None:
         while True:
             with self._change:
-                while not self._closed and (self._waiting or not self._plan):
-                    self._change.wait()
-                if self._closed:
+                busy = self._change.wait_for(self._may_go_on, IDLE_S)
+                if self._closed or not busy:
                     self._threads -= 1
                     self._change.notify_all()
                     return
@@ -165,6 +166,9 @@ class Onward:
                 with self._change:
                     self._coming.pop(item.key, None)
                 item.done.set()
+
+    def _may_go_on(self) -> bool:
+        return self._closed or bool(self._plan and not self._waiting)
 
     def _make(self, item: _Item) -> None:
         if not item.decode and item.n not in self._pictures.warm(item.media):

@@ -19,6 +19,9 @@ from backend.media.picture import Bgr, Gray, Layout, has_half_chroma, upright, u
 from backend.media.seeker import WHOLE, Decoded, RecordingMedia, Seeker
 
 JPEG_QUALITY = 95
+# What an open decoder holds beside the window: reference frames and those of its threads, 16 as measured.
+FRAMES_OF_DECODER = 20
+OPEN_BYTES = 1_000_000_000
 Wanted = Callable[[], bool]
 Rectangle = tuple[int, int, int, int, int]
 
@@ -71,19 +74,22 @@ class _Desk:
         self.seeker = seeker
         self.lock = threading.Lock()
         self.closed = False
+        self.held_bytes = 0
 
 
 class Window:
     """Pictures of frame n, decoded here.
 
     Decoded frames are kept as the decoder gave them (YUV), so that a step back costs a conversion and not a
-    group of pictures. At most `max_open` decoders stay open. Thread-safe. What is asked for `ahead` of the
-    operator has a decoder and a small window of its own, so that it never throws out what the operator sees.
+    group of pictures. At most `max_open` decoders stay open, fewer where they hold more than `open_bytes`.
+    Thread-safe. What is asked for `ahead` of the operator has a decoder and a small window of its own, so
+    that it never throws out what the operator sees.
     """
 
-    def __init__(self, memory_bytes: int, *, max_open: int = 4) -> None:
+    def __init__(self, memory_bytes: int, *, max_open: int = 4, open_bytes: int = OPEN_BYTES) -> None:
         self._frames: MemoryCache[Decoded] = MemoryCache(memory_bytes)
         self._max_open = max_open
+        self._open_bytes = open_bytes
         self._desks: OrderedDict[str, _Desk] = OrderedDict()
         self._lock = threading.Lock()
         self._ahead: Window | None = None
@@ -171,7 +177,9 @@ class Window:
         """
 
         def keep(m: int, frame: av.VideoFrame, layout: Layout) -> None:
-            self._frames.put((identity, m, int(media.crc[m])), (frame, layout), _size(frame))
+            size = _size(frame)
+            desk.held_bytes = FRAMES_OF_DECODER * size
+            self._frames.put((identity, m, int(media.crc[m])), (frame, layout), size)
 
         desk.seeker.keep = keep
         after = range(n + 1, min(n + 1 + WHOLE, len(media)))
@@ -183,15 +191,18 @@ class Window:
 
     def _desk(self, media: RecordingMedia, identity: str) -> _Desk:
         with self._lock:
-            desk = self._desks.get(identity)
-            if desk is not None:
-                self._desks.move_to_end(identity)
-                return desk
-            desk = self._desks[identity] = _Desk(Seeker(media))
-            over = [self._desks.popitem(last=False)[1] for _ in range(len(self._desks) - self._max_open)]
+            desk = self._desks.pop(identity, None) or _Desk(Seeker(media))
+            self._desks[identity] = desk
+            over = []
+            while len(self._desks) > 1 and self._is_too_much():
+                over.append(self._desks.popitem(last=False)[1])
         for old in over:
             _shut(old)
         return desk
+
+    def _is_too_much(self) -> bool:
+        held = sum(desk.held_bytes for desk in self._desks.values())
+        return len(self._desks) > self._max_open or held > self._open_bytes
 
 
 def _shut(desk: _Desk) -> None:

@@ -17,6 +17,7 @@ from backend.media.caches import DiskCache, MemoryCache
 from backend.media.frames import FrameServer, NotWanted, RecordingMedia
 from backend.media.images import read_image_bgr
 from backend.media.seeker import Seeker
+from backend.media.window import FRAMES_OF_DECODER, Window, always
 from tests.media.clips import Spec, read_number
 from tests.media.conftest import Clip, Ingest, media_of
 
@@ -142,6 +143,18 @@ def test_open_decoders_are_bounded(clip: Clip, tmp_path: Path, take_in: Ingest) 
     assert len(os.listdir("/proc/self/fd")) <= before + 2
     server.close()
     assert read_number(server.bgr(medias[0], 3)) == 3, "a closed server opens again"
+
+
+def test_large_pictures_leave_room_for_fewer_decoders(clip: Clip, take_in: Ingest) -> None:
+    medias = [media_of(take_in(clip(Spec(f"{k}.mp4", gop=10 + k), 20))) for k in range(3)]
+    frame = 320 * 240 * 3 // 2
+    window = Window(2_000_000, max_open=3, open_bytes=2 * FRAMES_OF_DECODER * frame + frame)
+    before = len(os.listdir("/proc/self/fd"))
+    for n in range(12):
+        assert read_number(window.gray(medias[n % 3], n, always)) == n
+    window.gray(medias[0], 0, always)
+    assert len(os.listdir("/proc/self/fd")) <= before + 2
+    window.close()
 
 
 def test_many_threads_get_their_own_frames(clip: Clip, tmp_path: Path, take_in: Ingest) -> None:

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from backend.errors import Damaged
+from backend.media import onward
 from backend.media.display import Display
 from backend.media.frames import FrameServer, NotWanted, RecordingMedia
 from backend.media.window import Wanted, Window
@@ -161,11 +162,24 @@ def test_large_stills_are_made_ahead_as_far_as_the_cache_goes(
 
 
 def test_closing_stops_it_and_asking_starts_it_again(server: FrameServer, pictures: Pictures) -> None:
+    before = set(threading.enumerate())
     pictures.slow = {11}
     server.still(MEDIA, 10)
     until(lambda: 11 in pictures.asked)
     server.close()
-    assert not [one for one in threading.enumerate() if one.name == "stills-onward"]
+    assert set(threading.enumerate()) <= before
     pictures.slow.clear()
     server.still(MEDIA, 20)
     until(lambda: 26 in pictures.asked)
+
+
+def test_threads_end_without_work(
+    server: FrameServer, pictures: Pictures, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(onward, "IDLE_S", 0.05)
+    before = set(threading.enumerate())
+    server.still(MEDIA, 10)
+    until(lambda: 16 in pictures.asked)
+    until(lambda: set(threading.enumerate()) <= before)
+    server.still(MEDIA, 40)
+    until(lambda: 46 in pictures.asked)
