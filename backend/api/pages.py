@@ -12,7 +12,8 @@ from backend.settings import Settings
 # the addresses of frontend/src/router.ts
 FRONT_END_ROUTE = re.compile(
     r"^(sign-in|account|people|audit|statistics|surveys/\d+"
-    r"(/(planning|camera|recordings|pose|measure|review|checks|repeats|repeats/click|scans|scan|export))?)?/?$"
+    r"(/(planning|camera|recordings|pose|measure|review|checks|repeats|repeats/click|export"
+    r"|scans|scans/results|scan))?)?/?$"
 )
 HASHED = re.compile(r"-[A-Za-z0-9_-]{8}\.\w+$")
 IMMUTABLE = "public, max-age=31536000, immutable"

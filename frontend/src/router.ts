@@ -111,6 +111,13 @@ export const ROUTES: readonly Route[] = [
     load: () => import("./scan/ScansScreen"),
   },
   {
+    name: "scan-results",
+    pattern: "/surveys/:id/scans/results",
+    title: "Motion",
+    layout: "bench",
+    load: () => import("./scan/ResultsScreen"),
+  },
+  {
     name: "scan",
     pattern: "/surveys/:id/scan",
     title: "Line scan",

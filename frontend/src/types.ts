@@ -130,3 +130,6 @@ export type ScanMotion = Schemas["ScanMotionBody"];
 export type ScanVehicleDetail = Schemas["ScanVehicleDetailBody"];
 export type StripUpload = Schemas["StripUploadBody"];
 export type ScanMethod = NonNullable<Schemas["FindWanted"]["method"]>;
+export type ScanStatistics = Schemas["ScanStatisticsBody"];
+export type ScanSpread = Schemas["ScanSpreadBody"];
+export type ScanErrorGroup = Schemas["ScanErrorGroupBody"];

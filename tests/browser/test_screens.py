@@ -42,6 +42,7 @@ SCREENS = {
     "repeats": ("/surveys/{survey}/repeats", "[data-testid=repeats-figure] svg"),
     "click-again": ("/surveys/{survey}/repeats/click?of=all", "[data-testid=again-progress]"),
     "scans": ("/surveys/{survey}/scans", "article.scan-card img"),
+    "scan-results": ("/surveys/{survey}/scans/results", "[data-testid=figure-scan-speed] svg"),
     "scan": ("/surveys/{survey}/scan?scan=1&vehicle=2", "[data-testid=figure-speed-profile-2] svg"),
     "export": ("/surveys/{survey}/export", "main h1"),
     "statistics": ("/statistics?survey={survey}&state=all", "[data-testid=figure-driver_eye-ecdf] svg"),

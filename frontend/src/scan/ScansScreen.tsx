@@ -32,10 +32,17 @@ export default function ScansScreen({ surveyId }: ScreenProps) {
             vehicles, with the picture to check each by.
           </p>
         </div>
-        {canWork.value && !none && !adding && (
-          <Button kind="primary" icon="add" onClick={() => setAdding(true)}>
-            Add a line scan
-          </Button>
+        {!none && (
+          <div class="row row--wrap">
+            <Button icon="chart" href={`/surveys/${surveyId}/scans/results`}>
+              Results
+            </Button>
+            {canWork.value && !adding && (
+              <Button kind="primary" icon="add" onClick={() => setAdding(true)}>
+                Add a line scan
+              </Button>
+            )}
+          </div>
         )}
       </header>
       <Problem error={scans.error} again={scans.reload} />
