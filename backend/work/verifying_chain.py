@@ -62,7 +62,7 @@ def walk(files: Files) -> Told:
 def _gather(told: Told, event: Event, after: dict[str, Any]) -> None:
     entity, action, number = event["entity"], event["action"], int(event["entity_id"] or 0)
     if entity == "measurement":
-        _measured(told, number, after)
+        _measured(told, number, {**after, "by": event["actor_id"]})
     elif entity == "survey":
         told.survey |= after
     elif entity == "vehicle":
@@ -90,7 +90,7 @@ def _measured(told: Told, number: int, after: Mapping[str, Any]) -> None:
 def _short_of_event(after: Mapping[str, Any]) -> list[Any]:
     plain = [after[name] for name in ("vehicle_id", "target", "frame", "pose_id", "status", "withdrawn")]
     points = [*after["contact"], *after["point"]]
-    return [*plain, safe_text(after["reason"] or ""), _length(after["height_m"]), points]
+    return [*plain, safe_text(after["reason"] or ""), _length(after["height_m"]), after["by"], points]
 
 
 def _words_of_event(after: Mapping[str, Any]) -> list[Any]:
@@ -105,7 +105,7 @@ def _length(value_m: float | None) -> str:
 def _short_of_row(row: Mapping[str, str]) -> list[Any]:
     plain = [int(row["vehicle_id"]), row["target"], int(row["frame"]), int(row["pose_id"])]
     said = [row["status"], row["withdrawn"] == "true", row["reason"], row["height_m"]]
-    return [*plain, *said, _points(row, "")]
+    return [*plain, *said, row["created_by_id"], _points(row, "")]
 
 
 def _words_of_row(row: Mapping[str, str], further: list[int]) -> list[Any]:

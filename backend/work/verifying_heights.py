@@ -11,11 +11,13 @@ from typing import cast
 
 from backend.errors import BadInput, Damaged
 from backend.geometry.documents import pose_from_dict
+from backend.geometry.height import COVERAGE_95
 from backend.geometry.road_pose import RoadPose
 from backend.storage.records import Target
 from backend.work.answering import Answer, Clicks, answer
 from backend.work.exporting_rows import clicks_path, pose_path
 from backend.work.packaging_files import Files, read_rows, read_whole
+from backend.work.packaging_files import number as figure_of
 from backend.work.verifying_chain import Told, same_repeat, same_words
 
 Row = Mapping[str, str]
@@ -176,7 +178,9 @@ class _Budget:
             mine = self._next[1]
             self._next = self._take()
         total = math.sqrt(sum(float(row["u_m"]) ** 2 for row in mine))
-        told = float(current["u_height_m"]) if current["u_height_m"] else 0.0
+        told, u95 = (figure_of(current[name]) or 0.0 for name in ("u_height_m", "U95_height_m"))
+        if math.fabs(u95 - COVERAGE_95 * told) > 2e-6:
+            raise Damaged(f"measurements.csv: {current['id']} has a U95 that is not 1.96 u; one is wrong.")
         if math.fabs(total - told) > 1e-6 * max(2, len(mine)):
             raise Damaged(
                 f"budget.csv: the contributions to {current['id']} give {total:.6f} m, measurements.csv says "

@@ -140,6 +140,27 @@ def a_makers_height(place: Path, drawings: bool = False) -> str:
     return "vehicles.csv: 1 is not what its audit events say"
 
 
+def an_operator(place: Path) -> str:
+    for name in ("measurements.csv", "revisions.csv"):
+        edit(place, name, roof, created_by_id="3")
+    rederive(place)
+    return "differs from its audit event"
+
+
+def an_uncertainty(place: Path) -> str:
+    """The u of the roof halved with its whole budget; the U95 stands in the audit chain."""
+    (row,) = (one for one in rows(place, "measurements.csv") if roof(one))
+    for name in ("measurements.csv", "revisions.csv"):
+        edit(place, name, roof, u_height_m=f"{float(row['u_height_m']) / 2:.6f}")
+    budget = rows(place, "budget.csv")
+    for one in budget:
+        if one["measurement_id"] == row["id"]:
+            one["u_m"] = f"{float(one['u_m']) / 2:.6f}"
+    rewrite(place, "budget.csv", budget)
+    rederive(place)
+    return "has a U95 that is not 1.96 u"
+
+
 def a_verdict(place: Path) -> str:
     for name in ("measurements.csv", "reviews.csv"):
         edit(place, name, lambda row: row["verdict"] == "rejected", verdict="accepted")
@@ -258,6 +279,8 @@ WAYS: tuple[Callable[[Path], str], ...] = (
     a_row_taken_out,
     a_row_put_in,
     a_makers_height,
+    an_operator,
+    an_uncertainty,
     a_verdict,
     an_event,
     an_event_and_its_hash,

@@ -129,7 +129,7 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
         )}
         {packages.data && packages.data.length > 0 && <Packages list={packages.data} />}
       </section>
-      {packages.data && packages.data.length > 0 && <Checking newest={packages.data[0]} />}
+      {packages.data?.[0] && <Checking newest={packages.data[0]} />}
       <section class="panel">
         <header class="panel__head">
           <h2>What is in a package</h2>
@@ -225,8 +225,7 @@ function Hash({ text, what }: { text: string; what: string }) {
 
 /** How the one who receives a package checks it, ready to be copied. */
 function Checking({ newest }: { newest: ExportPackage }) {
-  const name = newest.url.replace(/.*\//, "");
-  const command = `sightline verify ${name} --head ${newest.audit_head}`;
+  const command = `sightline verify ${newest.filename} --head ${newest.audit_head}`;
   return (
     <section class="panel">
       <header class="panel__head">
