@@ -222,9 +222,11 @@ def _board(one: PoseFacts, small: Scale, height: Scale) -> str:
         return ""
     words = f"reference row of corners {height.length(one.reference_height_m)} above the road"
     if one.u_reference_height_m is not None:
-        words += f", u = {small.length(one.u_reference_height_m)}"
+        words += f", u\u00a0=\u00a0{small.length(one.u_reference_height_m)}"
     if one.u_lean_rad is not None:
-        words += f"; the board’s lean and roll, u = {fixed(1000 * one.u_lean_rad, 1)}\u00a0mrad each"
+        words += (
+            f"; the board’s lean and roll, u\u00a0=\u00a0{fixed(1000 * one.u_lean_rad, 1)}\u00a0mrad each"
+        )
     return words + "."
 
 

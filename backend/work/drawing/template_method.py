@@ -20,7 +20,7 @@ METHOD = r"""
     [right only where #m("n x", $bold(n)_x$) points down; corners are put into that order first]),
   ("(14), (15)",
     m("d = n z transposed p l", $d = bold(n)_z^top bold(p)_l$),
-    [#m("d = minus n z transposed p l", $d = -bold(n)_z^top bold(p)_l$); otherwise the side plane is
+    [#m("d = minus n z transposed p l", $d = -bold(n)_z^top bold(p)_l$), otherwise the side plane is
     mirrored]),
   ("(17)",
     m("n x p prime l over n x p prime h", $bold(n)_x bold(p)'_l \/ bold(n)_x bold(p)'_h$),
