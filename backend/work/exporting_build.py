@@ -34,6 +34,7 @@ from backend.work.exporting_contents import about_of, others_of, tables_of
 from backend.work.exporting_crops import CROPS, Spots, spots_of, take_crops
 from backend.work.exporting_derived import derive
 from backend.work.exporting_repeats import REPEATS, repeat_rows
+from backend.work.exporting_standards import STANDARDS, standard_rows
 from backend.work.exporting_wheels import WHEEL_PAIRS, wheel_pair_rows
 from backend.work.packaging import DESCRIPTION, Table, description_of, json_bytes
 from backend.work.packaging_files import Staging, TableWriter
@@ -207,6 +208,7 @@ def _small_tables(staging: Staging, session: Session, survey: Survey, seen: _See
     staging.fill(tables.RECORDINGS, map(rows.recording_row, recordings.list_for_survey(session, survey.id)))
     staging.fill(tables.FRAMES, _frame_rows(session, seen))
     staging.fill(tables.INSETS, rows.inset_rows(survey))
+    staging.fill(STANDARDS, standard_rows(session, survey.id))
     pairs = wheel_pairs.list_for_survey(session, survey.id)
     for pair in pairs:
         seen.name(pair.created_by)

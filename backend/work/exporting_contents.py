@@ -14,6 +14,7 @@ from backend.work.code_version import code_version
 from backend.work.exporting_crops import CROPS
 from backend.work.exporting_exclusions import EXCLUSIONS
 from backend.work.exporting_repeats import REPEATS
+from backend.work.exporting_standards import STANDARDS
 from backend.work.exporting_wheels import WHEEL_PAIRS
 from backend.work.packaging import About, Other, Table
 from backend.work.scanning_rows import TABLES as SCANS
@@ -33,6 +34,7 @@ PRIMARY: tuple[Table, ...] = (
     tables.CALIBRATIONS,
     tables.REVIEWS,
     tables.INSETS,
+    STANDARDS,
     WHEEL_PAIRS,
     REPEATS,
     *SCANS,

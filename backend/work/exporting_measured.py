@@ -18,6 +18,7 @@ from backend.statistics.corrections import CORRECTIONS, Correction
 from backend.statistics.errors import Rounding
 from backend.statistics.summary import Grouping
 from backend.storage.measured_columns import CATEGORIES, LIGHTING, NONE, TARGETS, VERDICTS, Measured
+from backend.work.exporting_standards import standards_in
 from backend.work.figuring import Choices, Filter, Statistics, filtered, made_of
 from backend.work.packaging_files import Files, read_columns, unsafe
 
@@ -62,9 +63,10 @@ def statistics_of(files: Files, choices: Choices = Choices()) -> PackageStatisti
     groupings = _groupings(files, measured)
     wanted: list[tuple[Correction, Rounding]] = [(one, "cm") for one in CORRECTIONS]
     wanted += [("inset", "none"), ("none", "none")]
+    table = standards_in(files)
     found = {}
     for correction, rounding in wanted:
-        chosen = Choices(rounding, correction, choices.u_reference_m, choices.own_standards)
+        chosen = Choices(rounding, correction, choices.u_reference_m, choices.own_standards, table)
         found[correction, rounding] = made_of(measured, left_out, chosen, groupings, {}, {})
     return PackageStatistics(found)
 

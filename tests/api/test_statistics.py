@@ -2,14 +2,17 @@
 
 import statistics as plain
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from datetime import UTC, datetime, timedelta
+from pathlib import Path
 from random import Random
 from typing import Any
 
 import pytest
 
 from backend.storage import audit, measurements, reviews, surveys, vehicles
+from backend.work.exporting_standards import STANDARDS, standard_rows, standards_in
+from backend.work.packaging_files import Staging
 from backend.work.services import Services
 from tests.api.conftest import Client, error_of
 from tests.storage import samples
@@ -280,6 +283,18 @@ def test_a_survey_has_its_own_standards(
     with services.reading() as session:
         event = audit.listing(session, survey_id=one, entity="standards")[0]
     assert event.after == {"standards": table} and event.before == {"standards": usual["standards"]}
+
+
+def test_a_surveys_standards_go_into_its_package(
+    operator: Client, services: Services, ground: Ground, tmp_path: Path
+) -> None:
+    one = ground.one.survey.id
+    table = [{"name": "=House, rule", "what": "driver_eye", "height_m": 1.15, "source": '"By-law" 7'}]
+    assert operator.put(f"/surveys/{one}/standards", json={"version": 0, "standards": table}).is_success
+    staging = Staging(tmp_path)
+    with services.reading() as session:
+        staging.fill(STANDARDS, standard_rows(session, one))
+    assert [asdict(standard) for standard in standards_in(staging.files())] == table
 
 
 def test_a_table_of_standards_that_cannot_be_is_refused(operator: Client, ground: Ground) -> None:
