@@ -19,22 +19,29 @@ BANDS = 48
 BEFORE_M, BEHIND_M = 0.10, 0.30
 GREY_M = (0.012, 0.040)
 REACH = 4
+# above this noise of a pixel, bands and means along the vehicle are twice as wide
+NOISY_DN = 4.5
+CLEAR_SHARE = 0.4
+DOUBT_M = 0.03
 
 
 @dataclass(frozen=True)
 class Edge:
-    """One boundary: its line, None where the bands show none; standard error of the parabola."""
+    """One boundary: its line, None where the bands show none; doubtful where few bands near it are clear."""
 
     line: float | None
-    u_lines: float
+    doubtful: bool = True
 
 
-def refined(passage: Passage, rig: Rig) -> Crossings:
-    """The passage's crossings to a fraction of a line; a boundary that is not clear keeps its rough line."""
+def refined(passage: Passage, rig: Rig) -> tuple[Crossings, float]:
+    """The crossings to a fraction of a line, and what doubt adds to the length's uncertainty, metres.
+
+    A boundary that is not clear at all keeps its rough line.
+    """
     rough = passage.crossings
     delay = (rough.front_line_2 - rough.front_line_1 + rough.rear_line_2 - rough.rear_line_1) / 2
     per_m = max(delay, 1.0) / rig.baseline_m
-    lines = []
+    lines, doubts = [], 0
     for line, rear, second in (
         (rough.front_line_1, False, False),
         (rough.rear_line_1, True, False),
@@ -45,7 +52,9 @@ def refined(passage: Passage, rig: Rig) -> Crossings:
         road = passage.background_2 if second else passage.background_1
         edge = edge_near(picture, road, line - start, rear, per_m, passage.noise_dn)
         lines.append(line if edge.line is None else start + edge.line)
-    return Crossings(*lines)
+        doubts += edge.doubtful
+    # each of four boundaries counts half in the length, and both of a pair tend to fail together
+    return Crossings(*lines), DOUBT_M * doubts / 2
 
 
 def edge_near(
@@ -56,24 +65,25 @@ def edge_near(
     lo, hi = (line - behind, line + before) if rear else (line - before, line + behind)
     lo, hi = max(round(lo), 0), min(round(hi), len(picture))
     if hi - lo < 6:
-        return Edge(None, 0.0)
-    differs, height = _differences(picture[lo:hi], road)
+        return Edge(None)
+    wide = 1 + (noise_dn > NOISY_DN)
+    differs, height = _differences(picture[lo:hi], road, wide)
     if rear:
         differs = differs[::-1]
-    soft = max(1, round(0.006 * lines_per_m))
+    soft = max(1, round(0.006 * wide * lines_per_m))
     smooth = _box(differs, soft)
     sigma = 1.3 * noise_dn / np.sqrt(height * soft)
     edges, clear = _band_edges(smooth, sigma, lines_per_m)
-    found = _vertex(edges, clear)
+    found = _vertex(edges, clear, REACH // wide + 1)
     if found.line is None:
         return found
-    return Edge(hi - 1 - found.line if rear else lo + found.line, found.u_lines)
+    return Edge(hi - 1 - found.line if rear else lo + found.line, found.doubtful)
 
 
-def _differences(window: Pixels, road: NDArray[np.float32]) -> tuple[Array, int]:
+def _differences(window: Pixels, road: NDArray[np.float32], wide: int) -> tuple[Array, int]:
     """Band means (lines, bands) of picture minus road in the upper part, and the rows in a band."""
     rows = max(1, int(window.shape[1] * UPPER_PART))
-    height = max(1, window.shape[1] // BANDS)
+    height = max(1, window.shape[1] // BANDS) * wide
     bands = max(1, rows // height)
     used = bands * height
     means = window[:, :used].reshape(len(window), bands, height).mean(-1)
@@ -115,29 +125,27 @@ def _band_edges(smooth: Array, sigma: float, lines_per_m: float) -> tuple[Array,
     return last + part, steady & inside
 
 
-def _vertex(edges: Array, clear: NDArray[np.bool_]) -> Edge:
+def _vertex(edges: Array, clear: NDArray[np.bool_], reach: int) -> Edge:
     """The smallest line of a parabola through the edges around the foremost bands."""
     bands = np.flatnonzero(clear)
     if len(bands) < 3:
-        return Edge(None, 0.0)
+        return Edge(None)
     # a single band that is ahead of all others is noise, so the foremost three decide where to look
     smooth = np.array([np.median(edges[bands[max(k - 1, 0) : k + 2]]) for k in range(len(bands))])
     middle = bands[int(smooth[1:-1].argmin()) + 1]
-    near = bands[np.abs(bands - middle) <= REACH]
+    near = bands[np.abs(bands - middle) <= reach]
     if len(near) < 3:
-        return Edge(float(smooth.min()), 1.0)
+        return Edge(float(smooth.min()))
     x, y = (near - middle).astype(float), edges[near]
     keep = np.abs(y - np.median(y)) <= 3 * max(1.4826 * float(np.median(np.abs(y - np.median(y)))), 0.7)
     x, y = x[keep], y[keep]
     if len(x) < 4:
-        return Edge(float(np.median(y)), float(np.std(y)))
+        return Edge(float(np.median(y)))
     c2, c1, c0 = np.polyfit(x, y, 2)
-    scatter = float(
-        np.sqrt(np.sum((np.polyval([c2, c1, c0], x) - y) ** 2) / (len(x) - 3)) if len(x) > 3 else 0
-    )
     if c2 > 1e-6:
         at = float(np.clip(-c1 / (2 * c2), x.min(), x.max()))
         value = float(np.polyval([c2, c1, c0], at))
     else:
         value = float(min(np.polyval(np.polyfit(x, y, 1), [x.min(), x.max()])))
-    return Edge(value, scatter / np.sqrt(max(len(x) - 3, 1)))
+    around = clear[max(middle - 2 * reach, 0) : middle + 2 * reach + 1]
+    return Edge(value, float(np.mean(around)) < CLEAR_SHARE)

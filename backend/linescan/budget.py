@@ -65,7 +65,7 @@ def budget_of(
     answer = _answer_to_shift(fit) * u_shift
     due = np.outer(answer, answer)
     apart = gone(f2) - course.baseline_m, gone(r2) - gone(r1) - course.baseline_m
-    u_edges = _u_edges(*apart)
+    u_edges = float(np.hypot(_u_edges(*apart), passage.u_boundaries_m))
     gradient = np.array([by_speed, by_acceleration])
 
     def entry(source: str, spread: Array) -> Entry:

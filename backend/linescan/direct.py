@@ -12,6 +12,7 @@ from backend.linescan.masks import (
     Sheet,
     chosen,
     coarser,
+    points_at,
     pooled,
     silhouette,
     softened_noise,
@@ -26,6 +27,7 @@ Array = NDArray[np.float64]
 SAMPLE_M = 0.0028
 MOST_POINTS = 12000
 SHIFT_POINTS = 5000
+COARSE_POINTS = 2500
 FEWEST_POINTS = 150
 BLOCK_M = 0.10
 BLOCK_ROWS = 12
@@ -129,15 +131,12 @@ def _prepared(passage: Passage, rig: Rig) -> tuple[Scene, State, Prior]:
 
 
 def _blocks(points: Points, size: float, rows: int) -> NDArray[np.intp]:
-    """Numbers 0.. of the cells of size x rows in which the points lie."""
+    """Numbers of the cells of size x rows in which the points lie; some numbers stay without a point."""
     if not len(points):
         return np.empty(0, np.intp)
-    cell = points.place.astype(int) // max(2, round(size)) * 10000 + points.row.astype(int) // rows
-    return _renumbered(cell)
-
-
-def _renumbered(numbers: NDArray[np.intp]) -> NDArray[np.intp]:
-    return np.asarray(np.unique(numbers, return_inverse=True)[1], np.intp)
+    column = points.place.astype(np.intp) // max(2, round(size))
+    number = (column - column.min()) * (ROWS * 2 // rows + 2) + points.row.astype(np.intp) // rows
+    return np.asarray(number, np.intp)
 
 
 def _coarse_to_fine(scene: Scene, start: State, prior: Prior) -> tuple[Fit, Fit]:
@@ -152,17 +151,13 @@ def _coarse_to_fine(scene: Scene, start: State, prior: Prior) -> tuple[Fit, Fit]
         if len(scene.first.values) < 40 * times:
             continue
         first, second = coarser(scene.first, times), coarser(scene.second, times)
-        inside = np.zeros(first.values.shape, bool)
-        place = np.minimum(scene.points.place.astype(int) // times, len(inside) - 1)
-        inside[place, scene.points.row.astype(int)] = True
-        points = chosen(first, inside, MOST_POINTS // 5, 0.5)
-        if len(points) < FEWEST_POINTS:
-            continue
+        few = max(1, len(scene.points) // COARSE_POINTS)
+        points = points_at(first, scene.points.place[::few] / times, scene.points.row[::few])
         block = _blocks(points, 8, BLOCK_ROWS)
         state = register(first, second, points, scene.clock, state, prior, block, free, None, 3).state
     args = scene.first, scene.second, scene.points, scene.clock
     few = max(1, len(scene.points) // SHIFT_POINTS)
-    block = _renumbered(scene.block[::few])
+    block = scene.block[::few]
     whole = register(*args[:2], scene.points.every(few), scene.clock, state, prior, block)
     return whole, register(*args, whole.state, prior, scene.block, free, scene.cell)
 
@@ -177,7 +172,7 @@ def _distrusted(fit: Fit, scene: Scene, start: State) -> str | None:
     noise = 1.5 * softened_noise(scene.noise_dn)
     left = np.sqrt(max(fit.scale_dn**2 - noise**2, 0.0))
     missed = left / max(1.4826 * float(np.median(np.abs(fit.look.along))), 1e-6)
-    if moved > 0.12 or (moved > 0.05 and missed > 0.25) or abs(fit.state.course.acceleration_mps2) > 11.5:
+    if moved > 0.25 or (moved > 0.05 and missed > 0.25) or abs(fit.state.course.acceleration_mps2) > 11.5:
         return NO_MATCH
     return None
 
@@ -185,7 +180,7 @@ def _distrusted(fit: Fit, scene: Scene, start: State) -> str | None:
 def _answer(passage: Passage, rig: Rig, scene: Scene, whole: Fit, fit: Fit) -> Motion:
     c, course = passage.crossings, fit.state.course
     few = round(len(scene.cluster) / len(whole.weight))
-    shift, u_shift = shift_of(whole, _renumbered(scene.cluster[::few]))
+    shift, u_shift = shift_of(whole, scene.cluster[::few])
     budget = budget_of(passage, rig, scene.clock, scene.cluster, fit, u_shift, baseline_of(rig))
     profile = _profile(scene, fit, rig)
     return Motion(

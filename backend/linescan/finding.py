@@ -239,4 +239,7 @@ class Finder:
             max(one.road.noise_dn, two.road.noise_dn),
             reason,
         )
-        return passage if reason else replace(passage, crossings=refined(passage, self.rig))
+        if reason:
+            return passage
+        crossings, u_boundaries_m = refined(passage, self.rig)
+        return replace(passage, crossings=crossings, u_boundaries_m=u_boundaries_m)

@@ -1,6 +1,7 @@
 """Which pixels of strip 1 tell the motion: clear changes along time, inside the vehicle, spread over it."""
 
 from dataclasses import dataclass
+from typing import cast
 
 import cv2
 import numpy as np
@@ -49,10 +50,12 @@ def pooled(picture: Pixels, start: int, step: int, band: int, soft: tuple[float,
     Softening keeps the error of interpolating between coarse samples small; both strips get the same.
     """
     lines, rows = len(picture) // step * step, picture.shape[1] // band * band
-    cut = np.ascontiguousarray(picture[:lines, :rows])
+    cut = cast(Pixels, np.ascontiguousarray(picture[:lines, :rows]))
     if step > 1 or band > 1:
         size = (rows // band, lines // step)
-        cut = np.asarray(cv2.resize(cut.astype(np.float32), size, interpolation=cv2.INTER_AREA))
+        # of few bytes the mean may be rounded to one: the noise that is left is larger
+        source = cut.astype(np.float32) if step * band > 16 else cut
+        cut = cast(Pixels, cv2.resize(source, size, interpolation=cv2.INTER_AREA))
     values = cv2.GaussianBlur(cut.astype(np.float32), (0, 0), sigmaX=soft[1], sigmaY=soft[0])
     return Sheet(np.asarray(values, np.float32), start + (step - 1) / 2, step, band)
 
@@ -60,7 +63,8 @@ def pooled(picture: Pixels, start: int, step: int, band: int, soft: tuple[float,
 def coarser(sheet: Sheet, times: int) -> Sheet:
     """The same, `times` lines pooled to one."""
     count = len(sheet.values) // times
-    small = sheet.values[: count * times].reshape(count, times, -1).mean(1)
+    size = (sheet.values.shape[1], count)
+    small = cv2.resize(sheet.values[: count * times], size, interpolation=cv2.INTER_AREA)
     start = sheet.start_line + (times - 1) / 2 * sheet.step
     values = cv2.GaussianBlur(small, (0, 0), sigmaX=0.01, sigmaY=0.8)
     return Sheet(np.asarray(values, np.float32), start, sheet.step * times, sheet.band)
@@ -116,13 +120,20 @@ def chosen(sheet: Sheet, inside: NDArray[np.bool_], most: int, noise_dn: float) 
         order = np.argpartition(-strength, most // 2)
         rest = order[most // 2 :]
         where = where[np.concatenate([order[: most // 2], rest[:: max(1, len(rest) // (most // 2))]])]
-    place, row = np.unravel_index(where, good.shape)
+    return points_at(sheet, *np.unravel_index(where, good.shape))
+
+
+def points_at(sheet: Sheet, place: NDArray[np.generic], row: NDArray[np.generic]) -> Points:
+    """The pixels at these places and rows, rounded down, away from the rim."""
+    values = sheet.values
+    n = np.clip(place.astype(np.intp), 1, len(values) - 2)
+    r = np.clip(row.astype(np.intp), 1, values.shape[1] - 2)
     return Points(
-        place.astype(float),
-        row.astype(float),
-        values[place, row].astype(float),
-        along[place, row].astype(float),
-        (values[place, row + 1] - values[place, row - 1]).astype(float) / 2,
+        n.astype(float),
+        r.astype(float),
+        values[n, r].astype(float),
+        (values[n + 1, r] - values[n - 1, r]).astype(float) / 2,
+        (values[n, r + 1] - values[n, r - 1]).astype(float) / 2,
     )
 
 

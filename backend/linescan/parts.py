@@ -53,6 +53,7 @@ class Passage:
     `first`, `second`: (lines, rows) pixels; row 0 of `first` is line `start_1` of strip 1, and so for 2.
     `background_1`, `background_2`: (rows,) float32, the empty road as last seen before the vehicle.
     `noise_dn`: standard deviation of a pixel of the empty road. `reason`: why it cannot be measured, or None.
+    `u_boundaries_m`: what boundaries that are hardly to be seen add to the length's uncertainty.
     """
 
     crossings: Crossings
@@ -64,6 +65,7 @@ class Passage:
     background_2: NDArray[np.float32]
     noise_dn: float
     reason: str | None = None
+    u_boundaries_m: float = 0.0
 
 
 @dataclass(frozen=True)
