@@ -33,7 +33,9 @@ _FEWEST_ANGLES = 12
 _RIM_SHARE, _RIM_AGREEMENT = 0.80, 0.65
 _ARC_SHARE, _ARC_AGREEMENT = 0.42, 0.45
 _WIDEST_PX = 1.3
-SYSTEMATIC_PX = 0.3  # what the edge is off by where it scatters little: shadow at the tyre's foot
+# What the edge is off by where it scatters little. The dark road at the tyre's foot draws it down: drawn wheels
+# come out 0.26 px too low with their shadow and 0.09 px without.
+SYSTEMATIC_PX = 0.3
 
 
 @dataclass(frozen=True)
