@@ -33,8 +33,8 @@ _FEWEST_ANGLES = 12
 _RIM_SHARE, _RIM_AGREEMENT = 0.80, 0.65
 _ARC_SHARE, _ARC_AGREEMENT = 0.42, 0.45
 _WIDEST_PX = 1.3
-# What the edge is off by where it scatters little. The dark road at the tyre's foot draws it down: drawn wheels
-# come out 0.26 px too low with their shadow and 0.09 px without.
+# What the edge is off by where it scatters little. The dark road at the tyre's foot draws it down: drawn
+# wheels come out 0.26 px too low with their shadow and 0.09 px without.
 SYSTEMATIC_PX = 0.3
 
 
