@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-from sqlalchemy import ColumnElement, Select, exists, func, select
+from sqlalchemy import ColumnElement, Select, Text, exists, func, select, type_coerce
 from sqlalchemy.orm import Session
 
 from backend.storage.records import ReviewState
@@ -81,6 +81,22 @@ def vehicles(*, profile: bool = False) -> Select[Any]:
         .outerjoin(_maker, _maker.c.id == scan_measurements.c.created_by)
         .outerjoin(_reviewer, _reviewer.c.id == scan_reviews.c.created_by)
         .outerjoin(_changer, _changer.c.id == scan_vehicles.c.updated_by)
+    )
+
+
+def states(*conditions: ColumnElement[bool]) -> Select[Any]:
+    """(scan, status, verdict, rig as its text) of each living vehicle: what counts are made of."""
+    return (
+        select(
+            scan_vehicles.c.scan_id,
+            scan_measurements.c.status,
+            scan_reviews.c.verdict,
+            type_coerce(scan_measurements.c.rig, Text),
+        )
+        .select_from(scan_vehicles)
+        .outerjoin(scan_measurements, (scan_measurements.c.vehicle_id == scan_vehicles.c.id) & is_current)
+        .outerjoin(scan_reviews, scan_reviews.c.id == _newest_review)
+        .where(scan_vehicles.c.deleted_at.is_(None), *conditions)
     )
 
 

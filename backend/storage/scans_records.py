@@ -256,11 +256,15 @@ class ScanVehicle:
     def state(self) -> ScanVehicleState:
         """What is to be done with it, from its current measurement and the verdict on that."""
         if self.measurement is None:
-            return "not_measurable"
-        verdict = self.measurement.review.verdict
-        if verdict in ("accepted", "rejected"):
-            return "accepted" if verdict == "accepted" else "rejected"
-        return "to_review" if self.measurement.values.status == "ok" else "not_measurable"
+            return state_of(None, None)
+        return state_of(self.measurement.values.status, self.measurement.review.verdict)
+
+
+def state_of(status: str | None, verdict: str | None) -> ScanVehicleState:
+    """The state of a vehicle by its measurement's status (None: not measured) and the verdict on it."""
+    if verdict in ("accepted", "rejected"):
+        return "accepted" if verdict == "accepted" else "rejected"
+    return "to_review" if status == "ok" else "not_measurable"
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,11 +9,11 @@ from sqlalchemy.orm import Session
 
 from backend.errors import BadInput, Conflict
 from backend.storage import audit
-from backend.storage.columns import now
+from backend.storage.columns import canonical_json, now
 from backend.storage.records import JsonObject, VehicleOrigin
 from backend.storage.rows import add_row, change_row, get_row, missing, name_of
-from backend.storage.scans_query import vehicle, vehicles
-from backend.storage.scans_records import ScanCounts, ScanVehicle, ScanVehicleChanges
+from backend.storage.scans_query import states, vehicle, vehicles
+from backend.storage.scans_records import ScanCounts, ScanVehicle, ScanVehicleChanges, state_of
 from backend.storage.tables_of_scans import scan_measurements, scan_vehicles, scans
 
 _ALIVE: ColumnElement[bool] = scan_vehicles.c.deleted_at.is_(None)
@@ -67,11 +67,13 @@ def counts_of_scans(session: Session, rigs: Mapping[int, JsonObject]) -> dict[in
     if not rigs:
         return {}
     counted: dict[int, dict[str, int]] = {}
-    for one in _fetch(session, scan_vehicles.c.scan_id.in_(rigs)):
-        counts = counted.setdefault(one.scan_id, dict.fromkeys(ScanCounts.__slots__, 0))
+    # As text: a canonical JSON document is compared as it stands, thousands of them at a time.
+    own = {scan_id: canonical_json(rig) for scan_id, rig in rigs.items()}
+    for scan_id, status, verdict, rig in session.execute(states(scan_vehicles.c.scan_id.in_(rigs))):
+        counts = counted.setdefault(scan_id, dict.fromkeys(ScanCounts.__slots__, 0))
         counts["vehicles"] += 1
-        counts[one.state] += 1
-        counts["older"] += one.measurement is not None and one.measurement.values.rig != rigs[one.scan_id]
+        counts[state_of(status, verdict)] += 1
+        counts["older"] += status is not None and rig != own[scan_id]
     return {scan_id: replace(ScanCounts(), **counts) for scan_id, counts in counted.items()}
 
 

@@ -46,6 +46,7 @@ def test_two_strips_become_measured_vehicles(
     assert found[1]["gap"]["time_gap_s"] == pytest.approx(truth[1].time_gap_s, abs=0.003)
     tile_of_strip_and_cache(viewer, scan, first)
     sources_are_gone(services, scan)
+    marked_by_hand(operator, scan, truth[0])
     everything_of_one(operator, viewer, reviewer, found[1], truth[1])
     found_again(operator, scan, work)
 
@@ -66,6 +67,22 @@ def sources_are_gone(services: Services, scan: dict[str, Any]) -> None:
     """The stored form holds every pixel: the uploads are not kept beside it."""
     held = [path for path in (services.settings.data_dir / "media").rglob("*") if path.is_file()]
     assert len(held) == 2 and all(path.name.endswith(".strip.tif") for path in held)
+
+
+def marked_by_hand(operator: Client, scan: dict[str, Any], truth: Any) -> None:
+    """A vehicle told by its span in strip 1 alone is found in strip 2 and measured; taken out again."""
+    span = {"front_line_1": round(truth.front_line_1, 1), "rear_line_1": round(truth.rear_line_1, 1)}
+    made = operator.made(f"/scans/{scan['id']}/vehicles", span)
+    motion = made["measurement"]
+    assert (made["origin"], motion["cause"], motion["status"]) == ("person", "added", "ok"), motion["reason"]
+    assert abs(motion["speed_mps"] / truth.vehicle.speed_mps - 1) < 0.003
+    assert abs(motion["front_line_2"] - truth.front_line_2) < 6
+    assert operator.delete(f"/scan-vehicles/{made['id']}").status_code == 204
+    empty = {"front_line_1": 10.0, "rear_line_1": 200.0}
+    nothing = operator.post(f"/scans/{scan['id']}/vehicles", empty)
+    assert nothing.status_code == 422 and "place its front and rear there by hand" in error_of(nothing)
+    outside = {"front_line_1": 10.0, "rear_line_1": 1e9}
+    assert "outside the strip" in error_of(operator.post(f"/scans/{scan['id']}/vehicles", outside))
 
 
 def everything_of_one(
