@@ -71,11 +71,20 @@ def test_figures_are_filtered_downloaded_and_linked(page: Page) -> None:
     page.get_by_label("Percentile", exact=True).fill("50")
     expect(page.get_by_test_id("sample-size")).to_contain_text("vehicles give percentile 50")
 
+    page.get_by_role("button", name="Change this survey’s standards").click()
+    page.get_by_label("Remove United Kingdom, high").click()
+    page.get_by_role("button", name="Save for this survey").click()
+    drawn = page.get_by_test_id("standards")
+    expect(drawn).to_contain_text("United Kingdom, low")
+    expect(drawn).not_to_contain_text("United Kingdom, high")
+
     # the link holds it all, and feet are only shown
     page.evaluate("localStorage.setItem('sightline.unit', '\"ft\"')")
     page.goto(page.url)
     expect(page.get_by_test_id("correction-driver_eye")).to_contain_text("regression on the measured height")
     expect(page.get_by_test_id("shares-driver_eye")).to_contain_text("own value")
+    expect(drawn).to_contain_text("United Kingdom, low")
+    expect(drawn).not_to_contain_text("United Kingdom, high")
 
     page.get_by_label("Measured from (UTC)").fill("2000-01-02")
     page.get_by_label("to", exact=True).fill("2000-01-01")

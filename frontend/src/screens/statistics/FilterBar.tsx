@@ -4,6 +4,7 @@ import { query } from "../../router";
 import { parseNumber, plural } from "../../units";
 import { CORRECTIONS, type Correction, narrowed, type SingleName, setFilter, WIDE } from "./filters";
 import { CATEGORY_WORDS, LIGHTING_WORDS, type Statistics, TARGET_TITLES } from "./model";
+import { fixedRange } from "./numbers";
 
 const CORRECTION_WORDS: Record<Correction, string> = {
   inset: "inset of each (default)",
@@ -142,6 +143,7 @@ function ReferenceU({ value }: { value: string | null }) {
   return (
     <TextField
       label="u of a reference height"
+      hint={`as if within ±${fixedRange(Math.sqrt(3) * (value === null ? USUAL_U_M : Number(value)))}, all alike`}
       numeric
       unit="mm"
       value={text ?? shown}

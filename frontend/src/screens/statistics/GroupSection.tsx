@@ -8,6 +8,7 @@ import { PlotFigure } from "./PlotFigure";
 
 const DASHES = [undefined, "8 4", "2 3", "9 3 2 3", "4 4", "12 3 2 3 2 3"];
 const MOST_DRAWN = DASHES.length;
+const MOST_BANDS = 3;
 const GROUPINGS = [
   { value: "category", label: "Category" },
   { value: "lighting", label: "Lighting" },
@@ -94,7 +95,9 @@ function drawn(groups: readonly Group[], grouping: string): { ecdf: Ecdf; curve:
     .flatMap((one, i) => {
       if (!isThere<Ecdf>(one.ecdf)) return [];
       const wordAt = (i + 0.7) / (Math.min(groups.length, MOST_DRAWN) + 0.4);
-      return [{ ecdf: one.ecdf, curve: { word: groupWord(grouping, one.word), dash: DASHES[i], wordAt } }];
+      const band = groups.length <= MOST_BANDS; // more of them hide each other; the CSV has them all
+      const word = groupWord(grouping, one.word);
+      return [{ ecdf: one.ecdf, curve: { word, dash: DASHES[i], wordAt, band } }];
     });
 }
 

@@ -25,7 +25,7 @@ import {
 import { heightUnit, NONE, percent, scaled } from "./numbers";
 import { type Plot, PlotFigure } from "./PlotFigure";
 
-const RAW: Curve = { word: "as the paper measures", dash: "6 4", faint: true };
+const RAW: Curve = { word: "as the paper measures", dash: "6 4", faint: true, band: true };
 const CORRECTED: Curve = { word: "corrected", band: true };
 
 interface Props {
@@ -77,7 +77,7 @@ function EcdfFigure({ target, standards, title }: Props & { title: string }) {
       name={`${target.target}-ecdf`}
       title={`${title}, cumulative`}
       says={`Cumulative distribution of ${title} heights as the paper measures them and corrected, ${target.raw.n} vehicles`}
-      note={`Band at 95 % of the corrected distribution. ${away > 0 ? `${away} standard${away > 1 ? "s" : ""} far outside not drawn.` : ""}`}
+      note={`Bands at 95 % hold everywhere at once. ${away > 0 ? `${away} standard${away > 1 ? "s" : ""} far outside not drawn.` : ""}`}
       legend={[{ word: CORRECTED.word }, { word: `${RAW.word} (inset 0)`, dash: RAW.dash, faint: true }]}
       reason={both.length === 0 ? "Nothing to draw: no height of this target is left by the filter." : null}
       data={[target, shown.map((one) => one.name + one.height_m).join()]}
