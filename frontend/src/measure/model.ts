@@ -266,11 +266,13 @@ export class MeasureModel {
     const body = `Vehicle ${vehicle.number} leaves the list${count > 0 ? `, and its ${count} measurements with it` : ""}. Undo brings it back.`;
     if (!(await ask({ title: `Delete vehicle ${vehicle.number}?`, body, action: "Delete the pass" }))) return;
     try {
-      await this.takeOut(vehicle);
-      this.undo.push({
-        label: `deletion of vehicle ${vehicle.number}`,
-        undo: () => this.bringBack(vehicle),
-        redo: () => this.takeOut(vehicle),
+      await this.undo.inTurn(async () => {
+        await this.takeOut(vehicle);
+        this.undo.push({
+          label: `deletion of vehicle ${vehicle.number}`,
+          undo: () => this.bringBack(vehicle),
+          redo: () => this.takeOut(vehicle),
+        });
       });
     } catch (error) {
       toastProblem(error);
@@ -281,13 +283,15 @@ export class MeasureModel {
     const recordingId = this.player.value?.recordingId;
     if (recordingId === undefined) return;
     try {
-      const vehicle = await server.addVehicle(recordingId, first, last);
-      this.put(vehicle);
-      this.open(vehicle);
-      this.undo.push({
-        label: `new pass ${vehicle.number}`,
-        undo: () => this.takeOut(vehicle),
-        redo: () => this.bringBack(vehicle),
+      await this.undo.inTurn(async () => {
+        const vehicle = await server.addVehicle(recordingId, first, last);
+        this.put(vehicle);
+        this.open(vehicle);
+        this.undo.push({
+          label: `new pass ${vehicle.number}`,
+          undo: () => this.takeOut(vehicle),
+          redo: () => this.bringBack(vehicle),
+        });
       });
     } catch (error) {
       toastProblem(error);
