@@ -30,9 +30,10 @@ class ExportBody(Out):
     audit_count: int = Field(description="How many events the audit chain in it has.")
     audit_head: str = Field(description="The last hash of that chain; keep it elsewhere.")
     url: str
+    filename: str = Field(description="What the downloaded file is called.")
 
 
-def body_of(made: Export) -> ExportBody:
+def body_of(made: Export, survey: str) -> ExportBody:
     who = None if made.created_by is None else WhoBody.model_validate(made.created_by)
     return ExportBody(
         id=made.id,
@@ -43,7 +44,14 @@ def body_of(made: Export) -> ExportBody:
         audit_count=made.audit_count,
         audit_head=made.audit_head,
         url=f"/api/exports/{made.id}.zip",
+        filename=filename_of(made, survey),
     )
+
+
+def filename_of(made: Export, survey: str) -> str:
+    """The name of a package's file after its survey's, in plain letters."""
+    plain = re.sub(r"[^A-Za-z0-9]+", "-", survey).strip("-").lower() or "survey"
+    return f"sightline-{plain}-{made.id}.zip"
 
 
 @router.post("/surveys/{survey_id}/exports", status_code=202)
@@ -58,8 +66,8 @@ def make_export(
 @router.get("/surveys/{survey_id}/exports")
 def list_exports(survey_id: PathId, who: Viewer, session: Reading) -> list[ExportBody]:
     """The packages that were made of a survey, newest first."""
-    surveys.get(session, survey_id)
-    return [body_of(made) for made in exports.list_for_survey(session, survey_id)]
+    name = surveys.get(session, survey_id).name
+    return [body_of(made, name) for made in exports.list_for_survey(session, survey_id)]
 
 
 @router.get("/exports/{export_id}.zip", response_class=FileResponse)
@@ -69,10 +77,8 @@ def download_export(export_id: PathId, who: Viewer, services: Wired) -> FileResp
         made = exports.get(session, export_id)
         name = surveys.get(session, made.survey_id).name
     path = services.media.local_path(made.media_key)
-    plain = re.sub(r"[^A-Za-z0-9]+", "-", name).strip("-").lower() or "survey"
-    filename = f"sightline-{plain}-{made.id}.zip"
     headers = {
-        "Content-Disposition": f"attachment; filename={quote(filename)}",
+        "Content-Disposition": f"attachment; filename={quote(filename_of(made, name))}",
         "ETag": f'"{made.sha256}"',
         "Cache-Control": "private, max-age=31536000, immutable",
     }

@@ -50,6 +50,8 @@ def test_the_button_makes_a_package_that_holds_everything_and_the_same_state_the
     assert result == {"export_id": made[0]["id"], "measurements": 5, "vehicles": 2, "crops": 4}
     answer = viewer.http.get(made[0]["url"])
     assert answer.headers["content-type"] == "application/zip"
+    assert made[0]["filename"] == f"sightline-test-road-{made[0]['id']}.zip"
+    assert made[0]["filename"] in answer.headers["content-disposition"]
     assert len(answer.content) == made[0]["size_bytes"]
     with zipfile.ZipFile(io.BytesIO(answer.content)) as archive:
         archive.extractall(tmp_path / "export")
