@@ -84,7 +84,7 @@ class Finder:
         self.block = (
             round(lines / TILE) * TILE if lines > 0.9 * TILE and TILE % step == 0 else lines // step * step
         )
-        longest = int(KEPT_BYTES / rows / 1.5)
+        longest = KEPT_BYTES // rows
         self.spans = Spans(
             close=max(step, round(0.004 * rate)),
             least=max(2 * step, round(0.012 * rate)),
@@ -155,7 +155,7 @@ class Finder:
     def _forget(self) -> None:
         for reel, watcher, waiting in zip(self._reels, self.watchers, self._waiting, strict=True):
             needed = min([watcher.busy_since, *(event.front for event in waiting)])
-            reel.forget(max(int(needed) - 2 * self.margin, reel.stop - 2 * self.spans.longest))
+            reel.forget(max(int(needed) - 2 * self.margin, reel.stop - self.spans.longest * 5 // 4))
 
     def _paired(self, last: bool) -> list[Passage]:
         """Takes pairs off both queues; an event that its partner's camera can no longer see stays alone."""
@@ -225,7 +225,7 @@ class Finder:
         for event, reel in zip((one, two), self._reels, strict=True):
             stop = int(event.rear) + self.margin + 1
             if reason in (STOPPED, TOO_LONG):
-                stop = min(stop, int(event.front) + self.spans.longest)
+                stop = min(stop, int(event.front) + self.spans.longest // 4)
             cuts.append(reel.cut(int(event.front) - self.margin, stop))
         (first, start_1), (second, start_2) = cuts
         passage = Passage(

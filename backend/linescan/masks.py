@@ -167,6 +167,8 @@ def sampled(values: Floats, place: NDArray[np.float64], row: NDArray[np.float64]
 
 def shifted(sheet: Sheet, shift: float) -> Sheet:
     """The sheet whose row r shows what the given one shows at row r + shift; cubic, the rim repeated."""
+    if shift == 0.0:
+        return sheet
     whole = int(np.floor(shift))
     kernel = np.zeros((1, 2 * abs(whole) + 5), np.float32)
     middle = kernel.shape[1] // 2

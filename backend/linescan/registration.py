@@ -148,7 +148,7 @@ def register(
     held = np.flatnonzero(~np.array(free)) if cell is None else np.array([2, 3, 4])
     moved, at = shifted(second, state.shift), state.shift
     for _ in range(most_rounds):
-        if abs(state.shift - at) > 1e-6:
+        if abs(state.shift - at) > 5e-4:
             moved, at = shifted(second, state.shift), state.shift
         seen = look(first, moved, points, clock, state)
         if cell is not None:
