@@ -31,6 +31,7 @@ class Told:
     head: str = ""
     moment: str | None = None
     survey: dict[str, Any] = field(default_factory=dict)
+    standards: list[dict[str, Any]] | None = None
     vehicles: dict[int, dict[str, Any]] = field(default_factory=dict)
     recordings: dict[int, dict[str, Any]] = field(default_factory=dict)
     reviews: dict[int, dict[str, Any]] = field(default_factory=dict)
@@ -75,6 +76,8 @@ def _gather(told: Told, event: Event, after: dict[str, Any]) -> None:
         told.pairs[number] = after
     elif entity == "scan":
         told.scans += 1
+    elif entity == "standards":
+        told.standards = after["standards"]
     if entity in ("pose", "calibration") and "content_sha256" in after:
         told.contents[entity, number] = after["content_sha256"]
 

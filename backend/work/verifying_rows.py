@@ -7,9 +7,11 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from backend.errors import Damaged
+from backend.statistics.standards import STANDARDS, Standard
 from backend.storage.chain import content_hash
 from backend.work import exporting_tables as tables
 from backend.work.exporting_rows import calibration_path, pose_path, record_path
+from backend.work.exporting_standards import standards_in
 from backend.work.exporting_wheels import WHEEL_PAIRS
 from backend.work.packaging import Table, cell_text
 from backend.work.packaging_files import Files, number, read_columns, read_rows, read_whole
@@ -52,7 +54,7 @@ def _keys(files: Files, path: str, columns: tuple[str, ...]) -> set[tuple[str, .
 
 
 def check_set_up(files: Files, told: Told) -> None:
-    """Poses, calibrations and insets are those of the chain, and a pose's camera is its calibration's."""
+    """Poses, calibrations, insets and standards are the chain's; a pose's camera is its calibration's."""
     for kind, table, path_of in (
         ("pose", tables.POSES, pose_path),
         ("calibration", tables.CALIBRATIONS, calibration_path),
@@ -63,6 +65,9 @@ def check_set_up(files: Files, told: Told) -> None:
     rows = {row["target"]: row for row in read_rows(files, "insets.csv")}
     if set(rows) != set(insets) or any(not _says(tables.INSETS, rows[one], insets[one]) for one in rows):
         raise Damaged("insets.csv is not what the survey's audit events say; it was changed.")
+    chosen = STANDARDS if told.standards is None else [Standard(**one) for one in told.standards]
+    if standards_in(files) != tuple(chosen):
+        raise Damaged("standards.csv is not what the survey's audit events say; it was changed.")
 
 
 def _check_records(

@@ -235,6 +235,12 @@ def an_inset(place: Path) -> str:
     return "insets.csv is not what the survey's audit events say"
 
 
+def a_standard(place: Path) -> str:
+    edit(place, "standards.csv", lambda row: row["name"] == "France", height_m="0.900000")
+    rederive(place)
+    return "standards.csv is not what the survey's audit events say"
+
+
 def the_report(place: Path) -> str:
     path = place / "report.pdf"
     path.write_bytes(path.read_bytes().replace(b"Sightline", b"Sightlike", 1) + b"%")
@@ -291,6 +297,7 @@ WAYS: tuple[Callable[[Path], str], ...] = (
     a_foreign_key,
     a_frame,
     an_inset,
+    a_standard,
     the_report,
     a_figure,
     the_description,
