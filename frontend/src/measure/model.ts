@@ -265,37 +265,33 @@ export class MeasureModel {
     const count = this.entries.value.filter((entry) => !entry.values.withdrawn).length;
     const body = `Vehicle ${vehicle.number} leaves the list${count > 0 ? `, and its ${count} measurements with it` : ""}. Undo brings it back.`;
     if (!(await ask({ title: `Delete vehicle ${vehicle.number}?`, body, action: "Delete the pass" }))) return;
-    try {
-      await this.undo.inTurn(async () => {
-        await this.takeOut(vehicle);
-        this.undo.push({
-          label: `deletion of vehicle ${vehicle.number}`,
-          undo: () => this.bringBack(vehicle),
-          redo: () => this.takeOut(vehicle),
-        });
+    await this.inTurn(async () => {
+      await this.takeOut(vehicle);
+      this.undo.push({
+        label: `deletion of vehicle ${vehicle.number}`,
+        undo: () => this.bringBack(vehicle),
+        redo: () => this.takeOut(vehicle),
       });
-    } catch (error) {
-      toastProblem(error);
-    }
+    });
   }
 
   private async addPass(first: number, last: number): Promise<void> {
     const recordingId = this.player.value?.recordingId;
     if (recordingId === undefined) return;
-    try {
-      await this.undo.inTurn(async () => {
-        const vehicle = await server.addVehicle(recordingId, first, last);
-        this.put(vehicle);
-        this.open(vehicle);
-        this.undo.push({
-          label: `new pass ${vehicle.number}`,
-          undo: () => this.takeOut(vehicle),
-          redo: () => this.bringBack(vehicle),
-        });
+    await this.inTurn(async () => {
+      const vehicle = await server.addVehicle(recordingId, first, last);
+      this.put(vehicle);
+      this.open(vehicle);
+      this.undo.push({
+        label: `new pass ${vehicle.number}`,
+        undo: () => this.takeOut(vehicle),
+        redo: () => this.bringBack(vehicle),
       });
-    } catch (error) {
-      toastProblem(error);
-    }
+    });
+  }
+
+  private inTurn(work: () => Promise<void>): Promise<void> {
+    return this.undo.inTurn(work).catch(toastProblem);
   }
 
   private async takeOut(vehicle: Vehicle): Promise<void> {
