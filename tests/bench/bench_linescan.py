@@ -101,6 +101,8 @@ def run(sites: list[ScanSite], methods: dict[str, Measure]) -> tuple[dict[str, E
 
 
 def _of(errors: Errors) -> str:
+    if not errors.speed:
+        return f"none measured, {errors.refused} refused"
     return (
         f"speed {rms(errors.speed):.3f} %, acceleration {rms(errors.acceleration):.3f} m/s2, "
         f"length {rms(errors.length):.2f} cm, {len(errors.speed)} measured, {errors.refused} refused"
