@@ -87,7 +87,7 @@ def test_what_nobody_expected_is_one_sentence_too(
 ) -> None:
     from backend.commands import verify
 
-    def break_down(_place: str) -> dict[str, object]:
+    def break_down(*_: object) -> dict[str, object]:
         raise ZeroDivisionError("division by zero")
 
     monkeypatch.setattr(verify, "check", break_down)

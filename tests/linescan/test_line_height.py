@@ -36,7 +36,7 @@ def test_exact_marks_give_the_pose_and_exact_heights() -> None:
 def test_uncertainties_hold_what_they_promise() -> None:
     rng = np.random.default_rng(3)
     errors, claimed, distances = [], [], []
-    for _ in range(2000):
+    for _ in range(500):
         pose = solve_line_pose(*marks(rng), sigma_px=0.3)
         inset = rng.normal(0.45, 0.1)
         contact, target = row_of(3.2, 0.0) + rng.normal(), row_of(3.2 + inset, 1.2) + rng.normal()
@@ -45,8 +45,8 @@ def test_uncertainties_hold_what_they_promise() -> None:
         errors.append(found.height_m - 1.2)
         claimed.append(found.u_height_m)
         distances.append((found.distance_m - 3.2) / found.u_distance_m)
-    assert np.std(errors) == pytest.approx(np.mean(claimed), rel=0.06)
-    assert np.std(distances) == pytest.approx(1.0, rel=0.06)
+    assert np.std(errors) == pytest.approx(np.mean(claimed), rel=0.08)
+    assert np.std(distances) == pytest.approx(1.0, rel=0.08)
 
 
 def test_sigma_from_residuals() -> None:

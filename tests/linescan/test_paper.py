@@ -55,8 +55,8 @@ def passage_of(truth: ScanTruth, first: np.ndarray, second: np.ndarray, **more: 
 
 @pytest.fixture(scope="module")
 def measured() -> list[tuple[ScanTruth, Motion]]:
-    site = ScanSite(rows=128)
-    cars = traffic(5, 6, speeds_mps=(12.0, 34.0))
+    site = ScanSite(rows=96)
+    cars = traffic(5, 3, speeds_mps=(16.0, 34.0))
     first, second = strips(site, cars)
     rig = Rig(site.baseline_m, site.line_rate_hz, u_baseline_m=0.001, u_line_rate_ratio=1e-5)
     return [(one, measure_paper(passage_of(one, first, second), rig)) for one in truths(site, cars)]
