@@ -29,6 +29,7 @@ def request(services: Services) -> Job | None:
         return ensure_requested(session)
 
 
+@pytest.mark.once  # rendering and measuring take most of it
 def test_it_is_made_once_and_its_heights_are_the_truth(
     services: Services,
     admin: Client,

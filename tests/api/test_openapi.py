@@ -58,6 +58,7 @@ QUIET = settings(
 )
 
 
+@pytest.mark.once  # what is sent and answered does not depend on the database
 @pytest.mark.parametrize("mode", [GenerationMode.POSITIVE, GenerationMode.NEGATIVE])
 def test_no_request_breaks_the_server(admin: Client, recording_id: int, mode: GenerationMode) -> None:
     """Requests by the description, and against it: never a 500, always what it promises."""
