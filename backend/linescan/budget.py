@@ -20,7 +20,8 @@ MODEL = 1.6
 class Budget:
     """Length, and the standard uncertainties with their entries.
 
-    `apart_m`: by how much the cameras disagree about the front or the rear, whichever is worse.
+    `apart_m`: by how much the cameras disagree about the front or the rear, whichever is worse. `correlation`
+    of speed and acceleration, over all entries.
     """
 
     length_m: float
@@ -29,6 +30,7 @@ class Budget:
     u_length_m: float
     entries: tuple[Entry, ...]
     apart_m: float
+    correlation: float
 
 
 def shift_of(whole: Fit, cluster: NDArray[np.intp]) -> tuple[float, float]:
@@ -85,7 +87,9 @@ def budget_of(
         float(np.sqrt(sum(getattr(e, name) ** 2 for e in entries)))
         for name in ("u_speed_mps", "u_acceleration_mps2", "u_length_m")
     ]
-    return Budget(length, u[0], u[1], u[2], entries, max(map(abs, apart)))
+    together = float((alone + due)[0, 1]) + v * a * ratio**2 + 2 * v * a * clock_ratio**2
+    correlation = float(np.clip(together / (u[0] * u[1]), -1.0, 1.0)) if u[0] * u[1] > 0 else 0.0
+    return Budget(length, u[0], u[1], u[2], entries, max(map(abs, apart)), correlation)
 
 
 def _answer_to_shift(fit: Fit) -> Array:

@@ -202,6 +202,7 @@ def _answer(passage: Passage, rig: Rig, scene: Scene, whole: Fit, fit: Fit) -> M
         budget.entries,
         profile,
         _warnings(passage, scene, fit, budget.apart_m),
+        budget.correlation,
     )
 
 

@@ -47,6 +47,14 @@ def test_noise_of_8_grey_values_and_256_rows():
     assert motion.misalignment_px == pytest.approx(-0.5, abs=0.1)
 
 
+def test_speed_and_acceleration_are_correlated_by_the_fit_and_by_the_baseline():
+    alone = measure_direct(passages()[0], RIG)
+    # a faster front and a stronger braking leave the middle, where the pictures tell most, as it is
+    assert -1 < alone.correlation < -0.5
+    loose = measure_direct(passages()[0], replace(RIG, u_baseline_m=0.2))
+    assert loose.correlation == pytest.approx(np.sign(loose.acceleration_mps2), abs=0.05)
+
+
 def test_the_budget_lists_its_sources_and_sums_to_the_uncertainty():
     rig = replace(RIG, u_baseline_m=0.002, u_line_rate_ratio=5e-5)
     motion = measure_direct(passages()[0], rig)
