@@ -22,7 +22,9 @@ REACH = 4
 # above this noise of a pixel, bands and means along the vehicle are twice as wide
 NOISY_DN = 4.5
 CLEAR_SHARE = 0.4
-DOUBT_M = 0.03
+# standard uncertainty of a doubtful boundary: the rms error of 53 such ones on 180 simulated vehicles at
+# 8 DN, most of them white bumpers before a road of their own grey, which hide 60 to 70 mm
+DOUBT_M = 0.06
 
 
 @dataclass(frozen=True)
@@ -125,13 +127,20 @@ def _band_edges(smooth: Array, sigma: float, lines_per_m: float) -> tuple[Array,
     return last + part, steady & inside
 
 
+def _of_three(values: Array) -> Array:
+    """The median of each value and its two neighbours; at the ends the mean of both that are there."""
+    before, here, after = values[:-2], values[1:-1], values[2:]
+    inner = np.maximum(np.minimum(before, here), np.minimum(np.maximum(before, here), after))
+    return np.concatenate([[values[:2].mean()], inner, [values[-2:].mean()]])
+
+
 def _vertex(edges: Array, clear: NDArray[np.bool_], reach: int) -> Edge:
     """The smallest line of a parabola through the edges around the foremost bands."""
     bands = np.flatnonzero(clear)
     if len(bands) < 3:
         return Edge(None)
     # a single band that is ahead of all others is noise, so the foremost three decide where to look
-    smooth = np.array([np.median(edges[bands[max(k - 1, 0) : k + 2]]) for k in range(len(bands))])
+    smooth = _of_three(edges[bands])
     middle = bands[int(smooth[1:-1].argmin()) + 1]
     near = bands[np.abs(bands - middle) <= reach]
     if len(near) < 3:

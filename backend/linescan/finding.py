@@ -84,14 +84,13 @@ class Finder:
         self.block = (
             round(lines / TILE) * TILE if lines > 0.9 * TILE and TILE % step == 0 else lines // step * step
         )
-        longest = KEPT_BYTES // rows
         self.spans = Spans(
             close=max(step, round(0.004 * rate)),
             least=max(2 * step, round(0.012 * rate)),
             guard=round(0.05 * rate),
             still=round(1.0 * rate),
             stuck=round(3.0 * rate),
-            longest=longest,
+            longest=KEPT_BYTES // rows,
         )
         self.margin = max(2 * step, round(0.02 * rate))
         self.watchers = (Watcher(self.grid, self.spans), Watcher(self.grid, self.spans))
@@ -132,14 +131,19 @@ class Finder:
             return []
         pieces = [cast(Pixels, held[0] if len(held) == 1 else np.concatenate(held)) for held in self._held]
         if not begun:
+            # of 16 bits, half as many lines are kept
+            self.spans = replace(self.spans, longest=KEPT_BYTES // (self.rows * pieces[0].itemsize))
             for watcher, piece in zip(self.watchers, pieces, strict=True):
+                watcher.spans = self.spans
                 watcher.begin(piece[: self._begin_lines])
         out: list[Passage] = []
         whole = held if last else held // self.block * self.block
         for start in range(0, whole, self.block):
             for k in (0, 1):
-                # a copy: a slice would keep the whole piece alive
-                block = pieces[k][start : min(start + self.block, whole)].copy()
+                block = pieces[k][start : min(start + self.block, whole)]
+                if len(block) < len(pieces[k]) or pieces[k].base is not None:
+                    # a slice would keep the whole piece alive
+                    block = block.copy()
                 self._reels[k].add(block)
                 self._waiting[k].extend(self.watchers[k].see(block))
             out += self._paired(False)
@@ -147,6 +151,11 @@ class Finder:
         for k in (0, 1):
             self._held[k][:] = [pieces[k][whole:].copy()] if whole < held else []
         return out
+
+    @property
+    def kept_bytes(self) -> int:
+        """What is kept of both strips' lines at the moment."""
+        return sum(block.nbytes for reel in self._reels for _, block in reel.blocks)
 
     @property
     def _begin_lines(self) -> int:

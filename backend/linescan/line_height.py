@@ -13,6 +13,7 @@ import numpy as np
 from backend.linescan.line_pose import LinePose
 
 COVERAGE = 1.96
+STEP_M, MOST_LADDER_M = 0.5, 5.0
 
 
 @dataclass(frozen=True)
@@ -84,6 +85,20 @@ def line_height(
         budget=budget,
         warnings=_warnings(pose, contact_row_px, target_row_px),
     )
+
+
+def contact_distance(pose: LinePose, contact_row_px: float) -> float | None:
+    """Horizontal distance of the road point at a row, m; None at or above the horizon."""
+    slope = float(pose.slopes_of(contact_row_px))
+    return -pose.camera_height_m / slope if slope < 0 else None
+
+
+def ladder(pose: LinePose, distance_m: float, rows: int) -> tuple[tuple[float, float], ...]:
+    """(height m, row) every half metre above the road at a distance, as far as a strip of so many rows."""
+    heights = np.arange(0.0, MOST_LADDER_M + STEP_M / 2, STEP_M)
+    found = pose.rows_of(np.full_like(heights, distance_m), heights)
+    pairs = zip(heights.tolist(), found.tolist(), strict=True)
+    return tuple((height, row) for height, row in pairs if -0.5 <= row <= rows - 0.5)
 
 
 def _gradients(

@@ -11,6 +11,10 @@ p0, p1, p2 and Hc are solved for by least squares over the rows; f, c and p foll
 needed, and are poorly known one by one where the field is narrow. The lens is taken as free of distortion and
 the road as level across. A rod with two or more marks, held upright at two or more distances, gives all four;
 marks at one distance leave Hc open, for then only (h - Hc) / D is seen.
+
+The distance of each stand of the rod has an uncertainty of its own, shared by its marks, and so has the rod's
+lean along the line of sight, which shifts a mark at height h by h times the lean; both are carried into the
+covariance to first order.
 """
 
 from dataclasses import dataclass
@@ -71,11 +75,18 @@ class LinePose:
 
 
 def solve_line_pose(
-    distance_m: ArrayLike, height_m: ArrayLike, row_px: ArrayLike, *, sigma_px: float | None = None
+    distance_m: ArrayLike,
+    height_m: ArrayLike,
+    row_px: ArrayLike,
+    *,
+    sigma_px: float | None = None,
+    u_distance_m: float = 0.0,
+    u_lean_rad: float = 0.0,
 ) -> LinePose:
     """The pose from N >= 4 marks: (N,) distances from the camera's centre, heights above the road, rows.
 
     `sigma_px`: standard uncertainty of a row; None: taken from the residuals, which needs more than 4 marks.
+    `u_distance_m`, `u_lean_rad`: of each stand's distance and of the rod's lean there (k = 1).
     Raises LinePoseError in one sentence where the marks cannot fix the pose.
     """
     distance, height, row = (
@@ -108,9 +119,27 @@ def solve_line_pose(
     freedom = len(row) - 4
     squares = float(found.fun @ found.fun)
     variance = sigma_px**2 if sigma_px is not None else squares / freedom
-    covariance = variance * np.linalg.inv(jacobian.T @ jacobian) * np.outer(scale, scale)
+    shifts = (
+        scale[:, None]
+        * np.linalg.pinv(jacobian)
+        @ _stand_shifts(parameters, distance, height, u_distance_m, u_lean_rad)
+    )
+    covariance = variance * np.linalg.inv(jacobian.T @ jacobian) * np.outer(scale, scale) + shifts @ shifts.T
     rms = float(np.sqrt(squares / len(row)))
     return LinePose(parameters, covariance, rms, (float(row.min()), float(row.max())))
+
+
+def _stand_shifts(
+    parameters: Floats, distance: Floats, height: Floats, u_distance_m: float, u_lean_rad: float
+) -> Floats:
+    """(N, 2 stands) changes of rows with one standard uncertainty of each stand's distance and lean."""
+    before = _rows(parameters, _slopes(distance, height, parameters[3]))
+    columns = []
+    for stand in np.unique(distance):
+        for moved_m in (np.full_like(height, u_distance_m), u_lean_rad * height):
+            there = distance + np.where(distance == stand, moved_m, 0.0)
+            columns.append(_rows(parameters, _slopes(there, height, parameters[3])) - before)
+    return np.column_stack(columns)
 
 
 def _check(distance: Floats, height: Floats, row: Floats, sigma_px: float | None) -> None:

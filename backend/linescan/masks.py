@@ -1,7 +1,6 @@
 """Which pixels of strip 1 tell the motion: clear changes along time, inside the vehicle, spread over it."""
 
 from dataclasses import dataclass
-from typing import cast
 
 import cv2
 import numpy as np
@@ -50,21 +49,42 @@ def pooled(picture: Pixels, start: int, step: int, band: int, soft: tuple[float,
     Softening keeps the error of interpolating between coarse samples small; both strips get the same.
     """
     lines, rows = len(picture) // step * step, picture.shape[1] // band * band
-    cut = cast(Pixels, np.ascontiguousarray(picture[:lines, :rows]))
-    if step > 1 or band > 1:
-        size = (rows // band, lines // step)
-        # of few bytes the mean may be rounded to one: the noise that is left is larger
-        source = cut.astype(np.float32) if step * band > 16 else cut
-        cut = cast(Pixels, cv2.resize(source, size, interpolation=cv2.INTER_AREA))
-    values = cv2.GaussianBlur(cut.astype(np.float32), (0, 0), sigmaX=soft[1], sigmaY=soft[0])
+    means = _means_of_rows(np.ascontiguousarray(picture[:lines, :rows]), band)
+    if step > 1:
+        means = _means_of_lines(means, step)
+    size = (2 * round(3 * soft[1]) + 1, 2 * round(3 * soft[0]) + 1)
+    values = cv2.GaussianBlur(means, size, sigmaX=soft[1], sigmaY=soft[0])
     return Sheet(np.asarray(values, np.float32), start + (step - 1) / 2, step, band)
+
+
+def _means_of_rows(picture: NDArray[np.unsignedinteger], band: int) -> Floats:
+    """(lines, rows / band) means of `band` neighbours, not rounded.
+
+    Two neighbours of n bits are one number of 2 n bits: halves added so are ten times as fast as a mean.
+    """
+    left, sums = band, picture
+    while left % 2 == 0 and sums.itemsize < 8:
+        bits = 8 * sums.itemsize
+        both = sums.view(np.dtype(f"u{2 * sums.itemsize}"))
+        sums, left = (both & ((1 << bits) - 1)) + (both >> bits), left // 2
+    means = sums.astype(np.float32)
+    if band > 1:
+        means *= np.float32(left / band)
+    if left > 1:
+        size = (picture.shape[1] // band, len(picture))
+        means = np.asarray(cv2.resize(means, size, interpolation=cv2.INTER_AREA), np.float32)
+    return means
+
+
+def _means_of_lines(values: Floats, times: int) -> Floats:
+    """(n // times, rows) means of `times` neighbouring lines; lines left over are left out."""
+    count = len(values) // times
+    return np.asarray(values[: count * times].reshape(count, times, -1).mean(axis=1), np.float32)
 
 
 def coarser(sheet: Sheet, times: int) -> Sheet:
     """The same, `times` lines pooled to one."""
-    count = len(sheet.values) // times
-    size = (sheet.values.shape[1], count)
-    small = cv2.resize(sheet.values[: count * times], size, interpolation=cv2.INTER_AREA)
+    small = _means_of_lines(sheet.values, times)
     start = sheet.start_line + (times - 1) / 2 * sheet.step
     values = cv2.GaussianBlur(small, (0, 0), sigmaX=0.01, sigmaY=0.8)
     return Sheet(np.asarray(values, np.float32), start, sheet.step * times, sheet.band)
@@ -77,7 +97,9 @@ def silhouette(sheet: Sheet, road: NDArray[np.float32], noise_dn: float) -> NDAr
     limit = max(4 * noise_dn / np.sqrt(sheet.step * sheet.band * 5), 0.04 * float(np.median(line)))
     there = (away > limit).astype(np.uint8)
     there = cv2.morphologyEx(there, cv2.MORPH_OPEN, np.ones((3, 3), np.uint8))
-    filled = np.maximum.accumulate(np.asarray(there), axis=1)
+    # from the first row that differs down; where none does, from below the last
+    top = np.where(there.any(axis=1), there.argmax(axis=1), there.shape[1])
+    filled = (np.arange(there.shape[1]) >= top[:, None]).astype(np.uint8)
     return np.asarray(cv2.erode(filled, np.ones((7, 5), np.uint8)) > 0)
 
 

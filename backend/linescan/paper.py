@@ -20,6 +20,8 @@ LEAST_BLOCKS = 6
 # The search covers this share of the delay beyond what the four crossings say, and no less than these lines.
 MARGIN_SHARE, MARGIN_LINES = 0.05, 8
 U_CROSSING_LINES = 2.0
+# The gate looks at changes over this length of the vehicle: over one line of a slow one, noise hides them.
+GATE_M = 0.006
 
 Floats = NDArray[np.float64]
 
@@ -37,7 +39,7 @@ def measure_paper(passage: Passage, rig: Rig) -> Motion:
         exact(passage.crossings, baseline_m, rig.line_rate_hz)
     except ValueError:
         return _refused(passage.crossings, "Front and rear do not cross the two cameras in order.")
-    matches = _match(passage)
+    matches = _match(passage, baseline_m)
     seconds, speeds = _speeds(matches, passage, baseline_m, rig.line_rate_hz)
     used = matches.used
     if np.count_nonzero(used) < LEAST_BLOCKS:
@@ -45,7 +47,7 @@ def measure_paper(passage: Passage, rig: Rig) -> Motion:
     return _regression(passage, rig, baseline_m, matches, seconds, speeds)
 
 
-def _match(passage: Passage) -> Matches:
+def _match(passage: Passage, baseline_m: float) -> Matches:
     seen = passage.crossings
     front, rear = seen.front_line_2 - seen.front_line_1, seen.rear_line_2 - seen.rear_line_1
     margin = max(MARGIN_SHARE * max(front, rear), MARGIN_LINES)
@@ -59,7 +61,9 @@ def _match(passage: Passage) -> Matches:
     second = passage.second
     if low < 0:  # the margin reaches before the second picture: search less far
         low = 0
-    found = match_blocks(passage.first[at:until], second, range(low, max(high + 1, low)), passage.noise_dn)
+    shifts = range(low, max(high + 1, low))
+    lag = int(np.clip(round(GATE_M / baseline_m * (front + rear) / 2), 1, BLOCK_LINES // 4))
+    found = match_blocks(passage.first[at:until], second, shifts, passage.noise_dn, lag=lag)
     return replace(found, middle=found.middle + at + passage.start_1, shift=found.shift - at + apart)
 
 

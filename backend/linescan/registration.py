@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from backend.linescan.masks import Points, Sheet, sampled, shifted
+from backend.linescan.middle import median
 from backend.linescan.warp import Course
 
 Array = NDArray[np.float64]
@@ -101,14 +102,13 @@ def look(first: Sheet, second: Sheet, points: Points, clock: Clock, state: State
             state.gain * points.across,
             -points.value,
             -np.ones_like(residual),
-        ],
-        -1,
-    )
+        ]
+    ).T  # each unknown's derivatives side by side in memory
     return Look(residual.astype(float), jacobian, inside, first_s, second_s, along)
 
 
 def _scale(residual: Array) -> float:
-    return float(max(1.4826 * np.median(np.abs(residual)), 0.05)) if len(residual) else 1.0
+    return max(1.4826 * float(median(np.abs(residual))[0]), 0.05) if len(residual) else 1.0
 
 
 def _weights(seen: Look, block: NDArray[np.intp], blocks: int) -> tuple[Array, float]:
@@ -121,7 +121,7 @@ def _weights(seen: Look, block: NDArray[np.intp], blocks: int) -> tuple[Array, f
     capped = np.minimum((seen.residual / scale) ** 2, 36.0) * use
     energy = np.bincount(block, weights=capped, minlength=blocks) / np.maximum(count, 1)
     known = count > 8
-    usual = float(np.median(energy[known])) if known.any() else 1.0
+    usual = float(median(energy[known])[0]) if known.any() else 1.0
     trust = 1 / (1 + (energy / max(3 * usual, 1e-9)) ** 3)
     return pixel * trust[block], scale
 
@@ -190,7 +190,7 @@ def levelled(seen: Look, value: Array, weight: Array, cell: NDArray[np.intp]) ->
         y = y - (total(weight * y) / mass)[cell]
         return np.asarray(y - x * (total(wx * y) / power)[cell])
 
-    jacobian = seen.jacobian.copy()
+    jacobian = seen.jacobian.copy(order="K")
     for k in range(3):
         jacobian[:, k] = cleared(jacobian[:, k])
     jacobian[:, 3:] = 0.0
@@ -223,20 +223,3 @@ def _moved(state: State, step: Array) -> State:
         float(np.clip(state.gain + np.clip(step[3], -0.3, 0.3), 0.2, 5)),
         state.offset + float(np.clip(step[4], -60, 60)),
     )
-
-
-def covariance(fit: Fit, cluster: NDArray[np.intp]) -> Array:
-    """Covariance (5, 5) from the scatter of whole clusters of pixels, whose errors go together.
-
-    Neighbouring pixels share the errors that matter (a reflection, a window's edge), so the score of each
-    cluster is one observation (Liang and Zeger 1986), and the sum is widened for few clusters.
-    """
-    count = int(cluster.max()) + 1
-    score = fit.look.jacobian * (fit.weight * fit.look.residual)[:, None]
-    sums = np.stack([np.bincount(cluster, weights=score[:, k], minlength=count) for k in range(5)], -1)
-    used = int(np.sum(np.bincount(cluster, weights=fit.weight, minlength=count) > 0))
-    size = np.sqrt(np.maximum(np.diag(fit.normal), 1e-12))
-    outer = np.outer(size, size)
-    inverse = np.linalg.pinv(fit.normal / outer, rcond=1e-12, hermitian=True) / outer
-    meat = sums.T @ sums * used / max(used - 5, 1)
-    return np.asarray(inverse @ meat @ inverse)

@@ -8,6 +8,7 @@ or a plumb line at two.
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import hypot, sqrt
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -34,6 +35,19 @@ class Estimate:
     warning: str | None = None
 
 
+class Registered(Protocol):
+    """What a vehicle's registration found of the rig: a `Motion`, or a stored one."""
+
+    @property
+    def status(self) -> str: ...
+    @property
+    def misalignment_px(self) -> float | None: ...
+    @property
+    def u_misalignment_px(self) -> float | None: ...
+    @property
+    def gain(self) -> float | None: ...
+
+
 @dataclass(frozen=True)
 class Wheelbase:
     """Distance between two clicked axles, m, with its standard uncertainty; or a reason."""
@@ -43,7 +57,7 @@ class Wheelbase:
     reason: str | None = None
 
 
-def misalignment(motions: Sequence[Motion]) -> Estimate:
+def misalignment(motions: Sequence[Registered]) -> Estimate:
     """Row in strip 2 minus row in strip 1, px: the median of what each vehicle's registration found.
 
     A warning where vehicles differ by much more than their own uncertainties: then it is no constant of the
@@ -67,7 +81,7 @@ def misalignment(motions: Sequence[Motion]) -> Estimate:
     return estimate
 
 
-def gain(motions: Sequence[Motion]) -> Estimate:
+def gain(motions: Sequence[Registered]) -> Estimate:
     """Grey of strip 2 over grey of strip 1, the median over the vehicles."""
     return _median([one.gain for one in motions if one.status == "ok" and one.gain is not None], "a gain")
 

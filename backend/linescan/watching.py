@@ -15,6 +15,7 @@ from backend.linescan.background import (
     road_from,
     same_but_for_light,
 )
+from backend.linescan.middle import median
 from backend.linescan.parts import Pixels
 
 LEAST_PART = 0.04
@@ -106,7 +107,7 @@ class Watcher:
         upper = max(1, int(self.grid.bands * UPPER_PART))
         line = np.maximum(road.pooled[:upper], 1.0)
         # every other cell will do for the middle one
-        light = np.median(cells[:, :upper:2] / line[::2], axis=1, keepdims=True)
+        light = median(cells[:, :upper:2] / line[::2]).astype(np.float32)
         expected = np.clip(light, 1 - LIGHT, 1 + LIGHT) * line
         differs = np.abs(cells[:, :upper] - expected) > road.threshold_dn[:upper]
         return np.asarray(differs.sum(1) >= max(2, LEAST_PART * upper))

@@ -18,6 +18,7 @@ from typing import Any
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
+from bench_media import scene, standing  # noqa: E402
 from playwright.sync_api import Browser, BrowserContext, Page  # noqa: E402
 from web_ground import (  # noqa: E402
     CLIP_GOP,
@@ -102,18 +103,19 @@ def steps(ground: Ground) -> Iterator[Row]:
 
 
 def steps_hd(ground: Ground) -> Iterator[Row]:
-    """Frame steps and jumps at 1920 x 1080."""
-    recording_id = clip_recording(ground.client, ground.survey_id, ground.folder, (1920, 1080), 250)
-    context = ground.context()
-    page = ground.measure_page(context, recording_id, "&frame=20")
-    yield from _steps(page, "1080p", 300)
-    yield from _jumps(page, "1080p", 1920, (150, 240, 60, 120, 200))
-    context.close()
+    """Frame steps and jumps at 1920 x 1080: a standing camera, and a picture that moves as a whole."""
+    for draw, size in ((standing, "1080p"), (scene, "1080p moving")):
+        recording_id = clip_recording(ground.client, ground.survey_id, ground.folder, (1920, 1080), 250, draw)
+        context = ground.context()
+        page = ground.measure_page(context, recording_id, "&frame=20")
+        yield from _steps(page, size, 300)
+        yield from _jumps(page, size, 1920, (150, 240, 60, 120, 200))
+        context.close()
 
 
 def steps_4k(ground: Ground) -> Iterator[Row]:
     """Frame steps at 3840 x 2160; the browser keeps a handful of these."""
-    recording_id = clip_recording(ground.client, ground.survey_id, ground.folder, (3840, 2160), 60)
+    recording_id = clip_recording(ground.client, ground.survey_id, ground.folder, (3840, 2160), 60, scene)
     context = ground.context()
     yield from _steps(ground.measure_page(context, recording_id, "&frame=10"), "4K", 500, far=4)
     context.close()

@@ -81,7 +81,7 @@ def pose_of(scene: Scene) -> RoadPose:
 
 def passings(scene: Scene) -> list[Passing]:
     """The truth, in order of coming into view."""
-    boxes = {one.number: _boxes(scene.camera, one) for one in scene.vehicles}
+    boxes = {one.number: boxes_of(scene.camera, one) for one in scene.vehicles}
     found = [_passing(scene, one, boxes) for one in scene.vehicles]
     return sorted(found, key=lambda one: one.first_frame)
 
@@ -174,7 +174,7 @@ def _room_m(before: Vehicle, one: Vehicle) -> float:
     return min((before.rear_m(n) - at) * one.direction for n, at in zip(shared, front, strict=True))
 
 
-def _boxes(camera: DemoCamera, one: Vehicle) -> dict[int, tuple[float, float, float, float]]:
+def boxes_of(camera: DemoCamera, one: Vehicle) -> dict[int, tuple[float, float, float, float]]:
     """Frame -> box of the whole body, px, not clipped, for the frames in which some of it is in view."""
     shape = shape_of(one)
     along, z = np.vstack([shape.outline, shape.outline * (1, 0)]).T

@@ -13,7 +13,7 @@ from contextlib import closing, contextmanager
 from pathlib import Path
 from typing import Any
 
-from bench_media import scene
+from bench_media import Draw
 from playwright.sync_api import Browser, sync_playwright
 
 from backend.media.writer import write_mp4
@@ -97,10 +97,12 @@ def signed_in(server: Server, folder: Path) -> Client:
     return client
 
 
-def clip_recording(client: Client, survey_id: int, folder: Path, size: tuple[int, int], count: int) -> int:
+def clip_recording(
+    client: Client, survey_id: int, folder: Path, size: tuple[int, int], count: int, draw: Draw
+) -> int:
     """The id of an ingested recording of so many pixels and frames with a key frame every ten seconds."""
-    path = folder / f"bench-{size[1]}p.mp4"
-    write_mp4(path, scene(count, *size), CLIP_RATE, crf=23, gop=CLIP_GOP)
+    path = folder / f"bench-{draw.__name__}-{size[1]}p.mp4"
+    write_mp4(path, draw(count, *size), CLIP_RATE, crf=23, gop=CLIP_GOP)
     recording_id = client.upload(survey_id, path)
     client.ready(recording_id)
     return recording_id

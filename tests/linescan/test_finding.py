@@ -8,9 +8,10 @@ import pytest
 
 from backend.demonstration.scan_strips import strips
 from backend.errors import BadInput
+from backend.linescan import finding
 from backend.linescan.background import Grid, first_road, road_from, same_but_for_light
 from backend.linescan.direct import measure_direct
-from backend.linescan.finding import CUT, OTHER_WAY, STOPPED, Finder
+from backend.linescan.finding import CUT, OTHER_WAY, STOPPED, TOO_LONG, Finder
 from backend.linescan.parts import Rig
 from tests.linescan.scenes import (
     RIG,
@@ -180,3 +181,20 @@ def test_light_is_told_from_a_vehicle():
     assert same_but_for_light(brighter, road)
     assert not same_but_for_light(vehicle, road)
     assert len(cars()) == 3
+
+
+@pytest.mark.parametrize("dtype", [np.uint8, np.uint16])
+def test_something_restless_that_stays_in_view_does_not_fill_the_memory(dtype, monkeypatch):
+    monkeypatch.setattr(finding, "KEPT_BYTES", 1 << 20)
+    finder, rng = Finder(64, RIG), np.random.default_rng(2)
+    scale = np.iinfo(dtype).max // 255
+    road, wave = np.full(64, 100.0), np.sin(np.arange(1000) / 9.0)[:, None]
+    out, most = [], 0
+    for number in range(60):
+        lines = road + rng.normal(0, 2, (1000, 64)) + (number > 8) * (60 + 40 * wave)
+        pushed = (scale * lines).astype(dtype)
+        out += finder.push(pushed, pushed.copy())
+        most = max(most, finder.kept_bytes)
+    assert [passage.reason for passage in out[:1]] == [TOO_LONG]
+    # a quarter over, and the block that has just come, of each strip
+    assert 1 << 20 < most < 2 * (1.25 * (1 << 20) + 2 * pushed.nbytes)

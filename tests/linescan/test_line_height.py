@@ -5,7 +5,7 @@ from math import atan2, tan
 import numpy as np
 import pytest
 
-from backend.linescan.line_height import line_height
+from backend.linescan.line_height import contact_distance, ladder, line_height
 from backend.linescan.line_pose import LinePoseError, solve_line_pose
 
 FOCAL_PX, PRINCIPAL_ROW, PITCH_RAD, CAMERA_M = 900.0, 505.0, -0.07, 1.1
@@ -47,6 +47,34 @@ def test_uncertainties_hold_what_they_promise() -> None:
         distances.append((found.distance_m - 3.2) / found.u_distance_m)
     assert np.std(errors) == pytest.approx(np.mean(claimed), rel=0.08)
     assert np.std(distances) == pytest.approx(1.0, rel=0.08)
+
+
+def test_the_rods_own_uncertainty_is_carried() -> None:
+    """Stands nearer or farther than was taped, rods that lean: the scatter is what is claimed."""
+    rng = np.random.default_rng(4)
+    heights, errors, claimed = [], [], []
+    given = {"sigma_px": 0.3, "u_distance_m": 0.02, "u_lean_rad": 0.01}
+    for _ in range(300):
+        off = dict(zip((2.0, 5.0), rng.normal(0, 0.02, 2), strict=True))
+        lean = dict(zip((2.0, 5.0), rng.normal(0, 0.01, 2), strict=True))
+        rows = [row_of(d + off[d] + h * lean[d], h) + rng.normal(0, 0.3) for d, h in ROD]
+        pose = solve_line_pose([one[0] for one in ROD], [one[1] for one in ROD], rows, **given)
+        found = line_height(pose, row_of(3.2, 0.0), row_of(3.2, 1.5), sigma_px=1e-6)
+        assert found.height_m is not None and found.u_height_m is not None
+        heights.append(pose.camera_height_m)
+        errors.append(found.height_m - 1.5)
+        claimed.append((np.sqrt(pose.covariance[3, 3]), found.u_height_m))
+    assert np.std(heights) == pytest.approx(np.mean(claimed, axis=0)[0], rel=0.12)
+    assert np.std(errors) == pytest.approx(np.mean(claimed, axis=0)[1], rel=0.12)
+
+
+def test_the_ladder_stands_at_the_contacts_distance() -> None:
+    pose = solve_line_pose(*marks(), sigma_px=0.3)
+    assert contact_distance(pose, row_of(3.0, 0.0)) == pytest.approx(3.0, abs=1e-8)
+    assert contact_distance(pose, row_of(3.0, CAMERA_M + 0.1)) is None
+    rungs = ladder(pose, 3.0, 1000)
+    assert [height for height, _ in rungs] == [0.0, 0.5, 1.0, 1.5, 2.0, 2.5]
+    assert all(row == pytest.approx(row_of(3.0, height), abs=1e-6) for height, row in rungs)
 
 
 def test_sigma_from_residuals() -> None:

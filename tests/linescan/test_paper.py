@@ -34,6 +34,25 @@ def test_blocks_are_found_to_a_fraction_of_a_line(shift: float) -> None:
     assert np.abs(found.shift - shift).max() < 0.15
 
 
+def test_a_slow_change_passes_the_gate_over_more_lines_and_noise_never_does() -> None:
+    # three times slower: over one line the noise hides it
+    lines = np.arange(400.0) / 3
+    first, second = noisy(texture(lines, 64), 1), noisy(texture(lines - 10, 64), 2)
+    near, far = (match_blocks(first, second, range(20, 41), 2.0, lag=lag) for lag in (1, 4))
+    assert near.used.sum() < 0.5 * far.used.sum() and far.used.mean() > 0.9
+    assert far.shift[far.used].mean() == pytest.approx(30, abs=0.05)
+    flat = noisy(np.full((400, 64), 90.0), 3)
+    assert not match_blocks(flat, flat, range(-5, 6), 2.0, lag=4).used.any()
+
+
+def test_16_bits_match_as_8_do() -> None:
+    lines = np.arange(300.0)
+    pair = noisy(texture(lines, 64), 1), noisy(texture(lines - 30, 64), 2)
+    eight = match_blocks(*pair, range(20, 41), 2.0)
+    sixteen = match_blocks(*(one.astype(np.uint16) * 200 for one in pair), range(20, 41), 400.0)
+    assert sixteen.shift == pytest.approx(eight.shift) and sixteen.used.all()
+
+
 def test_a_row_of_misalignment_is_searched_for_and_an_empty_block_is_passed_over() -> None:
     lines = np.arange(400.0)
     picture = texture(lines - 25, 65)

@@ -1,0 +1,60 @@
+"""The covariance of a fit: whether it covers what it says where few pieces of a vehicle err together."""
+
+import numpy as np
+import pytest
+
+from backend.linescan.registration import Fit, Look, Prior, State
+from backend.linescan.spread import covariance
+from backend.linescan.warp import Course
+
+pytestmark = pytest.mark.once
+CLUSTERS, EACH = 12, 20
+
+
+def _fit(jacobian: np.ndarray, residual: np.ndarray) -> Fit:
+    n = len(residual)
+    seen = Look(residual, jacobian, np.ones(n, bool), np.zeros(n), np.ones(n), np.ones(n))
+    # a scale so wide that every weight is one: plain least squares, whose truth is known
+    state = State(Course(10.0, 0.0, 0.593))
+    return Fit(state, seen, np.ones(n), jacobian.T @ jacobian, 1e6, True)
+
+
+def test_it_covers_95_per_cent_with_a_dozen_clusters_whose_errors_go_together():
+    rng = np.random.default_rng(5)
+    cluster = np.repeat(np.arange(CLUSTERS), EACH)
+    slopes = np.zeros((len(cluster), 5))
+    slopes[:, 0], slopes[:, 1] = 1.0, np.linspace(-1, 1, len(cluster))
+    inside = []
+    for _ in range(600):
+        error = rng.normal(size=CLUSTERS)[cluster] + 0.3 * rng.normal(size=len(cluster))
+        answer = np.linalg.lstsq(slopes[:, :2], error, rcond=None)[0]
+        fit = _fit(slopes, error - slopes[:, :2] @ answer)
+        spread = covariance(fit, slopes, cluster, 2, Prior())
+        inside.append(np.abs(answer) < 1.96 * np.sqrt(np.diag(spread)))
+    assert np.mean(inside, axis=0).min() > 0.93 and np.mean(inside, axis=0).max() < 0.985
+
+
+def test_noise_in_the_first_gradients_does_not_make_it_surer():
+    rng = np.random.default_rng(6)
+    cluster = np.repeat(np.arange(40), 50)
+    true = np.zeros((len(cluster), 5))
+    true[:, 0] = rng.normal(size=len(cluster))
+    noisy = true.copy()
+    noisy[:, 0] += rng.normal(size=len(cluster))
+    residual = rng.normal(size=len(cluster))
+    own = covariance(_fit(noisy, residual), noisy, cluster, 1, Prior())[0, 0]
+    honest = covariance(_fit(noisy, residual), true, cluster, 1, Prior())[0, 0]
+    # the gradients' squares are twice too large by the noise, so the variance would be a quarter
+    assert honest / own == pytest.approx(4.0, rel=0.25)
+    expected = 2.0 / len(cluster)
+    assert honest == pytest.approx(expected, rel=0.6)
+
+
+def test_a_known_shift_is_as_sure_as_it_was_said_to_be():
+    rng = np.random.default_rng(7)
+    cluster = np.repeat(np.arange(15), 20)
+    slopes = rng.normal(size=(len(cluster), 5))
+    fit = _fit(slopes, rng.normal(size=len(cluster)))
+    free = covariance(fit, slopes, cluster, 5, Prior())
+    held = covariance(fit, slopes, cluster, 5, Prior(0.0, 1e-3))
+    assert free[2, 2] > 1e-3 and np.sqrt(held[2, 2]) == pytest.approx(1e-3, rel=0.05)
