@@ -95,7 +95,8 @@ class Child:
         )
 
     def _image(self, header: Header, body: bytes) -> tuple[Header, bytes]:
-        return _pixels(self._window.image(body, header["name"], colour=header["colour"]))
+        image = self._window.image(body, header["name"], colour=header["colour"], most_px=header["most_px"])
+        return _pixels(image)
 
     def _asked_between_frames(self, call: int) -> Callable[[], bool]:
         """Whether the server still wants the answer; tells it now and then that the decoder gets on."""

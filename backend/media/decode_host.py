@@ -255,10 +255,11 @@ class DecodeHost:
         header, body = self._ask({"do": "gray", "n": n}, media, wanted)
         return np.frombuffer(body, np.uint8).reshape(header["shape"]).copy()
 
-    def image(self, data: bytes, name: str, *, colour: bool) -> NDArray[np.uint8]:
+    def image(self, data: bytes, name: str, *, colour: bool, most_px: int | None = None) -> NDArray[np.uint8]:
         """A still picture's file, BGR or luminance. Raises BadInput, naming it."""
         digest = hashlib.sha256(data).hexdigest()
-        question = Question({"do": "image", "name": name, "colour": colour}, digest, None, data)
+        asked: Header = {"do": "image", "name": name, "colour": colour, "most_px": most_px}
+        question = Question(asked, digest, None, data)
         header, body = self._answer(question, always)
         return np.frombuffer(body, np.uint8).reshape(header["shape"]).copy()
 

@@ -118,9 +118,9 @@ class FrameServer:
         """A still picture's file as luminance, (h, w), decoded where frames are; BadInput names it."""
         return self._pictures.image(data, name, colour=False)
 
-    def image_bgr(self, data: bytes, name: str) -> Bgr:
-        """Like `image`, but (h, w, 3) BGR."""
-        return self._pictures.image(data, name, colour=True)
+    def image_bgr(self, data: bytes, name: str, most_px: int | None = None) -> Bgr:
+        """Like `image`, but (h, w, 3) BGR; made smaller there if a side is longer than `most_px`."""
+        return self._pictures.image(data, name, colour=True, most_px=most_px)
 
     def is_warm(self, media: RecordingMedia, n: int) -> bool:
         """Whether frame n can be answered without decoding, from the window."""

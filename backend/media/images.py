@@ -155,6 +155,16 @@ _READERS = (
 )
 
 
+def no_larger(image: NDArray[np.uint8], most_px: int) -> NDArray[np.uint8]:
+    """The picture, (h, w) or (h, w, 3), made smaller if a side is longer than `most_px`."""
+    height, width = image.shape[:2]
+    scale = most_px / max(height, width)
+    if scale >= 1.0:
+        return image
+    size = (max(1, round(scale * width)), max(1, round(scale * height)))
+    return np.asarray(cv2.resize(image, size, interpolation=cv2.INTER_AREA), np.uint8)
+
+
 def jpeg(bgr: NDArray[np.uint8], quality: int = 95, *, half_chroma: bool = False) -> bytes:
     """JPEG with colour for every pixel (4:4:4) or, in half the time, for 2 x 2 of them (4:2:0); BGR (h, w, 3)
     or luminance (h, w).

@@ -77,7 +77,9 @@ class _Attempt:
 
 
 class Seeker:
-    """Not thread-safe: one thread at a time. `keep` is told every frame that was identified, with its n."""
+    """Not thread-safe: one thread at a time. `keep` is told every frame that was identified, with its n; of
+    those that a jump does not leave out, only what steps can use.
+    """
 
     def __init__(self, media: RecordingMedia) -> None:
         self.keep: Callable[[int, av.VideoFrame, Layout], None] = lambda n, frame, layout: None
@@ -211,9 +213,12 @@ class Seeker:
                     return None
                 strays += 1
                 continue
+            alone = self._at is not None and m != self._at + 1
             self._at = m
             assert self._layout is not None
-            self.keep(m, frame, self._layout)
+            # Single frames far from n go back to the decoder: new memory costs more than they are worth.
+            if not alone or m + WHOLE >= n:
+                self.keep(m, frame, self._layout)
             if m == n:
                 return frame, self._layout
             if m > n:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from backend.errors import NotFound
 from backend.media.caches import MemoryCache
 from backend.media.display import Display, shown_as
-from backend.media.images import jpeg, png, read_image, read_image_bgr
+from backend.media.images import jpeg, no_larger, png, read_image, read_image_bgr
 from backend.media.picture import Bgr, Gray, Layout, has_half_chroma, upright, upright_gray
 from backend.media.seeker import WHOLE, Decoded, RecordingMedia, Seeker
 
@@ -55,7 +55,9 @@ class Pictures(Protocol):
 
     def gray(self, media: RecordingMedia, n: int, wanted: Wanted) -> Gray: ...
 
-    def image(self, data: bytes, name: str, *, colour: bool) -> NDArray[np.uint8]: ...
+    def image(
+        self, data: bytes, name: str, *, colour: bool, most_px: int | None = None
+    ) -> NDArray[np.uint8]: ...
 
     def warm(self, media: RecordingMedia) -> list[int]: ...
 
@@ -121,9 +123,12 @@ class Window:
         """Frame n, (height_px, width_px) luminance."""
         return upright_gray(*self._decoded(media, n, wanted))
 
-    def image(self, data: bytes, name: str, *, colour: bool) -> NDArray[np.uint8]:
-        """A still picture's file, BGR or luminance. Raises BadInput, naming it, as `read_image` does."""
-        return read_image_bgr(data, name) if colour else read_image(data, name)
+    def image(self, data: bytes, name: str, *, colour: bool, most_px: int | None = None) -> NDArray[np.uint8]:
+        """A still picture's file, BGR or luminance, no side longer than `most_px`. Raises BadInput, naming
+        it, as `read_image` does.
+        """
+        image = read_image_bgr(data, name) if colour else read_image(data, name)
+        return image if most_px is None else no_larger(image, most_px)
 
     def warm(self, media: RecordingMedia) -> list[int]:
         """The frames that are answered without decoding, in order."""

@@ -38,10 +38,10 @@ def main() -> None:
 
     image = window.Window.image
 
-    def faulty_image(self: window.Window, data: bytes, name: str, *, colour: bool) -> Any:
+    def faulty_image(self: window.Window, data: bytes, name: str, **wanted: Any) -> Any:
         if name.startswith("crash"):
             ctypes.string_at(0)
-        return image(self, data, name, colour=colour)
+        return image(self, data, name, **wanted)
 
     seeker.Seeker.find = faulty  # type: ignore[method-assign]
     window.Window.image = faulty_image  # type: ignore[method-assign]
