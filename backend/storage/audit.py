@@ -6,7 +6,7 @@ cut-off events are all found (`verify`).
 """
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from datetime import datetime
 from typing import Any
 
@@ -21,7 +21,10 @@ from backend.storage.tables import people
 from backend.storage.tables_of_work import audit_anchor, audit_events
 from backend.storage.verification import verify
 
-__all__ = ["changed", "for_export", "head", "listing", "record", "verify"]
+__all__ = ["changed", "for_export", "head", "listing", "record", "record_many", "verify"]
+
+#: What an event is about: the row's id, what it said before and what it says after.
+Change = tuple[int | None, Mapping[str, Any] | None, Mapping[str, Any] | None]
 
 
 def record(
@@ -35,26 +38,42 @@ def record(
     after: Mapping[str, Any] | None = None,
 ) -> int:
     """Append one event to the chain and return its id; call it once in every function that writes."""
+    return record_many(session, actor, action, entity, survey_id, [(entity_id, before, after)])
+
+
+def record_many(
+    session: Session,
+    actor: int | None,
+    action: str,
+    entity: str,
+    survey_id: int | None,
+    changes: Sequence[Change],
+) -> int:
+    """Append an event for each change, in their order, and return the last one's id."""
     lock_chain(session)
     last = head(session)
-    row = {
-        "id": last.count + 1,
-        "at": now().isoformat(timespec="microseconds"),
-        "actor_id": actor,
-        "action": action,
-        "entity": entity,
-        "entity_id": entity_id,
-        "survey_id": survey_id,
-        "before": None if before is None else canonical_json(plain(before)),
-        "after": None if after is None else canonical_json(plain(after)),
-        "previous_hash": last.hash,
-    }
-    row["hash"] = chain_hash(row)
-    session.execute(insert(audit_events), row)
+    rows: list[dict[str, Any]] = []
+    for number, (entity_id, before, after) in enumerate(changes, last.count + 1):
+        row = {
+            "id": number,
+            "at": now().isoformat(timespec="microseconds"),
+            "actor_id": actor,
+            "action": action,
+            "entity": entity,
+            "entity_id": entity_id,
+            "survey_id": survey_id,
+            "before": None if before is None else canonical_json(plain(before)),
+            "after": None if after is None else canonical_json(plain(after)),
+            "previous_hash": rows[-1]["hash"] if rows else last.hash,
+        }
+        rows.append({**row, "hash": chain_hash(row)})
+    if not rows:
+        return last.count
+    session.execute(insert(audit_events), rows)
     session.execute(
-        update(audit_anchor).where(audit_anchor.c.id == 1).values(count=row["id"], hash=row["hash"])
+        update(audit_anchor).where(audit_anchor.c.id == 1).values(count=rows[-1]["id"], hash=rows[-1]["hash"])
     )
-    return last.count + 1
+    return last.count + len(rows)
 
 
 def head(session: Session) -> AuditHead:

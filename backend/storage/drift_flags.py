@@ -33,6 +33,21 @@ def check_of(drift: JsonObject | None, pose_id: int | None) -> JsonObject | None
     return found
 
 
+def figures(check: JsonObject) -> JsonObject:
+    """What a check found, in a few figures: the largest motion and the largest change of a height where the
+    camera moved, None where it did not.
+    """
+    moved = [span for span in check["spans"] if span["moved"]]
+    changes = [abs(span["change_m"]) for span in moved if span["change_m"] is not None]
+    return {
+        "state": check["state"],
+        "floor_px": check.get("floor_px"),
+        "moved_px": max((span["moved_px"] for span in moved), default=None),
+        "height_m": max(changes, default=None),
+        "checked_at": check.get("checked_at"),
+    }
+
+
 def open_spans(drift: JsonObject | None, decision: JsonObject | None, pose_id: int | None) -> list[MovedSpan]:
     """The moved spans against a pose that no decision covers."""
     check = check_of(drift, pose_id)

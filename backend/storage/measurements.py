@@ -176,12 +176,15 @@ def _append(
     (row["point_x_px"], row["point_y_px"]) = row.pop("point")
     row["more_frames"] = [plain(one) for one in values.more_frames]
     stamps = {"series_id": series_id, "revision": revision, "withdrawn": withdrawn}
-    row_id = add_row(session, measurements, {**row, **stamps, "created_at": now(), "created_by": actor})
+    moment = now()
+    row_id = add_row(session, measurements, {**row, **stamps, "created_at": moment, "created_by": actor})
     after = {name: getattr(values, name) for name in _TOLD} | {
         "revision": revision,
         "revision_id": row_id,
         "vehicle_id": place["vehicle_id"],
         "withdrawn": withdrawn,
+        "code_version": values.code_version,
+        "created_at": moment,
         "content_sha256": stored_hash(session, measurements, row_id),
     }
     if place["repeat_of"] is not None:

@@ -138,6 +138,7 @@ def drift_found(
     old = drift_flags.check_of(known, pose_id)
     then = {"pose_id": pose_id, "drift": None if old is None else old["words"]}
     after = {"pose_id": pose_id, "drift": check["words"], "bumps": check["bumps"]}
+    after["found"] = drift_flags.figures(check)
     audit.record(session, actor, "check_drift", "recording", recording_id, before["survey_id"], then, after)
     return get(session, recording_id)
 

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from datetime import datetime
-from typing import TypedDict
+from typing import Literal, TypedDict
 
 import numpy as np
 import numpy.typing as npt
@@ -46,6 +46,26 @@ class Inset:
 
 
 @dataclass(frozen=True, slots=True)
+class Photograph:
+    """A picture of a survey's set-up; `sha256` and the size are of the JPEG that is kept."""
+
+    id: int
+    survey_id: int
+    name: str
+    caption: str
+    position: int
+    media_key: str
+    sha256: str
+    size_bytes: int
+    width_px: int
+    height_px: int
+    version: int
+    created_at: datetime
+    created_by: Who | None
+    deleted: bool
+
+
+@dataclass(frozen=True, slots=True)
 class SurveyCounts:
     """Computed when asked, never stored."""
 
@@ -68,6 +88,21 @@ class Step:
 
 
 @dataclass(frozen=True, slots=True)
+class ScanProgress:
+    """The line scans of a survey: vehicles by what was done with them, and what to do next."""
+
+    state: Literal["none", "open", "done"]
+    summary: str
+    scans: int = 0
+    ready: int = 0
+    vehicles: int = 0
+    to_review: int = 0
+    accepted: int = 0
+    rejected: int = 0
+    not_measurable: int = 0
+
+
+@dataclass(frozen=True, slots=True)
 class Survey:
     id: int
     name: str
@@ -79,6 +114,7 @@ class Survey:
     insets: Mapping[str, Inset]
     counts: SurveyCounts
     steps: tuple[Step, ...]
+    scans: ScanProgress
 
 
 @dataclass(frozen=True, slots=True)

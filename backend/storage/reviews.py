@@ -45,9 +45,11 @@ def add(
         result_revision = measurements.append_revision(
             session, before, fixed, withdrawn=False, action="fix", actor=actor
         )
-    stamps = {"result_revision": result_revision, "created_at": now(), "created_by": actor}
+    moment = now()
+    stamps = {"result_revision": result_revision, "created_at": moment, "created_by": actor}
     review_id = add_row(session, reviews, {**content, **stamps})
     after = {**content, "result_revision": result_revision, "vehicle_id": before.vehicle_id}
+    after["created_at"] = moment
     after["content_sha256"] = stored_hash(session, reviews, review_id)
     then = {"verdict": before.review.verdict}
     audit.record(session, actor, "review", "review", review_id, before.survey_id, then, after)

@@ -25,6 +25,7 @@ from backend.storage.scans_records import (
 )
 from backend.storage.scans_vehicles import counts_of_scans
 from backend.storage.tables import recordings, surveys, uploads
+from backend.storage.tables_of_line_heights import line_heights, line_poses
 from backend.storage.tables_of_scans import scan_measurements, scan_reviews, scan_vehicles, scans
 
 RIG = (
@@ -145,11 +146,11 @@ def update(session: Session, scan_id: int, changes: ScanChanges, *, version: int
 def remove(session: Session, scan_id: int, *, actor: int | None) -> Scan:
     """Delete (softly) a scan on which nobody worked yet; its vehicles leave all lists with it.
 
-    Raises Conflict where a person placed boundaries, filled in facts or gave a verdict. The caller removes
-    the files that `media_in_use` says nothing needs.
+    Raises Conflict where a person placed boundaries, filled in facts, calibrated, measured a height or gave
+    a verdict. The caller removes the files that `media_in_use` says nothing needs.
     """
     gone = get(session, scan_id)
-    if _worked_on(session, scan_id):
+    if worked_on(session, scan_id):
         raise Conflict("People have worked on this scan's vehicles, so it stays; an audit needs its strips.")
     change_row(session, scans, scan_id, {"deleted_at": now()})
     before = {"name": gone.name, "deleted": False}
@@ -199,7 +200,8 @@ def _row(session: Session, scan_id: int) -> dict[str, Any]:
     return get_row(session, scans, scan_id, "line-scan recording", _ALIVE)
 
 
-def _worked_on(session: Session, scan_id: int) -> bool:
+def worked_on(session: Session, scan_id: int) -> bool:
+    """Whether a person placed, filled in, calibrated, measured or judged something of this scan."""
     placed = select(scan_measurements.c.id).where(
         scan_measurements.c.scan_id == scan_id, scan_measurements.c.placed_by.is_not(None)
     )
@@ -212,7 +214,9 @@ def _worked_on(session: Session, scan_id: int) -> bool:
         scan_vehicles.c.scan_id == scan_id,
         (scan_vehicles.c.make.is_not(None)) | (scan_vehicles.c.true_length_m.is_not(None)),
     )
-    return any(session.execute(one.limit(1)).first() is not None for one in (placed, judged, filled))
+    rods, heights = (select(one.c.id).where(one.c.scan_id == scan_id) for one in (line_poses, line_heights))
+    found = (placed, judged, filled, rods, heights)
+    return any(session.execute(one.limit(1)).first() is not None for one in found)
 
 
 def _scans(session: Session, rows: Sequence[Mapping[str, Any]]) -> tuple[Scan, ...]:

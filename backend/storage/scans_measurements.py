@@ -1,20 +1,23 @@
 """Measurements of scanned vehicles: append-only revisions. Nothing changes a row; the database refuses it."""
 
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
-from sqlalchemy import func, select
+from sqlalchemy import func, select, update
 from sqlalchemy.orm import Session
 
 from backend.errors import BadInput
 from backend.storage import audit
 from backend.storage.columns import now
-from backend.storage.rows import add_row, change_row, missing, stored_hash
+from backend.storage.rows import add_rows, get_row, missing, stored_hashes
 from backend.storage.scans_query import is_current, measurement, revisions
 from backend.storage.scans_records import ScanMeasurement, ScanValues
 from backend.storage.scans_vehicles import seen
-from backend.storage.tables_of_scans import scan_measurements, scan_vehicles
+from backend.storage.tables_of_scans import scan_measurements, scan_vehicles, scans
 
+# rows of one statement; each has some forty columns
+_AT_ONCE = 500
 _TOLD = (
     "cause",
     "method",
@@ -51,24 +54,66 @@ def append(
     Raises Conflict if `version` (None: any) is not the current one or the vehicle was deleted, BadInput.
     """
     row = seen(session, vehicle_id, version)
-    _check(values)
-    before = _current(session, vehicle_id)
-    revision = 1 if before is None else before.revision + 1
-    place = {"survey_id": row["survey_id"], "scan_id": row["scan_id"], "vehicle_id": vehicle_id}
-    content = {**place, **asdict(values), "revision": revision}
-    moment = now()
-    row_id = add_row(session, scan_measurements, {**content, "created_at": moment, "created_by": actor})
-    stamps = {"version": row["version"] + 1, "updated_at": moment, "updated_by": actor}
-    change_row(session, scan_vehicles, vehicle_id, stamps)
-    then = None
-    if before is not None:
-        then = {name: getattr(before.values, name) for name in _TOLD} | {"revision": before.revision}
-    after: dict[str, Any] = {name: getattr(values, name) for name in _TOLD} | {"revision": revision}
-    after |= {"vehicle_id": vehicle_id, "run_id": values.run_id}
-    after["content_sha256"] = stored_hash(session, scan_measurements, row_id)
-    action = "create" if before is None else "revise"
-    audit.record(session, actor, action, "scan_measurement", row_id, row["survey_id"], then, after)
-    return get(session, row_id)
+    return get(session, append_many(session, row["scan_id"], [(vehicle_id, values)], actor=actor)[0])
+
+
+def append_many(
+    session: Session, scan_id: int, found: Sequence[tuple[int, ScanValues]], *, actor: int | None
+) -> list[int]:
+    """The ids of the next revisions of some vehicles of a scan, with an event each; a few statements.
+
+    Whoever calls has looked, in this transaction, that the vehicles live and are as they were seen.
+    Raises BadInput, NotFound for a deleted scan.
+    """
+    scan = get_row(session, scans, scan_id, "line-scan recording", scans.c.deleted_at.is_(None))
+    for _, values in found:
+        _check(values)
+    made: list[int] = []
+    for start in range(0, len(found), _AT_ONCE):
+        made += _appended(session, scan, found[start : start + _AT_ONCE], actor)
+    return made
+
+
+def _appended(
+    session: Session, scan: Mapping[str, Any], found: Sequence[tuple[int, ScanValues]], actor: int | None
+) -> list[int]:
+    vehicle_ids = [vehicle_id for vehicle_id, _ in found]
+    before, moment = _current(session, vehicle_ids), now()
+    place = {"survey_id": scan["survey_id"], "scan_id": scan["id"]}
+    stamps = {"created_at": moment, "created_by": actor}
+    rows = [
+        {**place, "vehicle_id": one, **asdict(values), "revision": _next(before.get(one)), **stamps}
+        for one, values in found
+    ]
+    row_ids = add_rows(session, scan_measurements, rows)
+    change = {"version": scan_vehicles.c.version + 1, "updated_at": moment, "updated_by": actor}
+    session.execute(update(scan_vehicles).where(scan_vehicles.c.id.in_(vehicle_ids)).values(change))
+    hashes = stored_hashes(session, scan_measurements, row_ids)
+    for action in ("create", "revise"):
+        events = [
+            (row_id, _then(before.get(one)), _after(one, values, before.get(one), hashes[row_id]))
+            for row_id, (one, values) in zip(row_ids, found, strict=True)
+            if (one in before) == (action == "revise")
+        ]
+        audit.record_many(session, actor, action, "scan_measurement", scan["survey_id"], events)
+    return row_ids
+
+
+def _next(before: ScanMeasurement | None) -> int:
+    return 1 if before is None else before.revision + 1
+
+
+def _then(before: ScanMeasurement | None) -> dict[str, Any] | None:
+    if before is None:
+        return None
+    return {name: getattr(before.values, name) for name in _TOLD} | {"revision": before.revision}
+
+
+def _after(
+    vehicle_id: int, values: ScanValues, before: ScanMeasurement | None, content_sha256: str
+) -> dict[str, Any]:
+    told: dict[str, Any] = {name: getattr(values, name) for name in _TOLD} | {"revision": _next(before)}
+    return told | {"vehicle_id": vehicle_id, "run_id": values.run_id, "content_sha256": content_sha256}
 
 
 def get(session: Session, measurement_id: int) -> ScanMeasurement:
@@ -95,10 +140,11 @@ def is_newest(session: Session, one: ScanMeasurement) -> bool:
     return bool(session.execute(newest).scalar_one() == one.revision)
 
 
-def _current(session: Session, vehicle_id: int) -> ScanMeasurement | None:
-    query = revisions(profile=False).where(scan_measurements.c.vehicle_id == vehicle_id, is_current)
-    row = session.execute(query).mappings().one_or_none()
-    return None if row is None else measurement(row)
+def _current(session: Session, vehicle_ids: Sequence[int]) -> dict[int, ScanMeasurement]:
+    """The current revisions of those vehicles that have one, by vehicle, without profiles."""
+    query = revisions(profile=False).where(scan_measurements.c.vehicle_id.in_(vehicle_ids), is_current)
+    found = [measurement(row) for row in session.execute(query).mappings()]
+    return {one.vehicle_id: one for one in found}
 
 
 def _check(values: ScanValues) -> None:

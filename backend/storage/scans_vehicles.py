@@ -11,7 +11,7 @@ from backend.errors import BadInput, Conflict
 from backend.storage import audit
 from backend.storage.columns import canonical_json, now
 from backend.storage.records import JsonObject, VehicleOrigin
-from backend.storage.rows import add_row, change_row, get_row, missing, name_of
+from backend.storage.rows import add_rows, change_row, get_row, missing, name_of
 from backend.storage.scans_query import states, vehicle, vehicles
 from backend.storage.scans_records import ScanCounts, ScanVehicle, ScanVehicleChanges, state_of
 from backend.storage.tables_of_scans import scan_measurements, scan_vehicles, scans
@@ -30,18 +30,32 @@ def create(
     actor: int | None,
 ) -> ScanVehicle:
     """A vehicle of a scan, yet without a measurement. Numbers count up in the scan."""
+    return get(session, create_many(session, scan_id, 1, fields, origin=origin, actor=actor)[0])
+
+
+def create_many(
+    session: Session,
+    scan_id: int,
+    count: int,
+    fields: ScanVehicleChanges | None = None,
+    *,
+    origin: VehicleOrigin,
+    actor: int | None,
+) -> list[int]:
+    """The ids of so many vehicles, alike but for their numbers, with an event each; a few statements."""
     scan = get_row(session, scans, scan_id, "line-scan recording", scans.c.deleted_at.is_(None))
     content: dict[str, Any] = {**dict.fromkeys(_FIELDS), "notes": "", **_checked(fields or {})}
     counted = select(func.coalesce(func.max(scan_vehicles.c.number), 0))
-    number = session.execute(counted.where(scan_vehicles.c.scan_id == scan_id)).scalar_one() + 1
-    place = {"survey_id": scan["survey_id"], "scan_id": scan_id, "number": number, "origin": origin}
+    first = session.execute(counted.where(scan_vehicles.c.scan_id == scan_id)).scalar_one() + 1
+    place = {"survey_id": scan["survey_id"], "scan_id": scan_id, "origin": origin}
+    told = [{**place, "number": number, **content} for number in range(first, first + count)]
     moment = now()
     stamps = {"version": 1, "created_at": moment, "created_by": actor}
     stamps |= {"updated_at": moment, "updated_by": actor}
-    row_id = add_row(session, scan_vehicles, {**place, **content, **stamps})
-    told = {**place, **content}
-    audit.record(session, actor, "create", "scan_vehicle", row_id, scan["survey_id"], None, told)
-    return get(session, row_id)
+    row_ids = add_rows(session, scan_vehicles, [{**row, **stamps} for row in told])
+    events = [(row_id, None, row) for row_id, row in zip(row_ids, told, strict=True)]
+    audit.record_many(session, actor, "create", "scan_vehicle", scan["survey_id"], events)
+    return row_ids
 
 
 def get(session: Session, vehicle_id: int, *, deleted: bool = False) -> ScanVehicle:

@@ -9,6 +9,8 @@ from sqlalchemy.orm import Session
 
 from backend.storage.measurement_query import is_current, is_first, verdict, waits, with_verdict
 from backend.storage.records import REQUIRED_TARGETS, Step, StepKey, SurveyCounts
+from backend.storage.records_of_recordings import ScanProgress
+from backend.storage.scan_progress import no_scans, scan_progress_of
 from backend.storage.tables import cameras, recordings
 from backend.storage.tables_of_work import exports, measurement_series, measurements, vehicles
 
@@ -19,6 +21,7 @@ class Progress:
 
     counts: SurveyCounts
     steps: tuple[Step, ...]
+    scans: ScanProgress
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,19 +53,22 @@ def progress_of(session: Session, survey_ids: Sequence[int]) -> dict[int, Progre
             _grouped(exports.c.survey_id, survey_ids, [], exports=func.count()),
         )
     ]
+    scanned = scan_progress_of(session, survey_ids)
     found: dict[int, Progress] = {}
     for survey_id in survey_ids:
         facts: dict[str, int] = {}
         for table in tables:
             facts.update(table.get(survey_id, {}))
-        found[survey_id] = _progress(facts)
+        found[survey_id] = _progress(facts, scanned.get(survey_id, no_scans()))
     return found
 
 
-def _progress(facts: dict[str, int]) -> Progress:
+def _progress(facts: dict[str, int], scans: ScanProgress) -> Progress:
     counts = SurveyCounts(**{name: facts.get(name, 0) for name in SurveyCounts.__slots__})
     rest = _Facts(**{name: facts.get(name, 0) for name in _Facts.__slots__})
-    return Progress(counts, _steps(counts, rest))
+    # with line scans alone nobody need calibrate a camera: no step is the next one
+    only_scans = scans.scans > 0 and rest.cameras == 0 and counts.recordings == 0
+    return Progress(counts, _steps(counts, rest, only_scans), scans)
 
 
 def _sum(condition: ColumnElement[bool]) -> ColumnElement[Any]:
@@ -134,7 +140,7 @@ def _by_survey(session: Session, query: Select[Any]) -> dict[int, dict[str, int]
     }
 
 
-def _steps(counts: SurveyCounts, facts: _Facts) -> tuple[Step, ...]:
+def _steps(counts: SurveyCounts, facts: _Facts, only_scans: bool) -> tuple[Step, ...]:
     """The order of the work: what is done, the one that is next, and those that wait for it."""
     told: list[tuple[StepKey, bool, str]] = [
         ("camera", facts.calibrated_cameras > 0, _camera_words(facts)),
@@ -144,7 +150,7 @@ def _steps(counts: SurveyCounts, facts: _Facts) -> tuple[Step, ...]:
         ("review", _reviewed(counts), _review_words(counts)),
         ("results", facts.exports > 0, _result_words(facts)),
     ]
-    following = next((key for key, done, _ in told if not done), None)
+    following = None if only_scans else next((key for key, done, _ in told if not done), None)
     return tuple(
         Step(key, "done" if done else "next" if key == following else "waiting", words)
         for key, done, words in told

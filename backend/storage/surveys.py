@@ -132,6 +132,7 @@ def _surveys(session: Session, rows: Sequence[Mapping[str, Any]]) -> tuple[Surve
             insets={target: Inset(**values) for target, values in row["insets"].items()},
             counts=progress[row["id"]].counts,
             steps=progress[row["id"]].steps,
+            scans=progress[row["id"]].scans,
         )
         for row in rows
     )

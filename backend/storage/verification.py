@@ -2,8 +2,8 @@
 
 The chain is walked (ids without gap, each hash from the one before, the anchor and every export's head in
 place), then every row that is written once (revisions, reviews, calibrations, poses) and every frame table
-is hashed again and compared with what its audit event says, and every vehicle record and line-scan recording
-with what its events made of it.
+is hashed again and compared with what its audit event says, and every vehicle record, line-scan recording
+and photograph with what its events made of it.
 """
 
 import json
@@ -13,12 +13,22 @@ from typing import Any
 from sqlalchemy import Table, inspect, select
 from sqlalchemy.orm import Session
 
+from backend.errors import BadInput
 from backend.storage import frames
 from backend.storage.chain import GENESIS, chain_hash, plain
-from backend.storage.database import DatabaseAway, lock_chain, make_engine, reading, session_factory
+from backend.storage.database import (
+    DatabaseAway,
+    lock_chain,
+    make_engine,
+    newest_revision,
+    reading,
+    session_factory,
+    stored_revision,
+)
 from backend.storage.records import Verification
 from backend.storage.rows import row_hash
-from backend.storage.tables import calibrations, recordings, road_poses
+from backend.storage.tables import calibrations, recordings, road_poses, survey_photographs
+from backend.storage.tables_of_line_heights import line_heights, line_poses
 from backend.storage.tables_of_scans import (
     scan_measurements,
     scan_reviews,
@@ -45,6 +55,7 @@ _CHANGED: dict[str, tuple[str, Table]] = {
     "vehicle": ("vehicle", vehicles),
     "scan": ("line-scan recording", scans),
     "scan_vehicle": ("scanned vehicle", scan_vehicles),
+    "photograph": ("photograph of the set-up", survey_photographs),
 }
 
 
@@ -72,9 +83,19 @@ def verify_database(url: str) -> Verification:
         with reading(session_factory(engine)) as session:
             if not _has_tables(session):
                 raise DatabaseAway("This database holds no surveys; give the address of the right one.")
+            require_version(session)
             return verify(session)
     finally:
         engine.dispose()
+
+
+def require_version(session: Session) -> None:
+    """Raises BadInput for a database of another version, whose tables are others."""
+    if stored_revision(session.connection()) != newest_revision():
+        raise BadInput(
+            "This database was made by another version; verify it with that one, or open it once with this "
+            "one (`sightline serve`), which brings it up to date."
+        )
 
 
 def _has_tables(session: Session) -> bool:
@@ -111,7 +132,10 @@ class _Walk:
             self.promised[(row["entity"], row_id)] = after["content_sha256"]
         if "frames_sha256" in after:
             self.promised[("frames", row["entity_id"])] = after["frames_sha256"]
-        if row["entity"] in _CHANGED:
+        if (row["entity"], row["action"]) == ("photograph", "order"):
+            for position, one in enumerate(after["order"], start=1):
+                self.told["photograph"][one]["position"] = position
+        elif row["entity"] in _CHANGED:
             self.told[row["entity"]].setdefault(row["entity_id"], {"deleted": False}).update(after)
         if (row["entity"], row["action"]) == ("measurement", "create"):
             place = {"survey_id": row["survey_id"], "vehicle_id": after["vehicle_id"]}
@@ -151,6 +175,8 @@ def _rows(session: Session, walk: _Walk) -> None:
         ("scan_run", "run over a line-scan recording", scan_runs),
         ("scan_measurement", "scanned vehicle's measurement", scan_measurements),
         ("scan_review", "scanned vehicle's review", scan_reviews),
+        ("line_pose", "calibration of a line camera", line_poses),
+        ("line_height", "scanned vehicle's height", line_heights),
     )
     for entity, words, table in kept:
         found = ((row["id"], row_hash(row)) for row in _all(session, table))

@@ -80,7 +80,8 @@ def _append(
 ) -> WheelPair:
     place = {"survey_id": vehicle["survey_id"], "recording_id": vehicle["recording_id"]}
     content = {**place, "vehicle_id": vehicle["id"], **values, "withdrawn": withdrawn}
-    row_id = add_row(session, wheel_pairs, {**content, "created_at": now(), "created_by": actor})
+    content["created_at"] = now()
+    row_id = add_row(session, wheel_pairs, {**content, "created_by": actor})
     after = {**content, "content_sha256": stored_hash(session, wheel_pairs, row_id)}
     audit.record(session, actor, action, "wheel_pair", row_id, vehicle["survey_id"], None, after)
     return _fetch(session, wheel_pairs.c.id == row_id)[0]

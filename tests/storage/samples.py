@@ -13,6 +13,7 @@ from backend.storage import (
     database,
     measurements,
     people,
+    photographs,
     poses,
     recordings,
     surveys,
@@ -27,6 +28,7 @@ from backend.storage.records import (
     Measurement,
     MeasurementValues,
     Person,
+    Photograph,
     Pose,
     Recording,
     Role,
@@ -115,6 +117,12 @@ def add_recording(session: Session, survey_id: int, actor: int | None, count: in
         actor=actor,
     )
     return recordings.ingested(session, made.id, facts(), frame_table(count), actor=actor)
+
+
+def photograph(session: Session, one: Sample, name: str = "rig.jpg") -> Photograph:
+    """A photograph of the set-up whose file is nowhere."""
+    file: dict[str, Any] = {"name": name, "media_key": "p", "sha256": "0" * 64, "size_bytes": 9}
+    return photographs.add(session, one.survey.id, **file, width_px=640, height_px=480, actor=one.olga.id)
 
 
 def add_pose(session: Session, recording_id: int, calibration_id: int, actor: int | None) -> Pose:

@@ -22,6 +22,7 @@ from backend.storage import (
     jobs,
     measurements,
     people,
+    photographs,
     recordings,
     reviews,
     standards,
@@ -85,7 +86,7 @@ def _wheels(session: Session, one: Sample) -> Any:
 
 
 def _moved(session: Session, one: Sample) -> Any:
-    spans = [{"first_frame": 50, "last_frame": 99, "moved": True}]
+    spans = [{"first_frame": 50, "last_frame": 99, "moved": True, "moved_px": 3.0, "change_m": 0.01}]
     check = {"state": "moved", "words": "Moved at frame 50.", "bumps": [50], "spans": spans}
     return recordings.drift_found(session, one.recording.id, one.pose.id, check, actor=None)
 
@@ -97,6 +98,11 @@ def _decided(session: Session, one: Sample) -> Any:
 
 def _recording(session: Session, one: Sample) -> Any:
     return samples.add_recording(session, one.survey.id, one.olga.id)
+
+
+def _no_photograph(session: Session, one: Sample) -> Any:
+    made = samples.photograph(session, one)
+    return photographs.remove(session, made.id, version=1, actor=one.olga.id)
 
 
 # name -> (what must be there first, the write itself)
@@ -129,6 +135,23 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
     "standards.choose": (
         lambda s, o: None,
         lambda s, o, _: standards.choose(s, o.survey.id, [], version=0, actor=o.olga.id),
+    ),
+    "photographs.add": (lambda s, o: None, lambda s, o, _: samples.photograph(s, o)),
+    "photographs.change_caption": (
+        samples.photograph,
+        lambda s, o, made: photographs.change_caption(s, made.id, "The rig", version=1, actor=o.olga.id),
+    ),
+    "photographs.order": (
+        samples.photograph,
+        lambda s, o, made: photographs.order(s, o.survey.id, [made.id], actor=o.olga.id),
+    ),
+    "photographs.remove": (
+        samples.photograph,
+        lambda s, o, made: photographs.remove(s, made.id, version=1, actor=o.olga.id),
+    ),
+    "photographs.restore": (
+        _no_photograph,
+        lambda s, o, made: photographs.restore(s, made.id, actor=o.olga.id),
     ),
     "cameras.create": (
         lambda s, o: None,
@@ -270,6 +293,7 @@ NO_EVENT = {
     "frames.remove": "part of recordings.remove",
     "measurements.append_revision": "writes an event; part of revise, withdraw, restore and reviews.add",
     "audit.record": "is the event",
+    "audit.record_many": "is the events",
 }
 HELPERS = {
     "rows",
@@ -284,32 +308,14 @@ HELPERS = {
     "verification",
 }
 WRITING = re.compile(
-    r"(?<![.\w])(insert|update|sql_update|delete|add_row|change_row|_append|_end|_back|_state|_drift_decision)\("
-    r"|append_revision\(|audit\.record\("
+    r"(?<![.\w])(insert|update|sql_update|delete|add_rows?|change_row|_append|_appended|create_many|append_many|_end|_back|_state|_drift_decision)\("
+    r"|append_revision\(|audit\.record(_many)?\("
 )
 
 
 @pytest.mark.parametrize("name", WRITES)
 def test_a_write_leaves_one_event_in_its_transaction(name: str, factory: database.SessionFactory) -> None:
-    prepare, write = WRITES[name]
-    with database.writing(factory) as session:
-        one = samples.sample(session)
-        there = prepare(session, one)
-    with database.writing(factory) as session:
-        before = audit.head(session)
-        changes = _count_changes(session)
-        write(session, one, there)
-        after = audit.head(session)
-    assert after.count - before.count == 1
-    # the write, the event and the anchor; standards are kept in the event itself
-    assert changes["n"] > (1 if name == "standards.choose" else 2)
-    with database.reading(factory) as session:
-        assert audit.head(session) == after
-        assert audit.verify(session).ok
-
-
-@pytest.mark.parametrize("name", WRITES)
-def test_a_rolled_back_write_leaves_nothing(name: str, factory: database.SessionFactory) -> None:
+    """Or nothing, where the transaction was rolled back."""
     prepare, write = WRITES[name]
     with database.writing(factory) as session:
         one = samples.sample(session)
@@ -320,8 +326,18 @@ def test_a_rolled_back_write_leaves_nothing(name: str, factory: database.Session
         raise ZeroDivisionError
     with database.reading(factory) as session:
         assert audit.head(session) == before
+        assert audit.verify(session).ok
         ids = session.execute(select(audit_events.c.id)).scalars()
         assert sorted(ids) == list(range(1, before.count + 1))
+    with database.writing(factory) as session:
+        changes = _count_changes(session)
+        write(session, one, there)
+        after = audit.head(session)
+    assert after.count - before.count == 1
+    # the write, the event and the anchor; standards are kept in the event itself
+    assert changes["n"] > (1 if name == "standards.choose" else 2)
+    with database.reading(factory) as session:
+        assert audit.head(session) == after
         assert audit.verify(session).ok
 
 

@@ -6,7 +6,7 @@ import pytest
 from sqlalchemy.orm import Session
 
 from backend.errors import BadInput, Conflict, NotAllowed, NotFound
-from backend.storage import scans, scans_measurements, scans_reviews, scans_vehicles
+from backend.storage import audit, scans, scans_measurements, scans_reviews, scans_vehicles
 from tests.storage import samples, scans_samples
 from tests.storage.scans_samples import values
 
@@ -78,3 +78,29 @@ def test_a_scan_stays_once_people_worked_on_it(session: Session) -> None:
     with pytest.raises(NotFound):
         scans_measurements.append(session, untouched.vehicle_id, values(), actor=one.olga.id)
     assert {v.scan_id for v in scans_vehicles.list_for_survey(session, one.survey.id)} == {made.scan_id}
+
+
+def test_many_at_once_are_the_same_as_one_by_one(session: Session) -> None:
+    one = samples.sample(session)
+    known = scans_samples.measured(session, one)
+    scan_id, actor = known.scan_id, one.olga.id
+    head = audit.head(session).count
+    made = scans_vehicles.create_many(session, scan_id, 600, origin="found", actor=actor)
+    fronts = [1000.0 + number for number in range(len(made))]
+    found = [(vehicle_id, values(front_line_1=front)) for vehicle_id, front in zip(made, fronts, strict=True)]
+    again = (known.vehicle_id, values(cause="again", speed_mps=20.0))
+    scans_measurements.append_many(session, scan_id, [again, *found], actor=actor)
+    vehicles = {vehicle.id: vehicle for vehicle in scans_vehicles.list_for_scan(session, scan_id)}
+    assert [vehicles[vehicle_id].number for vehicle_id in made] == list(range(2, 602))
+    first_lines = [one.measurement.values.front_line_1 for one in map(vehicles.get, made) if one.measurement]
+    assert first_lines == fronts and {vehicles[one].version for one in made} == {2}
+    revised = vehicles[known.vehicle_id]
+    assert (revised.version, revised.measurement.revision) == (3, 2)
+    alone = scans_vehicles.create(session, scan_id, origin="found", actor=actor)
+    scans_measurements.append(session, alone.id, values(), actor=actor)
+    events = audit.for_export(session)[head:][::-1]
+    assert len(events) == 2 * 600 + 1 + 2 and audit.verify(session).ok
+    of_last, of_many = [e for e in events if e.entity == "scan_measurement" and e.action == "create"][:2]
+    assert of_last.after.keys() == of_many.after.keys()
+    told = next(e for e in events if e.action == "revise")
+    assert (told.before["speed_mps"], told.after["speed_mps"]) == (19.31415, 20.0)

@@ -14,6 +14,7 @@ from backend.storage import (
     database,
     exports,
     people,
+    photographs,
     recordings,
     reviews,
     scans_reviews,
@@ -37,6 +38,8 @@ WRITTEN_ONCE = (
     "scan_runs",
     "scan_measurements",
     "scan_reviews",
+    "line_poses",
+    "line_heights",
 )
 
 
@@ -53,36 +56,39 @@ def filled(factory: database.SessionFactory) -> database.SessionFactory:
         points: dict[str, Any] = {"first": (1.0, 2.0), "second": (3.0, 2.0)}
         wheel_pairs.add(session, one.vehicle.id, frame=20, frame_crc=crc, **points, actor=one.olga.id)
         click_sigmas.choose(session, one.survey.id, one.olga.id, sigma_px=0.7, pairs=9, actor=None)
+        for n in range(2):
+            samples.photograph(session, one, f"{n}.jpg")
+        photographs.order(session, one.survey.id, [2, 1], actor=one.olga.id)
         scanned = scans_samples.measured(session, one)
         scans_samples.run(session, one, scanned.scan_id)
         scans_reviews.add(session, scanned.id, verdict="accepted", actor=one.rene.id)
+        rod = scans_samples.rod(session, one, scanned.scan_id)
+        scans_samples.tall(session, one, scanned.vehicle_id, rod)
     return factory
 
 
-@pytest.mark.parametrize("table", WRITTEN_ONCE)
-@pytest.mark.parametrize("statement", ["UPDATE {} SET id = id", "DELETE FROM {}", "TRUNCATE {} CASCADE"])
-def test_the_database_refuses(filled: database.SessionFactory, table: str, statement: str) -> None:
+def test_the_database_refuses_changes_removal_and_replacing(filled: database.SessionFactory) -> None:
     engine = database.engine_of(filled)
-    if statement.startswith("TRUNCATE") and engine.dialect.name == "sqlite":
-        statement = "DELETE FROM {} WHERE 1"  # what SQLite has in its place
-    with pytest.raises(DBAPIError, match="written once"), engine.begin() as connection:
-        connection.execute(text(statement.format(table)))
+    for table in WRITTEN_ONCE:
+        for statement in _attempts(engine.dialect.name, table):
+            with pytest.raises(DBAPIError, match="written once"), engine.begin() as connection:
+                connection.execute(text(statement))
+                pytest.fail(statement)
     with database.reading(filled) as session:
         assert audit.verify(session).ok
 
 
-@pytest.mark.parametrize("table", WRITTEN_ONCE)
-def test_a_row_is_not_replaced_by_an_insert_either(filled: database.SessionFactory, table: str) -> None:
+def _attempts(dialect: str, table: str) -> tuple[str, ...]:
     """SQLite's INSERT OR REPLACE takes the old row away without a DELETE that a trigger would see."""
-    engine = database.engine_of(filled)
-    if engine.dialect.name == "postgresql":
-        statement = (
-            f"INSERT INTO {table} SELECT * FROM {table} ON CONFLICT (id) DO UPDATE SET id = EXCLUDED.id"
+    own = (
+        (
+            f"TRUNCATE {table} CASCADE",
+            f"INSERT INTO {table} SELECT * FROM {table} ON CONFLICT (id) DO UPDATE SET id = EXCLUDED.id",
         )
-    else:
-        statement = f"INSERT OR REPLACE INTO {table} SELECT * FROM {table}"
-    with pytest.raises(DBAPIError, match="written once"), engine.begin() as connection:
-        connection.execute(text(statement))
+        if dialect == "postgresql"
+        else (f"DELETE FROM {table} WHERE 1", f"INSERT OR REPLACE INTO {table} SELECT * FROM {table}")
+    )
+    return f"UPDATE {table} SET id = id", f"DELETE FROM {table}", *own
 
 
 def _tamper(engine: Engine, *statements: str) -> None:
@@ -117,6 +123,14 @@ TAMPERED: dict[str, tuple[tuple[str, ...], str]] = {
     ),
     "a deleted vehicle": (("UPDATE vehicles SET deleted_at = created_at WHERE id = 2",), "vehicle 2 is not"),
     "a vehicle removed": (("DELETE FROM vehicles WHERE id = 2",), "vehicle 2 was removed"),
+    "a photograph's caption": (
+        ("UPDATE survey_photographs SET caption = 'Elsewhere' WHERE id = 1",),
+        "photograph of the set-up 1 is not",
+    ),
+    "the order of photographs": (
+        ("UPDATE survey_photographs SET position = 3 WHERE id = 2",),
+        "photograph of the set-up 2 is not",
+    ),
     "a height": (("UPDATE measurements SET height_m = 1.5 WHERE id = 1",), "measurement revision 1 is not"),
     "a click": (
         ("UPDATE measurements SET point_x_px = point_x_px + 1e-9 WHERE id = 2",),
@@ -152,6 +166,14 @@ TAMPERED: dict[str, tuple[tuple[str, ...], str]] = {
     "a verdict on a scanned vehicle": (
         ("UPDATE scan_reviews SET verdict = 'reopened' WHERE id = 1",),
         "scanned vehicle's review 1 is not",
+    ),
+    "a line camera's height": (
+        ("UPDATE line_poses SET camera_height_m = 1.2 WHERE id = 1",),
+        "calibration of a line camera 1 is not",
+    ),
+    "a height in a line scan": (
+        ("UPDATE line_heights SET height_m = 1.41 WHERE id = 1",),
+        "scanned vehicle's height 1 is not",
     ),
     "another vehicle": (
         ("UPDATE measurement_series SET vehicle_id = 2 WHERE id = 1",),
@@ -233,6 +255,19 @@ def test_a_vehicle_that_was_changed_deleted_and_restored_is_sound(filled: databa
 def test_an_empty_chain_is_sound(factory: database.SessionFactory) -> None:
     with database.reading(factory) as session:
         assert audit.verify(session) == verification.Verification(True, 0, "0" * 64, None)
+
+
+def test_verify_says_that_a_database_is_of_another_version(engine: Engine) -> None:
+    url = engine.url.render_as_string(hide_password=False)
+    with engine.begin() as connection:
+        then = connection.execute(text("SELECT version_num FROM alembic_version")).scalar_one()
+        connection.execute(text("UPDATE alembic_version SET version_num = '0007_line_scans'"))
+    try:
+        with pytest.raises(SightlineError, match="made by another version"):
+            verify_database(url)
+    finally:
+        with engine.begin() as connection:
+            connection.execute(text("UPDATE alembic_version SET version_num = :then"), {"then": then})
 
 
 def test_verify_says_what_is_no_database(tmp_path: Any) -> None:
