@@ -41,7 +41,7 @@ def export(survey: str, output: Path, crops: bool, data_dir: Path | None) -> Non
         with services.reading() as session, fresh_folder(output) as folder:
             staging = Staging(folder)
             survey_id = find_survey(session, survey).id
-            built = build(staging, session, survey_id, services if crops else None, _told())
+            built = build(staging, session, survey_id, services, _told(), crops=crops)
     finally:
         services.close()
     click.echo(

@@ -63,6 +63,7 @@ def check_database(url: str, name: str | None = None) -> dict[str, Any]:
     from sqlalchemy.exc import DatabaseError
 
     from backend.storage import audit, database
+    from backend.storage.verification import require_version
 
     engine = database.make_engine(url)
     stranger = (
@@ -72,6 +73,7 @@ def check_database(url: str, name: str | None = None) -> dict[str, Any]:
         if not inspect(engine).has_table("audit_events"):
             raise BadInput(stranger)
         with database.reading(database.session_factory(engine)) as session:
+            require_version(session)
             found = audit.verify(session)
     except DatabaseError as error:
         raise BadInput(stranger) from error

@@ -4,7 +4,8 @@ Textures are (along, rows) with `along` counted from the front backwards. A line
 during its exposure, so it is the difference of a running sum at two places.
 """
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import cv2
@@ -122,24 +123,50 @@ def _over(base: tuple[Floats, Floats], plate: Plate, left_m: float, top_m: float
 
 
 @lru_cache(maxsize=6)
-def _side(shape: Shape) -> tuple[Floats, Floats, float, float]:
+def _side(shape: Shape, plane_m: float | None) -> tuple[Floats, Floats, float, float]:
     """The still part of the near side: light, coverage (h, w; l forward), left edge, top edge."""
     plate = side_plate(shape, DAY, ART_PPM, EYE_M, 3.0, 0.0)
     light, cover = (part.copy() for part in _grey(plate))
     stencil = Stencil(-0.08, shape.length_m + 0.08, 0.0, shape.vehicle.roof_height_m + 0.06, ART_PPM)
-    _over(
-        (light, cover),
-        driver_plate(shape, DAY, ART_PPM),
-        plate.left_m,
-        plate.top_m,
-        glass_area(shape, stencil),
-    )
+    driver, glass = driver_plate(shape, DAY, ART_PPM), glass_area(shape, stencil)
+    if plane_m is not None:
+        skin = _as_seen(shape.inset, light.shape, plate.left_m, plate.top_m, plane_m)
+        light, cover, glass = (skin(part) for part in (light, cover, glass))
+        inset_m = shape.vehicle.eye_inset_m
+        deep = _as_seen(
+            lambda along, _z: np.full_like(along, inset_m),
+            driver.rgba.shape[:2],
+            driver.left_m,
+            driver.top_m,
+            plane_m,
+        )
+        driver = replace(driver, rgba=deep(np.asarray(driver.rgba, np.float32)))
+    _over((light, cover), driver, plate.left_m, plate.top_m, glass)
     body = stencil.area(body_outline(shape))
     for axle in shape.axles:
         arch = stencil.disc((axle, shape.radius_m + 0.005), shape.radius_m + 0.045) * body
         light += (1 - cover) * arch * HOUSING_DN
         cover += (1 - cover) * arch
     return _finer(light), _finer(cover), plate.left_m, plate.top_m
+
+
+def _as_seen(
+    inset: Callable[[Array, Array], Array], size: tuple[int, ...], left_m: float, top_m: float, plane_m: float
+) -> Callable[[Floats], Floats]:
+    """Moves a texture's rows to where a camera EYE_M high, `plane_m` from the side plane, sees them on it.
+
+    `inset`: how far the skin at (l, z) lies behind the plane; what is at z is seen at
+    EYE_M + (z - EYE_M) plane / (plane + inset), which is solved for z by iteration.
+    """
+    along, seen = np.meshgrid(
+        left_m + (np.arange(size[1]) + 0.5) / ART_PPM, top_m - (np.arange(size[0]) + 0.5) / ART_PPM
+    )
+    z = seen
+    for _ in range(4):
+        z = EYE_M + (seen - EYE_M) * (plane_m + inset(along, z)) / plane_m
+    x = np.tile(np.arange(size[1], dtype=np.float32), (size[0], 1))
+    y = ((top_m - z) * ART_PPM - 0.5).astype(np.float32)
+    return lambda picture: np.asarray(cv2.remap(picture, x, y, cv2.INTER_LINEAR), np.float32)
 
 
 def _finer(picture: Floats) -> Floats:
@@ -168,7 +195,7 @@ def _shadow(shape: Shape, site: ScanSite, along_m: Array, z: Array) -> Floats:
 def ribbon_of(car: ScanVehicle, site: ScanSite, camera: int) -> Ribbon:
     """The body's running sums as one camera sees it, optical blur included."""
     shape, edges = car.shape, _edges(site, camera, car.far)
-    light, cover, left_m, top_m = _side(shape)
+    light, cover, left_m, top_m = _side(shape, site.plane_m)
     pad = round(MARGIN_M * PPM)
     # flipped: from here on columns run from the front backwards
     light, cover = (np.pad(part[:, ::-1], ((0, 0), (pad, pad))) for part in (light, cover))

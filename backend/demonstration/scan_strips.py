@@ -11,6 +11,7 @@ import numpy as np
 
 from backend.demonstration.camera import Array, Floats, Image
 from backend.demonstration.scan_art import MARGIN_M, Wheel, body_of, row_edges_m
+from backend.demonstration.scan_rod import HeldRod, lay_rods
 from backend.demonstration.scan_traffic import ScanSite, ScanVehicle
 
 CHUNK = 1024
@@ -121,11 +122,20 @@ def _rain(site: ScanSite, rng: np.random.Generator, scene: Floats) -> None:
         scene[line : line + int(rng.integers(1, 4)), row : row + tall] += rng.uniform(25, 60)
 
 
-def _exposed(site: ScanSite, camera: int, first_line: int, lines: int, cars: list[ScanVehicle]) -> Image:
+def _exposed(
+    site: ScanSite,
+    camera: int,
+    first_line: int,
+    lines: int,
+    cars: list[ScanVehicle],
+    rods: tuple[HeldRod, ...],
+) -> Image:
     """One chunk (lines, rows) of one camera."""
     rng = np.random.default_rng((site.seed, camera, first_line))
     edge_s = (first_line - 0.5 + np.arange(lines + 1)) / site.line_rate_hz
     scene: Floats = np.tile(empty_line(site, camera), (lines, 1))
+    if camera == 1:
+        lay_rods(site, rods, edge_s, scene)
     for car in sorted(cars, key=lambda one: not one.far):
         _lay_vehicle(site, car, camera, edge_s, scene)
     _rain(site, rng, scene)
@@ -140,11 +150,15 @@ def _exposed(site: ScanSite, camera: int, first_line: int, lines: int, cars: lis
 
 
 def recording(
-    site: ScanSite, vehicles: tuple[ScanVehicle, ...], seconds: float | None = None
+    site: ScanSite,
+    vehicles: tuple[ScanVehicle, ...],
+    seconds: float | None = None,
+    rods: tuple[HeldRod, ...] = (),
 ) -> Iterator[tuple[Image, Image]]:
     """Chunks (lines, rows) of strip 1 and strip 2, CHUNK lines each, the last one shorter.
 
-    `seconds`: length of the recording; None ends it 0.4 s after the last vehicle.
+    `seconds`: length of the recording; None ends it 0.4 s after the last vehicle. `rods`: held in camera 1's
+    plane, which needs a site that has a `plane_m`.
     """
     clear = {car: car.clear_s(site.baseline_m) for car in vehicles}
     if seconds is None:
@@ -155,12 +169,15 @@ def recording(
         lines = min(CHUNK, total - start)
         lo, hi = start / site.line_rate_hz, (start + lines) / site.line_rate_hz
         cars = [car for car in vehicles if car.front_s - slack_s < hi and clear[car] + slack_s > lo]
-        yield _exposed(site, 1, start, lines, cars), _exposed(site, 2, start, lines, cars)
+        yield _exposed(site, 1, start, lines, cars, rods), _exposed(site, 2, start, lines, cars, rods)
 
 
 def strips(
-    site: ScanSite, vehicles: tuple[ScanVehicle, ...], seconds: float | None = None
+    site: ScanSite,
+    vehicles: tuple[ScanVehicle, ...],
+    seconds: float | None = None,
+    rods: tuple[HeldRod, ...] = (),
 ) -> tuple[Image, Image]:
     """Both strips whole (lines, rows): for short recordings."""
-    first, second = zip(*recording(site, vehicles, seconds), strict=True)
+    first, second = zip(*recording(site, vehicles, seconds, rods), strict=True)
     return np.concatenate(first), np.concatenate(second)

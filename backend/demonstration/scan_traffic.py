@@ -18,7 +18,11 @@ RESTART_MPS2 = 1.5
 
 @dataclass(frozen=True)
 class ScanSite:
-    """The rig and the weather as they truly are. `misalignment_px`: row in strip 2 minus row in strip 1."""
+    """The rig and the weather as they truly are. `misalignment_px`: row in strip 2 minus row in strip 1.
+
+    `plane_m`: from the cameras' centres to the near lane's side plane; what lies behind that plane is then
+    seen under the angle that it has. None: vehicles are flat, all of them on the plane.
+    """
 
     rows: int = 256
     baseline_m: float = 0.593
@@ -39,6 +43,7 @@ class ScanSite:
     flicker_hz: float = 100.0
     rain_per_s: float = 0.0
     shadow_m: float = 0.27
+    plane_m: float | None = None
     seed: int = 1
 
 
@@ -225,11 +230,14 @@ def traffic(
 
 
 def demo_traffic() -> tuple[ScanVehicle, ...]:
-    """Every model of the catalogue once, 15 vehicles in some 25 s, at the speeds of a road in town."""
+    """Every model of the catalogue once, 15 vehicles in some 25 s, at the speeds of a road in town.
+
+    The road is empty for the first 4 s, in which a rod is held up.
+    """
     rng = np.random.default_rng(20070507)
     order = (3, 0, 8, 11, 5, 13, 1, 9, 6, 2, 12, 4, 14, 7, 10)
     out: list[ScanVehicle] = []
-    clear = 0.4
+    clear = 4.0
     for number, index in enumerate(order, 1):
         body = scan_body(number, MODELS[index], rng)
         front = clear + float(rng.uniform(0.7, 1.9))

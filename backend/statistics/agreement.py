@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy import stats
 
 from backend.statistics.errors import Interval
+from backend.statistics.wording import there_are
 
 Floats = NDArray[np.float64]
 
@@ -74,7 +75,7 @@ def trend(at: ArrayLike, value: ArrayLike, points: int = 64) -> Trend | str:
     x, y = np.asarray(at, dtype=np.float64), np.asarray(value, dtype=np.float64)
     n = len(x)
     if n < LEAST:
-        return f"A trend needs at least {LEAST} vehicles; there are {n}."
+        return f"A trend needs at least {LEAST} vehicles; {there_are(n)}."
     if np.ptp(x) <= 0:
         return "All heights are the same, so there is no trend to see."
     line = stats.linregress(x, y)
@@ -112,7 +113,7 @@ def bland_altman(error_m: ArrayLike) -> BlandAltman | str:
     error = np.asarray(error_m, dtype=np.float64)
     n = len(error)
     if n < LEAST:
-        return f"Limits of agreement need at least {LEAST} vehicles; there are {n}."
+        return f"Limits of agreement need at least {LEAST} vehicles; {there_are(n)}."
     z = float(stats.norm.ppf(0.5 + 0.5 * CONFIDENCE))
     t = float(stats.t.ppf(0.5 + 0.5 * CONFIDENCE, n - 1))
     bias, sd = float(error.mean()), float(error.std(ddof=1))
@@ -144,7 +145,7 @@ def reference_part(
     error, reference = np.asarray(error_m, dtype=np.float64), np.asarray(reference_m, dtype=np.float64)
     n = len(error)
     if n < LEAST:
-        return f"Shares of the variance need at least {LEAST} vehicles; there are {n}."
+        return f"Shares of the variance need at least {LEAST} vehicles; {there_are(n)}."
     variance = float(error.var(ddof=1))
     if variance <= 0:
         return "All errors are the same; there is no variance to share out."

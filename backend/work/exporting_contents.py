@@ -13,6 +13,8 @@ from backend.work import exporting_tables as tables
 from backend.work.code_version import code_version
 from backend.work.exporting_crops import CROPS
 from backend.work.exporting_exclusions import EXCLUSIONS
+from backend.work.exporting_photographs import FOLDER as PHOTOGRAPHS_FOLDER
+from backend.work.exporting_photographs import PHOTOGRAPHS
 from backend.work.exporting_repeats import REPEATS
 from backend.work.exporting_standards import STANDARDS
 from backend.work.exporting_wheels import WHEEL_PAIRS
@@ -35,6 +37,7 @@ PRIMARY: tuple[Table, ...] = (
     tables.REVIEWS,
     tables.INSETS,
     STANDARDS,
+    PHOTOGRAPHS,
     WHEEL_PAIRS,
     REPEATS,
     *SCANS,
@@ -47,6 +50,7 @@ DERIVED: tuple[Table, ...] = (EXCLUSIONS, *statistics.TABLES)
 _OTHERS = (
     (REPORT, "application/pdf", "Report: site, set-up, calibration, method, errors, figures, exclusions."),
     (FIGURES, "image/svg+xml", "A figure of the statistics."),
+    (PHOTOGRAPHS_FOLDER, "image/jpeg", "A photograph of the set-up."),
     ("poses/", "application/json", "A road pose with its camera (sightline-pose-1)."),
     ("calibrations/", "application/json", "A calibration (sightline-camera-1)."),
     (
@@ -62,7 +66,9 @@ _ABOUT = (
     "(0, 0) at the centre of the top-left pixel. `sightline verify` checks this folder; `sightline height "
     "--pose poses/pose-N.json --clicks clicks/pose-N.csv` computes its heights again. statistics/ is made of "
     "the accepted measurements in these tables, heights to the micrometre. An apostrophe stands before any "
-    "text that a spreadsheet would run as a formula."
+    "text that a spreadsheet would run as a formula. The audit chain does not vouch for the names of people, "
+    "for texts of flags, nor, in rows stored by a version before this one, for created_at, code_version and "
+    "the drift columns: keep the SHA-256 of the ZIP elsewhere, which covers them."
 )
 
 
@@ -90,9 +96,18 @@ def about_of(name: str, site: str, description: str, created: str | None) -> Abo
 
 def made_with() -> dict[str, str]:
     """What figures and report were drawn with: all but the first the same draw the same bytes."""
-    used = ("numpy", "scipy", "matplotlib", "typst")
+    used = ("numpy", "scipy", "matplotlib", "pillow", "typst")
     versions = {name: version(name) for name in used}
     return {"sightline": code_version(), "drawing": _drawing(), **versions}
+
+
+_DRAWN_BY = (
+    "figuring.py",
+    "reporting.py",
+    "reporting_scans.py",
+    "scanning_statistics.py",
+    "exporting_scans.py",
+)
 
 
 @cache
@@ -100,7 +115,7 @@ def _drawing() -> str:
     """The hash of the code that statistics, figures and report come from, whatever version it is part of."""
     root = Path(__file__).resolve().parents[1]
     files = [*root.glob("statistics/*.py"), *root.glob("work/drawing/*.py")]
-    files += [root / "work" / name for name in ("figuring.py", "reporting.py")]
+    files += [root / "linescan" / "rig.py", *(root / "work" / name for name in _DRAWN_BY)]
     digest = hashlib.sha256()
     for file in sorted(files):
         digest.update(file.read_bytes())

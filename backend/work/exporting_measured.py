@@ -18,9 +18,11 @@ from backend.statistics.corrections import CORRECTIONS, Correction
 from backend.statistics.errors import Rounding
 from backend.statistics.summary import Grouping
 from backend.storage.measured_columns import CATEGORIES, LIGHTING, NONE, TARGETS, VERDICTS, Measured
+from backend.work.exporting_scans import scans_in
 from backend.work.exporting_standards import standards_in
 from backend.work.figuring import Choices, Filter, Statistics, filtered, made_of
 from backend.work.packaging_files import Files, read_columns, unsafe
+from backend.work.scanning_statistics import ScanStatistics
 
 _EPOCH = date(1970, 1, 1).toordinal()
 _READ = (
@@ -48,9 +50,10 @@ class Cars:
 
 @dataclass(frozen=True, eq=False)
 class PackageStatistics:
-    """The statistics of a package: `of` the accepted measurements by (correction, rounding)."""
+    """The statistics of a package: `of` the accepted measurements by (correction, rounding), and of scans."""
 
     of: Mapping[tuple[Correction, Rounding], Statistics]
+    scans: ScanStatistics
 
     @property
     def headline(self) -> Statistics:
@@ -68,7 +71,7 @@ def statistics_of(files: Files, choices: Choices = Choices()) -> PackageStatisti
     for correction, rounding in wanted:
         chosen = Choices(rounding, correction, choices.u_reference_m, choices.own_standards, table)
         found[correction, rounding] = made_of(measured, left_out, chosen, groupings, {}, {})
-    return PackageStatistics(found)
+    return PackageStatistics(found, scans_in(files))
 
 
 def measured_of(files: Files) -> Measured:

@@ -190,20 +190,30 @@ def recording_row(one: Recording) -> Cells:
 
 def _drift_cells(one: Recording) -> Cells:
     """Whether the camera moved since the road pose in force, and what a person decided about it."""
-    check, decision = drift_flags.check_of(one.drift, one.pose_id), one.drift_decision
-    moved = [] if check is None else [span for span in check["spans"] if span["moved"]]
-    changes = [abs(span["change_m"]) for span in moved if span["change_m"] is not None]
-    cells: Cells = {
-        "drift_state": None if check is None else check["state"],
-        "drift_floor_px": None if check is None else check["floor_px"],
-        "drift_moved_px": max((span["moved_px"] for span in moved), default=None),
-        "drift_height_m": max(changes, default=None),
-        "drift_checked_at": None if check is None else check["checked_at"].replace("+00:00", "Z"),
+    check = drift_flags.check_of(one.drift, one.pose_id)
+    found = None if check is None else drift_flags.figures(check)
+    return {**found_cells(found), **decision_cells(one.drift_decision, one.pose_id)}
+
+
+def found_cells(found: Mapping[str, Any] | None) -> Cells:
+    """The columns of what was found of a camera that moved, from its figures."""
+    told = found or dict.fromkeys(("state", "floor_px", "moved_px", "height_m", "checked_at"))
+    at = told["checked_at"]
+    return {
+        **{f"drift_{name}": told[name] for name in ("state", "floor_px", "moved_px", "height_m")},
+        "drift_checked_at": None if at is None else at.replace("+00:00", "Z"),
     }
-    if decision is not None and decision["pose_id"] == one.pose_id:
-        cells["drift_decision"], cells["drift_decided_by_id"] = decision["reason"], decision["by_id"]
-        cells["drift_decided_at"] = decision["at"].replace("+00:00", "Z")
-    return cells
+
+
+def decision_cells(decision: Mapping[str, Any] | None, pose_id: int | None) -> Cells:
+    """The columns of what a person decided about the pose in force."""
+    if decision is None or decision["pose_id"] != pose_id:
+        return dict.fromkeys(("drift_decision", "drift_decided_by_id", "drift_decided_at"))
+    return {
+        "drift_decision": decision["reason"],
+        "drift_decided_by_id": decision["by_id"],
+        "drift_decided_at": decision["at"].replace("+00:00", "Z"),
+    }
 
 
 def pose_row(pose: Pose) -> Cells:

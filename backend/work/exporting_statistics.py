@@ -9,6 +9,7 @@ from typing import Any
 from backend.statistics.corrections import Correction
 from backend.statistics.distributions import Ecdf
 from backend.statistics.summary import Distribution, Errors
+from backend.work import exporting_scans
 from backend.work.exporting_measured import PackageStatistics
 from backend.work.figuring import Shown, Statistics, standards_of
 from backend.work.packaging import Cell, Column, Row, Table
@@ -224,6 +225,7 @@ TABLES = (
     HEIGHT_ECDF,
     HEIGHT_DENSITY,
     SHARES,
+    *exporting_scans.TABLES,
 )
 
 
@@ -246,6 +248,7 @@ def statistics_rows(found: PackageStatistics) -> dict[str, Iterator[Cells]]:
         HEIGHT_ECDF.path: chain.from_iterable(_height_ecdf_rows(*one) for one in heights),
         HEIGHT_DENSITY.path: chain.from_iterable(_height_density_rows(*one) for one in heights),
         SHARES.path: chain.from_iterable(_share_rows(*one) for one in heights),
+        **exporting_scans.scan_rows(found.scans),
     }
 
 

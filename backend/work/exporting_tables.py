@@ -342,7 +342,8 @@ INSETS = Table(
 
 PEOPLE = Table(
     "people",
-    "The people named in the other tables, by number and name only.",
+    "The people named in the other tables, by number and name only. The audit chain holds their numbers; "
+    "their names are covered by the checksums alone.",
     (_id("id", "person"), Column("name", "string", "name", required=True)),
     primary=("id",),
 )

@@ -21,16 +21,20 @@ from backend.work.drawing.facts import (
     RecordingFacts,
     ReportFacts,
 )
-from backend.work.figuring import Choices, Statistics
+from backend.work.exporting_measured import PackageStatistics
+from backend.work.exporting_photographs import photos_in
+from backend.work.figuring import Choices
 from backend.work.packaging import Written
 from backend.work.packaging_files import Files, number, read_columns, read_rows, read_whole, unsafe, whole
+from backend.work.reporting_scans import scan_facts
 
 MOST_EXCLUSIONS = 300
 Words = Mapping[str, Any]
 
 
-def report_facts(files: Files, found: Statistics, written: Mapping[str, Written]) -> ReportFacts:
+def report_facts(files: Files, made: PackageStatistics, written: Mapping[str, Written]) -> ReportFacts:
     """Everything that the report shows. `written`: the files whose sums it lists."""
+    found = made.headline
     survey = survey_words(files)
     head = _Head(files)
     recordings = {row["id"]: row for row in read_rows(files, "recordings.csv")}
@@ -53,7 +57,9 @@ def report_facts(files: Files, found: Statistics, written: Mapping[str, Written]
             ("measurements", used.count),
             ("counted in the results", found.counted.measurements),
             ("left out", exclusions),
+            *_scanned(made),
         ),
+        photos=photos_in(files),
         recordings=tuple(_recording(row, cameras) for row in recordings.values()),
         calibrations=tuple(
             _calibration(files, row) for row in lenses.values() if row["id"] in used.calibrations
@@ -69,10 +75,21 @@ def report_facts(files: Files, found: Statistics, written: Mapping[str, Written]
         ),
         exclusions=tuple(islice(_exclusions(files), MOST_EXCLUSIONS)),
         exclusions_total=exclusions,
+        scans=scan_facts(files, made.scans),
         code_versions=tuple(sorted(used.code_versions)),
         audit_events=head.count,
         audit_head=head.hash,
         checksums=tuple(Checksum(path, written[path].sha256) for path in sorted(written)),
+    )
+
+
+def _scanned(made: PackageStatistics) -> tuple[tuple[str, int], ...]:
+    """Scanned vehicles, where there are any."""
+    counted = made.scans.counted
+    return (
+        (("scanned vehicles", counted["vehicles"]), ("accepted of them", counted["used"]))
+        if counted["vehicles"]
+        else ()
     )
 
 

@@ -11,7 +11,7 @@ from backend.errors import BadInput, Conflict
 from backend.linescan.parts import Method, Rig
 from backend.media.strips_reader import StripReader, StripShelf
 from backend.storage import jobs as job_table
-from backend.storage import recordings, scans, uploads
+from backend.storage import recordings, scans, scans_swap, uploads
 from backend.storage.records import Job, Lighting, Upload
 from backend.storage.scans_records import ColumnSource, Scan, StripSource, TimeAxis
 from backend.work import jobs
@@ -129,6 +129,19 @@ def request_find(session: Session, scan_id: int, method: Method, search: bool, *
     refuse_busy(session, scan)
     payload = {"method": method, "search": search}
     return jobs.enqueue(session, FIND, payload, survey_id=scan.survey_id, scan_id=scan_id, actor=actor)
+
+
+def swap_cameras(session: Session, scan_id: int, *, version: int, actor: int) -> Scan:
+    """Exchange the cameras and queue the search that puts the vehicles right.
+
+    Raises NotFound, Conflict (as `scans_swap.swap_cameras`, or a job of it waits or runs).
+    """
+    scan = scans.get(session, scan_id)
+    refuse_busy(session, scan)
+    scans_swap.swap_cameras(session, scan_id, version=version, actor=actor)
+    method: Method = "direct" if scan.run is None else scan.run.method
+    request_find(session, scan_id, method, True, actor=actor)
+    return scans.get(session, scan_id)
 
 
 def ready(scan: Scan) -> None:

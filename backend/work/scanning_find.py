@@ -113,7 +113,7 @@ def plan(
             plans.append(Planned(None, motion, "found"))
         elif there.deleted:
             discarded += 1
-        elif there.id not in by_hand:
+        elif there.id not in by_hand and there.id not in matched:
             matched.add(there.id)
             plans.append(Planned(there, motion, "again"))
     again = [one for one in known if not one.deleted and one.id not in matched and one.measurement]
@@ -156,16 +156,16 @@ def store(
     )
     now = scans_vehicles.list_for_scan(session, scan.id, deleted=True)
     by_id, there_already = {one.id: one for one in now}, Known(now)
-    added = revised = overtaken = 0
+    new: list[ScanValues] = []
+    again: list[tuple[int, ScanValues]] = []
+    overtaken = 0
     for one in plans:
         values = values_of(one.motion, rig, one.cause, run_id=run.id)
         if one.vehicle is None:
             if there_already.same_as(one.motion.crossings) is not None:
                 overtaken += 1
                 continue
-            made = scans_vehicles.create(session, scan.id, origin="found", actor=actor)
-            scans_measurements.append(session, made.id, values, actor=actor)
-            added += 1
+            new.append(values)
             continue
         current = by_id.get(one.vehicle.id)
         before = one.vehicle.measurement
@@ -174,8 +174,11 @@ def store(
             continue
         values = with_wheels(replace(values, placed_by=before.values.placed_by), wheels_of(before.values))
         if not _alike(values, before.values):
-            scans_measurements.append(session, one.vehicle.id, values, version=current.version, actor=actor)
-            revised += 1
+            again.append((one.vehicle.id, values))
+    # all at once: whoever else writes waits for the end of this
+    made = scans_vehicles.create_many(session, scan.id, len(new), origin="found", actor=actor)
+    scans_measurements.append_many(session, scan.id, [*zip(made, new, strict=True), *again], actor=actor)
+    added, revised = len(new), len(again)
     counts = {"added": added, "measured_again": revised, "discarded": discarded, "overtaken": overtaken}
     return {
         "scan_id": scan.id,

@@ -13,6 +13,7 @@ from backend.storage import scans, scans_measurements, scans_reviews, scans_vehi
 from backend.storage.records import Who
 from backend.storage.scans import rig_columns
 from backend.storage.scans_records import Scan, ScanMeasurement, ScanReview
+from backend.work import line_height_rows
 from backend.work.packaging import Cell, Column, Table
 from backend.work.scanning_list import ShownVehicle, shown
 
@@ -185,7 +186,7 @@ SCAN_REVIEWS = Table(
         (("reviewer_id",), "people", ("id",)),
     ),
 )
-TABLES = (LINE_SCANS, SCAN_VEHICLES, SCAN_MEASUREMENTS, SCAN_REVIEWS)
+TABLES = (LINE_SCANS, SCAN_VEHICLES, SCAN_MEASUREMENTS, SCAN_REVIEWS, *line_height_rows.TABLES)
 
 
 def rows_of(session: Session, survey_id: int) -> tuple[dict[str, list[Cells]], dict[int, str]]:
@@ -198,12 +199,16 @@ def rows_of(session: Session, survey_id: int) -> tuple[dict[str, list[Cells]], d
     kept: set[int] = set()
     for scan in scans.list_for_survey(session, survey_id):
         found["line_scans"].append(scan_row(scan))
-        for one in shown(scan, scans_vehicles.list_for_scan(session, scan.id)):
+        passed = shown(scan, scans_vehicles.list_for_scan(session, scan.id))
+        for one in passed:
             found["scan_vehicles"].append(vehicle_row(one))
             for revision in scans_measurements.history(session, one.vehicle.id):
                 kept.add(revision.id)
                 found["scan_measurements"].append(measurement_row(revision))
                 _name(people, (revision.created_by, revision.review.reviewer))
+        ids = [one.vehicle.id for one in passed]
+        _name(people, line_height_rows.add_scan(session, scan.id, ids, found))
+    found["line_heights"].sort(key=lambda row: int(row["id"] or 0))
     found["scan_measurements"].sort(key=lambda row: int(row["id"] or 0))
     for review in scans_reviews.list_for_survey(session, survey_id):
         if review.measurement_id in kept:

@@ -24,7 +24,8 @@ class Told:
     """What the events of a chain say of the rows of a package, by number.
 
     `revisions`: (measurement, revision) to a digest of what was told of it; `repeats` likewise, by repeat, of
-    its newest revision. `contents`: hashes of rows that are written once, by (kind, number).
+    its newest revision. `drift`: by recording and pose, None where an event of an earlier version holds no
+    figures. `contents`: hashes of rows that are written once, by (kind, number).
     """
 
     count: int = 0
@@ -36,10 +37,13 @@ class Told:
     recordings: dict[int, dict[str, Any]] = field(default_factory=dict)
     reviews: dict[int, dict[str, Any]] = field(default_factory=dict)
     contents: dict[tuple[str, int], str] = field(default_factory=dict)
+    drift: dict[int, dict[int, dict[str, Any] | None]] = field(default_factory=dict)
+    decisions: dict[int, dict[str, Any] | None] = field(default_factory=dict)
     pairs: dict[int, dict[str, Any]] = field(default_factory=dict)
     revisions: dict[tuple[int, int], bytes] = field(default_factory=dict)
     of_vehicle: dict[int, int] = field(default_factory=dict)
     repeats: dict[int, bytes] = field(default_factory=dict)
+    photographs: dict[int, dict[str, Any]] = field(default_factory=dict)
     scans: int = 0
 
     def is_gone(self, vehicle_id: int) -> bool:
@@ -68,32 +72,72 @@ def _gather(told: Told, event: Event, after: dict[str, Any]) -> None:
         told.survey |= after
     elif entity == "vehicle":
         told.vehicles.setdefault(number, {}).update(after)
-    elif entity == "recording" and action in _MAKES:
-        told.recordings.setdefault(number, {}).update(after)
+    elif entity == "recording":
+        _recorded(told, action, number, after)
     elif entity == "review":
         told.reviews[number] = {**after, "at": event["at"], "actor_id": event["actor_id"]}
     elif entity == "wheel_pair":
-        told.pairs[number] = after
+        told.pairs[number] = {**after, "created_by_id": _number(event["actor_id"])}
+    elif entity == "photograph":
+        _photographed(told, event, after)
     elif entity == "scan":
         told.scans += 1
     elif entity == "standards":
         told.standards = after["standards"]
+    if entity == "pose" and after.get("attached"):
+        told.recordings.setdefault(int(after["recording_id"]), {})["pose_id"] = number
     if entity in ("pose", "calibration") and "content_sha256" in after:
         told.contents[entity, number] = after["content_sha256"]
+
+
+def _recorded(told: Told, action: str, number: int, after: dict[str, Any]) -> None:
+    """A recording's facts; what was found of its camera against each pose; the decision about that."""
+    if action in _MAKES:
+        told.recordings.setdefault(number, {"pose_id": None}).update(after)
+    elif action == "check_drift":
+        told.drift.setdefault(number, {})[int(after["pose_id"])] = after.get("found")
+    elif "drift_decision" in after:
+        told.decisions[number] = after["drift_decision"]
+
+
+def _number(text: str) -> int | None:
+    return int(text) if text else None
+
+
+def stamp(moment: str | None) -> str:
+    """A time as the tables write it."""
+    return (moment or "").replace("+00:00", "Z")
+
+
+def _photographed(told: Told, event: Event, after: dict[str, Any]) -> None:
+    if event["action"] == "order":
+        for position, one in enumerate(after["order"], start=1):
+            told.photographs[int(one)]["position"] = position
+        return
+    known = told.photographs.setdefault(int(event["entity_id"]), {})
+    if event["action"] == "create":
+        known["created_by_id"] = _number(event["actor_id"])
+    known.update(after)
 
 
 def _measured(told: Told, number: int, after: Mapping[str, Any]) -> None:
     told.of_vehicle[number] = int(after["vehicle_id"])
     if after.get("repeat_of") is not None:
-        told.repeats[number] = _digest(_short_of_event(after))
+        told.repeats[number] = _told(_short_of_event(after), _stamps_of_event(after)[:1])
     else:
-        told.revisions[number, int(after["revision"])] = _digest(_words_of_event(after))
+        words = _told(_words_of_event(after), _stamps_of_event(after))
+        told.revisions[number, int(after["revision"])] = words
 
 
 def _short_of_event(after: Mapping[str, Any]) -> list[Any]:
     plain = [after[name] for name in ("vehicle_id", "target", "frame", "pose_id", "status", "withdrawn")]
     points = [*after["contact"], *after["point"]]
     return [*plain, safe_text(after["reason"] or ""), _length(after["height_m"]), after["by"], points]
+
+
+def _stamps_of_event(after: Mapping[str, Any]) -> list[str]:
+    """When and by which version; nothing where an event of an earlier version does not hold it."""
+    return [stamp(after["created_at"]), safe_text(after["code_version"])] if "created_at" in after else []
 
 
 def _words_of_event(after: Mapping[str, Any]) -> list[Any]:
@@ -123,12 +167,21 @@ def _points(row: Mapping[str, str], k: str) -> list[float]:
 
 def same_words(told: bytes, row: Mapping[str, str], further: list[int]) -> bool:
     """Whether a row says what its event said."""
-    return _digest(_words_of_row(row, further)) == told
+    return _holds(told, _words_of_row(row, further), [row["created_at"], row["code_version"]])
 
 
 def same_repeat(told: bytes, row: Mapping[str, str]) -> bool:
     """The same for a row of repeats.csv."""
-    return _digest(_short_of_row(row)) == told
+    return _holds(told, _short_of_row(row), [row["created_at"]])
+
+
+def _told(words: list[Any], stamps: list[str]) -> bytes:
+    """A digest, and before it whether the event holds the stamps too."""
+    return (b"\1" if stamps else b"\0") + _digest([*words, *stamps])
+
+
+def _holds(told: bytes, words: list[Any], stamps: list[str]) -> bool:
+    return told == _told(words, stamps if told[:1] == b"\1" else [])
 
 
 def _digest(words: list[Any]) -> bytes:

@@ -10,12 +10,18 @@ from backend.errors import Damaged
 from backend.statistics.standards import STANDARDS, Standard
 from backend.storage.chain import content_hash
 from backend.work import exporting_tables as tables
-from backend.work.exporting_rows import calibration_path, pose_path, record_path
+from backend.work.exporting_rows import (
+    calibration_path,
+    decision_cells,
+    found_cells,
+    pose_path,
+    record_path,
+)
 from backend.work.exporting_standards import standards_in
 from backend.work.exporting_wheels import WHEEL_PAIRS
 from backend.work.packaging import Table, cell_text
 from backend.work.packaging_files import Files, number, read_columns, read_rows, read_whole
-from backend.work.verifying_chain import Told
+from backend.work.verifying_chain import Told, stamp
 
 _DEFAULT_VERDICT = "to_review"
 
@@ -89,6 +95,11 @@ def _check_records(
         told["distortion"] = " ".join(repr(float(one)) for one in document.get("distortion", ()))
         told["board_distance_m"] = told.get("distance_m") if kind == "pose" else None
         names = [name for name in table.header if name in told and name not in _ELSEWHERE]
+        stamped = [row["created_at"], row["created_by_id"]]
+        if stamped != [stamp(record["created_at"]), str(record["created_by"] or "")]:
+            raise Damaged(
+                f"{table.path}: {kind} {id_} was made by others or at another time than {path} says."
+            )
         if not _says(table, row, {name: told[name] for name in names if row[name]}):
             raise Damaged(f"{table.path}: {kind} {id_} differs from {path}; one was changed.")
 
@@ -120,12 +131,28 @@ def check_people_s_work(files: Files, told: Told) -> None:
     _check_vehicles(files, told)
     for row in read_rows(files, "recordings.csv"):
         made = told.recordings.pop(int(row["id"]), None)
-        if made is None or not _says(tables.RECORDINGS, row, _without(made, "pose_id")):
+        if made is None or not _says(tables.RECORDINGS, row, {**made, **_drift(told, row)}):
             raise Damaged(f"recordings.csv: {row['id']} is not what its audit events say; it was changed.")
     for row in read_rows(files, "wheel_pairs.csv"):
         pair = told.pairs.get(int(row["id"]))
-        if pair is None or not _says(WHEEL_PAIRS, row, {**pair, "frame_crc32": pair["frame_crc"]}):
+        if pair is None or not _says(WHEEL_PAIRS, row, _of_pair(pair)):
             raise Damaged(f"wheel_pairs.csv: {row['id']} is not what its audit event says; it was changed.")
+
+
+def _drift(told: Told, row: Mapping[str, str]) -> dict[str, Any]:
+    """The columns about a camera that moved, as the events tell them; what was found only where they do."""
+    number, pose_id = int(row["id"]), int(row["pose_id"]) if row["pose_id"] else None
+    decided = decision_cells(told.decisions.get(number), pose_id)
+    of_poses = told.drift.get(number, {})
+    if pose_id not in of_poses:
+        return {**decided, **found_cells(None)}
+    found = of_poses[pose_id]
+    return decided if found is None else {**decided, **found_cells(found)}
+
+
+def _of_pair(pair: Mapping[str, Any]) -> dict[str, Any]:
+    stamped = {"created_at": stamp(pair["created_at"])} if "created_at" in pair else {}
+    return {**pair, **stamped, "frame_crc32": pair["frame_crc"]}
 
 
 def _check_vehicles(files: Files, told: Told) -> None:
@@ -170,10 +197,12 @@ def check_verdicts(files: Files, told: Told) -> None:
 
 
 def _of_review(made: Mapping[str, Any]) -> dict[str, Any]:
-    named = {
+    named: dict[str, Any] = {
         "measurement_id": made["series_id"],
         "reviewer_id": int(made["actor_id"]) if made["actor_id"] else None,
     }
+    if "created_at" in made:
+        named["at"] = stamp(made["created_at"])
     return {**_without(made, "at"), **named}
 
 

@@ -7,16 +7,20 @@ from collections.abc import Mapping
 from typing import Any
 
 from backend.errors import Damaged
+from backend.work.line_height_rows import LINE_HEIGHTS, LINE_POSES
 from backend.work.packaging import Table, cell_text
 from backend.work.packaging_files import Files, read_rows
 from backend.work.scanning_rows import LINE_SCANS, SCAN_MEASUREMENTS, SCAN_REVIEWS, SCAN_VEHICLES
 from backend.work.verifying_chain import Told, chain
+from backend.work.verifying_line_heights import check_line_heights
 
 _ENTITIES: dict[str, Table] = {
     "scan": LINE_SCANS,
     "scan_vehicle": SCAN_VEHICLES,
     "scan_measurement": SCAN_MEASUREMENTS,
     "scan_review": SCAN_REVIEWS,
+    "line_pose": LINE_POSES,
+    "line_height": LINE_HEIGHTS,
 }
 # What an event says in other words than the table.
 _OTHER_WORDS = ("notes", "created_at")
@@ -41,6 +45,7 @@ def check_scans(files: Files, chained: Told) -> int:
             _same(table, row, told[entity][number])
     _current(rows["scan_vehicle"], rows["scan_measurement"])
     _verdicts(rows["scan_measurement"], rows["scan_review"])
+    check_line_heights(files, told["line_pose"])
     return sum(len(found) for found in rows.values())
 
 
@@ -70,6 +75,10 @@ def _gone(told: Mapping[str, Mapping[int, Mapping[str, Any]]]) -> dict[str, set[
         "scan_vehicle": vehicles,
         "scan_measurement": measurements,
         "scan_review": reviews,
+        "line_pose": {number for number, one in told["line_pose"].items() if one["scan_id"] in scans},
+        "line_height": {
+            number for number, one in told["line_height"].items() if one["vehicle_id"] in vehicles
+        },
     }
 
 

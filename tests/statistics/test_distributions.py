@@ -115,6 +115,35 @@ def test_density_is_scipys_and_its_band_holds_its_mean() -> None:
     assert "same" in str(density(np.full(30, 1.2)))
 
 
+def test_the_band_of_a_density_holds_the_mean_of_the_estimate_as_often_as_it_says() -> None:
+    """The mean of a kernel estimate is the density smoothed by the kernel: of a normal, a wider normal."""
+    at, runs, rng = np.linspace(-2.0, 2.0, 9), 80, np.random.default_rng(5)
+    held = []
+    for _ in range(runs):
+        found = density(sorted_values(rng.normal(size=200)))
+        assert not isinstance(found, str)
+        mean = stats.norm.pdf(at, scale=np.hypot(1.0, found.bandwidth))
+        low, high = (np.interp(at, found.value, side) for side in (found.low, found.high))
+        held.append((low <= mean) & (mean <= high))
+    assert 0.92 <= np.mean(held) <= 0.97
+
+
+def test_whole_centimetres_do_not_draw_a_comb() -> None:
+    rounded = sorted_values(np.rint(np.random.default_rng(2).normal(0.0, 1.8, 3000)) / 100.0)
+    comb, smooth = density(rounded), density(rounded, step=0.01)
+    assert not isinstance(comb, str) and not isinstance(smooth, str)
+    assert peaks(comb.density) > 5
+    assert peaks(smooth.density) == 1
+    assert smooth.bandwidth == pytest.approx(0.005)
+
+
+def peaks(values: np.ndarray) -> int:
+    """How many humps stand out by 5 % of the highest."""
+    inner = values[1:-1]
+    tops = np.flatnonzero((inner > values[:-2]) & (inner >= values[2:]) & (inner > 0.05 * values.max()))
+    return len(tops)
+
+
 def test_sample_size_gives_the_width_it_says() -> None:
     for percent in (10.0, 50.0, 97.5):
         wanted = vehicles_needed(percent, 0.02, 0.08)

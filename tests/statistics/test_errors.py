@@ -76,7 +76,7 @@ def test_too_few_rows_have_a_reason_and_no_interval() -> None:
     one = error_group([0.01], [1.5])
     assert one.figures["mae_m"] == 0.01 and one.figures["sd_m"] is None
     assert one.figures["pearson_error_vs_height"] is None
-    assert one.reason and set(one.ci95.values()) == {None}
+    assert one.reason and one.reason.startswith("1 vehicle is too few") and set(one.ci95.values()) == {None}
 
 
 def test_intervals_hold_what_they_promise() -> None:

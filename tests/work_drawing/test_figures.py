@@ -77,11 +77,11 @@ def test_without_anything_there_are_sentences_and_no_figures() -> None:
     assert all(isinstance(one, str) and one.endswith(".") for one in drawings(nothing).values())
 
 
-@pytest.mark.parametrize("n", [1, 5])
-def test_few_vehicles_are_drawn_and_what_cannot_be_is_a_sentence(n: int) -> None:
+@pytest.mark.parametrize(("n", "said"), [(1, "there is 1"), (5, "there are 5")])
+def test_few_vehicles_are_drawn_and_what_cannot_be_is_a_sentence(n: int, said: str) -> None:
     found = drawings(statistics(n, low_light=0.0, absent=EYES))
     assert isinstance(found["driver_eye-ecdf"], Drawing)
-    assert found["signed-error-density"] == f"A density needs at least 10 vehicles; there are {n}."
+    assert found["signed-error-density"] == f"A density needs at least 10 vehicles; {said}."
 
 
 def test_names_with_signs_are_drawn_as_they_are() -> None:

@@ -125,6 +125,15 @@ def test_other_scripts_are_set_from_the_fonts_at_hand() -> None:
     assert b"<pdfaid:part>2</pdfaid:part>" in made
 
 
+def test_signs_that_no_font_has_are_no_boxes_but_a_mark_that_is_explained() -> None:
+    made = report(ReportFacts("東京 Road", "도로", statistics(0), Choices()))
+    said = flat(words(made))
+    assert flat("[…]† Road") in said and "東" not in said
+    assert flat("signs of a script that this report’s fonts lack") in said
+    assert b"<pdfaid:part>2</pdfaid:part>" in made
+    assert "†" not in flat(words(report(ReportFacts("Åsgatan", "", statistics(0), Choices()))))
+
+
 def test_an_empty_survey_has_a_report_that_says_so() -> None:
     said = flat(words(report(ReportFacts("", "", statistics(0), Choices()))))
     for expected in (

@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from backend.work.drawing.canvas import Drawing
+from backend.work.drawing.fonts import LACKING, LACKING_TOLD, without_lacking
 from backend.work.drawing.photos import as_svg
 
 Cell = str | tuple[str, str]  # words, or a figure with small words below it
@@ -113,8 +114,13 @@ class Document:
         self.note(*unread)
 
     def as_json(self, **head: str) -> bytes:
-        """The blocks and what the template asks for besides."""
-        return json.dumps({**head, "blocks": self.blocks}, ensure_ascii=False).encode("utf-8")
+        """The blocks, behind the title what stands for lacking signs, and what the template asks for."""
+        told = json.dumps({**head, "blocks": self.blocks}, ensure_ascii=False)
+        if LACKING in told:
+            note = {"kind": "note", "text": text(LACKING_TOLD)}
+            blocks = [*self.blocks[:1], note, *self.blocks[1:]]
+            told = json.dumps({**head, "blocks": blocks}, ensure_ascii=False)
+        return told.encode("utf-8")
 
     def _add(self, kind: str, **what: Any) -> None:
         self.blocks.append({"kind": kind, **what})
@@ -127,7 +133,7 @@ def _parts(cell: Cell) -> tuple[str, ...]:
 def text(words: str) -> str:
     """What can be set of it: no controls, half characters or turns of direction; long runs may be broken."""
     kept = "".join(_settable(sign) for sign in words.replace("\r\n", "\n"))
-    return _LONG_RUN.sub(_breakable, kept)
+    return _LONG_RUN.sub(_breakable, without_lacking(kept))
 
 
 def _settable(sign: str) -> str:

@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 
 from backend.statistics.agreement import Trend
 from backend.statistics.distributions import Ecdf
+from backend.statistics.errors import WHOLE_CM
 from backend.statistics.summary import Errors
 from backend.work.drawing import labels, marks
 from backend.work.drawing.canvas import HALF, INK, MUTED, Drawing, svg
@@ -122,7 +123,8 @@ def _density(errors: Errors, unit: Unit) -> Drawing | str:
             axes.legend(loc="upper left")
 
     widths = ", ".join(f"{small.length(part.bandwidth)} {GROUPS[name]}" for name, part, _ in drawn)
-    caption = f"Gaussian kernel, bandwidth {widths}. Bands: 95 %, pointwise."
+    least = f", at least half of the {small.length(WHOLE_CM)} of rounding" if errors.rounding == "cm" else ""
+    caption = f"Gaussian kernel, bandwidth {widths}{least}. Bands: 95 %, pointwise."
     return Drawing(svg(draw, title, HALF), title, caption)
 
 

@@ -12,6 +12,7 @@ from datetime import date, datetime
 
 from backend.work.drawing.units import Unit
 from backend.work.figuring import Choices, Statistics
+from backend.work.scanning_statistics import ScanStatistics
 
 
 @dataclass(frozen=True)
@@ -115,6 +116,48 @@ class Exclusion:
 
 
 @dataclass(frozen=True)
+class RigFacts:
+    """A line-scan recording and the rig that took it. `misalignment_px` None: estimated from the traffic."""
+
+    name: str
+    source: str
+    lighting: str
+    lines: int | None
+    rows_px: int | None
+    baseline_m: float
+    u_baseline_m: float
+    line_rate_hz: float
+    u_line_rate_ratio: float
+    divergence_rad: float
+    u_divergence_rad: float
+    distance_m: float | None
+    misalignment_px: float | None
+    u_misalignment_px: float
+
+
+@dataclass(frozen=True)
+class ScannedHeights:
+    """Heights of one target by two clicks in a strip; `U95_m`: the median half-width of their intervals."""
+
+    target: str
+    n: int
+    mean_m: float
+    sd_m: float | None
+    median_m: float
+    U95_m: float
+
+
+@dataclass(frozen=True, eq=False)
+class ScanFacts:
+    """The line scans of a survey. `methods`: how many counted vehicles each method measured."""
+
+    rigs: tuple[RigFacts, ...]
+    statistics: ScanStatistics
+    methods: tuple[tuple[str, int], ...] = ()
+    heights: tuple[ScannedHeights, ...] = ()
+
+
+@dataclass(frozen=True)
 class Checksum:
     """A file of the package."""
 
@@ -149,6 +192,7 @@ class ReportFacts:
     insets: tuple[InsetFacts, ...] = ()
     exclusions: tuple[Exclusion, ...] = ()
     exclusions_total: int | None = None
+    scans: ScanFacts | None = None
     code_versions: tuple[str, ...] = ()
     audit_events: int = 0
     audit_head: str = ""

@@ -7,17 +7,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from datetime import datetime
-from pathlib import Path
 from typing import Any
 
-import matplotlib
 import typst
 
-from backend.work.drawing import report_end, report_results, report_setup
+from backend.work.drawing import report_end, report_results, report_scans, report_setup
 from backend.work.drawing.blocks import Document, text
 from backend.work.drawing.canvas import Drawing
 from backend.work.drawing.facts import ReportFacts
 from backend.work.drawing.figures import drawings
+from backend.work.drawing.fonts import FOLDER
+from backend.work.drawing.scan_figures import scan_drawings
 from backend.work.drawing.template import TEMPLATE
 
 Drawn = Mapping[str, Drawing | str]
@@ -43,7 +43,7 @@ def report(facts: ReportFacts, drawn: Drawn | None = None) -> bytes:
 def sources(facts: ReportFacts, drawn: Drawn | None = None) -> dict[str, bytes]:
     """The files that Typst compiles: template, blocks, pictures."""
     document, name = Document(), facts.survey.strip() or "Survey"
-    figures = drawings(facts.statistics, facts.unit) if drawn is None else drawn
+    figures = _drawings(facts) if drawn is None else drawn
     report_setup.title(document, facts)
     report_results.glance(document, facts)
     report_setup.setup(document, facts)
@@ -51,6 +51,7 @@ def sources(facts: ReportFacts, drawn: Drawn | None = None) -> dict[str, bytes]:
     report_setup.method(document, facts)
     report_results.errors(document, facts, figures)
     report_results.heights(document, facts, figures)
+    report_scans.line_scans(document, facts, figures)
     report_end.exclusions(document, facts)
     report_end.verification(document, facts)
     head = document.as_json(
@@ -63,12 +64,16 @@ def sources(facts: ReportFacts, drawn: Drawn | None = None) -> dict[str, bytes]:
     return {"main.typ": TEMPLATE.encode("utf-8"), "report.json": head, **document.files}
 
 
+def _drawings(facts: ReportFacts) -> Drawn:
+    scans = {} if facts.scans is None else scan_drawings(facts.scans.statistics, facts.unit)
+    return {**drawings(facts.statistics, facts.unit), **scans}
+
+
 def _compiled(files: dict[str, bytes], stamp: int, standards: list[Any]) -> bytes:
-    fonts = Path(matplotlib.get_data_path()) / "fonts" / "ttf"
     compiler: Any = typst.compile  # its types leave out the dictionary of files
     made: bytes = compiler(
         files,
-        font_paths=[str(fonts)],
+        font_paths=[str(FOLDER)],
         ignore_system_fonts=True,
         format="pdf",
         pdf_standards=standards,
