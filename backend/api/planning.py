@@ -7,12 +7,13 @@ from typing import Annotated
 from fastapi import APIRouter, Query
 
 from backend.api.deps import PathId, Reading, Viewer
-from backend.api.planning_bodies import PlanBody, PlannedTargetBody
+from backend.api.planning_bodies import LineFormBody, LinePlanBody, PlanBody, PlannedTargetBody
 from backend.errors import BadInput
 from backend.geometry.camera import Camera
 from backend.geometry.plan import Plan
 from backend.geometry.plan_targets import PlannedTarget
 from backend.geometry.site import BOARD_TOP_M, PLANNING_BOARD, Site
+from backend.linescan.planner import LinePlan, plan_lines
 from backend.work.planning import PlainCamera, plan_for_survey
 
 router = APIRouter()
@@ -46,6 +47,38 @@ def plan_survey(
     site = Site(camera_height_m, distance_m, board_distance_m, sigma_px, radians(direction_deg), travel_m)
     plan, used = plan_for_survey(session, survey_id, camera, site)
     return plan_body(plan, used, calibration_id, direction_deg)
+
+
+@router.get("/line-rate-plan")
+def plan_line_rate(
+    who: Viewer,
+    speed_mps: Number,
+    baseline_m: Number,
+    error: Annotated[float, Query(allow_inf_nan=False, description="Share, 0.01 is 1 %.")],
+    line_rate_hz: Optional = None,
+    u_baseline_m: Number = 0.0,
+) -> LinePlanBody:
+    """Equation (2) of the line-scan paper as printed and corrected; nothing is stored."""
+    try:
+        return line_plan_body(plan_lines(speed_mps, baseline_m, error, line_rate_hz, u_baseline_m))
+    except (ValueError, OverflowError) as refused:
+        raise BadInput(str(refused)) from refused
+
+
+def line_plan_body(plan: LinePlan) -> LinePlanBody:
+    """A plan of a line rate as it goes out."""
+    shared = {name: getattr(plan, name) for name in LinePlanBody.model_fields if hasattr(plan, name)}
+
+    def form(rate_hz: float, error: float) -> LineFormBody:
+        return LineFormBody(line_rate_hz=rate_hz, error=error, error_mps=error * plan.speed_mps)
+
+    return LinePlanBody(
+        **shared,
+        lines=plan.expected.lines,
+        printed=form(plan.wanted.printed_right_side_hz, plan.expected.printed_right_side),
+        corrected=form(plan.wanted.corrected_hz, plan.expected.corrected),
+        advice=list(plan.words),
+    )
 
 
 def _camera(

@@ -83,3 +83,31 @@ class PlanBody(Out):
     outlook: OutlookBody
     tilt_rad: float
     track_shown_m: float
+
+
+class LineFormBody(Out):
+    """Equation (2) in one of its forms: the line rate for the wanted error, the error at the line rate."""
+
+    line_rate_hz: float = Field(description="Keeps the speed within the wanted error.")
+    error: float = Field(description="Share by which the speed may be off at the planned line rate.")
+    error_mps: float
+
+
+class LinePlanBody(Out):
+    """What a line rate and a baseline are worth for a vehicle's speed; `u_` are standard uncertainties."""
+
+    speed_mps: float
+    baseline_m: float
+    u_baseline_m: float
+    line_rate_hz: float = Field(description="As given, else that of the corrected equation.")
+    error: float = Field(description="Share by which the speed may be off, as wanted.")
+    lines: float = Field(description="From camera 1 to camera 2.")
+    printed: LineFormBody = Field(description="The printed right side, 2 / (n + 2).")
+    corrected: LineFormBody = Field(description="The equation's middle term, 2 / n.")
+    one_line_mps: float = Field(description="By how much one line of transit changes the speed.")
+    one_line_m: float = Field(description="What the vehicle travels in one line.")
+    u_lines_mps: float = Field(description="Both crossings rounded to whole lines.")
+    u_baseline_mps: float
+    u_speed_mps: float
+    U95_speed_mps: float
+    advice: list[str]

@@ -13,14 +13,17 @@ from backend.api.scans_bodies import (
     FindWanted,
     NewScan,
     NewScanFromVideo,
+    RigOfTrafficBody,
     ScanBody,
     StripUploadBody,
+    SwapWanted,
 )
 from backend.linescan.parts import Rig
 from backend.storage import scans, surveys, uploads
 from backend.storage.scans import RIG
 from backend.storage.scans_records import ColumnSource, ScanChanges
 from backend.work import scanning
+from backend.work.scanning_rig import rig_of_traffic
 
 router = APIRouter()
 
@@ -87,6 +90,12 @@ def get_scan(scan_id: PathId, who: Viewer, session: Reading) -> ScanBody:
     return scan_body(scans.get(session, scan_id))
 
 
+@router.get("/scans/{scan_id}/rig-of-traffic")
+def get_rig_of_traffic(scan_id: PathId, who: Viewer, session: Reading) -> RigOfTrafficBody:
+    """What the vehicles that stand say of misalignment, gain and baseline; nothing is changed."""
+    return RigOfTrafficBody.model_validate(rig_of_traffic(session, scan_id))
+
+
 @router.patch("/scans/{scan_id}")
 def change_scan(scan_id: PathId, body: ChangedScan, who: Operator, session: Writing) -> ScanBody:
     """Change name, lighting or values of the rig; results keep those that they were made with."""
@@ -115,6 +124,12 @@ def find_scan_vehicles(scan_id: PathId, body: FindWanted, who: Operator, session
     """Find and measure all vehicles in the background; boundaries that people placed stay."""
     job = scanning.request_find(session, scan_id, body.method, body.search, actor=who.id)
     return JobBody.model_validate(job)
+
+
+@router.post("/scans/{scan_id}/swap", status_code=202)
+def swap_cameras(scan_id: PathId, body: SwapWanted, who: Operator, session: Writing) -> ScanBody:
+    """Exchange the cameras of strips that were given the wrong way round; vehicles are then found again."""
+    return scan_body(scanning.swap_cameras(session, scan_id, version=body.version, actor=who.id))
 
 
 @router.get("/scans/{scan_id}/tiles/{camera}/{level}/{index}", response_class=Response, responses=JPEG)

@@ -11,8 +11,9 @@ from backend.api.statistics_bodies import DensityBody, EcdfBody, FigureBody, Per
 from backend.statistics.distributions import Density, Ecdf
 from backend.statistics.errors import ErrorGroup
 from backend.storage import surveys
-from backend.work.scanning_figures import ScanStatistics, Spread, scan_statistics
+from backend.work.scanning_figures import scan_statistics
 from backend.work.scanning_paper import NOTE, TABLE_I
+from backend.work.scanning_statistics import ScanStatistics, Spread
 
 router = APIRouter()
 NOTHING = "No vehicle has this value."

@@ -64,6 +64,20 @@ class StepBody(Out):
     summary: str
 
 
+class ScanProgressBody(Out):
+    """The line scans: vehicles by what was done with them, and what to do next."""
+
+    state: Literal["none", "open", "done"]
+    summary: str
+    scans: int
+    ready: int
+    vehicles: int
+    to_review: int
+    accepted: int
+    rejected: int
+    not_measurable: int
+
+
 class InsetChoice(Out):
     words: str
     inset_m: float
@@ -90,6 +104,7 @@ class SurveyBody(Out):
     inset_choices: dict[str, list[InsetChoice]] = Field(default_factory=inset_choices)
     counts: Counts
     steps: list[StepBody]
+    scans: ScanProgressBody
 
 
 class NewSurvey(In):

@@ -104,22 +104,30 @@ def nobody(app: FastAPI) -> Client:
     return Client(TestClient(app, headers={"X-Sightline": "1"}, raise_server_exceptions=False))
 
 
+class SignedIn(dict[str, Client]):
+    """A browser for each role, signed in when a test first takes it."""
+
+    def __init__(self, app: FastAPI, tokens: dict[str, str]) -> None:
+        self._app, self._tokens = app, tokens
+
+    def __missing__(self, role: str) -> Client:
+        http = TestClient(self._app, headers={"X-Sightline": "1"}, raise_server_exceptions=False)
+        client = self[role] = Client(http)
+        client.made("/session/link", {"token": self._tokens[role]})
+        return client
+
+
 @pytest.fixture
 def clients(app: FastAPI, services: Services) -> dict[str, Client]:
     """A signed-in browser for each role."""
-    found: dict[str, Client] = {}
+    tokens: dict[str, str] = {}
     with services.writing() as session:
-        tokens = {}
         for role in ROLES:
             person = people.create(
                 session, name=role.title(), email=f"{role}@example.org", role=role, actor=None
             )
             tokens[role] = people.new_link(session, person.id, actor=None)
-    for role, token in tokens.items():
-        client = Client(TestClient(app, headers={"X-Sightline": "1"}, raise_server_exceptions=False))
-        client.made("/session/link", {"token": token})
-        found[role] = client
-    return found
+    return SignedIn(app, tokens)
 
 
 @pytest.fixture

@@ -7,9 +7,13 @@ import json
 import shutil
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
+import numpy as np
 import pytest
 
+from backend.media.images import jpeg
+from backend.storage import recordings
 from backend.storage.chain import event_hash, link_hash
 from backend.work.exporting_build import build
 from backend.work.exporting_derived import derive_tables, drawn
@@ -31,11 +35,14 @@ def ground(services: Services, survey_id: int, recording_id: int) -> Ground:
 
 
 @pytest.fixture
-def worked(operator: Client, reviewer: Client, ground: Ground) -> Ground:
+def worked(operator: Client, reviewer: Client, ground: Ground, services: Services) -> Ground:
     """A survey with every kind of work: measured, revised, fixed, rejected, withdrawn, not measurable.
 
     An event of another survey, withheld, stands between two of this one.
     """
+    for n, caption in enumerate(("The rig", "The road"), start=1):
+        picture = jpeg(np.full((60, 80, 3), 80 * n, np.uint8))
+        photograph(operator, ground.survey_id, picture, f"{n}.jpg", caption)
     known = {"lighting": "daytime", "manufacturer_height_m": 1.3}
     first = add_vehicle(operator, ground.recording_id, make=FORMULA, model="-1+1", **known)["id"]
     second = add_vehicle(operator, ground.recording_id, notes="line one\nline two, with comma")["id"]
@@ -56,7 +63,28 @@ def worked(operator: Client, reviewer: Client, ground: Ground) -> Ground:
     kerb = {"revision": 1, "verdict": "rejected", "reason": "Kerb."}
     reviewer.made(f"/measurements/{rejected['id']}/reviews", kerb)
     operator.delete(f"/measurements/{gone['id']}?revision=1")
+    _moved(services, ground)
+    operator.put(f"/recordings/{ground.recording_id}/drift/decision", {"reason": "A bird sat on it."})
     return ground
+
+
+def _moved(services: Services, ground: Ground) -> None:
+    """The camera is found to have moved, on frames that nobody clicked on."""
+    span = {"first_frame": 9, "last_frame": 11, "moved": True, "moved_px": 2.5, "change_m": -0.0125}
+    check = {"state": "moved", "words": "Moved.", "bumps": [9], "spans": [span]}
+    stamped = {"floor_px": 0.25, "checked_at": "2026-05-01T12:00:00+00:00"}
+    with services.writing() as session:
+        pose_id = recordings.get(session, ground.recording_id).pose_id
+        assert pose_id is not None
+        recordings.drift_found(session, ground.recording_id, pose_id, {**check, **stamped}, actor=None)
+
+
+def photograph(client: Client, survey_id: int, content: bytes, name: str, caption: str = "") -> Any:
+    """A photograph of the set-up, added."""
+    path = f"/surveys/{survey_id}/photographs"
+    answer = client.post(path, files={"file": (name, content)}, data={"caption": caption})
+    assert answer.status_code == 201, answer.text
+    return answer.json()
 
 
 def written(services: Services, survey_id: int, place: Path) -> Path:

@@ -10,7 +10,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from backend.demonstration.scan_art import EYE_M
 from backend.demonstration.scan_traffic import demo_traffic
+from backend.demonstration.truth import spots_of
 from backend.errors import SightlineError
 from backend.media.ingest import IngestCancelled
 from backend.storage import audit, surveys
@@ -116,6 +118,7 @@ def check_scan(admin: Client, survey_id: int) -> None:
         assert one["make"] == car.vehicle.model.make
         assert abs(one["length_error_m"]) < 0.02 and abs(one["wheelbase_error_m"]) < 0.06
     assert admin.get(f"/scans/{scan['id']}/tiles/1/0/0").status_code == 200
+    heights_of_the_scan(admin, scan["id"], found)
     told = admin.seen(f"/surveys/{survey_id}/scan-statistics")
     assert told["counted"]["used"] == 2 and len(told["paper"]) == 15
     overall = next(one for one in told["length_errors"] if one["group"] == "overall")
@@ -124,6 +127,25 @@ def check_scan(admin: Client, survey_id: int) -> None:
     spreads = {one["quantity"]: one for one in told["spreads"]}
     assert spreads["time_gap"]["n"] == 1 and spreads["speed"]["n"] == 2
     assert 85.0 in [one["percent"] for one in spreads["speed"]["percentiles"]]
+
+
+def heights_of_the_scan(admin: Client, scan_id: int, found: list[Any]) -> None:
+    """The rod gives the camera's height, and the clicks the heights that the vehicles were drawn with."""
+    pose = admin.seen(f"/scans/{scan_id}/line-pose")["current"]["solved"]
+    assert abs(pose["camera_height_m"] - EYE_M) < 1.5 * pose["U95_camera_height_m"] and pose["warnings"] == []
+    true = {
+        (one["id"], spot.name): spot.height_m
+        for one, car in zip(found, demo_traffic()[:2], strict=True)
+        for spot in spots_of(car.vehicle)
+    }
+    heights = admin.seen(f"/scans/{scan_id}/heights")
+    assert len(heights) == 6
+    apart = [
+        (one["height_m"] - true[one["vehicle_id"], one["target"]]) / one["U95_height_m"] for one in heights
+    ]
+    # one in twenty lies outside
+    assert max(map(abs, apart)) < 1.5 and sum(abs(one) < 1 for one in apart) >= 5, apart
+    assert max(one["U95_height_m"] for one in heights) < 0.05
 
 
 def check_people(nobody: Client, admin: Client) -> None:

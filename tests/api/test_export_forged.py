@@ -248,6 +248,64 @@ def the_report(place: Path) -> str:
     return "report.pdf is not the one that these rows and statistics give"
 
 
+def another_time(place: Path) -> str:
+    for name in ("measurements.csv", "revisions.csv"):
+        edit(place, name, roof, created_at="2020-01-01T00:00:00.000000Z")
+    rederive(place)
+    return "differs from its audit event"
+
+
+def another_version(place: Path) -> str:
+    for name in ("measurements.csv", "revisions.csv"):
+        edit(place, name, roof, code_version="9.9.9")
+    rederive(place)
+    return "differs from its audit event"
+
+
+def a_repeat_s_time(place: Path) -> str:
+    edit(place, "repeats.csv", lambda row: True, created_at="2020-01-01T00:00:00.000000Z")
+    rederive(place)
+    return "repeats.csv: "
+
+
+def a_review_s_time(place: Path) -> str:
+    early = "2020-01-01T00:00:00.000000Z"
+    edit(place, "reviews.csv", lambda row: row["verdict"] == "accepted", at=early)
+    edit(place, "measurements.csv", lambda row: row["verdict"] == "accepted", reviewed_at=early)
+    rederive(place)
+    return "is not what its audit event says"
+
+
+def a_pose_s_maker(place: Path) -> str:
+    edit(place, "poses.csv", lambda row: True, created_at="2020-01-01T00:00:00.000000Z")
+    rederive(place)
+    return "was made by others or at another time"
+
+
+def tyres_at_another_time(place: Path) -> str:
+    edit(place, "wheel_pairs.csv", lambda row: True, created_at="2020-01-01T00:00:00.000000Z")
+    rederive(place)
+    return "wheel_pairs.csv: 1 is not what its audit event says"
+
+
+def a_camera_that_stood_still(place: Path) -> str:
+    edit(place, "recordings.csv", lambda row: True, drift_state="still", drift_moved_px="")
+    rederive(place)
+    return "recordings.csv: 1 is not what its audit events say"
+
+
+def a_smaller_motion(place: Path) -> str:
+    edit(place, "recordings.csv", lambda row: True, drift_height_m="0.001000")
+    rederive(place)
+    return "recordings.csv: 1 is not what its audit events say"
+
+
+def a_decision(place: Path) -> str:
+    edit(place, "recordings.csv", lambda row: True, drift_decision="Nobody was there.")
+    rederive(place)
+    return "recordings.csv: 1 is not what its audit events say"
+
+
 def a_figure(place: Path) -> str:
     path = next(place.glob("figures/*.svg"))
     path.write_text(path.read_text().replace("</svg>", "<!-- --></svg>"))
@@ -298,6 +356,15 @@ WAYS: tuple[Callable[[Path], str], ...] = (
     a_frame,
     an_inset,
     a_standard,
+    another_time,
+    another_version,
+    a_repeat_s_time,
+    a_review_s_time,
+    a_pose_s_maker,
+    tyres_at_another_time,
+    a_camera_that_stood_still,
+    a_smaller_motion,
+    a_decision,
     the_report,
     a_figure,
     the_description,
@@ -377,3 +444,14 @@ def test_a_crop_repainted_with_its_hash_takes_the_sum_of_the_zip(package: Path) 
     )
     rederive(package, drawings=True)
     assert check(package).ok
+
+
+@pytest.mark.once
+def test_a_name_takes_the_sum_of_the_zip(package: Path) -> None:
+    """No event of the package holds people's names: its description says so."""
+    changed = [{**row, "name": f"Not {row['name']}"} for row in rows(package, "people.csv")]
+    rewrite(package, "people.csv", changed)
+    reseal(package)
+    assert check(package).ok
+    described = json.loads((package / "datapackage.json").read_text())
+    assert "names of people" in described["description"] and "SHA-256 of the ZIP" in described["description"]

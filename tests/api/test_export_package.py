@@ -80,7 +80,7 @@ def test_an_export_that_is_cancelled_leaves_nothing(
     services: Services,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    def stopped(staging: Staging, *_rest: object) -> None:
+    def stopped(staging: Staging, *_rest: object, **_options: object) -> None:
         staging.add("measurements.csv", b"half")
         raise Cancelled("Cancelled.")
 

@@ -19,6 +19,12 @@ from backend.api.openapi import describe, main
 from tests.api.conftest import Client
 
 
+@pytest.fixture(scope="module")
+def description() -> dict[str, Any]:
+    """Made once: it takes seconds."""
+    return describe()
+
+
 def operations(document: dict[str, Any]) -> list[tuple[str, dict[str, Any]]]:
     return [
         (f"{method} {path}", operation)
@@ -27,11 +33,11 @@ def operations(document: dict[str, Any]) -> list[tuple[str, dict[str, Any]]]:
     ]
 
 
-def test_every_operation_is_named_once_described_and_typed() -> None:
-    document = describe()
-    names = Counter(operation["operationId"] for _, operation in operations(document))
+@pytest.mark.once
+def test_every_operation_is_named_once_described_and_typed(description: dict[str, Any]) -> None:
+    names = Counter(operation["operationId"] for _, operation in operations(description))
     assert [name for name, count in names.items() if count > 1] == []
-    for place, operation in operations(document):
+    for place, operation in operations(description):
         assert operation.get("description"), place
         good = {code: answer for code, answer in operation["responses"].items() if code.startswith("2")}
         assert good, place
@@ -44,23 +50,28 @@ def test_every_operation_is_named_once_described_and_typed() -> None:
 
 
 @pytest.mark.once
-def test_the_description_is_the_app_s(app: FastAPI, tmp_path: Path) -> None:
+def test_the_description_is_the_app_s(
+    app: FastAPI, tmp_path: Path, description: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("backend.api.openapi.describe", lambda: description)
     target = tmp_path / "build" / "openapi.json"
     assert main([str(target)]) == 0
-    assert json.loads(target.read_text()) == app.openapi() == describe()
+    assert json.loads(target.read_text()) == app.openapi() == description
     assert main([]) == 2
 
 
 # Signing in and out would end the test's own session; all others may do what they like to the test's store.
 SKIPPED = "/api/session"
 QUIET = settings(
-    max_examples=5, deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck)
+    max_examples=3, deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck)
 )
 
 
 @pytest.mark.once  # what is sent and answered does not depend on the database
 @pytest.mark.parametrize("mode", [GenerationMode.POSITIVE, GenerationMode.NEGATIVE])
-def test_no_request_breaks_the_server(admin: Client, recording_id: int, mode: GenerationMode) -> None:
+def test_no_request_breaks_the_server(
+    admin: Client, recording_id: int, mode: GenerationMode, description: dict[str, Any]
+) -> None:
     """Requests by the description, and against it: never a 500, always what it promises."""
     tried = Counter[str]()
 
@@ -75,7 +86,7 @@ def test_no_request_breaks_the_server(admin: Client, recording_id: int, mode: Ge
         if mode is GenerationMode.POSITIVE or response.status_code >= 400:
             case.validate_response(response, checks=(status_code_conformance, response_schema_conformance))
 
-    for found in schemathesis.openapi.from_dict(describe()).get_all_operations():
+    for found in schemathesis.openapi.from_dict(description).get_all_operations():
         operation = found.ok()
         if operation.path.startswith(SKIPPED):
             continue

@@ -59,3 +59,28 @@ def test_what_cannot_be_planned_is_said_in_words(
         assert word in error_of(refused)
     assert operator.get(f"/surveys/{survey_id}/plan?calibration_id=999&{PLACE}").status_code == 404
     assert operator.get(f"/surveys/999/plan?{PLAIN}&{PLACE}").status_code == 404
+
+
+def test_a_line_rate_is_planned_in_both_forms(viewer: Client) -> None:
+    rig = f"speed_mps={120 / 3.6}&baseline_m=1"
+    plan = viewer.seen(f"/line-rate-plan?{rig}&error=0.01")
+    assert plan["printed"]["line_rate_hz"] == pytest.approx(6600)
+    assert plan["corrected"]["line_rate_hz"] == pytest.approx(20000 / 3)
+    assert plan["line_rate_hz"] == plan["corrected"]["line_rate_hz"] and plan["lines"] == pytest.approx(200)
+    assert plan["corrected"]["error_mps"] == pytest.approx(0.01 * 120 / 3.6)
+    assert plan["printed"]["error"] == pytest.approx(2 / 202)
+    # 2000 Hz: 60 lines; a line is 1/60 of the speed, both crossings rounded 0.41 of that
+    coarse = viewer.seen(f"/line-rate-plan?{rig}&error=0.01&line_rate_hz=2000&u_baseline_m=0.01")
+    assert coarse["one_line_mps"] == pytest.approx(120 / 3.6 / 60)
+    assert coarse["u_lines_mps"] == pytest.approx(coarse["one_line_mps"] / 6**0.5)
+    assert coarse["u_speed_mps"] ** 2 == pytest.approx(coarse["u_lines_mps"] ** 2 + (1.2 / 3.6) ** 2)
+    assert any("more than the 1 % wanted" in one for one in coarse["advice"])
+    assert any("baseline limits" in one for one in coarse["advice"])
+    for query, word in (
+        (f"{rig}&error=1.5", "share between 0 and 1"),
+        (f"{rig}&error=0.01&line_rate_hz=0", "greater than 0"),
+        (f"{rig}&error=0.01&u_baseline_m=2", "less than the baseline"),
+        ("speed_mps=nan&baseline_m=1&error=0.01", "speed_mps"),
+    ):
+        refused = viewer.get(f"/line-rate-plan?{query}")
+        assert refused.status_code in (400, 422) and word in error_of(refused), query

@@ -12,6 +12,7 @@ from backend.api.deps import RANK, anybody, require
 from backend.api.routes import MODULES
 from tests.api.conftest import TUS, Client, error_of
 
+pytestmark = pytest.mark.once
 # The lowest role that may do it; "" needs no sign-in.
 MATRIX = {
     "GET /health": "",
@@ -28,6 +29,13 @@ MATRIX = {
     "POST /surveys": "operator",
     "GET /surveys/{survey_id}": "viewer",
     "PUT /surveys/{survey_id}": "operator",
+    "GET /surveys/{survey_id}/photographs": "viewer",
+    "POST /surveys/{survey_id}/photographs": "operator",
+    "PUT /surveys/{survey_id}/photographs/order": "operator",
+    "PUT /photographs/{photograph_id}": "operator",
+    "DELETE /photographs/{photograph_id}": "operator",
+    "POST /photographs/{photograph_id}/restore": "operator",
+    "GET /photographs/{photograph_id}.jpg": "viewer",
     "GET /surveys/{survey_id}/cameras": "viewer",
     "POST /surveys/{survey_id}/cameras": "operator",
     "GET /cameras/{camera_id}": "viewer",
@@ -61,6 +69,7 @@ MATRIX = {
     "GET /poses/{pose_id}": "viewer",
     "GET /surveys/{survey_id}/checks/insets": "viewer",
     "GET /surveys/{survey_id}/plan": "viewer",
+    "GET /line-rate-plan": "viewer",
     "GET /surveys/{survey_id}/checks/traffic": "viewer",
     "GET /poses/{pose_id}/turn": "viewer",
     "POST /poses/{pose_id}/turn": "operator",
@@ -103,10 +112,12 @@ MATRIX = {
     "POST /surveys/{survey_id}/scans": "operator",
     "POST /surveys/{survey_id}/scans/from-video": "operator",
     "GET /scans/{scan_id}": "viewer",
+    "GET /scans/{scan_id}/rig-of-traffic": "viewer",
     "PATCH /scans/{scan_id}": "operator",
     "DELETE /scans/{scan_id}": "operator",
     "POST /scans/{scan_id}/read": "operator",
     "POST /scans/{scan_id}/find": "operator",
+    "POST /scans/{scan_id}/swap": "operator",
     "GET /scans/{scan_id}/tiles/{camera}/{level}/{index}": "viewer",
     "GET /scans/{scan_id}/vehicles": "viewer",
     "POST /scans/{scan_id}/vehicles": "operator",
@@ -118,6 +129,14 @@ MATRIX = {
     "POST /scan-vehicles/{vehicle_id}/restore": "operator",
     "GET /scan-vehicles/{vehicle_id}/match/{picture}": "viewer",
     "POST /scan-measurements/{measurement_id}/review": "reviewer",
+    "GET /scans/{scan_id}/line-pose": "viewer",
+    "POST /scans/{scan_id}/line-pose/preview": "viewer",
+    "PUT /scans/{scan_id}/line-pose": "operator",
+    "POST /scans/{scan_id}/line-height": "viewer",
+    "GET /scans/{scan_id}/heights": "viewer",
+    "GET /scan-vehicles/{vehicle_id}/heights": "viewer",
+    "POST /scan-vehicles/{vehicle_id}/heights": "operator",
+    "DELETE /scan-vehicles/{vehicle_id}/heights": "operator",
     "GET /surveys/{survey_id}/scan-statistics": "viewer",
     "GET /statistics": "viewer",
     "GET /statistics/sample-size": "viewer",

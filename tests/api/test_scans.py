@@ -51,6 +51,30 @@ def test_two_strips_become_measured_vehicles(
     found_again(operator, scan, work)
 
 
+@pytest.mark.once
+def test_strips_given_the_wrong_way_round_are_told_and_swapped(
+    operator: Client, survey_id: int, tmp_path: Path, work: Work
+) -> None:
+    given = uploads(operator, survey_id, tmp_path)
+    turned = {"first_upload": given["second_upload"], "second_upload": given["first_upload"]}
+    made = operator.made(f"/surveys/{survey_id}/scans", {**RIG, **turned, "name": "Turned"})
+    for _ in range(2):
+        work()
+    address = f"/scans/{made['id']}"
+    wrong = operator.seen(address)
+    assert wrong["counts"]["not_measurable"] == wrong["counts"]["vehicles"] > 0
+    assert "the strips are swapped" in operator.seen(f"{address}/rig-of-traffic")["order"]
+    swapped = operator.post(f"{address}/swap", {"version": wrong["version"]})
+    assert swapped.status_code == 202 and swapped.json()["first_name"] == wrong["second_name"]
+    assert {job.state for job in work()} == {"done"}
+    right = operator.seen(address)
+    _, _, truth = pictures()
+    assert right["counts"]["to_review"] == right["counts"]["vehicles"] == len(truth)
+    assert operator.seen(f"{address}/rig-of-traffic")["order"] is None
+    for one, true in zip(operator.seen(f"{address}/vehicles"), truth, strict=True):
+        assert abs(one["measurement"]["speed_mps"] / true.vehicle.speed_mps - 1) < 0.003
+
+
 def tile_of_strip_and_cache(viewer: Client, scan: dict[str, Any], first: np.ndarray[Any, Any]) -> None:
     answer = viewer.get(f"/scans/{scan['id']}/tiles/1/0/1")
     assert answer.status_code == 200 and "immutable" in answer.headers["Cache-Control"]

@@ -6,37 +6,42 @@ from pathlib import Path
 import pytest
 
 from backend.errors import Damaged
-from backend.storage import database, scans_measurements, scans_reviews
+from backend.storage import scans_measurements, scans_reviews
 from backend.work.exporting_build import build
 from backend.work.packaging_files import FolderFiles, Staging
+from backend.work.services import Services
 from backend.work.verifying import verify_place
 from backend.work.verifying_chain import walk
+from backend.work.verifying_derived import check_statistics
 from backend.work.verifying_scans import check_scans
 from tests.storage import samples, scans_samples
 from tests.storage.samples import Sample
+from tests.work_drawing.pdf_text import words
 
 
 @pytest.fixture
-def one(factory: database.SessionFactory) -> Sample:
+def one(services: Services) -> Sample:
     """A survey with a measured, corrected and reviewed scanned vehicle, and one that was taken out."""
-    with database.writing(factory) as session:
+    with services.writing() as session:
         made = samples.sample(session)
         first = scans_samples.measured(session, made)
         scans_samples.run(session, made, first.scan_id)
         moved = scans_samples.values(cause="boundaries", placed_by=made.olga.id, rear_line_1=2201.0)
         second = scans_measurements.append(session, first.vehicle_id, moved, actor=made.olga.id)
         scans_reviews.add(session, second.id, verdict="accepted", actor=made.rene.id)
+        rod = scans_samples.rod(session, made, first.scan_id)
+        scans_samples.tall(session, made, first.vehicle_id, rod)
         scans_samples.removed(session, made)
     return made
 
 
 @pytest.fixture
-def package(factory: database.SessionFactory, one: Sample, tmp_path: Path) -> Path:
+def package(services: Services, one: Sample, tmp_path: Path) -> Path:
     """The exported folder."""
     folder = tmp_path / "package"
     folder.mkdir()
-    with database.reading(factory) as session:
-        build(Staging(folder), session, one.survey.id)
+    with services.reading() as session:
+        build(Staging(folder), session, one.survey.id, services)
     return folder
 
 
@@ -54,8 +59,31 @@ def test_rows_say_what_is_stored(package: Path) -> None:
     assert [one["cause"] for one in revisions] == ["found", "boundaries"]
     assert revisions[0]["baseline_m"] == "0.593000"
     assert [one["verdict"] for one in rows(package, "scan_reviews")] == ["accepted"]
+    (pose,) = rows(package, "line_poses")
+    assert (pose["camera_height_m"], pose["sigma_px"]) == ("1.100000", "0.5")
+    assert len(rows(package, "line_marks")) == 8
+    (height,) = rows(package, "line_heights")
+    assert (height["height_m"], height["distance_m"], height["current"]) == ("1.400000", "3.000000", "true")
+    assert len(rows(package, "line_height_budget")) == 4
     found = verify_place(package)
     assert found.ok, found.problem
+
+
+def test_statistics_figures_and_report_tell_of_line_scans(package: Path) -> None:
+    means = {one["quantity"]: one for one in rows(package / "statistics", "scan_quantities")}
+    assert (means["speed"]["n"], means["speed"]["unit"], means["speed"]["mean"]) == ("1", "m/s", "19.31415")
+    assert "time_gap" not in means  # the first vehicle has none before it
+    speeds = [one for one in rows(package / "statistics", "scan_percentiles") if one["quantity"] == "speed"]
+    assert {one["value"] for one in speeds} == {"19.31415"} and all(one["reason"] for one in speeds)
+    said = "".join(words((package / "report.pdf").read_bytes()).split())
+    for expected in ("Linescans", "1acceptedvehiclecountsof1found.", "69.5", "fromthetraffic", "Roof11.400"):
+        assert expected in said
+    assert (package / "figures" / "scan-speed.svg").is_file()
+    table = package / "statistics" / "scan_quantities.csv"
+    kept = table.read_text(encoding="utf-8")
+    table.write_text(kept.replace("19.31415", "20.31415"), encoding="utf-8")
+    with pytest.raises(Damaged, match=r"scan_quantities\.csv, line 2: mean says 20.31415"):
+        check_statistics(FolderFiles(package))
 
 
 TAMPERED = {
@@ -64,6 +92,11 @@ TAMPERED = {
     "a boundary": ("scan_measurements.csv", "2201.0", "2203.0", "rear_line_1 of row 2"),
     "a baseline": ("line_scans.csv", "0.593000", "0.600000", "baseline_m of row"),
     "a revision removed": ("scan_measurements.csv", "\n2,1,2", "\n7,1,2", "row 2 is there without|row 7 is"),
+    "a line camera's height": ("line_poses.csv", "1.100000", "1.200000", "camera_height_m of row 1"),
+    "a mark of the rod": ("line_marks.csv", "5.000000,0.500000", "5.100000,0.500000", "not those of its"),
+    "a height": ("line_heights.csv", "1.400000", "1.410000", "height_m of row 1"),
+    "an interval": ("line_heights.csv", ",ok,", "9,ok,", "U95_height_m"),
+    "a share of the budget": ("line_height_budget.csv", "inset,0", "inset,1", "inset of height 1"),
     "a verdict": ("scan_reviews.csv", "accepted", "rejected", "verdict of row 1"),
 }
 
@@ -71,7 +104,7 @@ TAMPERED = {
 def test_tampering_is_found(package: Path) -> None:
     """By the audit events alone: whoever tampers can write new sums."""
     files = FolderFiles(package)
-    assert check_scans(files, walk(files)) == 6
+    assert check_scans(files, walk(files)) == 8
     for name, old, new, problem in TAMPERED.values():
         path = package / name
         text = path.read_text(encoding="utf-8")

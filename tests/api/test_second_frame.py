@@ -155,7 +155,7 @@ def test_why_no_second_frame_would_help(operator: Client, ground: Ground, vehicl
 def exported(services: Services, survey_id: int, place: Path) -> MemoryFiles:
     place.mkdir()
     with services.reading() as session:
-        build(Staging(place), session, survey_id)
+        build(Staging(place), session, survey_id, services, crops=False)
     found = (path for path in place.rglob("*") if path.is_file())
     return MemoryFiles({path.relative_to(place).as_posix(): path.read_bytes() for path in found})
 

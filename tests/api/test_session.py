@@ -91,6 +91,7 @@ def test_a_link_for_a_forgotten_password_needs_no_current_one(
         new_sign_in_link(services, "stranger@example.org")
 
 
+@pytest.mark.once
 def test_failures_are_limited_and_say_nothing_about_accounts(app: FastAPI, operator: Client) -> None:
     operator.put("/session/password", {"new": PASSWORD})
     client = fresh(app)
@@ -106,6 +107,7 @@ def test_failures_are_limited_and_say_nothing_about_accounts(app: FastAPI, opera
     assert client.post("/session", {"email": "viewer@example.org", "password": "x"}).status_code == 401
 
 
+@pytest.mark.once
 def test_success_forgets_failures(app: FastAPI, operator: Client) -> None:
     operator.put("/session/password", {"new": PASSWORD})
     client = fresh(app)

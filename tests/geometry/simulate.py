@@ -26,19 +26,21 @@ class Lens:
 
 def bend(lens: Lens, a, b):
     """Distorted normalised coordinates, written out from the textbook formulas."""
-    rho = np.hypot(a, b)
     if lens.kind == "fisheye":
+        rho = np.hypot(a, b)
         angle = np.arctan(rho)
         angle_d = angle + sum(k * angle ** (2 * i + 3) for i, k in enumerate(lens.k))
         ratio = np.where(rho > 1e-12, angle_d / np.maximum(rho, 1e-12), 1.0)
         return a * ratio, b * ratio
     k = list(lens.k) + [0.0] * (8 - len(lens.k))
-    radial = (1 + k[0] * rho**2 + k[1] * rho**4 + k[4] * rho**6) / (
-        1 + k[5] * rho**2 + k[6] * rho**4 + k[7] * rho**6
-    )
+    aa, bb, ab = a * a, b * b, a * b
+    r2 = aa + bb
+    radial = 1 + r2 * (k[0] + r2 * (k[1] + r2 * k[4]))
+    if any(k[5:]):
+        radial = radial / (1 + r2 * (k[5] + r2 * (k[6] + r2 * k[7])))
     return (
-        a * radial + 2 * k[2] * a * b + k[3] * (3 * a * a + b * b),
-        b * radial + k[2] * (a * a + 3 * b * b) + 2 * k[3] * a * b,
+        a * radial + 2 * k[2] * ab + k[3] * (3 * aa + bb),
+        b * radial + k[2] * (aa + 3 * bb) + 2 * k[3] * ab,
     )
 
 
@@ -160,7 +162,10 @@ def _cast(scene, box, board, samples, turn, paint):
     a, b = u.copy(), v.copy()
     for _ in range(25):
         p, q = bend(lens, a, b)
-        a, b = a - (p - u), b - (q - v)
+        p, q = p - u, q - v
+        a, b = a - p, b - q
+        if max(np.abs(p).max(), np.abs(q).max()) < 1e-8:  # 5e-6 px, and less by the next round
+            break
     eye = turn.T @ (np.asarray(scene.eye, float) - [0.0, 0.0, top_m])
     m = scene.axes() @ turn  # rows: the camera's axes in the board's own
     d = [a * m[0, i] + b * m[1, i] + m[2, i] for i in range(3)]

@@ -54,7 +54,7 @@ def bowed(lens: Lens, count: int, seed: int, sag_m: float, lying: bool = False):
 
 
 def test_halves_of_a_right_model_differ_as_their_covariances_say() -> None:
-    found = [cross_validate(views(Lens(), 24, seed), BOARD) for seed in range(210, 216)]
+    found = [cross_validate(views(Lens(), 24, seed), BOARD) for seed in range(210, 214)]
     ratios = [
         d.difference_m / d.expected_m for one in found for d in one.height_differences if d.distance_m != 3.0
     ]

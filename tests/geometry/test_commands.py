@@ -262,6 +262,24 @@ def test_import_and_plan(tmp_path, capsys) -> None:
     assert "cam.yaml" in capsys.readouterr().err
 
 
+def test_plan_of_a_line_scan(capsys) -> None:
+    rig = ("--baseline", 1, "--speed", 120 / 3.6, "--speed-error", 0.01)
+    assert run("plan", *rig, "--json") == 0
+    planned = json.loads(capsys.readouterr().out)
+    assert planned["wanted"]["printed_right_side_hz"] == pytest.approx(6600)
+    assert planned["wanted"]["corrected_hz"] == pytest.approx(20000 / 3) and planned["advice"]
+    assert run("plan", *rig, "--line-rate", 3000, "--u-baseline", 0.002) == 0
+    assert "90.0 lines" in capsys.readouterr().out
+    for wrong in (
+        (*rig, "--camera-height", 1.5),
+        ("--baseline", 1),
+        (*rig, "--line-rate", "nan"),
+        ("--speed", 30),
+        ("--camera-height", 1.5),
+    ):
+        assert run("plan", *wrong) == 2
+
+
 def test_plan_without_a_calibration(capsys) -> None:
     site = ("--camera-height", 1.5, "--distance", 3)
     assert run("plan", "--size", "640x480", "--field-of-view", 67, *site) == 0
