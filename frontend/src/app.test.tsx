@@ -48,6 +48,17 @@ const survey: Survey = {
     { key: "camera", state: "done", summary: "1 camera calibrated." },
     { key: "recordings", state: "next", summary: "Drop the day's video here." },
   ],
+  scans: {
+    state: "none",
+    summary: "None here.",
+    scans: 0,
+    ready: 0,
+    vehicles: 0,
+    to_review: 0,
+    accepted: 0,
+    rejected: 0,
+    not_measurable: 0,
+  },
 };
 
 const job = (part: Partial<Job>): Job => ({

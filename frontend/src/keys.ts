@@ -76,6 +76,8 @@ export const ACTIONS = {
   scanFlatter: { label: "Flatten the height", scope: "scan", keys: ["Shift+R"] },
   scanWheels: { label: "Click both wheels for the wheelbase", scope: "scan", keys: ["U"] },
   scanNew: { label: "Add a vehicle by its front and rear", scope: "scan", keys: ["O"] },
+  scanHeight: { label: "Measure heights by contact and target", scope: "scan", keys: ["Y"] },
+  scanRod: { label: "Calibrate the height with a rod", scope: "scan", keys: ["Shift+Y"] },
 
   reviewAccept: { label: "Accept", scope: "review", keys: ["A"] },
   reviewReject: { label: "Reject", scope: "review", keys: ["X"] },

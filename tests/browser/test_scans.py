@@ -7,6 +7,9 @@ from typing import Any
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
+from backend.demonstration.scan_rod import row_of
+from backend.work.demo_scan import RODS, SITE
+
 from .conftest import wait_for_demonstration
 
 
@@ -104,3 +107,117 @@ def test_an_empty_survey_says_what_to_do_and_takes_two_strips(page: Page) -> Non
     send.click()
     problem = page.get_by_role("alert").first
     expect(problem).to_contain_text("a.png")
+
+
+def test_what_the_traffic_says_of_the_rig_is_put_in_force_and_taken_back(
+    page: Page, scan: dict[str, Any]
+) -> None:
+    address = f"/api/scans/{scan['id']}"
+    told = page.request.get(f"{address}/rig-of-traffic").json()["misalignment"]
+    page.goto(f"/surveys/{scan['survey_id']}/scans")
+    card = page.get_by_test_id(f"scan-{scan['id']}")
+    card.get_by_text("The rig, and what the traffic says of it").click()
+    table = card.get_by_test_id("rig-of-traffic")
+    expect(table).to_contain_text(f"{told['value']:.3f}")
+    card.get_by_role("button", name="Use this for Misalignment").click()
+    dialog = page.get_by_role("dialog")
+    expect(dialog.get_by_label("Misalignment", exact=True)).to_have_value(f"{told['value']:.4f}")
+    dialog.get_by_role("button", name="Store").click()
+    expect(dialog).to_be_hidden()
+    in_force = page.request.get(address).json()["rig"]
+    assert in_force["misalignment_px"] == pytest.approx(told["value"], abs=1e-4)
+    assert in_force["baseline_m"] == scan["rig"]["baseline_m"]
+    page.get_by_role("button", name="Undo").click()
+    expect(table).to_contain_text("from the traffic")
+    assert page.request.get(address).json()["rig"] == scan["rig"]
+
+
+def test_a_line_rate_is_planned_with_the_surveys_rig(page: Page, scan: dict[str, Any]) -> None:
+    page.goto(f"/surveys/{scan['survey_id']}/scans")
+    page.get_by_role("link", name="Plan the line rate").click()
+    expect(page.get_by_label("Line rate of the camera")).to_have_value(f"{scan['rig']['line_rate_hz']:g}")
+    plan = page.get_by_test_id("line-plan")
+    expect(plan).to_contain_text("2 / (n + 2)")
+    page.get_by_label("Line rate of the camera").fill("")
+    page.get_by_label("Line rate of the camera").blur()
+    page.get_by_label("Baseline").fill("1")
+    page.get_by_label("Baseline").blur()
+    expect(plan).to_contain_text(re.compile(r"6\s?667\sHz"))
+    page.reload()
+    expect(plan).to_contain_text(re.compile(r"6\s?600\sHz"))
+
+
+def place_of(strips: Locator, line: float, row: float, shown: tuple[float, float]) -> tuple[float, float]:
+    """Where a line and a row of camera 1 lie while all 256 rows are shown."""
+    box = strips.bounding_box()
+    assert box
+    return x_of(strips, line, *shown), box["y"] + (row + 0.5) / 256 * (box["height"] - 24) / 2
+
+
+def test_a_rod_and_two_clicks_give_a_height(page: Page, scan: dict[str, Any], screenshots: Path) -> None:
+    page.goto(f"/surveys/{scan['survey_id']}/scan?scan={scan['id']}")
+    page.get_by_test_id("scan-vehicle-9").get_by_role("button").click()
+    strips, height = page.get_by_test_id("strips"), page.get_by_test_id("line-height-roof")
+    expect(height).to_have_text("–")
+
+    # the rod's marks clicked anew, from the foot up at both of its distances
+    page.get_by_role("button", name="Calibrate height").click()
+    camera, store = page.get_by_test_id("rod-camera-height"), page.get_by_role("button", name="Store the")
+    expect(store).to_be_disabled()
+    page.get_by_role("button", name="Remove all marks").click()
+    expect(page.get_by_text("No marks yet")).to_be_visible()
+    lines = [(rod.from_s + rod.to_s) / 2 * SITE.line_rate_hz for rod in RODS]
+    for rod, line in zip(RODS, lines, strict=True):
+        page.get_by_label("Rod's distance").fill(str(rod.distance_m))
+        page.get_by_label("Rod's distance").press("Enter")
+        for height_m in rod.marks_m[:4]:
+            expect(page.locator(".strips__asked")).to_contain_text(f"{height_m:.2f} m above")
+            row = row_of(SITE, rod.distance_m, height_m)
+            # the window shows half of what lies between both stands before and behind them
+            shown = (lines[0] - (lines[1] - lines[0]) / 6, lines[1] + (lines[1] - lines[0]) / 6)
+            page.mouse.click(*place_of(strips, line, row, shown))
+    expect(page.get_by_test_id("rod-marks").locator("tbody tr")).to_have_count(8)
+    expect(camera).to_contain_text(re.compile(r"1\.(1[5-9]|2[0-5])\d ± 0\.0"))
+    page.screenshot(path=screenshots / "scan-rod.png")
+    with page.expect_response(lambda answer: answer.url.endswith("/line-pose")) as kept:
+        store.click()
+    assert len(kept.value.json()["marks"]) == 8
+
+    # contact, then roof; the figure that is stored is the one that the pointer showed
+    motion = vehicle_of(page, scan, 9)["measurement"]
+    shown = (motion["front_line_1"], max(motion["rear_line_1"], motion["rear_line_2"]))
+    strips.focus()
+    page.keyboard.press("q")
+    page.keyboard.press("1")
+    asked = page.locator(".strips__asked")
+    expect(asked).to_contain_text("tyre stands")
+    line = shown[0] + 0.8 * (motion["rear_line_1"] - shown[0])
+    page.mouse.click(*place_of(strips, line, 236.0, shown))
+    expect(asked).to_contain_text("roof")
+    roof = place_of(strips, line - 100, 86.0, shown)
+    page.mouse.move(*roof)
+    expect(height).to_contain_text("±")
+    with page.expect_response(lambda answer: answer.url.endswith("/heights")) as stored:
+        page.mouse.click(*roof)
+    made = stored.value.json()
+    assert made["status"] == "ok" and made["distance_m"] == pytest.approx(3.0, abs=0.15)
+    expect(height).to_contain_text(f"{made['height_m']:.3f}")
+    page.screenshot(path=screenshots / "scan-height.png")
+
+    # a row up by keyboard is higher; both steps are undone
+    page.keyboard.press("Escape")
+    page.keyboard.press("w")
+    for _ in range(4):
+        page.keyboard.press("w")
+    with page.expect_response(lambda answer: answer.url.endswith("/heights")) as nudged:
+        page.keyboard.press("ArrowUp")
+    assert nudged.value.json()["target_row_px"] == pytest.approx(made["target_row_px"] - 1)
+    expect(height).to_contain_text(f"{nudged.value.json()['height_m']:.3f}")
+    undo = page.get_by_test_id("undo").get_by_role("button")
+    undo.click()
+    expect(height).to_contain_text(f"{made['height_m']:.3f}")
+    undo.click()
+    expect(height).to_have_text("–")
+    with page.expect_response(lambda answer: answer.url.endswith("/line-pose")) as back:
+        undo.click()
+    assert len(back.value.json()["marks"]) == 10

@@ -29,6 +29,7 @@ SCREENS = {
     "surveys": ("/", "main h1"),
     "survey": ("/surveys/{survey}", "main h1"),
     "planning": ("/surveys/{survey}/planning", "[data-testid=plan-figure] svg"),
+    "line-rate": ("/surveys/{survey}/planning?plan=lines", "[data-testid=line-plan]"),
     "camera": ("/surveys/{survey}/camera", ".shot img"),
     "recordings": ("/surveys/{survey}/recordings", "article.recording"),
     "pose": ("/surveys/{survey}/pose", "[data-testid=pose-verdict]"),

@@ -3,6 +3,7 @@ const PATHS = {
   add: "M8 3v10M3 8h10",
   close: "M4 4l8 8M12 4l-8 8",
   chevron: "M4 6l4 4 4-4",
+  left: "M10 4L6 8l4 4",
   right: "M6 4l4 4-4 4",
   arrow: "M3 8h10M9 4l4 4-4 4",
   warning: "M8 2.5l6 11H2zM8 6.5v3.5M8 12v.2",

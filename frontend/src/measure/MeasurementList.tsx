@@ -160,13 +160,13 @@ function Said({ model, entry }: { model: MeasureModel; entry: Entry }) {
       {m.status !== "ok" && (
         <p class="height-row__said">
           <Icon name="warning" size={14} />
-          {m.reason}
+          <span class="grow">{m.reason && inUnits(m.reason)}</span>
         </p>
       )}
       {m.flags.map((flag) => (
         <p key={flag} class="height-row__said">
           <Icon name="info" size={14} />
-          {inUnits(flag)}
+          <span class="grow">{inUnits(flag)}</span>
         </p>
       ))}
       {verdict !== "to_review" && (

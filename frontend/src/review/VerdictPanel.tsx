@@ -7,7 +7,7 @@ import { Revisions } from "../measure/MeasurementDetail";
 import { may } from "../state/session";
 import { formatFrameTime, formatMoment } from "../times";
 import type { Measurement, Px, Recording, ReviewItem } from "../types";
-import { formatHeight, formatLength } from "../units";
+import { formatHeight, formatLength, inUnits } from "../units";
 import { cropUrl } from "../viewer/frames";
 import { clamp } from "../viewer/viewport";
 import { BlindPanel, Comparisons } from "./Comparisons";
@@ -37,10 +37,10 @@ export function VerdictPanel({ model, item }: { model: ReviewModel; item: Review
         <p class="review__height">
           {m.status === "ok" ? formatHeight(m.height_m, m.U95_height_m) : "not measurable"}
         </p>
-        {m.reason && <p>{m.reason}</p>}
+        {m.reason && <p>{inUnits(m.reason)}</p>}
         {m.flags.map((flag) => (
           <p key={flag} class="small row">
-            <Icon name="info" size={14} /> {flag}
+            <Icon name="info" size={14} /> {inUnits(flag)}
           </p>
         ))}
         <Comparisons model={model} />

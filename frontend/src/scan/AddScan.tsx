@@ -8,7 +8,7 @@ import { useResource } from "../state/resource";
 import type { Recording, Scan, StripUpload } from "../types";
 import { formatBytes, parseNumber } from "../units";
 import { RigFields } from "./RigFields";
-import { isValues, NEW_RIG, type RigTyped, valuesOf } from "./rig";
+import { isValues, NEW_RIG, type RigProblems, type RigTyped, valuesOf } from "./rig";
 
 interface Props {
   surveyId: number;
@@ -22,13 +22,14 @@ export function AddScan({ surveyId, onClose, added }: Props) {
   const [source, setSource] = useState<Source>("strips");
   const [name, setName] = useState("");
   const [typed, setTyped] = useState<RigTyped>(NEW_RIG);
-  const [problems, setProblems] = useState<Partial<Record<keyof RigTyped, string>>>({});
+  const [problems, setProblems] = useState<RigProblems>({});
   const [problem, setProblem] = useState<unknown>(null);
   const [busy, setBusy] = useState(false);
   const [chosen, setChosen] = useState<object | null>(null);
   const send = async (event: Event): Promise<void> => {
     event.preventDefault();
-    const values = valuesOf(source === "video" ? { ...typed, rate: "1" } : typed);
+    const { baseline, uBaseline } = typed;
+    const values = valuesOf(source === "video" ? { ...NEW_RIG, baseline, uBaseline, rate: "1" } : typed);
     if (!isValues(values)) return setProblems(values);
     if (!chosen) return;
     const { baseline_m, u_baseline_m } = values;
@@ -76,6 +77,7 @@ export function AddScan({ surveyId, onClose, added }: Props) {
         typed={typed}
         problems={problems}
         noRate={source === "video"}
+        plain={source === "video"}
         change={(part) => {
           setTyped({ ...typed, ...part });
           setProblems({});

@@ -2,6 +2,7 @@
 import { useEffect, useMemo, useState } from "preact/hooks";
 import { Button, Empty, JobProgress, Loading, Notice, Problem } from "../components";
 import { hint, useKeys } from "../keys";
+import { TARGETS } from "../measure/flow";
 import { useUndoTools } from "../measure/undoTools";
 import { query, type ScreenProps } from "../router";
 import { cancelJob } from "../state/jobs";
@@ -13,6 +14,7 @@ import { formatCount, formatLength } from "../units";
 import { FindDialog } from "./FindDialog";
 import { ScanModel } from "./model";
 import { RigDialog } from "./RigDialog";
+import { RodPanel } from "./RodPanel";
 import { StripView } from "./StripView";
 import { VehiclePanel } from "./VehiclePanel";
 import { VehicleTable } from "./VehicleTable";
@@ -20,6 +22,7 @@ import { panBy, zoomHeight, zoomTime } from "./view";
 import "../measure/vehicle.css";
 import "../review/review.css";
 import "../screens/statistics/statistics.css";
+import "./heights.css";
 import "./scan.css";
 
 export default function BenchScreen({ surveyId }: ScreenProps) {
@@ -57,7 +60,7 @@ export default function BenchScreen({ surveyId }: ScreenProps) {
           <NoVehicles model={model} scan={scan} />
         )}
       </section>
-      <VehiclePanel model={model} />
+      {model.mode.value === "rod" ? <RodPanel model={model} /> : <VehiclePanel model={model} />}
     </div>
   );
 }
@@ -90,6 +93,14 @@ function Head({ model, scan, surveyId }: { model: ScanModel; scan: Scan; surveyI
               onClick={() => model.start("new")}
             >
               Vehicle
+            </Button>
+            <Button
+              small
+              pressed={model.mode.value === "rod"}
+              title={`Click the marks of a rod, so that heights can be measured${hint("scanRod")}`}
+              onClick={() => model.start("rod")}
+            >
+              Calibrate height
             </Button>
             <Button small onClick={() => setOpen("rig")}>
               Rig…
@@ -197,7 +208,8 @@ function useBenchKeys(model: ScanModel): void {
     const view = model.view.value;
     if (view) model.view.value = zoomHeight(view, view.height / 2, factor);
   };
-  const nudge = (by: number) => () => (canWork.value ? model.nudge(by) : false);
+  const nudge = (by: number) => () => (canWork.value ? model.heights.nudge(by, 0) || model.nudge(by) : false);
+  const rise = (by: number) => () => model.heights.nudge(0, by);
   useKeys({
     frameNext: pan(PAN_SHARE),
     framePrevious: pan(-PAN_SHARE),
@@ -213,9 +225,15 @@ function useBenchKeys(model: ScanModel): void {
     scanFit: () => model.show("fit"),
     scanWheels: () => model.start("wheels"),
     scanNew: () => model.start("new"),
+    scanRod: () => model.start("rod"),
+    scanHeight: () => model.heights.begin(null),
+    newContact: () => model.heights.newContact(),
+    ...Object.fromEntries(
+      TARGETS.map((target, at) => [`target${at + 1}`, () => model.heights.begin(target)]),
+    ),
     passNext: () => model.step(1),
     passPrevious: () => model.step(-1),
-    selectNext: () => model.nextEdge(),
+    selectNext: () => model.selectNext(),
     undo: () => void model.undo.undo().catch(toastProblem),
     redo: () => void model.undo.redo().catch(toastProblem),
     remove: () => void model.remove(),
@@ -228,6 +246,12 @@ function useBenchKeys(model: ScanModel): void {
     nudgeRight: nudge(1),
     nudgeLeftFar: nudge(-10),
     nudgeRightFar: nudge(10),
+    nudgeUp: rise(-1),
+    nudgeDown: rise(1),
+    nudgeUpFar: rise(-10),
+    nudgeDownFar: rise(10),
+    nudgeUpFine: rise(-0.1),
+    nudgeDownFine: rise(0.1),
     nudgeLeftFine: nudge(-0.1),
     nudgeRightFine: nudge(0.1),
   });

@@ -10,6 +10,9 @@ import { formatDuration } from "../times";
 import type { Scan } from "../types";
 import { formatCount, formatLength, plural } from "../units";
 import { AddScan } from "./AddScan";
+import { RigDialog } from "./RigDialog";
+import { RigOfTraffic } from "./RigOfTraffic";
+import type { RigTyped } from "./rig";
 import "../screens/recordings/recordings.css";
 import "./scan.css";
 
@@ -32,18 +35,19 @@ export default function ScansScreen({ surveyId }: ScreenProps) {
             vehicles, with the picture to check each by.
           </p>
         </div>
-        {!none && (
-          <div class="row row--wrap">
+        <div class="row row--wrap">
+          <Button href={`/surveys/${surveyId}/planning?plan=lines`}>Plan the line rate</Button>
+          {!none && (
             <Button icon="chart" href={`/surveys/${surveyId}/scans/results`}>
               Results
             </Button>
-            {canWork.value && !adding && (
-              <Button kind="primary" icon="add" onClick={() => setAdding(true)}>
-                Add a line scan
-              </Button>
-            )}
-          </div>
-        )}
+          )}
+          {!none && canWork.value && !adding && (
+            <Button kind="primary" icon="add" onClick={() => setAdding(true)}>
+              Add a line scan
+            </Button>
+          )}
+        </div>
       </header>
       <Problem error={scans.error} again={scans.reload} />
       {!scans.data && scans.loading && <Loading what="the line scans" />}
@@ -69,7 +73,46 @@ export default function ScansScreen({ surveyId }: ScreenProps) {
           <ScanCard key={scan.id} scan={scan} reload={scans.reload} />
         ))}
       </div>
+      <Limits />
     </div>
+  );
+}
+
+/** What no setting helps against, in words; a vehicle that it concerns has the reason in place of its numbers. */
+function Limits() {
+  return (
+    <details class="scan-limits">
+      <summary>What a line scan cannot measure</summary>
+      <dl>
+        <dt>Opposing direction</dt>
+        <dd>
+          A pair measures the direction that reaches camera 1 first; a vehicle that comes the other way is
+          told and left out. For the other lane add a second line scan of the same strips with the cameras the
+          other way round, and that lane’s baseline and distance.
+        </dd>
+        <dt>Side by side</dt>
+        <dd>
+          Two vehicles that hide each other share their lines, so neither has a front and a rear of its own.
+          Only their passing one after the other helps: a lane farther away, or a steeper view from above.
+        </dd>
+        <dt>Stopped, turned back, or very slow</dt>
+        <dd>
+          Along a strip runs time, not way. A vehicle that stands paints the same line again and again, and
+          the fit takes one constant acceleration from front to rear; stop-and-go traffic has none.
+        </dd>
+        <dt>Cut off, or lines lost</dt>
+        <dd>
+          What began before the recording or ended after it has no front or no rear; where the recorder lost
+          lines the clock of the strip is wrong.
+        </dd>
+        <dt>Another distance than the lane’s</dt>
+        <dd>
+          Planes that are not quite parallel make the baseline longer or shorter with the distance; the
+          traffic alone cannot tell that. Enter the divergence’s uncertainty and the lane’s distance under
+          Rig.
+        </dd>
+      </dl>
+    </details>
   );
 }
 
@@ -78,6 +121,8 @@ function isWorking(scan: Scan): boolean {
 }
 
 function ScanCard({ scan, reload }: { scan: Scan; reload: () => Promise<void> }) {
+  const [rigOpen, setRigOpen] = useState(false);
+  const [offered, setOffered] = useState<Partial<RigTyped> | null>(null);
   const run = async (work: () => Promise<unknown>): Promise<void> => {
     try {
       await work();
@@ -136,6 +181,27 @@ function ScanCard({ scan, reload }: { scan: Scan; reload: () => Promise<void> })
             {note}
           </p>
         ))}
+        {scan.state === "ready" && scan.run && (
+          <details
+            class="scan__advanced"
+            onToggle={(event) => setRigOpen((event.currentTarget as HTMLDetailsElement).open)}
+          >
+            <summary>The rig, and what the traffic says of it</summary>
+            {rigOpen && (
+              <>
+                <RigOfTraffic scan={scan} use={setOffered} changed={reload} />
+                {canWork.value && (
+                  <Button small onClick={() => setOffered({})}>
+                    Change the rig…
+                  </Button>
+                )}
+              </>
+            )}
+          </details>
+        )}
+        {offered && (
+          <RigDialog scan={scan} offered={offered} changed={reload} onClose={() => setOffered(null)} />
+        )}
         {scan.state === "ready" && (
           <footer class="row row--apart">
             <span class="small">{counts(scan)}</span>

@@ -3,10 +3,25 @@ import { useSignalEffect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { canWork } from "../state/session";
 import { theme } from "../state/theme";
+import { toast } from "../state/toasts";
+import { Asked } from "./Asked";
 import { AXIS_PX, draw, EDGES, type Edge, stripTop } from "./draw";
+import { drawHeights } from "./drawHeights";
+import type { Place } from "./heights";
 import type { ScanModel } from "./model";
 import type { TileKey } from "./tiles";
-import { levelFor, lineAt, panBy, resized, tilesIn, type View, xOf, zoomHeight, zoomTime } from "./view";
+import {
+  levelFor,
+  lineAt,
+  panBy,
+  resized,
+  rowAt,
+  tilesIn,
+  type View,
+  xOf,
+  zoomHeight,
+  zoomTime,
+} from "./view";
 
 const PICK_PX = 8;
 const DRAG_PX = 3;
@@ -53,6 +68,7 @@ export function StripView({ model }: { model: ScanModel }) {
       edge: model.edge.value,
       wheels: model.wheels.value,
     });
+    drawHeights(canvas.current, model, view);
   });
 
   const place = (event: MouseEvent): { x: number; y: number } => {
@@ -67,7 +83,10 @@ export function StripView({ model }: { model: ScanModel }) {
     const edge =
       event.button === 0 && model.mode.value === "look" && canWork.value ? edgeNear(model, view, x, y) : null;
     press.current = { x, y, lastX: x, lastY: y, edge, moved: false };
-    if (edge) model.edge.value = edge;
+    if (edge) {
+      model.edge.value = edge;
+      model.heights.selected.value = null;
+    }
     host.current?.setPointerCapture(event.pointerId);
   };
 
@@ -77,6 +96,7 @@ export function StripView({ model }: { model: ScanModel }) {
     if (!view) return;
     const { x, y } = place(event);
     if (!now) {
+      if (model.mode.value === "height") model.heights.point(placeAt(view, x, y));
       const near = canWork.value && model.mode.value === "look" && edgeNear(model, view, x, y) !== null;
       host.current?.classList.toggle("strips--edge", near);
       return;
@@ -95,8 +115,11 @@ export function StripView({ model }: { model: ScanModel }) {
     if (!view || !now) return;
     if (now.moved && now.edge) void model.storeDraft();
     if (now.moved || now.edge) return;
-    if (model.mode.value !== "look") void model.click(lineAt(view, now.x));
-    else {
+    if (model.mode.value !== "look") {
+      const at = placeAt(view, now.x, now.y);
+      if (at) void model.click(at.line, at.row);
+      else toast("Click on camera 1, the upper strip.");
+    } else {
       const found = vehicleAt(model, view, now.x, now.y);
       if (found !== model.chosenId.value) model.choose(found);
     }
@@ -132,6 +155,7 @@ export function StripView({ model }: { model: ScanModel }) {
       onPointerDown={down}
       onPointerMove={move}
       onPointerUp={up}
+      onPointerLeave={() => model.heights.point(null)}
       onPointerCancel={() => {
         press.current = null;
         model.draft.value = null;
@@ -154,21 +178,6 @@ export function StripView({ model }: { model: ScanModel }) {
   );
 }
 
-function Asked({ model }: { model: ScanModel }) {
-  const second = model.firstClick.value !== null;
-  const mode = model.mode.value;
-  if (mode === "look") return null;
-  const what =
-    mode === "wheels"
-      ? `Click the hub of the ${second ? "rear" : "front"} wheel on camera 1`
-      : `Click the vehicle's ${second ? "rear" : "front"} on camera 1`;
-  return (
-    <p class="strips__asked" role="status">
-      {what} (Esc stops)
-    </p>
-  );
-}
-
 /** Tiles of the level that fits, and of the coarsest, which stands in until they are here. */
 function wanted(model: ScanModel, view: View): TileKey[] {
   const scan = model.scan.value;
@@ -183,6 +192,13 @@ function wanted(model: ScanModel, view: View): TileKey[] {
       for (const camera of [1, 2] as const) keys.push({ camera, level, index });
   }
   return keys;
+}
+
+/** A place on camera 1's picture, null beside it. */
+function placeAt(view: View, x: number, y: number): Place | null {
+  const row = rowAt(view, y);
+  if (y < 0 || y >= view.height || row > view.strips.rows - 0.5) return null;
+  return { line: lineAt(view, x), row };
 }
 
 function edgeNear(model: ScanModel, view: View, x: number, y: number): Edge | null {

@@ -8,10 +8,12 @@ import { may } from "../state/session";
 import { toast, toastProblem } from "../state/toasts";
 import type { Job, Scan, ScanMethod, ScanVehicle, ScanVehicleDetail } from "../types";
 import { type Crossings, EDGES, type Edge } from "./draw";
+import { LineHeights } from "./heights";
+import { RodDraft } from "./rod";
 import { Tiles } from "./tiles";
 import { fitAll, revealLines, showLines, type View } from "./view";
 
-export type Mode = "look" | "wheels" | "new";
+export type Mode = "look" | "wheels" | "new" | "rod" | "height";
 export type Facts = Partial<
   Pick<ScanVehicle, "make" | "model" | "category" | "true_length_m" | "true_wheelbase_m">
 >;
@@ -34,6 +36,8 @@ export class ScanModel {
   readonly rejecting = signal(false);
   readonly job = signal<Job | null>(null);
   readonly undo = new UndoStack();
+  readonly heights = new LineHeights(this);
+  readonly rod = new RodDraft(this);
   readonly tiles: Tiles;
 
   readonly chosen = computed(() => this.vehicles.value.find((one) => one.id === this.chosenId.value) ?? null);
@@ -63,7 +67,7 @@ export class ScanModel {
     try {
       const scan = await api.get<Scan>(`/scans/${this.id}`);
       this.scan.value = scan;
-      if (scan.state === "ready") await this.readVehicles();
+      if (scan.state === "ready") await Promise.all([this.readVehicles(), this.heights.load()]);
       if (scan.job && (scan.job.state === "running" || scan.job.state === "queued"))
         void this.follow(scan.job);
       const asked = Number(new URLSearchParams(location.search).get("vehicle"));
@@ -91,6 +95,7 @@ export class ScanModel {
 
   choose(id: number | null): void {
     this.flush();
+    this.heights.end();
     this.mode.value = "look";
     this.firstClick.value = null;
     this.edge.value = null;
@@ -121,10 +126,12 @@ export class ScanModel {
     this.view.value = how === "fit" ? showLines(view, first, last) : revealLines(view, first, last);
   }
 
-  nextEdge(): void {
-    if (!this.crossings.value) return;
+  selectNext(): void {
     const at = this.edge.value ? EDGES.indexOf(this.edge.value) : -1;
-    this.edge.value = EDGES[(at + 1) % EDGES.length] ?? null;
+    // after the last boundary the points of the heights, then the first boundary again
+    const last = this.heights.selected.value !== null || at === EDGES.length - 1 || !this.crossings.value;
+    if (last && this.heights.selectNext()) this.edge.value = null;
+    else if (this.crossings.value) this.edge.value = EDGES[(at + 1) % EDGES.length] ?? null;
   }
 
   moveEdge(edge: Edge, line: number): void {
@@ -132,6 +139,7 @@ export class ScanModel {
     const scan = this.scan.value;
     if (!now || !scan?.lines || !may("operator")) return;
     this.edge.value = edge;
+    this.heights.selected.value = null;
     this.draft.value = { ...now, [edge]: Math.min(Math.max(line, 0), scan.lines - 1) };
   }
 
@@ -168,8 +176,10 @@ export class ScanModel {
   cancel(): boolean {
     clearTimeout(this.nudging);
     const placing = this.mode.value !== "look" || this.rejecting.value;
-    const held = this.draft.value !== null || this.edge.value !== null || placing;
+    const chosen = this.edge.value !== null || this.heights.selected.value !== null;
+    const held = this.draft.value !== null || chosen || placing;
     this.rejecting.value = false;
+    this.heights.end();
     this.draft.value = null;
     this.edge.value = null;
     this.mode.value = "look";
@@ -181,11 +191,15 @@ export class ScanModel {
     if (!may("operator") || (mode === "wheels" && !this.chosen.value?.measurement)) return;
     const again = this.mode.value === mode;
     this.cancel();
-    if (!again) this.mode.value = mode;
+    if (again) return;
+    this.mode.value = mode;
+    if (mode === "rod") this.rod.open();
   }
 
-  /** A click on strip 1 while two are asked for. */
-  async click(line: number): Promise<void> {
+  /** A click on strip 1 while something is asked for. */
+  async click(line: number, row: number): Promise<void> {
+    if (this.mode.value === "rod") return this.rod.click({ line, row });
+    if (this.mode.value === "height") return this.heights.click({ line, row });
     const first = this.firstClick.value;
     if (first === null) {
       this.firstClick.value = line;
@@ -337,7 +351,7 @@ export class ScanModel {
       this.job.value = null;
       if (over.state === "failed") toastProblem(new Error(over.error ?? "The search stopped."));
       this.scan.value = await api.get<Scan>(`/scans/${this.id}`);
-      if (this.scan.value.state === "ready") await this.refresh();
+      if (this.scan.value.state === "ready") await Promise.all([this.refresh(), this.heights.load()]);
     } catch (error) {
       this.job.value = null;
       if (!this.stop.signal.aborted) toastProblem(error);
@@ -350,12 +364,12 @@ export class ScanModel {
     else this.draft.value = null;
   }
 
-  private pushUndo(label: string, undo: () => Promise<void>, redo: () => Promise<void>): void {
+  pushUndo(label: string, undo: () => Promise<void>, redo: () => Promise<void>): void {
     this.undo.push({ label, undo, redo });
   }
 
   /** One change after the other, after an undo that is under way; what goes wrong is told in words. */
-  private async tell(work: () => Promise<void>): Promise<void> {
+  async tell(work: () => Promise<void>): Promise<void> {
     this.busy.value = true;
     try {
       await this.undo.inTurn(work);

@@ -50,6 +50,10 @@ export function yOf(view: View, row: number): number {
   return (row - view.row0) * view.rowPx;
 }
 
+export function rowAt(view: View, y: number): number {
+  return view.row0 + y / view.rowPx;
+}
+
 /** Time stretched by a factor; the line under x stays there. */
 export function zoomTime(view: View, x: number, factor: number): View {
   const most = view.strips.lines / Math.max(view.width, 1);

@@ -72,12 +72,13 @@ interface ValueProps {
   unit: string;
   values: Values;
   placeholder?: string;
+  hint?: string;
 }
 
 const PAUSE_MS = 350;
 
 /** One number. It goes into the address when typing pauses, or at once on Enter and when the field is left. */
-function Value({ name, label, unit, values, placeholder }: ValueProps) {
+export function Value({ name, label, unit, values, placeholder, hint }: ValueProps) {
   const stands = shown(name, values[name]);
   const [text, setText] = useState(stands);
   const [wrong, setWrong] = useState(false);
@@ -105,6 +106,7 @@ function Value({ name, label, unit, values, placeholder }: ValueProps) {
       unit={unit}
       value={text}
       placeholder={placeholder}
+      hint={hint}
       problem={wrong ? "Give a number." : null}
       onInput={(value) => {
         setText(value);

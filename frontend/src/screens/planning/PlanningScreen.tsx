@@ -1,10 +1,11 @@
 import { useEffect, useRef } from "preact/hooks";
 import { api } from "../../api";
-import { Loading, Notice, Problem } from "../../components";
+import { Loading, Notice, Problem, Segments } from "../../components";
 import { current, query, type ScreenProps, setQuery } from "../../router";
 import { useResource } from "../../state/resource";
 import type { Camera } from "../../types";
 import { BiasFigure, DistanceFigure } from "./Figures";
+import { LineRate } from "./LineRate";
 import type { Plan } from "./model";
 import { PlanForm } from "./PlanForm";
 import { SiteAbove, SiteAlong } from "./SiteDrawing";
@@ -12,8 +13,39 @@ import { TargetTable } from "./TargetTable";
 import { completed, planPath, type Values, valuesOf } from "./values";
 import "./planning.css";
 
-/** Before going out: what heights will be worth from a place, and what to do about it. */
+type What = "heights" | "lines";
+
+/** Before going out: what heights and speeds will be worth from a place, and what to do about it. */
 export default function PlanningScreen({ surveyId }: ScreenProps) {
+  const what: What = query.value.get("plan") === "lines" ? "lines" : "heights";
+  return (
+    <div class="page">
+      <header class="page__head">
+        <div>
+          <h1>{what === "heights" ? "Plan the site" : "Plan the line rate"}</h1>
+          <p class="page__lead">
+            {what === "heights"
+              ? "What a height will be worth from here, before anything is filmed. "
+              : "What the speed of a vehicle will be worth with two line cameras, before anything is recorded. "}
+            Nothing on this page is stored; its address holds every value, so a link to it can be passed on.
+          </p>
+        </div>
+        <Segments<What>
+          label="What is planned"
+          value={what}
+          options={[
+            { value: "heights", label: "Heights, by video" },
+            { value: "lines", label: "Speeds, by line scan" },
+          ]}
+          onChange={(next) => setQuery({ plan: next === "lines" ? next : null })}
+        />
+      </header>
+      {what === "heights" ? <Heights surveyId={surveyId} /> : <LineRate surveyId={surveyId} />}
+    </div>
+  );
+}
+
+function Heights({ surveyId }: { surveyId: number }) {
   const cameras = useResource(
     (signal) => api.get<Camera[]>(`/surveys/${surveyId}/cameras`, { signal }),
     [surveyId],
@@ -26,16 +58,7 @@ export default function PlanningScreen({ surveyId }: ScreenProps) {
     if (values && current.value?.route.name === "planning") setQuery({ ...values });
   }, [address]);
   return (
-    <div class="page">
-      <header class="page__head">
-        <div>
-          <h1>Plan the site</h1>
-          <p class="page__lead">
-            What a height will be worth from here, before anything is filmed. Nothing on this page is stored;
-            its address holds every value, so a link to it can be passed on.
-          </p>
-        </div>
-      </header>
+    <>
       <Problem error={cameras.error} again={cameras.reload} />
       {values ? (
         <>
@@ -45,7 +68,7 @@ export default function PlanningScreen({ surveyId }: ScreenProps) {
       ) : (
         !cameras.error && <Loading what="the cameras" />
       )}
-    </div>
+    </>
   );
 }
 

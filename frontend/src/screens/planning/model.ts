@@ -3,6 +3,7 @@ import type { components } from "../../schema";
 type Schemas = components["schemas"];
 export type Plan = Schemas["PlanBody"];
 export type PlannedTarget = Schemas["PlannedTargetBody"];
+export type LinePlan = Schemas["LinePlanBody"];
 export type Curve = Schemas["CurveBody"];
 
 export const TARGET_WORDS: Record<string, string> = {

@@ -1,6 +1,15 @@
 import { describe, expect, it } from "vitest";
-import type { Camera } from "../../types";
-import { completed, planPath, shown, typed, valuesOf, withCamera } from "./values";
+import type { Camera, Scan } from "../../types";
+import {
+  completed,
+  completedLines,
+  LINE_NAMES,
+  planPath,
+  shown,
+  typed,
+  valuesOf,
+  withCamera,
+} from "./values";
 
 const camera = (id: number, calibration: number | null) =>
   ({ id, current_calibration_id: calibration, calibrations: [] }) as unknown as Camera;
@@ -48,5 +57,26 @@ describe("lengths in the unit shown", () => {
     expect(shown("distance_m", "x", "ft")).toBe("x");
     expect(typed("distance_m", "three", "m")).toBeNull();
     expect(typed("board_distance_m", " ", "m")).toBe("");
+  });
+});
+
+describe("the values of a line rate", () => {
+  const rig = { baseline_m: 1.2, u_baseline_m: 0.001, line_rate_hz: 5000 } as unknown as Scan["rig"];
+
+  it("come from the survey's newest rig unless the address says otherwise", () => {
+    expect(completedLines({}, [{ rig }])).toMatchObject({ baseline_m: "1.2", line_rate_hz: "5000" });
+    const said = valuesOf(new URLSearchParams("baseline_m=2&speed_mps=20"), LINE_NAMES);
+    const values = completedLines(said, [{ rig }]);
+    expect(values).toMatchObject({ baseline_m: "2", speed_mps: "20", error: "0.01" });
+    expect(values.line_rate_hz).toBeUndefined();
+  });
+
+  it("are shown in km/h or mph and per cent", () => {
+    expect(shown("speed_mps", "25", "m")).toBe("90");
+    expect(shown("speed_mps", "44.704", "ft")).toBe("100");
+    expect(typed("speed_mps", "90", "m")).toBe("25");
+    expect(typed("speed_mps", "100", "ft")).toBe("44.704");
+    expect(shown("error", "0.013", "m")).toBe("1.3");
+    expect(typed("error", "1.3", "m")).toBe("0.013");
   });
 });

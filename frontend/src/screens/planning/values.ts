@@ -1,18 +1,21 @@
 /** What is planned with, as the address of the page holds it: the same names and units as the server's, so that a link tells all. */
-import type { Camera } from "../../types";
-import { lengthUnit, METRES_PER_FOOT, parseNumber } from "../../units";
+import type { Camera, Scan } from "../../types";
+import { type LengthUnit, lengthUnit, METRES_PER_FOOT, parseNumber } from "../../units";
 
-export const LENGTHS = ["camera_height_m", "distance_m", "board_distance_m", "travel_m"] as const;
+const SITE_LENGTHS = ["camera_height_m", "distance_m", "board_distance_m", "travel_m"] as const;
+const LENGTHS: readonly string[] = [...SITE_LENGTHS, "baseline_m", "u_baseline_m"];
 export const NAMES = [
   "calibration_id",
   "width_px",
   "height_px",
   "field_of_view_deg",
-  ...LENGTHS,
+  ...SITE_LENGTHS,
   "sigma_px",
   "direction_deg",
 ] as const;
-export type Name = (typeof NAMES)[number];
+/** What a line rate is planned with. */
+export const LINE_NAMES = ["speed_mps", "baseline_m", "u_baseline_m", "line_rate_hz", "error"] as const;
+export type Name = (typeof NAMES)[number] | (typeof LINE_NAMES)[number];
 export type Values = Partial<Record<Name, string>>;
 
 const USUAL: Values = {
@@ -25,9 +28,9 @@ const USUAL: Values = {
 const PLAIN: Values = { width_px: "1920", height_px: "1080", field_of_view_deg: "65" };
 
 /** The values of an address. */
-export function valuesOf(query: URLSearchParams): Values {
+export function valuesOf(query: URLSearchParams, names: readonly Name[] = NAMES): Values {
   const values: Values = {};
-  for (const name of NAMES) {
+  for (const name of names) {
     const value = query.get(name);
     if (value) values[name] = value;
   }
@@ -58,13 +61,38 @@ export function planPath(surveyId: number, values: Values): string {
   return `/surveys/${surveyId}/plan?${new URLSearchParams(values as Record<string, string>)}`;
 }
 
-const isLength = (name: Name) => (LENGTHS as readonly string[]).includes(name);
+/** What the address leaves open of a line rate: the newest rig of the survey, else usual values. */
+export function completedLines(values: Values, scans: readonly Pick<Scan, "rig">[]): Values {
+  const rig = scans.at(-1)?.rig;
+  const known: Values = rig
+    ? {
+        baseline_m: String(rig.baseline_m),
+        u_baseline_m: String(rig.u_baseline_m),
+        line_rate_hz: String(rig.line_rate_hz),
+      }
+    : { baseline_m: "1", u_baseline_m: "0.002" };
+  // a rig of the address is not mixed with another one's line rate
+  const own = values.baseline_m !== undefined || values.speed_mps !== undefined;
+  return { speed_mps: String(120 / 3.6), error: "0.01", ...(own ? {} : known), ...values };
+}
 
-/** A value as it stands in its field: lengths in the unit shown. */
+export function linePlanPath(values: Values): string {
+  return `/line-rate-plan?${new URLSearchParams(values as Record<string, string>)}`;
+}
+
+/** Shown over stored: feet, km/h or mph, per cent. */
+function factorOf(name: Name, unit: LengthUnit): number {
+  if (LENGTHS.includes(name)) return unit === "ft" ? 1 / METRES_PER_FOOT : 1;
+  if (name === "speed_mps") return unit === "ft" ? 3600 / 5280 / METRES_PER_FOOT : 3.6;
+  return name === "error" ? 100 : 1;
+}
+
+/** A value as it stands in its field: lengths and speeds in the unit shown, shares in per cent. */
 export function shown(name: Name, value: string | undefined, unit = lengthUnit.value): string {
-  if (!value || !isLength(name) || unit === "m") return value ?? "";
-  const metres = Number(value);
-  return Number.isFinite(metres) ? String(Number((metres / METRES_PER_FOOT).toFixed(3))) : value;
+  const factor = factorOf(name, unit);
+  if (!value || factor === 1) return value ?? "";
+  const stored = Number(value);
+  return Number.isFinite(stored) ? String(Number((stored * factor).toFixed(3))) : value;
 }
 
 /** What was typed, for the address; null where it is no number. An empty field is "". */
@@ -72,5 +100,6 @@ export function typed(name: Name, text: string, unit = lengthUnit.value): string
   if (!text.trim()) return "";
   const value = parseNumber(text);
   if (value === null) return null;
-  return String(isLength(name) && unit === "ft" ? Number((value * METRES_PER_FOOT).toFixed(6)) : value);
+  const factor = factorOf(name, unit);
+  return String(factor === 1 ? value : Number((value / factor).toFixed(6)));
 }

@@ -143,6 +143,11 @@ function RelativeFigure({ errors }: { errors: Errors }) {
   );
 }
 
+/** Narrower kernels would draw the rounding as a comb. */
+function least(errors: Errors): string {
+  return errors.rounding === "cm" ? `, at least half of the ${fixedRange(0.01)} of rounding` : "";
+}
+
 function DensityFigure({ errors }: { errors: Errors }) {
   const list = drawn<Density>(errors.density);
   return (
@@ -152,7 +157,7 @@ function DensityFigure({ errors }: { errors: Errors }) {
       says={`Density of the signed error; ${counts(list)}`}
       note={
         list.length > 0
-          ? `Gaussian kernel, bandwidth ${list.map((one) => fixedRange(one.part.bandwidth)).join(", ")}; pointwise 95 % band. ${counts(list)}.`
+          ? `Gaussian kernel, bandwidth ${list.map((one) => fixedRange(one.part.bandwidth)).join(", ")}${least(errors)}; pointwise 95 % band. ${counts(list)}.`
           : undefined
       }
       legend={legendOf(list)}

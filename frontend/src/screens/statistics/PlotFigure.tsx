@@ -37,6 +37,28 @@ export interface LegendEntry {
   dot?: "circle" | "triangle" | "square";
 }
 
+const HEIGHT = 320;
+/** Widths on A4 at 96 pixels an inch, within the margins: drawn anew, so that words keep their size on paper. */
+const HALF_A_PAGE = 310;
+const A_PAGE = 640;
+const HEIGHT_ON_PAPER = 230;
+
+/** Draws for paper before a print, and for the screen after it; at once, for a browser waits for nothing else. */
+function useOnPaper(before: () => void, after: () => void): void {
+  const latest = useRef({ before, after });
+  latest.current = { before, after };
+  useEffect(() => {
+    const toPaper = () => latest.current.before();
+    const toScreen = () => latest.current.after();
+    window.addEventListener("beforeprint", toPaper);
+    window.addEventListener("afterprint", toScreen);
+    return () => {
+      window.removeEventListener("beforeprint", toPaper);
+      window.removeEventListener("afterprint", toScreen);
+    };
+  }, []);
+}
+
 /** One figure with its legend, its words and its two downloads. */
 export function PlotFigure({ name, title, says, note, legend, data, options, table, reason }: Props) {
   const [plot, setPlot] = useState<Plot | null>(null);
@@ -53,11 +75,11 @@ export function PlotFigure({ name, title, says, note, legend, data, options, tab
     watch.observe(box.current);
     return () => watch.disconnect();
   }, [reason]);
-  useEffect(() => {
-    if (!plot || !box.current || width < 200) return;
+  const draw = (wide: number, height: number) => {
+    if (!plot || !box.current || wide < 200) return;
     const drawn = plot.plot({
-      width,
-      height: 320,
+      width: wide,
+      height,
       marginLeft: 48,
       marginBottom: 40,
       marginTop: 24,
@@ -70,7 +92,12 @@ export function PlotFigure({ name, title, says, note, legend, data, options, tab
     drawn.setAttribute("role", "img");
     for (const part of drawn.querySelectorAll("g[aria-label]")) part.removeAttribute("aria-label"); // one picture
     box.current.replaceChildren(drawn);
-  }, [plot, width, data, unit, theme.value, reason]);
+  };
+  useEffect(() => draw(width, HEIGHT), [plot, width, data, unit, theme.value, reason]);
+  useOnPaper(
+    () => draw(box.current?.closest(".stat-figures") ? HALF_A_PAGE : A_PAGE, HEIGHT_ON_PAPER),
+    () => draw(width, HEIGHT),
+  );
   const saveSvg = () => {
     const drawn = box.current?.querySelector("svg");
     if (drawn) download(`sightline-${name}.svg`, "image/svg+xml", svgFile(drawn, title));

@@ -1,6 +1,6 @@
 import { useState } from "preact/hooks";
 import { api } from "../../api";
-import { Button, JobProgress, Loading, Shape } from "../../components";
+import { Button, Icon, JobProgress, Loading, Shape } from "../../components";
 import type { ScreenProps } from "../../router";
 import { entryOfStep } from "../../shell/work";
 import { isOver } from "../../state/jobs";
@@ -10,6 +10,7 @@ import { survey as openSurvey, refreshSurvey } from "../../state/survey";
 import type { Job, Step, Survey } from "../../types";
 import { formatCount } from "../../units";
 import { EditSurvey } from "./EditSurvey";
+import { Photographs } from "./Photographs";
 import "./survey.css";
 
 /** What is there and what is missing, as the order of work; each step says what to do next. */
@@ -48,8 +49,56 @@ export default function SurveyScreen({ surveyId }: ScreenProps) {
           <StepRow key={step.key} step={step} index={index} survey={survey} />
         ))}
       </ol>
+      <LineScans survey={survey} />
+      <Photographs surveyId={survey.id} />
       {editing && <EditSurvey survey={survey} close={() => setEditing(false)} />}
     </div>
+  );
+}
+
+/** Line scans are a way of their own, beside the steps that lead to heights; a survey without any says so quietly. */
+function LineScans({ survey }: { survey: Survey }) {
+  const { scans } = survey;
+  const href = `/surveys/${survey.id}/scans`;
+  if (scans.state === "none")
+    return (
+      <p class="muted" data-testid="line-scans">
+        <a href={href}>Line scans</a>: {scans.summary}
+      </p>
+    );
+  return (
+    <section
+      class="steps"
+      aria-label="Line scans, a way of their own beside these steps"
+      data-testid="line-scans"
+    >
+      <div class={`step step--${scans.state === "done" ? "done" : "next"}`}>
+        <span class="step__number step__number--plain" aria-hidden="true">
+          {scans.state === "done" ? <Shape shape="check" size={24} /> : <Icon name="scan" size={20} />}
+        </span>
+        <div class="step__words">
+          <h2>
+            <a href={href}>Line scans</a>
+            <span class="step__state">{scans.state === "done" ? "done" : "to do"}</span>
+          </h2>
+          <p>{scans.summary}</p>
+          {scans.accepted > 0 && (
+            <p>
+              <a href={`${href}/results`}>Results</a>: speeds, gaps, lengths against the makers’.
+            </p>
+          )}
+        </div>
+        <Figures
+          figures={[
+            [scans.scans, scans.scans === 1 ? "line scan" : "line scans"],
+            [scans.vehicles, "vehicles"],
+            [scans.to_review, "to review"],
+            [scans.accepted, "accepted"],
+          ]}
+        />
+        <Button href={href}>Open</Button>
+      </div>
+    </section>
   );
 }
 
@@ -117,6 +166,10 @@ function Counts({ step, survey }: { step: Step; survey: Survey }) {
     ],
     results: [],
   }[step.key] as [number, string][];
+  return <Figures figures={figures} />;
+}
+
+function Figures({ figures }: { figures: readonly [number, string][] }) {
   return (
     <dl class="step__counts">
       {figures.map(([value, word]) => (

@@ -127,7 +127,9 @@ function NoSurvey({ make }: { make: () => void }) {
 function SurveyCard({ survey }: { survey: Survey }) {
   const { counts } = survey;
   const next = survey.steps.find((step) => step.state === "next");
+  const { scans } = survey;
   const reviewed = counts.accepted + counts.rejected;
+  const scanned = scans.accepted + scans.rejected;
   return (
     <article class="card">
       <header>
@@ -147,10 +149,15 @@ function SurveyCard({ survey }: { survey: Survey }) {
       <div class="card__bars">
         <Tally label="Vehicles measured" done={counts.vehicles_measured} of={counts.vehicles} />
         <Tally label="Heights reviewed" done={reviewed} of={reviewed + counts.to_review} />
+        {scans.scans > 0 && (
+          <Tally label="Scans reviewed" done={scanned} of={scanned + scans.to_review} />
+        )}
       </div>
       <footer>
         {next ? (
           <StateMark state="next" word={next.summary} />
+        ) : scans.state === "open" ? (
+          <StateMark state="next" word={`Line scans: ${scans.summary}`} />
         ) : (
           <StateMark state="done" word="All steps done" />
         )}

@@ -1,0 +1,41 @@
+import { describe, expect, it } from "vitest";
+import { isValues, NEW_RIG, type RigValues, typedOf, valuesOf } from "./rig";
+
+const RIG: RigValues = {
+  baseline_m: 0.593,
+  u_baseline_m: 0.0003,
+  line_rate_hz: 4882.8,
+  u_line_rate_ratio: 20e-6,
+  divergence_rad: 0.0005,
+  u_divergence_rad: 0.0002,
+  distance_m: 3.5,
+  misalignment_px: -0.6,
+  u_misalignment_px: 0.01,
+};
+
+describe("the rig as it is typed", () => {
+  it("comes back as it was", () => {
+    const back = valuesOf(typedOf({ rig: RIG }));
+    expect(isValues(back)).toBe(true);
+    for (const [name, value] of Object.entries(RIG))
+      expect(back[name as keyof typeof back]).toBeCloseTo(value as number, 9);
+  });
+
+  it("leaves the misalignment to the traffic where nothing is typed", () => {
+    const least = valuesOf({ ...NEW_RIG, baseline: "0,6", rate: "2000" });
+    expect(least).toMatchObject({
+      baseline_m: 0.6,
+      misalignment_px: null,
+      distance_m: null,
+      divergence_rad: 0,
+    });
+  });
+
+  it("says what is wrong at the field", () => {
+    const wrong = valuesOf({ ...NEW_RIG, baseline: "0.6", rate: "x", divergence: "1", uMisalignment: "0.1" });
+    expect(isValues(wrong)).toBe(false);
+    expect(Object.keys(wrong).sort()).toEqual(["distance", "misalignment", "rate"]);
+    const steep = valuesOf({ ...NEW_RIG, baseline: "0.6", rate: "9", divergence: "300", distance: "3" });
+    expect(Object.keys(steep)).toEqual(["divergence"]);
+  });
+});

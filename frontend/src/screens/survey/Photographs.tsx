@@ -1,0 +1,167 @@
+import { useEffect, useState } from "preact/hooks";
+import { api, explain } from "../../api";
+import { Button, DropFiles, Icon, Problem } from "../../components";
+import { useResource } from "../../state/resource";
+import { may } from "../../state/session";
+import { toast, toastProblem } from "../../state/toasts";
+import type { Photograph } from "../../types";
+import "./photographs.css";
+
+/** Pictures of the set-up: added, captioned, put in order; the report shows them in this order. */
+export function Photographs({ surveyId }: { surveyId: number }) {
+  const where = `/surveys/${surveyId}/photographs`;
+  const read = useResource((signal) => api.get<Photograph[]>(where, { signal }), [surveyId]);
+  const work = usePhotographs(where, read.data ?? [], read.set, read.reload);
+  const mayChange = may("operator");
+  if (!read.data) return <Problem error={read.error} />;
+  if (read.data.length === 0 && !mayChange) return null;
+  return (
+    <section class="photographs" aria-labelledby="photographs-title">
+      <h2 id="photographs-title">Photographs of the set-up</h2>
+      <p class="muted">The rig, the road, the board in place. The report and the package show them.</p>
+      {read.data.length > 0 && (
+        <ol class="photographs__list">
+          {read.data.map((one, place, all) => (
+            <Card
+              key={one.id}
+              one={one}
+              mayChange={mayChange}
+              earlier={place > 0 ? () => work.move(place, place - 1) : null}
+              later={place < all.length - 1 ? () => work.move(place, place + 1) : null}
+              caption={(text) => work.caption(one, text)}
+              remove={() => work.remove(one)}
+            />
+          ))}
+        </ol>
+      )}
+      {work.refused.map((words) => (
+        <p key={words} class="field__problem">
+          <Icon name="warning" size={14} />
+          {words}
+        </p>
+      ))}
+      {mayChange && (
+        <DropFiles
+          label="Choose photographs to add"
+          title={work.waiting > 0 ? `Adding ${work.waiting} …` : "Drop photographs here, or choose them"}
+          hint="JPEG, PNG, WebP or TIFF. Kept at 1600 pixels a side at most, without the place where they were taken."
+          accept="image/jpeg,image/png,image/webp,image/tiff,.jpg,.jpeg,.png,.webp,.tif,.tiff"
+          disabled={work.waiting > 0}
+          add={work.add}
+        />
+      )}
+    </section>
+  );
+}
+
+interface CardProps {
+  one: Photograph;
+  mayChange: boolean;
+  earlier: (() => void) | null;
+  later: (() => void) | null;
+  caption: (text: string) => void;
+  remove: () => void;
+}
+
+function Card({ one, mayChange, earlier, later, caption, remove }: CardProps) {
+  const [text, setText] = useState(one.caption);
+  useEffect(() => setText(one.caption), [one.caption]);
+  const words = one.caption || one.name;
+  return (
+    <li class="photograph">
+      <a class="photograph__picture" href={one.url} target="_blank" rel="noreferrer" title={`Open ${words}`}>
+        <img src={one.url} alt={words} loading="lazy" />
+      </a>
+      {mayChange ? (
+        <>
+          <textarea
+            class="input"
+            rows={2}
+            value={text}
+            maxLength={500}
+            placeholder="What it shows"
+            aria-label={`Caption of ${one.name}`}
+            onInput={(event) => setText(event.currentTarget.value)}
+            onChange={(event) => caption(event.currentTarget.value)}
+          />
+          <div class="photograph__tools">
+            <span class="clip small muted grow" title={one.name}>
+              {one.name}
+            </span>
+            <Button
+              small
+              kind="quiet"
+              icon="left"
+              label={`Move ${words} to the left`}
+              disabled={!earlier}
+              onClick={() => earlier?.()}
+            />
+            <Button
+              small
+              kind="quiet"
+              icon="right"
+              label={`Move ${words} to the right`}
+              disabled={!later}
+              onClick={() => later?.()}
+            />
+            <Button small kind="quiet" icon="close" label={`Take out ${words}`} onClick={remove} />
+          </div>
+        </>
+      ) : (
+        <p>{words}</p>
+      )}
+    </li>
+  );
+}
+
+/** What can be done with the photographs; every change is sent at once. */
+function usePhotographs(
+  where: string,
+  all: Photograph[],
+  set: (all: Photograph[]) => void,
+  reload: () => Promise<void>,
+) {
+  const [waiting, setWaiting] = useState(0);
+  const [refused, setRefused] = useState<string[]>([]);
+  const run = async (work: () => Promise<unknown>) => {
+    try {
+      await work();
+    } catch (error) {
+      toastProblem(error);
+    }
+    await reload();
+  };
+  const add = async (files: File[]) => {
+    const problems: string[] = [];
+    let shown = all;
+    for (const [index, file] of files.entries()) {
+      setWaiting(files.length - index);
+      try {
+        shown = [...shown, await api.file<Photograph>(where, file)];
+        set(shown);
+      } catch (error) {
+        problems.push(explain(error));
+      }
+      setRefused([...problems]);
+    }
+    setWaiting(0);
+  };
+  return {
+    waiting,
+    refused,
+    add,
+    caption: (one: Photograph, text: string) =>
+      run(() => api.put(`/photographs/${one.id}`, { caption: text, version: one.version })),
+    move: (from: number, to: number) => {
+      const ids = all.map((one) => one.id);
+      ids.splice(to, 0, ...ids.splice(from, 1));
+      return run(() => api.put(`${where}/order`, { ids }));
+    },
+    remove: (one: Photograph) =>
+      run(async () => {
+        await api.del(`/photographs/${one.id}?version=${one.version}`);
+        const back = () => run(() => api.post(`/photographs/${one.id}/restore`));
+        toast(`${one.caption || one.name} was taken out.`, { action: { label: "Undo", run: back } });
+      }),
+  };
+}
