@@ -62,7 +62,9 @@ setup: .build/python .build/web
 	   $(BIN)/playwright install chromium && echo playwright > $@; \
 	 fi || { rm -f $@; echo "The browser tests need Chromium: install it (sudo apt install chromium) and run make test again." >&2; exit 1; }
 
-test: setup .build/python-dev .build/chromium check
+test:
+	@$(MAKE) --no-print-directory -j2 setup .build/python-dev
+	@$(MAKE) --no-print-directory -j2 -Oline .build/chromium check
 	@SIGHTLINE_TEST_DATABASE_URL= $(BIN)/python -m pytest -n 2 --ignore=tests/browser
 	@$(MAKE) --no-print-directory -j2 -Oline test-postgresql test-browser
 
