@@ -13,11 +13,11 @@ from backend.api.scans_bodies import (
     FindWanted,
     NewScan,
     NewScanFromVideo,
-    RigOfTrafficBody,
     ScanBody,
     StripUploadBody,
     SwapWanted,
 )
+from backend.api.scans_rig_bodies import RigOfTrafficBody
 from backend.linescan.parts import Rig
 from backend.storage import scans, surveys, uploads
 from backend.storage.scans import RIG

@@ -149,9 +149,7 @@ function SurveyCard({ survey }: { survey: Survey }) {
       <div class="card__bars">
         <Tally label="Vehicles measured" done={counts.vehicles_measured} of={counts.vehicles} />
         <Tally label="Heights reviewed" done={reviewed} of={reviewed + counts.to_review} />
-        {scans.scans > 0 && (
-          <Tally label="Scans reviewed" done={scanned} of={scanned + scans.to_review} />
-        )}
+        {scans.scans > 0 && <Tally label="Scans reviewed" done={scanned} of={scanned + scans.to_review} />}
       </div>
       <footer>
         {next ? (
