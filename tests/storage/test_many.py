@@ -45,7 +45,7 @@ def test_vehicles_list_in_three_queries(large: tuple[database.SessionFactory, Sa
         found = vehicles.list_for_survey(session, one.survey.id)
         assert len(ran) == 3
         survey = surveys.get(session, one.survey.id)
-        assert len(ran) == 3 + 7
+        assert len(ran) == 3 + 9
         queue = reviews.queue(session, one.survey.id, actor=one.olga.id)
     assert len(found) == 500 and sum(len(vehicle.measurements) for vehicle in found) == 1498
     assert {vehicle.state for vehicle in found} == {"partial", "measured"}
@@ -61,4 +61,4 @@ def test_many_surveys_take_as_many_queries_as_one(factory: database.SessionFacto
     with database.reading(factory) as session:
         ran = _statements(session)
         assert len(surveys.list_all(session)) == 40
-        assert len(ran) == 7
+        assert len(ran) == 9
