@@ -12,9 +12,12 @@ import sys
 import time
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 
 import cv2
 import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
 from backend.demonstration import day_scene, low_light_scene, render_frame, truth
 from backend.demonstration.scene import Scene

@@ -17,6 +17,8 @@ from collections.abc import Callable
 from pathlib import Path
 from time import perf_counter, process_time
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+
 from backend.api.statistics import statistics_body
 from backend.storage import database
 from backend.storage.database import SessionFactory

@@ -15,6 +15,8 @@ from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+
 from backend.storage import database, frames, measurements, recordings, reviews, surveys, vehicles
 from backend.storage.database import SessionFactory
 from tests.bench.goals import Row, report, row

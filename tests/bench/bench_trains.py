@@ -15,6 +15,8 @@ import cv2
 import numpy as np
 from scipy.stats import theilslopes
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+
 from backend.linescan.direct import measure_direct
 from backend.linescan.paper import measure_paper
 from backend.linescan.parts import Crossings, Motion, Passage, Rig
