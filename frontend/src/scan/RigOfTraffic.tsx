@@ -63,7 +63,7 @@ function Told({ found, scan, use, narrow, changed }: Props & { found: Found }) {
         </Notice>
       )}
       <TableScroll label="The rig as the traffic says it">
-        <table class="table">
+        <table class={narrow ? "table table--dense" : "table"}>
           <thead>
             <tr>
               <th>the traffic says</th>

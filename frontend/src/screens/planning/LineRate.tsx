@@ -47,12 +47,12 @@ function Form({ values }: { values: Values }) {
           unit={length === "ft" ? "mph" : "km/h"}
           values={values}
         />
-        <Value name="error" label="Speed may be off by" unit="%" values={values} />
+        <Value name="error" label="Speed off by" unit="%" values={values} />
         <Value name="baseline_m" label="Baseline" unit={length} values={values} />
-        <Value name="u_baseline_m" label="Its uncertainty, k = 1" unit={length} values={values} />
+        <Value name="u_baseline_m" label="Its u (k = 1)" unit={length} values={values} />
         <Value
           name="line_rate_hz"
-          label="Line rate of the camera"
+          label="Camera’s line rate"
           unit="Hz"
           values={values}
           placeholder="what it takes"
