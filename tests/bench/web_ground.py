@@ -81,11 +81,11 @@ def cold_starts(folder: Path, count: int = 3) -> list[float]:
     return found
 
 
-def sign_in_link(folder: Path) -> str:
-    """A fresh one-time link for the admin."""
+def sign_in_link(folder: Path, email: str = FIRST_ADMIN[1]) -> str:
+    """A fresh one-time link, for the admin if nobody is named."""
     services = open_services(Settings(data_dir=folder))
     try:
-        return new_sign_in_link(services, FIRST_ADMIN[1])
+        return new_sign_in_link(services, email)
     finally:
         services.close()
 

@@ -7,6 +7,8 @@ import { type Cell, csvOf, download } from "./csv";
 import { svgFile } from "./svg";
 
 export type Plot = typeof import("../planning/plot");
+/** The library that draws, fetched once. */
+export const loadPlot = (): Promise<Plot> => import("../planning/plot");
 export type PlotOptions = Parameters<Plot["plot"]>[0];
 
 export interface Table {
@@ -59,6 +61,10 @@ function useOnPaper(before: () => void, after: () => void): void {
   }, []);
 }
 
+function inView(box: HTMLElement | null): boolean {
+  return !!box && box.getBoundingClientRect().top < window.innerHeight;
+}
+
 /** One figure with its legend, its words and its two downloads. */
 export function PlotFigure({ name, title, says, note, legend, data, options, table, reason }: Props) {
   const [plot, setPlot] = useState<Plot | null>(null);
@@ -67,7 +73,7 @@ export function PlotFigure({ name, title, says, note, legend, data, options, tab
   const box = useRef<HTMLDivElement>(null);
   const unit = lengthUnit.value;
   useEffect(() => {
-    import("../planning/plot").then(setPlot, setProblem);
+    loadPlot().then(setPlot, setProblem);
   }, []);
   useEffect(() => {
     if (!box.current) return;
@@ -93,7 +99,11 @@ export function PlotFigure({ name, title, says, note, legend, data, options, tab
     for (const part of drawn.querySelectorAll("g[aria-label]")) part.removeAttribute("aria-label"); // one picture
     box.current.replaceChildren(drawn);
   };
-  useEffect(() => draw(width, HEIGHT), [plot, width, data, unit, theme.value, reason]);
+  useEffect(() => {
+    if (inView(box.current)) return draw(width, HEIGHT);
+    const later = setTimeout(() => draw(width, HEIGHT)); // what is in view is drawn and shown first
+    return () => clearTimeout(later);
+  }, [plot, width, data, unit, theme.value, reason]);
   useOnPaper(
     () => draw(box.current?.closest(".stat-figures") ? HALF_A_PAGE : A_PAGE, HEIGHT_ON_PAPER),
     () => draw(width, HEIGHT),

@@ -11,6 +11,7 @@ import { FilterBar } from "./FilterBar";
 import { narrowed, setFilter, statisticsPath, WIDE } from "./filters";
 import { GroupSection } from "./GroupSection";
 import type { Statistics } from "./model";
+import { loadPlot } from "./PlotFigure";
 import { SamplePlan } from "./SamplePlan";
 import { Standards, switchedOn } from "./Standards";
 import { TargetSection } from "./TargetSection";
@@ -20,6 +21,9 @@ export default function StatisticsScreen() {
   const path = statisticsPath(query.value);
   const found = useResource((signal) => api.get<Statistics>(path, { signal }), []);
   const asked = useRef(path);
+  useEffect(() => {
+    loadPlot().catch(() => null); // while the server counts; who draws tells what is wrong
+  }, []);
   useEffect(() => {
     if (asked.current === path) return;
     asked.current = path;
