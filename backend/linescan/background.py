@@ -14,6 +14,8 @@ from backend.linescan.parts import Pixels
 
 Floats = NDArray[np.float32]
 ENOUGH_LINES = 100
+# a slower camera, such as a video's columns, would wait too long for so many
+ENOUGH_S, FEWEST_LINES = 0.3, 12
 # the lowest part of the picture shows the road and the vehicle's shadow on it
 UPPER_PART = 0.85
 SIGMAS = 6.0
@@ -66,6 +68,11 @@ class Road:
         return np.asarray(np.maximum(SIGMAS * self.cell_dn, floor), np.float32)
 
 
+def enough_lines(line_rate_hz: float) -> int:
+    """Lines that show the empty road: about 100 as in the paper, of a slow camera those of ENOUGH_S."""
+    return min(ENOUGH_LINES, max(FEWEST_LINES, round(ENOUGH_S * line_rate_hz)))
+
+
 def pixel_noise(block: Pixels) -> float:
     """Standard deviation of a pixel of a block (lines, rows), slow change left out."""
     few = block[: min(len(block), 66), :: max(1, block.shape[1] // 256)].astype(np.float32)
@@ -110,13 +117,13 @@ def blended(old: Road, new: Road, weight: float) -> Road:
     )
 
 
-def first_road(block: Pixels, grid: Grid) -> Road:
+def first_road(block: Pixels, grid: Grid, window: int = ENOUGH_LINES) -> Road:
     """The road of a recording's first part (lines, rows), in which vehicles may already be passing.
 
-    Of all windows of about 100 lines, the quietest are taken, and of these the median line: a vehicle is
+    Of all windows of so many lines, the quietest are taken, and of these the median line: a vehicle is
     rarely as still as the road, and rarely there for most of the time.
     """
-    size = min(ENOUGH_LINES, len(block))
+    size = min(window, len(block))
     starts = range(0, len(block) - size + 1, size)
     windows = [road_from(block[start : start + size], grid) for start in starts]
     unrest = np.array([float(np.mean(window.cell_dn**2)) for window in windows])

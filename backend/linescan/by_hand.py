@@ -61,7 +61,7 @@ def road_beside(finder: Finder, front: float, rear: float, read: Read) -> Road:
     beside = cast(Pixels, np.concatenate([before, after]))
     if len(beside) < 8:
         beside = read(max(0, int(front) - 16), int(rear) + 16)
-    return first_road(beside, finder.grid)
+    return first_road(beside, finder.grid, finder.spans.road)
 
 
 def seen_by_camera_2(

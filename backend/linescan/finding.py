@@ -10,7 +10,7 @@ from typing import cast
 import numpy as np
 
 from backend.errors import BadInput
-from backend.linescan.background import Grid
+from backend.linescan.background import Grid, enough_lines
 from backend.linescan.boundaries import refined
 from backend.linescan.parts import Crossings, Passage, Pixels, Rig
 from backend.linescan.watching import Event, Spans, Watcher
@@ -91,6 +91,7 @@ class Finder:
             still=round(1.0 * rate),
             stuck=round(3.0 * rate),
             longest=KEPT_BYTES // rows,
+            road=enough_lines(rate),
         )
         self.margin = max(2 * step, round(0.02 * rate))
         self.watchers = (Watcher(self.grid, self.spans), Watcher(self.grid, self.spans))

@@ -6,7 +6,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from backend.linescan.background import (
-    ENOUGH_LINES,
     UPPER_PART,
     Grid,
     Road,
@@ -24,7 +23,9 @@ LIGHT = 0.1
 
 @dataclass(frozen=True)
 class Spans:
-    """Lengths in lines: a hole that is bridged, the shortest vehicle, standing still."""
+    """Lengths in lines: a hole that is bridged, the shortest vehicle, standing still; `road`: those that show
+    the empty road.
+    """
 
     close: int
     least: int
@@ -32,6 +33,7 @@ class Spans:
     still: int
     stuck: int
     longest: int
+    road: int
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,7 +78,7 @@ class Watcher:
 
     def begin(self, block: Pixels) -> None:
         """Finds the road in the recording's first part."""
-        self.road = first_road(block, self.grid)
+        self.road = first_road(block, self.grid, self.spans.road)
 
     def see(self, block: Pixels) -> list[Event]:
         """Takes the next block (lines, rows)."""
@@ -183,6 +185,7 @@ class Watcher:
             last = int(stop) * step - (guard if stop < len(there) else 0)
             best = max(best, (first, last), key=lambda run: run[1] - run[0])
         count = best[1] - best[0]
-        if count >= ENOUGH_LINES // 4:
-            seen = road_from(block[best[1] - min(count, 2 * ENOUGH_LINES) : best[1]], self.grid)
-            self.road = blended(self.road, seen, min(1.0, count / ENOUGH_LINES))
+        enough = self.spans.road
+        if count >= enough // 4:
+            seen = road_from(block[best[1] - min(count, 2 * enough) : best[1]], self.grid)
+            self.road = blended(self.road, seen, min(1.0, count / enough))

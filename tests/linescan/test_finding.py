@@ -9,7 +9,7 @@ import pytest
 from backend.demonstration.scan_strips import strips
 from backend.errors import BadInput
 from backend.linescan import finding
-from backend.linescan.background import Grid, first_road, road_from, same_but_for_light
+from backend.linescan.background import Grid, enough_lines, first_road, road_from, same_but_for_light
 from backend.linescan.direct import measure_direct
 from backend.linescan.finding import CUT, OTHER_WAY, STOPPED, TOO_LONG, Finder
 from backend.linescan.parts import Rig
@@ -169,6 +169,18 @@ def test_the_first_road_is_found_although_a_vehicle_passes():
     grid = Grid(128, 4, 2)
     empty = first[200:700].mean(0)
     assert np.abs(first_road(part, grid).line - empty).mean() < 1.5
+
+
+def test_a_slow_camera_shows_the_empty_road_in_a_few_lines():
+    """Columns of a video at 30 frames a second: 20 lines are empty, then a vehicle covers the road."""
+    rng = np.random.default_rng(5)
+    empty = rng.uniform(60, 160, 128)
+    lines = np.repeat(empty[None], 80, 0)
+    lines[20:] = rng.uniform(20, 220, (60, 128))
+    seen = np.clip(lines + rng.normal(0, 2, lines.shape), 0, 255).astype(np.uint8)
+    assert enough_lines(2441.4) == 100
+    found = first_road(seen, Grid(128, 1, 2), enough_lines(30.0))
+    assert np.abs(found.line - empty).mean() < 2.0 and found.common_dn < 1.0
 
 
 def test_light_is_told_from_a_vehicle():

@@ -188,6 +188,7 @@ function Columns({ surveyId, choose }: { surveyId: number; choose: (chosen: obje
     );
   };
   const ready = (recordings.data ?? []).filter((one) => one.state === "ready");
+  const width_px = ready.find((one) => String(one.id) === values.recording)?.width_px;
   return (
     <>
       <Problem error={recordings.error} again={recordings.reload} />
@@ -207,7 +208,7 @@ function Columns({ surveyId, choose }: { surveyId: number; choose: (chosen: obje
           value={values.one}
           numeric
           unit="px"
-          hint="The column that a vehicle reaches first."
+          hint={`The column that a vehicle reaches first${width_px ? `, 0 to ${width_px - 1}` : ""}.`}
           onInput={(one) => change({ one })}
         />
         <TextField
