@@ -60,7 +60,7 @@ export function VehiclePanel({ model }: { model: ScanModel }) {
 function Numbers({ m, vehicle }: { m: ScanMotion; vehicle: ScanVehicle }) {
   const gap = vehicle.gap;
   return (
-    <section aria-label="Motion">
+    <section class="stack stack--tight" aria-label="Motion">
       {m.status === "ok" ? (
         <p class="review__height" data-testid="scan-speed">
           {formatSpeed(m.speed_mps, m.U95_speed_mps, 2)}

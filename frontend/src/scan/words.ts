@@ -33,8 +33,10 @@ export function formatSeconds(seconds: number | null, digits = 2): string {
   return seconds === null ? "–" : `${fixed(seconds, digits)}${NBSP}s`;
 }
 
+/** "4.660 ± 0.008 m"; of an uncertain length no more decimals than its uncertainty has to say. */
 export function formatMeasured(metres: number | null, U95_m: number | null): string {
-  return formatHeight(metres, U95_m);
+  const coarse = U95_m ?? 0;
+  return formatHeight(metres, U95_m, coarse >= 1 ? 1 : coarse >= 0.1 ? 2 : 3);
 }
 
 /** A number of the table without its unit, which the column's head names. */
