@@ -140,7 +140,7 @@ def _change(
 def _caption(text: str) -> str:
     caption = " ".join(text.split())
     if len(caption) > MOST_CAPTION:
-        raise BadInput(f"A caption has at most {MOST_CAPTION} signs; shorten it.")
+        raise BadInput(f"A caption has at most {MOST_CAPTION} characters; shorten it.")
     return caption
 
 
