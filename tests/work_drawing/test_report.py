@@ -129,7 +129,7 @@ def test_signs_that_no_font_has_are_no_boxes_but_a_mark_that_is_explained() -> N
     made = report(ReportFacts("東京 Road", "도로", statistics(0), Choices()))
     said = flat(words(made))
     assert flat("[…]† Road") in said and "東" not in said
-    assert flat("signs of a script that this report’s fonts lack") in said
+    assert flat("characters of a script that this report’s fonts lack") in said
     assert b"<pdfaid:part>2</pdfaid:part>" in made
     assert "†" not in flat(words(report(ReportFacts("Åsgatan", "", statistics(0), Choices()))))
 
