@@ -3,12 +3,13 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import { api } from "../api";
 import { Button, Notice, Problem, Segments } from "../components";
 import { keyMap, showChord } from "../keys";
+import { Budget } from "../measure/Budget";
 import { TARGET_WORDS, TARGETS } from "../measure/flow";
 import { canWork } from "../state/session";
 import { survey } from "../state/survey";
 import { formatMoment } from "../times";
 import type { LineHeight, LineHeightAnswer, Target } from "../types";
-import { fixed, formatHeight, formatLength, formatSmall, plural } from "../units";
+import { fixed, formatHeight, formatLength, plural } from "../units";
 import type { ScanModel } from "./model";
 
 export function HeightList({ model }: { model: ScanModel }) {
@@ -165,32 +166,9 @@ function InsetOf({ model, target }: { model: ScanModel; target: Target }) {
 }
 
 function Detail({ model, one }: { model: ScanModel; one: LineHeight }) {
-  const squares = one.budget.reduce((sum, entry) => sum + entry.u_m ** 2, 0);
   return (
     <div class="stack line-heights__detail">
-      {one.budget.length > 0 && (
-        <table class="budget">
-          <caption class="small">
-            <strong>Where the uncertainty comes from</strong> <span class="muted">standard uncertainty</span>
-          </caption>
-          <tbody>
-            {one.budget.map((entry) => (
-              <tr key={entry.source}>
-                <th scope="row">{entry.source}</th>
-                <td class="budget__share" aria-hidden="true">
-                  <span style={{ width: `${squares > 0 ? (100 * entry.u_m ** 2) / squares : 0}%` }} />
-                </td>
-                <td class="num">{formatSmall(entry.u_m)}</td>
-              </tr>
-            ))}
-            <tr class="budget__sum">
-              <th scope="row">together</th>
-              <td aria-hidden="true" />
-              <td class="num">{formatSmall(one.u_height_m)}</td>
-            </tr>
-          </tbody>
-        </table>
-      )}
+      {one.budget.length > 0 && <Budget entries={one.budget} total_m={one.u_height_m} />}
       <dl class="facts small">
         <dt>Lateral distance</dt>
         <dd>{formatHeight(one.distance_m, one.U95_distance_m)}</dd>

@@ -41,13 +41,21 @@ export function RodPanel({ model }: { model: ScanModel }) {
   );
 }
 
+type NextName = "distance_m" | "height_m" | "step_m";
+type Check = (text: string) => string | null;
+
+const positive: Check = (text) => ((parseLength(text) ?? 0) > 0 ? null : "A length, such as 2.70.");
+const any: Check = (text) => (parseLength(text) === null ? "A length, such as 0.50." : null);
+const NEXT: readonly { name: NextName; label: string; check: Check }[] = [
+  { name: "distance_m", label: "Rod's distance", check: positive },
+  { name: "height_m", label: "Mark's height", check: any },
+  { name: "step_m", label: "Then higher by", check: any },
+];
+
 function NextMark({ model }: { model: ScanModel }) {
   const { next } = model.rod;
   const unit = lengthUnit.value;
-  const { distance_m, height_m, step_m } = next.value;
-  const positive = (text: string) => ((parseLength(text) ?? 0) > 0 ? null : "A length, such as 2.70.");
-  const any = (text: string) => (parseLength(text) === null ? "A length, such as 0.50." : null);
-  const put = (name: "distance_m" | "height_m" | "step_m") => (text: string) => {
+  const put = (name: NextName) => (text: string) => {
     const value = parseLength(text);
     if (value === null) return;
     // another distance begins at the foot
@@ -56,30 +64,17 @@ function NextMark({ model }: { model: ScanModel }) {
   return (
     <section aria-label="Next mark">
       <div class="rod__fields">
-        <CommitField
-          label="Rod's distance"
-          value={lengthText(distance_m)}
-          numeric
-          unit={unit}
-          check={positive}
-          onCommit={put("distance_m")}
-        />
-        <CommitField
-          label="Mark's height"
-          value={lengthText(height_m)}
-          numeric
-          unit={unit}
-          check={any}
-          onCommit={put("height_m")}
-        />
-        <CommitField
-          label="Then higher by"
-          value={lengthText(step_m)}
-          numeric
-          unit={unit}
-          check={any}
-          onCommit={put("step_m")}
-        />
+        {NEXT.map(({ name, label, check }) => (
+          <CommitField
+            key={name}
+            label={label}
+            value={lengthText(next.value[name])}
+            numeric
+            unit={unit}
+            check={check}
+            onCommit={put(name)}
+          />
+        ))}
       </div>
       <p class="small muted">
         Distances run level from the camera's centre. A checkerboard held upright will do as well: “higher by”

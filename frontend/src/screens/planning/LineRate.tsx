@@ -8,6 +8,7 @@ import { formatSpeed } from "../../scan/words";
 import { useResource } from "../../state/resource";
 import type { Scan } from "../../types";
 import { fixed, formatCount, formatSmall, lengthUnit } from "../../units";
+import { Advice } from "./Advice";
 import type { LinePlan } from "./model";
 import { Value } from "./PlanForm";
 import { completedLines, LINE_NAMES, linePlanPath, type Values, valuesOf } from "./values";
@@ -137,16 +138,7 @@ function Result({ plan }: { plan: LinePlan }) {
           s.
         </p>
       </section>
-      <section class="panel" aria-labelledby="plan-line-advice">
-        <div class="panel__head">
-          <h2 id="plan-line-advice">Advice</h2>
-        </div>
-        <ul class="panel__body plan-advice">
-          {plan.advice.map((sentence) => (
-            <li key={sentence}>{sentence}</li>
-          ))}
-        </ul>
-      </section>
+      <Advice sentences={plan.advice} />
     </div>
   );
 }

@@ -4,6 +4,7 @@ import { Loading, Notice, Problem, Segments } from "../../components";
 import { current, query, type ScreenProps, setQuery } from "../../router";
 import { useResource } from "../../state/resource";
 import type { Camera } from "../../types";
+import { Advice } from "./Advice";
 import { BiasFigure, DistanceFigure } from "./Figures";
 import { LineRate } from "./LineRate";
 import type { Plan } from "./model";
@@ -98,16 +99,7 @@ function Result({ plan }: { plan: Plan }) {
         </Notice>
       )}
       <TargetTable targets={plan.targets} travelM={plan.site.travel_m} />
-      <section class="panel" aria-labelledby="plan-advice">
-        <div class="panel__head">
-          <h2 id="plan-advice">Advice</h2>
-        </div>
-        <ul class="panel__body plan-advice">
-          {plan.advice.map((sentence) => (
-            <li key={sentence}>{sentence}</li>
-          ))}
-        </ul>
-      </section>
+      <Advice sentences={plan.advice} />
       <div class="plan-figures">
         <SiteAlong plan={plan} />
         <DistanceFigure plan={plan} />
