@@ -9,7 +9,7 @@ from backend.api.board_bodies import Dictionary, KindAsked, MarkerM, Markers, Sq
 from backend.api.bodies import Id, In, JobBody, Name, Out, Text
 from backend.api.calibration_bodies import CalibrationSummaryBody
 from backend.api.deps import Operator, PathId, Reading, Viewer, Wired, Writing
-from backend.api.frames import CACHING, JPEG, has, unchanged
+from backend.api.frames import JPEG, jpeg_once
 from backend.api.uploads import clean_name
 from backend.errors import BadInput
 from backend.storage import cameras, surveys
@@ -136,10 +136,7 @@ def calibration_image(image_id: PathId, who: Viewer, services: Wired, request: R
     with services.reading() as session:
         image = cameras.image(session, image_id)
     etag = f'"{image.media_key.rpartition("/")[2][:32]}"'
-    if has(request, etag):
-        return unchanged(etag)
-    content = calibration_images.as_jpeg(services, image)
-    return Response(content, media_type="image/jpeg", headers={"ETag": etag, "Cache-Control": CACHING})
+    return jpeg_once(request, etag, lambda: calibration_images.as_jpeg(services, image))
 
 
 @router.delete("/calibration-images/{image_id}", status_code=204)

@@ -1,5 +1,6 @@
 """The frame table and its pictures: stills, lossless crops, thumbnails; immutable and checked."""
 
+from collections.abc import Callable
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -119,16 +120,20 @@ async def crop(
 def thumb(recording_id: PathId, frame: PathFrame, who: Viewer, services: Wired, request: Request) -> Response:
     """The thumbnail of a frame that has one."""
     etag = f'"t{services.stills.crc(recording_id, frame):08x}"'
-    if has(request, etag):
-        return unchanged(etag)
-    content = thumbnail(services, recording_id, frame)
-    return Response(content, media_type="image/jpeg", headers={"ETag": etag, "Cache-Control": CACHING})
+    return jpeg_once(request, etag, lambda: thumbnail(services, recording_id, frame))
 
 
 def has(request: Request, etag: str) -> bool:
     """Whether the browser has this very picture already."""
     known = request.headers.get("if-none-match", "")
     return etag in (one.strip().removeprefix("W/") for one in known.split(","))
+
+
+def jpeg_once(request: Request, etag: str, make: Callable[[], bytes]) -> Response:
+    """The JPEG, which is made only if the browser does not have it already."""
+    if has(request, etag):
+        return unchanged(etag)
+    return Response(make(), media_type="image/jpeg", headers={"ETag": etag, "Cache-Control": CACHING})
 
 
 def unchanged(etag: str) -> Response:

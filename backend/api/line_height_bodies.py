@@ -7,6 +7,7 @@ from pydantic import Field
 
 from backend.api.bodies import Finite, In, Out, WhoBody
 from backend.api.measurement_bodies import InsetM, SigmaPx, UInsetM
+from backend.api.pose_bodies import BudgetEntryBody
 from backend.api.scans_bodies import DistanceM, Line
 from backend.storage.records import MeasurementStatus, Target
 
@@ -106,11 +107,6 @@ class NewLineHeight(LineClicks):
     revision: Seen
 
 
-class RowBudgetBody(Out):
-    source: str
-    u_m: float
-
-
 class LineRungBody(Out):
     """The row of a height above the contact, at the target's distance."""
 
@@ -130,7 +126,7 @@ class LineHeightAnswer(Out):
     U95_height_m: float | None
     inset_m: float
     u_inset_m: float
-    budget: list[RowBudgetBody]
+    budget: list[BudgetEntryBody]
     warnings: list[str]
     ladder: list[LineRungBody]
 
@@ -159,7 +155,7 @@ class LineHeightBody(Out):
     U95_height_m: float | None
     status: MeasurementStatus
     reason: str | None
-    budget: list[RowBudgetBody]
+    budget: list[BudgetEntryBody]
     warnings: list[str]
     withdrawn: bool
     created_by: WhoBody | None

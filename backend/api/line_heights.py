@@ -20,7 +20,7 @@ from backend.api.line_height_bodies import (
     Seen,
     SolvedRodBody,
 )
-from backend.linescan.line_height import COVERAGE
+from backend.linescan.parts import expanded
 from backend.storage import line_heights as stored_heights
 from backend.storage import line_poses as stored_poses
 from backend.storage import scans, scans_vehicles
@@ -137,8 +137,7 @@ def _clicked(body: LineClicks, point: tuple[float, float] | None) -> line_height
 
 def _solved_body(one: SolvedRod) -> SolvedRodBody:
     names = [name for name in SolvedRodBody.model_fields if not name.startswith("U95")]
-    u = one.u_camera_height_m
-    U95 = None if u is None else COVERAGE * u
+    U95 = expanded(one.u_camera_height_m)
     return SolvedRodBody.model_validate(
         {**{name: getattr(one, name) for name in names}, "U95_camera_height_m": U95}
     )
@@ -164,6 +163,5 @@ def _height_body(one: StoredLineHeight, pose_id: int | None) -> LineHeightBody:
     names = [name for name in LineHeightBody.model_fields if name not in (*outer, *derived)]
     body = {name: getattr(values, name) for name in names} | {name: getattr(one, name) for name in outer}
     for name in ("distance_m", "height_m"):
-        u = getattr(values, f"u_{name}")
-        body[f"U95_{name}"] = None if u is None else COVERAGE * u
+        body[f"U95_{name}"] = expanded(getattr(values, f"u_{name}"))
     return LineHeightBody.model_validate({**body, "older": values.pose_id != pose_id})

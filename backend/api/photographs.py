@@ -9,7 +9,7 @@ from pydantic import Field
 from backend.api.bodies import Id, In, Out, WhoBody
 from backend.api.cameras import whole_file
 from backend.api.deps import Operator, PathId, Reading, Viewer, Wired, Writing
-from backend.api.frames import CACHING, JPEG, has, unchanged
+from backend.api.frames import JPEG, jpeg_once
 from backend.api.uploads import clean_name
 from backend.storage import photographs, surveys
 from backend.storage.photographs import MOST_CAPTION, MOST_PHOTOGRAPHS
@@ -115,7 +115,4 @@ def photograph_file(photograph_id: PathId, who: Viewer, services: Wired, request
     with services.reading() as session:
         one = photographs.get(session, photograph_id)
     etag = f'"{one.sha256[:32]}"'
-    if has(request, etag):
-        return unchanged(etag)
-    content = work.content_of(services, one)
-    return Response(content, media_type="image/jpeg", headers={"ETag": etag, "Cache-Control": CACHING})
+    return jpeg_once(request, etag, lambda: work.content_of(services, one))

@@ -15,13 +15,13 @@ from backend.api.scans_bodies import (
     ScanVehicleBody,
     ScanVehicleDetailBody,
 )
+from backend.linescan.parts import expanded
 from backend.media.strips_store import STEP, TILE_LINES, level_lines
 from backend.storage.records import JsonObject
 from backend.storage.scans_records import Scan, ScanMeasurement, ScanRun, ScanValues
 from backend.work.scanning_list import ShownDetail, ShownVehicle
 from backend.work.scanning_match import window_of
 
-K95 = 1.96
 _DERIVED = ("duration_s", "tile_lines", "tiles_version", "levels", "run")
 _U95 = ("speed_mps", "acceleration_mps2", "length_m", "wheelbase_m")
 _OF_REVISION = ("id", "revision", "created_by", "created_at", "review")
@@ -65,8 +65,7 @@ def motion_body(one: ScanMeasurement, rig: JsonObject, asker: int) -> ScanMotion
     }
     body |= {name: getattr(one, name) for name in _OF_REVISION}
     for name in _U95:
-        u = getattr(values, f"u_{name}")
-        body[f"U95_{name}"] = None if u is None else K95 * u
+        body[f"U95_{name}"] = expanded(getattr(values, f"u_{name}"))
     body["older"] = values.rig != rig
     body["time_s"] = values.front_line_1 / values.rig["line_rate_hz"]
     body["placed_by_person"] = values.placed_by is not None

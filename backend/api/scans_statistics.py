@@ -7,6 +7,7 @@ from pydantic import Field
 
 from backend.api.bodies import Out
 from backend.api.deps import PathId, Reading, Viewer
+from backend.api.scans_rig_bodies import RigEstimateBody
 from backend.api.statistics_bodies import DensityBody, EcdfBody, FigureBody, PercentileBody, ReasonBody
 from backend.statistics.distributions import Density, Ecdf
 from backend.statistics.errors import ErrorGroup
@@ -16,6 +17,7 @@ from backend.work.scanning_paper import NOTE, TABLE_I
 from backend.work.scanning_statistics import ScanStatistics, Spread
 
 router = APIRouter()
+_RATIO = "Measured over true, by weighted mean: 1.01 says that the baseline is 1 % too long."
 NOTHING = "No vehicle has this value."
 
 
@@ -26,17 +28,6 @@ class ScanErrorGroupBody(Out):
     n: int
     figures: dict[str, FigureBody]
     reason: str | None
-
-
-class ScanRatioBody(Out):
-    """Measured over true, by weighted mean: 1.01 says that the baseline is 1 % too long."""
-
-    value: float | None
-    u: float | None
-    spread: float | None
-    n: int
-    reason: str | None
-    warning: str | None
 
 
 class ScanSpreadBody(Out):
@@ -83,8 +74,8 @@ class ScanStatisticsBody(Out):
     counted: dict[str, int]
     length_errors: list[ScanErrorGroupBody]
     wheelbase_errors: list[ScanErrorGroupBody]
-    length_ratio: ScanRatioBody
-    wheelbase_ratio: ScanRatioBody
+    length_ratio: RigEstimateBody = Field(description=_RATIO)
+    wheelbase_ratio: RigEstimateBody = Field(description=_RATIO)
     spreads: list[ScanSpreadBody] = Field(description="Speed, length, time gap, distance gap, headway.")
     table: list[ScanRowBody]
     paper: list[PaperCarBody]
@@ -109,8 +100,8 @@ def _body(found: ScanStatistics) -> ScanStatisticsBody:
         counted=found.counted,
         length_errors=_errors(found.length_errors),
         wheelbase_errors=_errors(found.wheelbase_errors),
-        length_ratio=ScanRatioBody.model_validate(found.length_ratio),
-        wheelbase_ratio=ScanRatioBody.model_validate(found.wheelbase_ratio),
+        length_ratio=RigEstimateBody.model_validate(found.length_ratio),
+        wheelbase_ratio=RigEstimateBody.model_validate(found.wheelbase_ratio),
         spreads=[_spread(one) for one in found.spreads],
         table=[ScanRowBody.model_validate(one) for one in found.table],
         paper=[PaperCarBody.model_validate(one) for one in TABLE_I],

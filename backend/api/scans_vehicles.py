@@ -5,7 +5,7 @@ from typing import Annotated, cast
 from fastapi import APIRouter, Query, Request, Response
 
 from backend.api.deps import Operator, PathId, Reading, Reviewer, Viewer, Wired, Writing
-from backend.api.frames import CACHING, JPEG, has, unchanged
+from backend.api.frames import JPEG, jpeg_once
 from backend.api.scans_answers import detail_body, vehicle_body
 from backend.api.scans_bodies import (
     BoundariesIn,
@@ -128,10 +128,7 @@ def match_of_scan_vehicle(
         detail = scanning_list.detail_of(session, vehicle_id)
     measured = detail.shown.vehicle.measurement
     etag = f'"m{measured.id if measured else 0}-{picture}"'
-    if has(request, etag):
-        return unchanged(etag)
-    content = match_picture(services, detail.scan, measured, picture)
-    return Response(content, media_type="image/jpeg", headers={"ETag": etag, "Cache-Control": CACHING})
+    return jpeg_once(request, etag, lambda: match_picture(services, detail.scan, measured, picture))
 
 
 @router.post("/scan-measurements/{measurement_id}/review", status_code=201)

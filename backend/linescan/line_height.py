@@ -11,8 +11,8 @@ from typing import Literal
 import numpy as np
 
 from backend.linescan.line_pose import LinePose
+from backend.linescan.parts import K95
 
-COVERAGE = 1.96
 STEP_M, MOST_LADDER_M = 0.5, 5.0
 
 
@@ -81,7 +81,7 @@ def line_height(
         u_distance_m=float(np.hypot(abs(by_contact[0]) * sigma_px, pose_distance)),
         height_m=height,
         u_height_m=u_height,
-        U95_height_m=COVERAGE * u_height,
+        U95_height_m=K95 * u_height,
         budget=budget,
         warnings=_warnings(pose, contact_row_px, target_row_px),
     )

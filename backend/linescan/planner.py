@@ -9,9 +9,10 @@ Both are worst cases of whole lines; what the default chain reaches is far bette
 from dataclasses import dataclass
 from math import hypot, sqrt
 
+from backend.linescan.parts import K95
+
 # Two crossings, each rounded to a whole line: a uniform error of half a line either way.
 _U_TRANSIT_LINES = sqrt(2 / 12)
-_K95 = 1.96
 _FEW_LINES = 20
 
 
@@ -108,7 +109,7 @@ def plan_lines(
         u_lines,
         u_baseline,
         u_speed,
-        _K95 * u_speed,
+        K95 * u_speed,
         words,
     )
 

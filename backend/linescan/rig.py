@@ -18,6 +18,7 @@ from backend.linescan.equations import travelled_m
 from backend.linescan.parts import Motion, Rig
 
 LEAST_VEHICLES = 5
+LEAST_U_M = 1e-3
 # A median's standard deviation over a mean's, for normal errors.
 _MEDIAN = sqrt(np.pi / 2)
 _MAD = 1.4826
@@ -84,6 +85,14 @@ def misalignment(motions: Sequence[Registered]) -> Estimate:
 def gain(motions: Sequence[Registered]) -> Estimate:
     """Grey of strip 2 over grey of strip 1, the median over the vehicles."""
     return _median([one.gain for one in motions if one.status == "ok" and one.gain is not None], "a gain")
+
+
+def alone(size_m: float, u_m: float | None, baseline_m: float, u_baseline_m: float) -> float:
+    """The uncertainty of a length or wheelbase without the baseline's part, which all vehicles share, m; at
+    least LEAST_U_M, for a size without any would outweigh all others.
+    """
+    common = size_m * u_baseline_m / baseline_m
+    return hypot(max((u_m or 0.0) ** 2 - common**2, 0.0) ** 0.5, LEAST_U_M)
 
 
 def baseline_ratio(

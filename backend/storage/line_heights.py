@@ -70,6 +70,14 @@ def history(session: Session, vehicle_id: int) -> tuple[StoredLineHeight, ...]:
     return _where(session, line_heights.c.vehicle_id == vehicle_id)
 
 
+def history_of_scan(session: Session, scan_id: int) -> dict[int, list[StoredLineHeight]]:
+    """The same for every vehicle of a scan that has heights, by vehicle; one query."""
+    found: dict[int, list[StoredLineHeight]] = {}
+    for one in _where(session, line_heights.c.scan_id == scan_id):
+        found.setdefault(one.vehicle_id, []).append(one)
+    return found
+
+
 def _append(
     session: Session,
     vehicle_id: int,

@@ -1,17 +1,15 @@
 """Calibration images: looking for the board, keeping the file once, looking again for another board."""
 
-import tempfile
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 import numpy.typing as npt
 
 from backend.geometry.corners import Board, Corners, detect
 from backend.media.images import jpeg
-from backend.media.store import key_of, sha256_of
 from backend.storage import cameras
 from backend.storage.records import CalibrationImage
+from backend.work.keeping import keep
 from backend.work.services import Services
 from backend.work.uploading import suffix_of
 
@@ -63,7 +61,7 @@ def add_image(
         cameras.get(session, camera_id)
     gray = services.frames.image(content, name)
     found = look(gray, board)
-    key = keep(services, name, content)
+    key = keep(services, content, suffix_of(name))
     height, width = gray.shape
     with services.writing() as session:
         return cameras.add_image(
@@ -76,16 +74,6 @@ def add_image(
             actor=actor,
             **vars(found),
         )
-
-
-def keep(services: Services, name: str, content: bytes) -> str:
-    """Put bytes into the media store; the key. Raises NoRoom."""
-    with tempfile.TemporaryDirectory(prefix="image-", dir=services.scratch) as folder:
-        path = Path(folder) / "content"
-        path.write_bytes(content)
-        key = key_of(sha256_of(path), suffix_of(name))
-        services.media.put_file(key, path)
-    return key
 
 
 def detect_again(

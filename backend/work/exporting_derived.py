@@ -5,7 +5,6 @@ from __future__ import annotations
 from backend.work.drawing.canvas import Drawing
 from backend.work.drawing.figures import drawings
 from backend.work.drawing.report import report
-from backend.work.drawing.scan_figures import scan_drawings
 from backend.work.exporting_contents import FIGURES, REPORT
 from backend.work.exporting_exclusions import EXCLUSIONS, exclusion_rows
 from backend.work.exporting_measured import PackageStatistics, statistics_of
@@ -39,7 +38,7 @@ def derive_tables(staging: Staging) -> PackageStatistics:
 
 def drawn(files: Files, found: PackageStatistics, written: dict[str, Written]) -> list[tuple[str, bytes]]:
     """Figures and report by path, from tables that are written already."""
-    done = {**drawings(found.headline), **scan_drawings(found.scans)}
+    done = drawings(found.headline, scans=found.scans)
     figures = sorted((name, one.svg) for name, one in done.items() if isinstance(one, Drawing))
     listed = {path: one for path, one in written.items() if not path.startswith(_UNLISTED)}
     facts = report_facts(files, found, listed)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from backend.storage.records import Measurement
+from backend.work.exporting_rows import when
 from backend.work.packaging import Cell, Column, Table
 
 
@@ -87,7 +88,7 @@ def repeat_rows(repeats: Sequence[Measurement]) -> list[dict[str, Cell]]:
             "status": one.status,
             "reason": one.reason,
             "created_by_id": None if one.created_by is None else one.created_by.id,
-            "created_at": one.created_at.isoformat(timespec="microseconds").replace("+00:00", "Z"),
+            "created_at": when(one.created_at),
             "withdrawn": one.withdrawn,
         }
         for one in sorted(repeats, key=lambda repeat: repeat.id)

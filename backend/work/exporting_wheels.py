@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from backend.storage.records import WheelPair
+from backend.work.exporting_rows import when
 from backend.work.packaging import Cell, Column, Table
 
 
@@ -57,7 +58,7 @@ def wheel_pair_rows(pairs: Sequence[WheelPair]) -> list[dict[str, Cell]]:
             "second_x_px": one.second[0],
             "second_y_px": one.second[1],
             "created_by_id": None if one.created_by is None else one.created_by.id,
-            "created_at": one.created_at.isoformat(timespec="microseconds").replace("+00:00", "Z"),
+            "created_at": when(one.created_at),
         }
         for one in sorted(pairs, key=lambda pair: pair.id)
     ]

@@ -7,14 +7,13 @@ from datetime import datetime
 
 from sqlalchemy.orm import Session
 
-from backend.linescan.line_height import COVERAGE
+from backend.linescan.parts import expanded
 from backend.storage import line_heights, line_poses
 from backend.storage.line_records import StoredLineHeight, StoredLinePose
 from backend.storage.records import Who
+from backend.work.exporting_rows import Cells, when
 from backend.work.line_poses import told
-from backend.work.packaging import Cell, Column, Table
-
-Cells = dict[str, Cell]
+from backend.work.packaging import Column, Table
 
 
 def _id(name: str, meaning: str, required: bool = True) -> Column:
@@ -127,8 +126,9 @@ def add_scan(
         makers.append(pose.created_by)
         found["line_poses"].append(pose_row(pose))
         found["line_marks"] += mark_rows(pose)
+    of_vehicle = line_heights.history_of_scan(session, scan_id)
     for vehicle_id in vehicle_ids:
-        revisions = line_heights.history(session, vehicle_id)
+        revisions = of_vehicle.get(vehicle_id, [])
         newest = {one.values.target: one.id for one in revisions}
         for one in revisions:
             makers.append(one.created_by)
@@ -159,11 +159,10 @@ def height_row(one: StoredLineHeight, current: bool) -> Cells:
     own: Cells = {"id": one.id, "vehicle_id": one.vehicle_id, "revision": one.revision, "current": current}
     left_out = (*own, "U95_height_m", "warnings", "created_by_id", "created_at")
     own |= {name: getattr(values, name) for name in LINE_HEIGHTS.header if name not in left_out}
-    own["U95_height_m"] = None if values.u_height_m is None else COVERAGE * values.u_height_m
+    own["U95_height_m"] = expanded(values.u_height_m)
     own["warnings"] = "; ".join(values.warnings)
     return {**own, **_made(one.created_by, one.created_at)}
 
 
 def _made(maker: Who | None, at: datetime) -> Cells:
-    moment = at.isoformat(timespec="microseconds").replace("+00:00", "Z")
-    return {"created_by_id": maker.id if maker else None, "created_at": moment}
+    return {"created_by_id": maker.id if maker else None, "created_at": when(at)}

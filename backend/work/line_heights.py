@@ -10,12 +10,14 @@ from dataclasses import asdict, dataclass
 from sqlalchemy.orm import Session
 
 from backend.errors import BadInput
-from backend.linescan.line_height import COVERAGE, LineHeight, contact_distance, ladder, line_height
+from backend.linescan.line_height import LineHeight, contact_distance, ladder, line_height
 from backend.linescan.line_pose import LinePose
+from backend.linescan.parts import expanded
 from backend.storage import line_heights, line_poses, scans, scans_vehicles, surveys
 from backend.storage.line_records import LineHeightValues, StoredLineHeight, StoredLinePose
 from backend.storage.records import Target
 from backend.storage.scans_records import ScanVehicle
+from backend.work import scanning
 from backend.work.answering import DEFAULT_SIGMA_PX, inset_for
 from backend.work.code_version import code_version
 from backend.work.line_poses import LENGTH_DECIMALS, pose_of
@@ -63,8 +65,7 @@ class Looked:
 
     @property
     def U95_distance_m(self) -> float | None:
-        u = self.found.u_distance_m
-        return None if u is None else COVERAGE * u
+        return expanded(self.found.u_distance_m)
 
 
 def look(session: Session, scan_id: int, clicked: Clicked) -> Looked:
@@ -74,12 +75,8 @@ def look(session: Session, scan_id: int, clicked: Clicked) -> Looked:
     clicks = _filled(session, scan.survey_id, clicked)
     distance_m = contact_distance(pose, clicks.contact[1])
     rungs = ladder(pose, distance_m + clicks.inset_m, scan.rows_px or 0) if distance_m is not None else ()
-    if clicked.point is None:
-        found = LineHeight("not_measurable", None, distance_m)
-        if distance_m is None:
-            found = answer(pose, clicks)
-    else:
-        found = answer(pose, clicks)
+    only_contact = clicked.point is None and distance_m is not None
+    found = LineHeight("not_measurable", None, distance_m) if only_contact else answer(pose, clicks)
     return Looked(found, clicks.inset_m, clicks.u_inset_m, rungs)
 
 
@@ -94,7 +91,7 @@ def store(
     scan = scans.get(session, vehicle.scan_id)
     clicks = _filled(session, scan.survey_id, clicked)
     for line, row in (clicks.contact, clicks.point):
-        if not (-0.5 <= line <= (scan.lines or 0) and -0.5 <= row <= (scan.rows_px or 0)):
+        if not scanning.shows(scan, line, row):
             raise BadInput(f"A click at line {line:.0f}, row {row:.1f} lies outside the strip; click again.")
     values = height_values(_pose(session, scan.id), clicks, _beside(vehicle, clicks))
     return line_heights.append(session, vehicle_id, values, seen_revision=seen_revision, actor=actor)

@@ -81,7 +81,7 @@ def store(
     scanning.ready(scan)
     rounded = _rounded(rod)
     for mark in rounded.marks:
-        if not (-0.5 <= mark.row_px <= (scan.rows_px or 0) and -0.5 <= mark.line <= (scan.lines or 0)):
+        if not scanning.shows(scan, mark.line, mark.row_px):
             raise BadInput(
                 f"A mark at row {mark.row_px:.1f}, line {mark.line:.0f} lies outside the strip; "
                 "click it again."

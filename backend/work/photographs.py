@@ -1,13 +1,10 @@
 """Photographs of a survey's set-up: taken in as a plain small JPEG, and given out again."""
 
-import tempfile
-from pathlib import Path
-
 from backend.errors import Damaged, NotFound
 from backend.media.images import jpeg
-from backend.media.store import key_of, sha256_of
 from backend.storage import photographs, surveys
 from backend.storage.records import Photograph
+from backend.work.keeping import keep
 from backend.work.packaging import sha256_hex
 from backend.work.services import Services
 
@@ -28,7 +25,8 @@ def add(
         photographs.check_room(session, survey_id)
     picture = services.frames.image_bgr(content, name, MOST_SIDE_PX)
     height, width = picture.shape[:2]
-    key, sha256, size = _keep(services, jpeg(picture, JPEG_QUALITY))
+    kept = jpeg(picture, JPEG_QUALITY)
+    key = keep(services, kept, _SUFFIX)
     with services.writing() as session:
         return photographs.add(
             session,
@@ -36,23 +34,12 @@ def add(
             name=name,
             caption=caption,
             media_key=key,
-            sha256=sha256,
-            size_bytes=size,
+            sha256=sha256_hex(kept),
+            size_bytes=len(kept),
             width_px=int(width),
             height_px=int(height),
             actor=actor,
         )
-
-
-def _keep(services: Services, content: bytes) -> tuple[str, str, int]:
-    """Into the media store; the key, the hash, the size in bytes. Raises NoRoom."""
-    with tempfile.TemporaryDirectory(prefix="photograph-", dir=services.scratch) as folder:
-        path = Path(folder) / "content"
-        path.write_bytes(content)
-        sha256 = sha256_of(path)
-        key = key_of(sha256, _SUFFIX)
-        services.media.put_file(key, path)
-    return key, sha256, len(content)
 
 
 def content_of(services: Services, photograph: Photograph) -> bytes:

@@ -144,6 +144,11 @@ def swap_cameras(session: Session, scan_id: int, *, version: int, actor: int) ->
     return scans.get(session, scan_id)
 
 
+def shows(scan: Scan, line: float, row_px: float) -> bool:
+    """Whether a place lies within the strips."""
+    return -0.5 <= line <= (scan.lines or 0) and -0.5 <= row_px <= (scan.rows_px or 0)
+
+
 def ready(scan: Scan) -> None:
     """Raises BadInput while a scan has no strips to look at."""
     if scan.state == "failed":

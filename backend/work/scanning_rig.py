@@ -4,18 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import hypot
 
 from sqlalchemy.orm import Session
 
-from backend.linescan.rig import Estimate, baseline_ratio, gain, misalignment
+from backend.linescan.rig import Estimate, alone, baseline_ratio, gain, misalignment
 from backend.storage import scans, scans_vehicles
 from backend.storage.records import JsonObject
 from backend.storage.scans import rig_columns
 from backend.storage.scans_records import Scan, ScanValues, ScanVehicle
 
-# A size without any uncertainty would outweigh all others, m.
-LEAST_U_M = 1e-3
 _GIVEN = (
     "The misalignment was given, so what the vehicles find leans on it; leave it to the traffic and measure "
     "again to have it estimated."
@@ -82,11 +79,10 @@ def _implied(scan: Scan, vehicles: Sequence[ScanVehicle], of: str) -> ImpliedBas
         size, true = getattr(values, f"{of}_m"), getattr(one, f"true_{of}_m")
         if size is None or true is None:
             continue
-        u = getattr(values, f"u_{of}_m") or 0.0
-        common = size * values.rig["u_baseline_m"] / values.rig["baseline_m"]
-        alone = hypot(max(u**2 - common**2, 0.0) ** 0.5, LEAST_U_M)
-        scale = in_force / _at_vehicle(values.rig)
-        rows.append((scale * size, scale * alone, true, getattr(one, f"u_true_{of}_m") or 0.0))
+        rig = values.rig
+        u = alone(size, getattr(values, f"u_{of}_m"), rig["baseline_m"], rig["u_baseline_m"])
+        scale = in_force / _at_vehicle(rig)
+        rows.append((scale * size, scale * u, true, getattr(one, f"u_true_{of}_m") or 0.0))
     ratio = baseline_ratio(*([row[k] for row in rows] for k in range(4)))
     if ratio.value is None or ratio.u is None:
         return ImpliedBaseline(of, ratio, None, None, False, ratio.reason or "")

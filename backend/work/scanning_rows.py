@@ -4,21 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
-from datetime import datetime
 
 from sqlalchemy.orm import Session
 
-from backend.linescan.parts import Gap
+from backend.linescan.parts import Gap, expanded
 from backend.storage import scans, scans_measurements, scans_reviews, scans_vehicles
 from backend.storage.records import Who
 from backend.storage.scans import rig_columns
 from backend.storage.scans_records import Scan, ScanMeasurement, ScanReview
 from backend.work import line_height_rows
-from backend.work.packaging import Cell, Column, Table
+from backend.work.exporting_rows import Cells, when
+from backend.work.packaging import Column, Table
 from backend.work.scanning_list import ShownVehicle, shown
-
-Cells = dict[str, Cell]
-K95 = 1.96
 
 
 def _id(name: str, meaning: str, required: bool = True) -> Column:
@@ -225,7 +222,7 @@ def scan_row(scan: Scan) -> Cells:
         **row,
         **rig_columns(scan.rig),
         "notes": "; ".join(scan.notes),
-        "created_at": _at(scan.created_at),
+        "created_at": when(scan.created_at),
     }
 
 
@@ -249,7 +246,7 @@ def measurement_row(one: ScanMeasurement) -> Cells:
 def review_row(one: ScanReview) -> Cells:
     """One row of scan_reviews."""
     row: Cells = {name: getattr(one, name) for name in ("id", "measurement_id", "verdict", "reason")}
-    return {**row, "reviewer_id": one.reviewer.id if one.reviewer else None, "at": _at(one.at)}
+    return {**row, "reviewer_id": one.reviewer.id if one.reviewer else None, "at": when(one.at)}
 
 
 def _measured(one: ScanMeasurement) -> Cells:
@@ -258,15 +255,15 @@ def _measured(one: ScanMeasurement) -> Cells:
     for column in _MOTION:
         name = column.name
         if name.startswith("U95_"):
-            u = getattr(values, f"u_{name.removeprefix('U95_')}")
-            row[name] = None if u is None else K95 * u
+            row[name] = expanded(getattr(values, f"u_{name.removeprefix('U95_')}"))
         elif name not in ("created_by_id", "created_at", "warnings"):
             row[name] = getattr(values, name)
     row["warnings"] = "; ".join(values.warnings)
-    row |= {"created_by_id": one.created_by.id if one.created_by else None, "created_at": _at(one.created_at)}
+    row["created_by_id"] = one.created_by.id if one.created_by else None
+    row["created_at"] = when(one.created_at)
     row |= {"verdict": review.verdict, "review_reason": review.reason}
     row["reviewer_id"] = review.reviewer.id if review.reviewer else None
-    row["reviewed_at"] = None if review.at is None else _at(review.at)
+    row["reviewed_at"] = when(review.at)
     return row
 
 
@@ -279,10 +276,6 @@ def _gap(gap: Gap | None) -> Cells:
 
 def _name(people: dict[int, str], found: Iterable[Who | None]) -> None:
     people.update({one.id: one.name for one in found if one is not None})
-
-
-def _at(moment: datetime) -> str:
-    return moment.isoformat(timespec="microseconds").replace("+00:00", "Z")
 
 
 _OF_VEHICLE = SCAN_VEHICLES.header[: SCAN_VEHICLES.header.index("measurement_id")]

@@ -8,11 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
-from math import hypot
 
 import numpy as np
 
-from backend.linescan.rig import Estimate, baseline_ratio
+from backend.linescan.rig import Estimate, alone, baseline_ratio
 from backend.statistics.distributions import (
     Density,
     Ecdf,
@@ -176,10 +175,8 @@ def _pairs(chosen: Iterable[Seen], name: str) -> list[_Pair]:
         true, value = one.known.get(name), one.values.get(name)
         if true is None or value is None:
             continue
-        u = one.values.get(f"u_{name}") or 0.0
-        common = value * one.rig_u_baseline_m / one.rig_baseline_m
-        alone = max(u**2 - common**2, 0.0) ** 0.5
-        out.append(_Pair(value, alone, true, one.known.get(f"u_{name}") or 0.0, one.lighting))
+        u = alone(value, one.values.get(f"u_{name}"), one.rig_baseline_m, one.rig_u_baseline_m)
+        out.append(_Pair(value, u, true, one.known.get(f"u_{name}") or 0.0, one.lighting))
     return out
 
 
@@ -192,10 +189,9 @@ def _errors(chosen: Sequence[Seen], name: str) -> dict[str, ErrorGroup]:
 def _ratio(chosen: Sequence[Seen], name: str) -> Estimate:
     """Measured over true, which tells of a wrong baseline."""
     pairs = _pairs(chosen, name)
-    least = 1e-3  # lengths without any uncertainty would outweigh all others
     return baseline_ratio(
         [one.measured_m for one in pairs],
-        [hypot(one.u_measured_m, least) for one in pairs],
+        [one.u_measured_m for one in pairs],
         [one.true_m for one in pairs],
         [one.u_true_m for one in pairs],
     )

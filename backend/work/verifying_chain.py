@@ -58,7 +58,7 @@ def walk(files: Files) -> Told:
         told.count, told.head = int(event["id"]), event["hash"]
         if event["withheld"] == "true":
             continue
-        told.moment = event["at"].replace("+00:00", "Z")
+        told.moment = stamp(event["at"])
         if event["after"]:
             _gather(told, event, json.loads(event["after"]))
     return told

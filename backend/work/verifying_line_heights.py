@@ -66,6 +66,7 @@ def _heights(files: Files, poses: Mapping[int, LinePose]) -> int:
     for row in read_rows(files, LINE_BUDGET.path):
         budget[row["height_id"]].append(row)
     newest: dict[tuple[str, str], Row] = {}
+    marked: set[str] = set()
     count = 0
     for row in read_rows(files, LINE_HEIGHTS.path):
         _height(row, answer(poses[int(row["pose_id"])], _clicks(row)), budget.pop(row["id"], []))
@@ -73,10 +74,10 @@ def _heights(files: Files, poses: Mapping[int, LinePose]) -> int:
         before = newest.get(place)
         if before is None or int(before["revision"]) < int(row["revision"]):
             newest[place] = row
+        if row["current"] == "true":
+            marked.add(row["id"])
         count += 1
-    current = {row["id"] for row in newest.values()}
-    marked = {row["id"] for row in read_rows(files, LINE_HEIGHTS.path) if row["current"] == "true"}
-    if marked != current:
+    if marked != {row["id"] for row in newest.values()}:
         raise Damaged(f"{LINE_HEIGHTS.path}: a row that is marked as current is not the newest revision.")
     if budget:
         raise Damaged(f"{LINE_BUDGET.path}: height {min(budget)} is in no row of {LINE_HEIGHTS.path}.")

@@ -9,7 +9,7 @@ from backend.errors import Damaged
 from backend.work.exporting_photographs import FOLDER, PHOTOGRAPHS, photograph_path
 from backend.work.packaging import Cell, Written, cell_text
 from backend.work.packaging_files import Files, read_rows
-from backend.work.verifying_chain import Told
+from backend.work.verifying_chain import Told, stamp
 
 
 def check_photographs(files: Files, told: Told, written: Mapping[str, Written]) -> int:
@@ -48,7 +48,7 @@ def _expected(told: Told) -> list[dict[str, Cell]]:
             **one,
             "position": place,
             "file": photograph_path(one["id"]),
-            "created_at": one["created_at"].replace("+00:00", "Z"),
+            "created_at": stamp(one["created_at"]),
         }
         for place, one in enumerate(there, start=1)
     ]

@@ -3928,7 +3928,7 @@ export interface components {
             /** U Inset M */
             u_inset_m: number;
             /** Budget */
-            budget: components["schemas"]["RowBudgetBody"][];
+            budget: components["schemas"]["BudgetEntryBody"][];
             /** Warnings */
             warnings: string[];
             /** Ladder */
@@ -3991,7 +3991,7 @@ export interface components {
             /** Reason */
             reason: string | null;
             /** Budget */
-            budget: components["schemas"]["RowBudgetBody"][];
+            budget: components["schemas"]["BudgetEntryBody"][];
             /** Warnings */
             warnings: string[];
             /** Withdrawn */
@@ -5453,13 +5453,6 @@ export interface components {
             /** Line */
             line: number;
         };
-        /** RowBudgetBody */
-        RowBudgetBody: {
-            /** Source */
-            source: string;
-            /** U M */
-            u_m: number;
-        };
         /** RungBody */
         RungBody: {
             /** Height M */
@@ -5764,24 +5757,6 @@ export interface components {
             /** Not Measurable */
             not_measurable: number;
         };
-        /**
-         * ScanRatioBody
-         * @description Measured over true, by weighted mean: 1.01 says that the baseline is 1 % too long.
-         */
-        ScanRatioBody: {
-            /** Value */
-            value: number | null;
-            /** U */
-            u: number | null;
-            /** Spread */
-            spread: number | null;
-            /** N */
-            n: number;
-            /** Reason */
-            reason: string | null;
-            /** Warning */
-            warning: string | null;
-        };
         /** ScanReviewBody */
         ScanReviewBody: {
             /** Revision */
@@ -5889,8 +5864,10 @@ export interface components {
             length_errors: components["schemas"]["ScanErrorGroupBody"][];
             /** Wheelbase Errors */
             wheelbase_errors: components["schemas"]["ScanErrorGroupBody"][];
-            length_ratio: components["schemas"]["ScanRatioBody"];
-            wheelbase_ratio: components["schemas"]["ScanRatioBody"];
+            /** @description Measured over true, by weighted mean: 1.01 says that the baseline is 1 % too long. */
+            length_ratio: components["schemas"]["RigEstimateBody"];
+            /** @description Measured over true, by weighted mean: 1.01 says that the baseline is 1 % too long. */
+            wheelbase_ratio: components["schemas"]["RigEstimateBody"];
             /**
              * Spreads
              * @description Speed, length, time gap, distance gap, headway.

@@ -17,7 +17,6 @@ from backend.work.drawing.canvas import Drawing
 from backend.work.drawing.facts import ReportFacts
 from backend.work.drawing.figures import drawings
 from backend.work.drawing.fonts import FOLDER
-from backend.work.drawing.scan_figures import scan_drawings
 from backend.work.drawing.template import TEMPLATE
 
 Drawn = Mapping[str, Drawing | str]
@@ -43,7 +42,8 @@ def report(facts: ReportFacts, drawn: Drawn | None = None) -> bytes:
 def sources(facts: ReportFacts, drawn: Drawn | None = None) -> dict[str, bytes]:
     """The files that Typst compiles: template, blocks, pictures."""
     document, name = Document(), facts.survey.strip() or "Survey"
-    figures = _drawings(facts) if drawn is None else drawn
+    scans = None if facts.scans is None else facts.scans.statistics
+    figures = drawings(facts.statistics, facts.unit, scans) if drawn is None else drawn
     report_setup.title(document, facts)
     report_results.glance(document, facts)
     report_setup.setup(document, facts)
@@ -62,11 +62,6 @@ def sources(facts: ReportFacts, drawn: Drawn | None = None) -> dict[str, bytes]:
         head=facts.audit_head[:16],
     )
     return {"main.typ": TEMPLATE.encode("utf-8"), "report.json": head, **document.files}
-
-
-def _drawings(facts: ReportFacts) -> Drawn:
-    scans = {} if facts.scans is None else scan_drawings(facts.scans.statistics, facts.unit)
-    return {**drawings(facts.statistics, facts.unit), **scans}
 
 
 def _compiled(files: dict[str, bytes], stamp: int, standards: list[Any]) -> bytes:

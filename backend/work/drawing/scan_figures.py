@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from backend.work.drawing import marks
 from backend.work.drawing.canvas import HALF, INK, Drawing, svg
 from backend.work.drawing.marks import MAIN
-from backend.work.drawing.units import Scale, Unit, count, fixed
+from backend.work.drawing.units import SPEED, WAY, Scale, Unit, count, fixed
 from backend.work.scanning_statistics import ScanStatistics, Spread
 
 NAMES: dict[str, str] = {
@@ -17,15 +17,13 @@ NAMES: dict[str, str] = {
     "distance_gap": "distance gap",
     "headway": "headway",
 }
-_SPEED: dict[Unit, Scale] = {"m": Scale(3.6, "km/h", 1), "ft": Scale(3600 / 1609.344, "mph", 1)}
-_WAY: dict[Unit, Scale] = {"m": Scale(1.0, "m", 2), "ft": Scale(1 / 0.3048, "ft", 2)}
 _SECONDS = Scale(1.0, "s", 2)
 _MARKED = (15.0, 50.0, 85.0)
 
 
 def scale_of(unit_of: str, unit: Unit) -> Scale:
     """How a quantity of m/s, m or s is shown."""
-    return {"m/s": _SPEED, "m": _WAY}[unit_of][unit] if unit_of != "s" else _SECONDS
+    return {"m/s": SPEED, "m": WAY}[unit_of][unit] if unit_of != "s" else _SECONDS
 
 
 def scan_drawings(found: ScanStatistics, unit: Unit = "m") -> dict[str, Drawing]:

@@ -28,6 +28,8 @@ class Scale:
 
 
 HEIGHT: dict[Unit, Scale] = {"m": Scale(1.0, "m", 3), "ft": Scale(1.0 / _FOOT_M, "ft", 3)}
+WAY: dict[Unit, Scale] = {"m": Scale(1.0, "m", 2), "ft": Scale(1.0 / _FOOT_M, "ft", 2)}
+SPEED: dict[Unit, Scale] = {"m": Scale(3.6, "km/h", 1), "ft": Scale(3600 / 1609.344, "mph", 1)}
 SMALL: dict[Unit, Scale] = {"m": Scale(1000.0, "mm", 1), "ft": Scale(12.0 / _FOOT_M, "in", 2)}
 SQUARE: dict[Unit, Scale] = {
     "m": Scale(1e4, "cm²", 2),
