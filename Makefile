@@ -81,13 +81,13 @@ check: .build/python-dev .build/node
 	@$(BIN)/ruff format --check backend tests migrations
 	@$(BIN)/mypy
 	@$(BIN)/lint-imports
-	@$(BIN)/python -m backend.api.openapi .build/openapi.json
+	@$(BIN)/python -m sightline.commands.openapi .build/openapi.json
 	@$(NPM) run --silent types -- --check
 	@$(NPM) run --silent check
 	@$(NPM) run --silent test
 
 types: .build/python-dev .build/node
-	@$(BIN)/python -m backend.api.openapi .build/openapi.json
+	@$(BIN)/python -m sightline.commands.openapi .build/openapi.json
 	@$(NPM) run --silent types
 
 bench: setup .build/python-dev .build/chromium

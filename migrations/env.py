@@ -1,14 +1,10 @@
-"""Alembic's entry: runs on the connection that `storage.database.migrate` hands over, in its transaction."""
+"""Alembic's entry: runs on the connection that `migrate` hands over, in its transaction."""
 
 from typing import Any
 
 from alembic import context
 
-from backend.storage import tables, tables_of_line_heights, tables_of_scans, tables_of_work
-from backend.storage.columns import metadata
-
-assert tables.metadata is tables_of_work.metadata is tables_of_scans.metadata is metadata
-assert tables_of_line_heights.metadata is metadata
+from sightline.infra.database.types import metadata
 
 
 def ours(_object: Any, name: str | None, kind: str, reflected: bool, _compared: Any) -> bool:

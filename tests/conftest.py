@@ -14,7 +14,7 @@ import pytest
 from sqlalchemy import Engine, create_engine, inspect, make_url, text
 from sqlalchemy.orm import Session
 
-from backend.storage import database
+from sightline.infra.database.engine import SessionFactory, make_engine, migrate, session_factory, writing
 
 SERVER = os.environ.get("SIGHTLINE_TEST_DATABASE_URL", "")
 
@@ -55,21 +55,21 @@ def database_url(migrated: str, tmp_path: Path) -> Iterator[str]:
 @pytest.fixture
 def engine(database_url: str) -> Iterator[Engine]:
     """An engine on the test's own database."""
-    made = database.make_engine(database_url)
+    made = make_engine(database_url)
     yield made
     made.dispose()
 
 
 @pytest.fixture
-def factory(engine: Engine) -> database.SessionFactory:
+def factory(engine: Engine) -> SessionFactory:
     """The session factory to hand to `reading` and `writing`."""
-    return database.session_factory(engine)
+    return session_factory(engine)
 
 
 @pytest.fixture
-def session(factory: database.SessionFactory) -> Iterator[Session]:
+def session(factory: SessionFactory) -> Iterator[Session]:
     """A write transaction that is rolled back in the end, for tests that need no second one."""
-    with pytest.raises(_RollBack), database.writing(factory) as opened:
+    with pytest.raises(_RollBack), writing(factory) as opened:
         yield opened
         raise _RollBack
 
@@ -79,8 +79,8 @@ class _RollBack(Exception):
 
 
 def _migrate(url: str) -> None:
-    engine = database.make_engine(url)
-    database.migrate(engine)
+    engine = make_engine(url)
+    migrate(engine)
     if engine.dialect.name == "sqlite":
         with engine.connect() as connection:
             connection.exec_driver_sql("COMMIT")

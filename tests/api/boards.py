@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
-from backend.media.writer import write_mp4
+from sightline.media.video.writer import write_mp4
 
 WIDTH, HEIGHT, FOCAL_PX = 640, 480, 600.0
 COLUMNS, ROWS, SQUARE_M = 9, 6, 0.025

@@ -13,12 +13,13 @@ from fastapi import FastAPI
 from fastapi.testclient import TestClient
 from pydantic import SecretStr
 
-from backend.app import create_app
-from backend.media.writer import write_mp4
-from backend.settings import Settings
-from backend.storage import people
-from backend.storage.records import Job, Role
-from backend.work.services import Services, open_services
+from sightline.app import create_app
+from sightline.enums import Role
+from sightline.infra.jobs.records import Job
+from sightline.infra.services import Services, open_services
+from sightline.media.video.writer import write_mp4
+from sightline.people.store import create_person, create_sign_in_link
+from sightline.settings import Settings
 from tests.api.boards import board_clip
 from tests.api.working import run_jobs
 from tests.media.clips import painted
@@ -46,7 +47,7 @@ def settings(tmp_path: Path, database_url: str) -> Settings:
 @pytest.fixture
 def services(settings: Settings, monkeypatch: pytest.MonkeyPatch) -> Iterator[Services]:
     """The services, stills decoded here: a child each test would cost more than the tests do."""
-    monkeypatch.setattr("backend.work.services.DecodeHost", lambda _limit_bytes: None)
+    monkeypatch.setattr("sightline.infra.services.DecodeHost", lambda _limit_bytes: None)
     opened = open_services(settings)
     yield opened
     opened.close()
@@ -123,10 +124,10 @@ def clients(app: FastAPI, services: Services) -> dict[str, Client]:
     tokens: dict[str, str] = {}
     with services.writing() as session:
         for role in ROLES:
-            person = people.create(
+            person = create_person(
                 session, name=role.title(), email=f"{role}@example.org", role=role, actor=None
             )
-            tokens[role] = people.new_link(session, person.id, actor=None)
+            tokens[role] = create_sign_in_link(session, person.id, actor=None)
     return SignedIn(app, tokens)
 
 

@@ -4,9 +4,9 @@ import json
 from collections.abc import Callable
 from pathlib import Path
 
-from backend.geometry.documents import pose_from_dict
-from backend.work.answering import answer
-from backend.work.verifying_heights import _clicks
+from sightline.export.verify.heights import _clicks
+from sightline.geometry.documents import pose_from_dict
+from sightline.measurements.height_of_clicks import answer
 from tests.api.packages import drop, edit, rederive, rehash, reseal, rewrite, rows
 
 Row = dict[str, str]

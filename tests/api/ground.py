@@ -6,11 +6,13 @@ from uuid import uuid4
 
 import numpy as np
 
-from backend.geometry.camera import Camera, project
-from backend.geometry.documents import camera_to_dict, pose_to_dict
-from backend.geometry.road_pose import BoardOnRoad, RoadPose
-from backend.storage import calibrations, cameras, poses
-from backend.work.services import Services
+from sightline.cameras.calibrations.store import add_calibration
+from sightline.cameras.store import create_camera
+from sightline.geometry.camera import Camera, project
+from sightline.geometry.documents import camera_to_dict, pose_to_dict
+from sightline.geometry.road_pose import BoardOnRoad, RoadPose
+from sightline.infra.services import Services
+from sightline.poses import store
 from tests.api.conftest import FRAME_HEIGHT, FRAME_WIDTH, Client
 
 FOCAL_PX = 150.0
@@ -51,8 +53,8 @@ class Ground:
 def store_calibration(services: Services, survey_id: int, camera: Camera) -> tuple[int, int]:
     """(camera id, calibration id) of a stored calibration."""
     with services.writing() as session:
-        body = cameras.create(session, survey_id, name="Test camera", actor=None)
-        made = calibrations.add(
+        body = create_camera(session, survey_id, name="Test camera", actor=None)
+        made = add_calibration(
             session,
             body.id,
             source="import",
@@ -79,7 +81,7 @@ def add_pose(
     """Store the pose above the road (or in another `place`), by default in force for the recording."""
     document = pose_to_dict(replace(pose_above_road(), camera=camera, **place))
     with services.writing() as session:
-        made = poses.add(
+        made = store.add_pose(
             session,
             recording_id,
             calibration_id=calibration_id,

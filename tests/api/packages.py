@@ -12,15 +12,15 @@ from typing import Any
 import numpy as np
 import pytest
 
-from backend.media.images import jpeg
-from backend.storage import recordings
-from backend.storage.chain import event_hash, link_hash
-from backend.work.exporting_build import build
-from backend.work.exporting_derived import derive_tables, drawn
-from backend.work.packaging import CHECKSUMS, DESCRIPTION, Written, json_bytes
-from backend.work.packaging_files import FolderFiles, Staging, fresh_folder, sum_of
-from backend.work.services import Services
-from backend.work.verifying_chain import hashed
+from sightline.export.build import build
+from sightline.export.derived import derive_tables, drawn
+from sightline.export.verify.chain import hashed
+from sightline.infra.audit.hashing import event_hash, link_hash
+from sightline.infra.csv_package.files import FolderFiles, Staging, fresh_folder, sum_of
+from sightline.infra.csv_package.schema import CHECKSUMS, DESCRIPTION, Written, json_bytes
+from sightline.infra.services import Services
+from sightline.media.images import jpeg
+from sightline.recordings.store import get_recording, store_drift
 from tests.api.conftest import Client
 from tests.api.ground import Ground, add_vehicle, clicks, lay_ground, measure, pixel
 
@@ -74,9 +74,9 @@ def _moved(services: Services, ground: Ground) -> None:
     check = {"state": "moved", "words": "Moved.", "bumps": [9], "spans": [span]}
     stamped = {"floor_px": 0.25, "checked_at": "2026-05-01T12:00:00+00:00"}
     with services.writing() as session:
-        pose_id = recordings.get(session, ground.recording_id).pose_id
+        pose_id = get_recording(session, ground.recording_id).pose_id
         assert pose_id is not None
-        recordings.drift_found(session, ground.recording_id, pose_id, {**check, **stamped}, actor=None)
+        store_drift(session, ground.recording_id, pose_id, {**check, **stamped}, actor=None)
 
 
 def photograph(client: Client, survey_id: int, content: bytes, name: str, caption: str = "") -> Any:

@@ -7,13 +7,14 @@ import cv2
 import numpy as np
 import pytest
 
-from backend.demonstration import low_light_scene, render_frame
-from backend.demonstration.truth import spot_pixel, spots_of
-from backend.geometry.camera import Camera
-from backend.media.display import brightened
-from backend.media.writer import write_mp4
-from backend.storage.records import Job
-from backend.work.services import Services
+from sightline.geometry.camera import Camera
+from sightline.infra.jobs.records import Job
+from sightline.infra.services import Services
+from sightline.media.video.display import brightened
+from sightline.media.video.writer import write_mp4
+from sightline.simulation.render import render_frame
+from sightline.simulation.scene import low_light_scene
+from sightline.simulation.truth import spot_pixel, spots_of
 from tests.api.conftest import Client, error_of, upload
 from tests.api.ground import add_pose, store_calibration
 

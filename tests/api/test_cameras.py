@@ -8,8 +8,8 @@ import cv2
 import numpy as np
 import pytest
 
-from backend.storage.records import Job
-from backend.work.calibrating import Wish, frames_of
+from sightline.cameras.calibrations.calibrate_job import Wish, frames_of
+from sightline.infra.jobs.records import Job
 from tests.api.boards import COLUMNS, FOCAL_PX, HEIGHT, POSES, ROWS, SQUARE_M, WIDTH, picture_bytes, view
 from tests.api.conftest import Client, error_of, upload
 
@@ -178,7 +178,7 @@ def test_a_calibration_that_cannot_work_fails_with_a_sentence(
 
 
 def test_frames_are_spread_and_bounded() -> None:
-    from backend.errors import BadInput
+    from sightline.errors import BadInput
 
     wish = Wish(COLUMNS, ROWS, SQUARE_M, "brown", recording_id=1)
     assert len(frames_of(wish, 10_000)) <= 24

@@ -5,10 +5,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from backend.geometry.camera import project
-from backend.geometry.road_pose import RoadPose
-from backend.storage import audit, measurements, vehicles
-from backend.work.services import Services
+from sightline.geometry.camera import project
+from sightline.geometry.road_pose import RoadPose
+from sightline.infra.audit.verification import verify_records
+from sightline.infra.services import Services
+from sightline.measurements.store import list_measurements
+from sightline.vehicles.store import list_vehicles
 from tests.api.conftest import Client, error_of
 from tests.api.ground import Ground, add_vehicle, lay_ground, measure, pixel, pose_above_road
 
@@ -48,7 +50,7 @@ def test_tyre_contacts_are_stored_undone_and_audited(
     assert traffic(operator, ground.survey_id)["pairs"] == []
     assert operator.delete(path).status_code == 404
     with services.reading() as session:
-        assert audit.verify(session).ok
+        assert verify_records(session).ok
 
 
 def test_contacts_that_give_no_direction_are_refused_in_a_sentence(
@@ -126,7 +128,7 @@ def test_traffic_turns_a_pose_and_choosing_the_old_one_undoes_it(
     assert back.status_code == 200
     assert traffic(operator, ground.survey_id)["poses"][0]["pose_id"] == ground.pose_id
     with services.reading() as session:
-        assert audit.verify(session).ok
+        assert verify_records(session).ok
 
 
 def roof(pose: RoadPose, height_m: float, inset_m: float, across_m: float, rng: np.random.Generator) -> Any:
@@ -178,9 +180,9 @@ def test_roofs_of_known_height_offer_the_inset_with_its_origin(
     assert not target["is_default"] and target["in_force"] == offer
     assert target["measured"] == 12  # measured with the inset before: they still count
     with services.reading() as session:
-        stored = measurements.list_for_survey(session, ground.survey_id)
+        stored = list_measurements(session, ground.survey_id)
         assert {one.inset_m for one in stored} == {0.3}
-        assert len(vehicles.list_for_survey(session, ground.survey_id)) == 12
+        assert len(list_vehicles(session, ground.survey_id)) == 12
 
 
 def test_cases_are_metrologys_closed_form(viewer: Client, ground: Ground) -> None:

@@ -10,17 +10,19 @@ from typing import Any
 import numpy as np
 import pytest
 
-from backend.demonstration.scan_art import EYE_M
-from backend.demonstration.scan_traffic import demo_traffic
-from backend.demonstration.truth import spots_of
-from backend.errors import SightlineError
-from backend.media.ingest import IngestCancelled
-from backend.storage import audit, surveys
-from backend.storage.records import Job
-from backend.work import demo, demo_parts, demo_scan
-from backend.work.demo_request import ensure_requested
-from backend.work.jobs import Cancelled
-from backend.work.services import Services
+from sightline.demo import build, parts
+from sightline.demo import scan as demo_scan
+from sightline.demo.request import ensure_requested
+from sightline.errors import SightlineError
+from sightline.infra.audit.verification import verify_records
+from sightline.infra.jobs.records import Job
+from sightline.infra.jobs.registry import Cancelled
+from sightline.infra.services import Services
+from sightline.media.cancelling import IngestCancelled
+from sightline.simulation.scan_art import EYE_M
+from sightline.simulation.scan_traffic import demo_traffic
+from sightline.simulation.truth import spots_of
+from sightline.surveys.store import demo_survey_id
 from tests.api.conftest import Client
 
 SCENE = "day:2"
@@ -39,14 +41,14 @@ def test_it_is_made_once_and_its_heights_are_the_truth(
     work: Callable[[], list[Job]],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    small = functools.partial(demo_parts.make_parts, scenes=(SCENE,))
-    made: list[demo_parts.Parts] = []
+    small = functools.partial(parts.make_parts, scenes=(SCENE,))
+    made: list[parts.Parts] = []
 
-    def make_once(*arguments: Any) -> demo_parts.Parts:
+    def make_once(*arguments: Any) -> parts.Parts:
         made.extend([] if made else [small(*arguments)])
         return made[0]
 
-    monkeypatch.setattr(demo, "make_parts", make_once)
+    monkeypatch.setattr(build, "make_parts", make_once)
     few = functools.partial(demo_scan.make_scan, traffic=demo_traffic()[:2])
     monkeypatch.setattr(demo_scan, "make_scan", few)
     first, again = request(services), request(services)
@@ -56,7 +58,7 @@ def test_it_is_made_once_and_its_heights_are_the_truth(
         raise SightlineError("The lamp fell over; put it up again.")
 
     with monkeypatch.context() as broken:
-        broken.setattr(demo, "judge", break_off)
+        broken.setattr(build, "judge", break_off)
         assert [job.error for job in work()] == ["The lamp fell over; put it up again."]
     # nothing of the try that broke off is left, so the next one starts clean
     assert admin.seen("/surveys") == [] and admin.seen("/catalogue?q=cor") == []
@@ -73,13 +75,13 @@ def test_it_is_made_once_and_its_heights_are_the_truth(
     check_scan(admin, survey_id)
     check_people(nobody, admin)
     with services.reading() as session:
-        assert surveys.demo_survey_id(session) == survey_id
-        assert audit.verify(session).ok
+        assert demo_survey_id(session) == survey_id
+        assert verify_records(session).ok
 
 
 def check_truth(services: Services, admin: Client, survey_id: int) -> None:
     """Lens, pose and heights as our own code found them, against the scene they were rendered from."""
-    folder = demo_parts.demonstration_folder(services)
+    folder = parts.demonstration_folder(services)
     truth = json.loads((folder / "truth.json").read_text())["day"]
     assert len(list((folder / "lab").glob("*.png"))) == truth["lab"]["images"]
     camera = admin.seen(f"/surveys/{survey_id}/cameras")[0]
@@ -165,7 +167,7 @@ def test_cancelled_by_somebody_it_ends_as_cancelled(
     def stopped(*_: object) -> None:
         raise IngestCancelled("The ingest of the demonstration was cancelled.")
 
-    monkeypatch.setattr(demo, "make_parts", stopped)
+    monkeypatch.setattr(build, "make_parts", stopped)
     request(services)
     (job,) = work()
     assert (job.state, job.error) == ("cancelled", None)
@@ -178,6 +180,6 @@ def test_cancelled_in_the_middle_it_leaves_nothing(services: Services) -> None:
         raise Cancelled("Cancelled.")
 
     with pytest.raises(Cancelled):
-        demo_parts.make_parts(services, cancelled, (SCENE,))
+        parts.make_parts(services, cancelled, (SCENE,))
     assert not any(services.scratch.iterdir())
     assert not [one for one in threading.enumerate() if one.name.startswith("demonstration")]

@@ -13,10 +13,10 @@ from pathlib import Path
 import cv2
 import pytest
 
-from backend.cli import main
-from backend.work.packaging import sha256_hex
-from backend.work.packaging_files import FolderFiles
-from backend.work.verifying import PackageCheck, verify_package
+from sightline.cli import main
+from sightline.export.verify.package import PackageCheck, verify_package
+from sightline.infra.csv_package.files import FolderFiles
+from sightline.infra.csv_package.schema import sha256_hex
 from tests.api.forgeries import WAYS, a_makers_height, roof
 from tests.api.packages import edit, ground, package, rederive, rehash, reseal, rewrite, rows, worked
 

@@ -14,14 +14,15 @@ import pandas as pd
 import pytest
 from frictionless import Package as Frictionless
 
-from backend.cli import main
-from backend.errors import NoRoom
-from backend.storage import jobs, recordings
-from backend.storage.records import Job
-from backend.work.jobs import Cancelled
-from backend.work.packaging_files import FolderFiles, Staging
-from backend.work.services import Services
-from backend.work.verifying import verify_package
+from sightline.cli import main
+from sightline.errors import NoRoom
+from sightline.export.verify.package import verify_package
+from sightline.infra.csv_package.files import FolderFiles, Staging
+from sightline.infra.jobs.records import Job
+from sightline.infra.jobs.registry import Cancelled
+from sightline.infra.jobs.store import get_job
+from sightline.infra.services import Services
+from sightline.recordings.store import get_recording
 from tests.api.conftest import Client
 from tests.api.ground import Ground
 from tests.api.packages import FORMULA, ground, package, rows, worked, written
@@ -32,7 +33,7 @@ __all__ = ["ground", "package", "worked"]
 def test_room_is_looked_at_before_an_export(
     services: Services, survey_id: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("backend.media.store.shutil.disk_usage", lambda _: SimpleNamespace(free=10))
+    monkeypatch.setattr("sightline.media.store.local.shutil.disk_usage", lambda _: SimpleNamespace(free=10))
     (tmp_path / "out").mkdir()
     with pytest.raises(NoRoom, match="no room for this export"):
         written(services, survey_id, tmp_path / "out" / "package")
@@ -84,7 +85,7 @@ def test_an_export_that_is_cancelled_leaves_nothing(
         staging.add("measurements.csv", b"half")
         raise Cancelled("Cancelled.")
 
-    monkeypatch.setattr("backend.work.exporting.build", stopped)
+    monkeypatch.setattr("sightline.export.export_job.build", stopped)
     viewer.made(f"/surveys/{survey_id}/exports")
     assert [one.state for one in work()] == ["cancelled"]
     assert viewer.seen(f"/surveys/{survey_id}/exports") == []
@@ -203,7 +204,7 @@ def test_a_video_that_is_gone_gives_reasons_in_the_place_of_crops(
     viewer: Client, worked: Ground, services: Services, tmp_path: Path
 ) -> None:
     with services.reading() as session:
-        services.media.delete(recordings.get(session, worked.recording_id).media_key)
+        services.media.delete(get_recording(session, worked.recording_id).media_key)
     services.stills.forget(worked.recording_id)
     place = written(services, worked.survey_id, tmp_path / "export")
     found = rows(place, "crops.csv")
@@ -212,4 +213,4 @@ def test_a_video_that_is_gone_gives_reasons_in_the_place_of_crops(
     assert verify_package(FolderFiles(place)).ok
     job = viewer.made(f"/surveys/{worked.survey_id}/exports", {"crops": False})
     with services.reading() as session:
-        assert jobs.get(session, job["id"]).payload == {"survey_id": worked.survey_id, "crops": False}
+        assert get_job(session, job["id"]).payload == {"survey_id": worked.survey_id, "crops": False}

@@ -6,8 +6,8 @@ import time
 import pytest
 from starlette.requests import Request
 
-from backend.api.waiting import Wanted, while_wanted
-from backend.work import preparing
+from sightline.infra.web.disconnect import Wanted, while_wanted
+from sightline.recordings.frames import prefetch
 from tests.api.conftest import Client
 
 pytestmark = pytest.mark.once
@@ -16,7 +16,7 @@ pytestmark = pytest.mark.once
 def test_frames_around_passes_are_ready_before_they_are_asked_for(
     operator: Client, recording_id: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(preparing, "QUIET_S", 0.05)
+    monkeypatch.setattr(prefetch, "QUIET_S", 0.05)
     span = {"first_frame": 7, "last_frame": 11, "best_frame": 9}
     operator.made(f"/recordings/{recording_id}/vehicles", span)
     assert operator.seen(f"/recordings/{recording_id}/frames/ready") == {"runs": []}

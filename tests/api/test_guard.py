@@ -7,10 +7,10 @@ import httpx
 import pytest
 from fastapi import FastAPI
 
-from backend.api.sign_in import COOKIE
-from backend.errors import NoRoom
-from backend.storage import surveys
-from backend.work.services import Services
+from sightline.errors import NoRoom
+from sightline.infra.services import Services
+from sightline.infra.web.cookie import COOKIE
+from sightline.surveys.store import list_surveys
 from tests.api.conftest import Client, error_of
 
 pytestmark = pytest.mark.once
@@ -146,7 +146,7 @@ def test_more_writers_than_threads_all_get_their_turn(
 
     assert asyncio.run(asyncio.wait_for(storm(), 60)) == [201] * 80
     with services.reading() as session:
-        assert len(surveys.list_all(session)) == 80
+        assert len(list_surveys(session)) == 80
 
 
 def build(folder: Path) -> None:

@@ -4,7 +4,7 @@ from uuid import uuid4
 
 import pytest
 
-from backend.work.services import Services
+from sightline.infra.services import Services
 from tests.api.conftest import FRAME_HEIGHT, FRAME_WIDTH, Client, error_of
 from tests.api.ground import (
     FOCAL_PX,

@@ -15,7 +15,8 @@ from hypothesis.errors import Unsatisfiable
 from schemathesis import GenerationMode
 from schemathesis.specs.openapi.checks import response_schema_conformance, status_code_conformance
 
-from backend.api.openapi import describe, main
+from sightline.app import describe
+from sightline.commands.openapi import main
 from tests.api.conftest import Client
 
 
@@ -53,7 +54,7 @@ def test_every_operation_is_named_once_described_and_typed(description: dict[str
 def test_the_description_is_the_app_s(
     app: FastAPI, tmp_path: Path, description: dict[str, Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("backend.api.openapi.describe", lambda: description)
+    monkeypatch.setattr("sightline.commands.openapi.describe", lambda: description)
     target = tmp_path / "build" / "openapi.json"
     assert main([str(target)]) == 0
     assert json.loads(target.read_text()) == app.openapi() == description

@@ -3,7 +3,7 @@
 import re
 from pathlib import Path
 
-from backend.api.pages import FRONT_END_ROUTE
+from sightline.infra.web.pages import FRONT_END_ROUTE
 
 ROUTER = Path(__file__).resolve().parents[2] / "frontend" / "src" / "router.ts"
 

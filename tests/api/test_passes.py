@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from backend.media.writer import write_mp4
-from backend.storage.records import Job
-from backend.work.services import Services
+from sightline.infra.jobs.records import Job
+from sightline.infra.services import Services
+from sightline.media.video.writer import write_mp4
 from tests.api.conftest import Client, error_of, upload
 from tests.api.ground import Ground, add_vehicle, lay_ground, measure
 from tests.api.working import run_jobs

@@ -7,10 +7,10 @@ from typing import Any
 import pytest
 from PIL import Image
 
-from backend.work.packaging import sha256_hex
-from backend.work.packaging_files import FolderFiles
-from backend.work.services import Services
-from backend.work.verifying import verify_package
+from sightline.export.verify.package import verify_package
+from sightline.infra.csv_package.files import FolderFiles
+from sightline.infra.csv_package.schema import sha256_hex
+from sightline.infra.services import Services
 from tests.api.conftest import Client, error_of
 from tests.api.packages import drop, edit, ground, package, photograph, rederive, rows, worked, written
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from backend.work.services import Services
+from sightline.infra.services import Services
 from tests.api.conftest import Client, error_of
 from tests.api.ground import flat_camera, store_calibration
 

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from backend.storage.records import Job
-from backend.work.services import Services
+from sightline.infra.jobs.records import Job
+from sightline.infra.services import Services
 from tests.api import boards
 from tests.api.conftest import Client, error_of, upload
 from tests.api.ground import flat_camera, store_calibration

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 from sqlalchemy import text
 
-from backend.media.writer import write_mp4
-from backend.storage import jobs as job_table
-from backend.storage.records import Job
-from backend.work import ingesting
-from backend.work.services import Services
+from sightline.infra.jobs.records import Job
+from sightline.infra.jobs.store import claim_job, expired_jobs, requeue_job
+from sightline.infra.services import Services
+from sightline.media.video.writer import write_mp4
+from sightline.recordings import ingest_job
 from tests.api.conftest import FRAME_HEIGHT, FRAME_WIDTH, FRAMES, Client, error_of, number_of, upload
 from tests.media.clips import painted
 
@@ -190,12 +190,12 @@ def test_cancelling_in_the_middle_leaves_no_half_table(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     recording_id = upload(operator, survey_id, clip)
-    monkeypatch.setattr("backend.work.runner.Lease.is_over", lambda _lease: True)
+    monkeypatch.setattr("sightline.infra.jobs.runner.Lease.is_over", lambda _lease: True)
     assert [job.state for job in work()] == ["cancelled"]
     with services.reading() as session:
         assert session.execute(text("SELECT count(*) FROM frames")).scalar_one() == 0
     recording = operator.seen(f"/recordings/{recording_id}")
-    assert recording["state"] == "failed" and recording["error"] == ingesting.STOPPED
+    assert recording["state"] == "failed" and recording["error"] == ingest_job.STOPPED
     assert not list(services.scratch.iterdir())
 
 
@@ -206,11 +206,11 @@ def test_a_worker_killed_in_the_middle(
     recording_id = upload(operator, survey_id, clip)
     job_id = operator.seen(f"/recordings/{recording_id}")["job"]["id"]
     with services.writing() as session:
-        dead = job_table.claim(session, job_id, worker="dead", lease_s=0.0)
+        dead = claim_job(session, job_id, worker="dead", lease_s=0.0)
         assert dead is not None
     with services.writing() as session:
-        (expired,) = job_table.expired(session)
-        job_table.requeue(session, expired)
+        (expired,) = expired_jobs(session)
+        requeue_job(session, expired)
     assert [job.state for job in work()] == ["done"]
     with services.reading() as session:
         assert session.execute(text("SELECT count(*) FROM frames")).scalar_one() == FRAMES

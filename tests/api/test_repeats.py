@@ -5,8 +5,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from backend.storage import click_sigmas
-from backend.work.services import Services
+from sightline.infra.services import Services
+from sightline.measurements.click_sigma_store import choose_click_sigma
 from tests.api.conftest import Client, error_of
 from tests.api.ground import Ground, add_vehicle, clicks, lay_ground, measure, pixel
 
@@ -62,13 +62,13 @@ def test_a_persons_own_sigma_fills_in_live_and_stored(
     live_path = f"/recordings/{ground.recording_id}/geometry/height"
     usual = operator.post(live_path, clicks()).json()
     with services.writing() as session:
-        click_sigmas.choose(session, ground.survey_id, me, sigma_px=0.4, pairs=12, actor=me)
+        choose_click_sigma(session, ground.survey_id, me, sigma_px=0.4, pairs=12, actor=me)
     live, stored = operator.post(live_path, clicks()).json(), measure(operator, vehicle_id)
     assert stored["sigma_px"] == 0.4
     assert stored["u_height_m"] == live["u_height_m"] < usual["u_height_m"]
     assert reviewer.post(live_path, clicks()).json()["u_height_m"] == usual["u_height_m"]
     with services.writing() as session:
-        click_sigmas.choose(session, ground.survey_id, me, sigma_px=None, pairs=12, actor=me)
+        choose_click_sigma(session, ground.survey_id, me, sigma_px=None, pairs=12, actor=me)
     assert measure(operator, vehicle_id)["sigma_px"] == 1.0
 
 

@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 
-from backend.work.services import Services
+from sightline.infra.services import Services
 from tests.api.conftest import Client, error_of
 from tests.api.ground import Ground, add_vehicle, clicks, lay_ground, measure, pixel
 

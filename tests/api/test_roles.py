@@ -1,15 +1,14 @@
 """Every route of the API as each role and signed out, against a matrix written by hand."""
 
 from collections.abc import Iterator
-from importlib import import_module
 from typing import Any
 
 import pytest
 from fastapi import FastAPI
 from fastapi.routing import APIRoute
 
-from backend.api.deps import RANK, anybody, require
-from backend.api.routes import MODULES
+from sightline.app import ROUTERS
+from sightline.infra.web.deps import RANK, anybody, require
 from tests.api.conftest import TUS, Client, error_of
 
 pytestmark = pytest.mark.once
@@ -155,8 +154,8 @@ MATRIX = {
 
 def routes() -> Iterator[tuple[str, APIRoute]]:
     """Every route of every module, as "METHOD /path"."""
-    for name in MODULES:
-        for route in import_module(f"backend.api.{name}").router.routes:
+    for _, router in ROUTERS:
+        for route in router.routes:
             assert isinstance(route, APIRoute), route
             for method in sorted(route.methods):
                 yield f"{method} {route.path}", route

@@ -4,8 +4,8 @@ from typing import Any
 
 import pytest
 
-from backend.storage.scans_records import ScanMeasurement
-from backend.work.services import Services
+from sightline.infra.services import Services
+from sightline.scans.records import ScanMeasurement
 from tests.api.conftest import Client, error_of
 from tests.storage import samples, scans_samples
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from backend.work.scanning_statistics import Seen, statistics_of_seen
+from sightline.scans.statistics.service import Seen, statistics_of_seen
 
 pytestmark = pytest.mark.once
 

@@ -8,8 +8,8 @@ import cv2
 import numpy as np
 import pytest
 
-from backend.storage.records import Job
-from backend.work.services import Services
+from sightline.infra.jobs.records import Job
+from sightline.infra.services import Services
 from tests.api.conftest import Client, error_of
 from tests.api.scanning_ground import RIG, pictures, uploads
 

@@ -5,15 +5,16 @@ from pathlib import Path
 
 import pytest
 
-from backend.errors import Damaged
-from backend.storage import scans_measurements, scans_reviews
-from backend.work.exporting_build import build
-from backend.work.packaging_files import FolderFiles, Staging
-from backend.work.services import Services
-from backend.work.verifying import verify_place
-from backend.work.verifying_chain import walk
-from backend.work.verifying_derived import check_statistics
-from backend.work.verifying_scans import check_scans
+from sightline.errors import Damaged
+from sightline.export.build import build
+from sightline.export.verify.chain import walk
+from sightline.export.verify.derived import check_statistics
+from sightline.export.verify.package import verify_place
+from sightline.infra.csv_package.files import FolderFiles, Staging
+from sightline.infra.services import Services
+from sightline.scans.vehicles.measurement_store import append_scan_measurement
+from sightline.scans.vehicles.review_store import add_scan_review
+from sightline.scans.verify import check_scans
 from tests.storage import samples, scans_samples
 from tests.storage.samples import Sample
 from tests.work_drawing.pdf_text import words
@@ -27,8 +28,8 @@ def one(services: Services) -> Sample:
         first = scans_samples.measured(session, made)
         scans_samples.run(session, made, first.scan_id)
         moved = scans_samples.values(cause="boundaries", placed_by=made.olga.id, rear_line_1=2201.0)
-        second = scans_measurements.append(session, first.vehicle_id, moved, actor=made.olga.id)
-        scans_reviews.add(session, second.id, verdict="accepted", actor=made.rene.id)
+        second = append_scan_measurement(session, first.vehicle_id, moved, actor=made.olga.id)
+        add_scan_review(session, second.id, verdict="accepted", actor=made.rene.id)
         rod = scans_samples.rod(session, made, first.scan_id)
         scans_samples.tall(session, made, first.vehicle_id, rod)
         scans_samples.removed(session, made)

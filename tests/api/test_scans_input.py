@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from backend.media.writer import write_mp4
-from backend.storage import audit
-from backend.storage import jobs as table
-from backend.storage.records import Job
-from backend.work.runner import sweep
-from backend.work.services import Services
+from sightline.infra.audit.verification import verify_records
+from sightline.infra.jobs.records import Job
+from sightline.infra.jobs.runner import sweep
+from sightline.infra.jobs.store import claim_job, queued_jobs
+from sightline.infra.services import Services
+from sightline.media.video.writer import write_mp4
 from tests.api.conftest import Client, error_of, upload
 from tests.api.scanning_ground import RIG, pictures, tiff, upload_strip
 
@@ -60,7 +60,7 @@ def test_strips_that_cannot_be_are_refused_in_words(
     # the twin of what was read is gone with both, and so is everything else
     assert not [path for path in (services.settings.data_dir / "media").rglob("*") if path.is_file()]
     with services.reading() as session:
-        assert audit.verify(session).ok
+        assert verify_records(session).ok
 
 
 def test_a_reading_is_cancelled_and_a_dead_worker_leaves_nothing(
@@ -88,8 +88,8 @@ def test_a_reading_is_cancelled_and_a_dead_worker_leaves_nothing(
 def _die_once(services: Services) -> None:
     """A worker takes the job and is never heard of again; the sweeper gives it back."""
     with services.writing() as session:
-        (job_id,) = table.queued(session)
-        assert table.claim(session, job_id, worker="gone", lease_s=-1.0) is not None
+        (job_id,) = queued_jobs(session)
+        assert claim_job(session, job_id, worker="gone", lease_s=-1.0) is not None
 
     class Nobody:
         def push(self, _job_id: int) -> None: ...

@@ -9,13 +9,13 @@ from uuid import uuid4
 
 import pytest
 
-from backend.commands.clicks import heights_csv
-from backend.geometry.documents import pose_from_dict
-from backend.work.exporting_build import build
-from backend.work.packaging import CHECKSUMS, sha256_hex
-from backend.work.packaging_files import MemoryFiles, Staging
-from backend.work.services import Services
-from backend.work.verifying import verify_package
+from sightline.commands.clicks import heights_csv
+from sightline.export.build import build
+from sightline.export.verify.package import verify_package
+from sightline.geometry.documents import pose_from_dict
+from sightline.infra.csv_package.files import MemoryFiles, Staging
+from sightline.infra.csv_package.schema import CHECKSUMS, sha256_hex
+from sightline.infra.services import Services
 from tests.api.conftest import Client, error_of
 from tests.api.ground import Ground, add_vehicle, lay_ground, pixel
 

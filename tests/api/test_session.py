@@ -4,12 +4,12 @@ import pytest
 from fastapi import FastAPI, Request
 from fastapi.testclient import TestClient
 
-from backend.api.sign_in import COOKIE
-from backend.errors import BadInput
-from backend.storage import people
-from backend.storage.records import Person
-from backend.work.people import first_sign_in_link, new_sign_in_link
-from backend.work.services import Services
+from sightline.errors import BadInput
+from sightline.infra.services import Services
+from sightline.infra.web.cookie import COOKIE
+from sightline.infra.web.person import Person
+from sightline.people.service import first_sign_in_link, new_sign_in_link
+from sightline.people.store import list_people
 from tests.api.conftest import Client, error_of
 
 PASSWORD = "  correct horse battery "
@@ -40,7 +40,7 @@ def test_first_start_makes_one_admin_who_signs_in_once(
     assert again.status_code == 401
     assert "used already" in error_of(again)
     with services.reading() as session:
-        assert len(people.list_all(session)) == 1
+        assert len(list_people(session)) == 1
 
 
 def test_the_cookie_is_http_only_and_same_site_strict(admin: Client, nobody: Client) -> None:

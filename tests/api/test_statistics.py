@@ -10,10 +10,14 @@ from typing import Any
 
 import pytest
 
-from backend.storage import audit, measurements, reviews, surveys, vehicles
-from backend.work.exporting_standards import STANDARDS, standard_rows, standards_in
-from backend.work.packaging_files import Staging
-from backend.work.services import Services
+from sightline.infra.audit import trail
+from sightline.infra.csv_package.files import Staging
+from sightline.infra.services import Services
+from sightline.measurements import store
+from sightline.results.csv import STANDARDS, standard_rows, standards_in
+from sightline.reviews.store import add_review
+from sightline.surveys.store import create_survey
+from sightline.vehicles.store import create_vehicle, update_vehicle
 from tests.api.conftest import Client, error_of
 from tests.storage import samples
 from tests.storage.samples import KEY, Sample
@@ -55,7 +59,7 @@ def ground(services: Services, monkeypatch: pytest.MonkeyPatch) -> Ground:
         one = samples.sample(session)
         for n in range(VEHICLES):
             day = NOON + timedelta(days=n % 4)
-            monkeypatch.setattr(measurements, "now", lambda day=day: day)
+            monkeypatch.setattr(store, "now", lambda day=day: day)
             reference = None if n % 5 == 4 else round(1.4 + 0.013 * n, 3)
             lighting: Any = ("daytime", "low_light")[n % 3 == 2]
             category: Any = CATEGORIES[n % 3]
@@ -67,18 +71,18 @@ def ground(services: Services, monkeypatch: pytest.MonkeyPatch) -> Ground:
                 "manufacturer_height_m": reference,
                 "u_manufacturer_height_m": None if reference is None else 0.015,
             }
-            car = vehicles.create(session, one.recording.id, fields, actor=one.olga.id)
+            car = create_vehicle(session, one.recording.id, fields, actor=one.olga.id)
             for k, target in enumerate(TARGETS):
                 true = {"roof": reference or 1.5, "driver_eye": 1.15, "taillight": 0.8}[target]
                 height, paper = true + random.gauss(0, 0.01), true + random.gauss(0.03, 0.012)
                 operator = (one.olga, one.rene)[n % 2]
                 other = (one.rene, one.olga)[n % 2]
                 content: Any = samples.values(one, target=target, height_m=9.9, uncorrected_height_m=9.9)
-                made = measurements.add(
+                made = store.add_measurement(
                     session, car.id, client_key=KEY.format(n * 3 + k), values=content, actor=operator.id
                 )
                 content = replace(content, height_m=height, uncorrected_height_m=paper)
-                made = measurements.revise(
+                made = store.revise_measurement(
                     session, made.id, seen_revision=1, values=content, actor=operator.id
                 )
                 verdict: Any = VERDICTS[(n + k) % 4] if n >= 6 else "accepted"
@@ -89,7 +93,7 @@ def ground(services: Services, monkeypatch: pytest.MonkeyPatch) -> Ground:
                     verdict = judge(session, made, verdict, content, other.id)
                 if n % 4 == 0:
                     repeated = samples.values(one, target=target, height_m=7.7, uncorrected_height_m=7.7)
-                    measurements.add(
+                    store.add_measurement(
                         session,
                         car.id,
                         client_key=KEY.format(1000 + n * 3 + k),
@@ -98,8 +102,10 @@ def ground(services: Services, monkeypatch: pytest.MonkeyPatch) -> Ground:
                         actor=other.id,
                     )
                 if n % 7 == 6:
-                    current = measurements.get(session, made.id)
-                    measurements.withdraw(session, made.id, seen_revision=current.revision, actor=operator.id)
+                    current = store.get_measurement(session, made.id)
+                    store.withdraw_measurement(
+                        session, made.id, seen_revision=current.revision, actor=operator.id
+                    )
                     continue
                 who = other.id if verdict == "fixed" else operator.id
                 told.append(
@@ -112,7 +118,7 @@ def judge(session: Any, made: Any, verdict: Any, content: Any, actor: int) -> st
     """A reviewer's verdict; "fixed" stores the better content."""
     reason = "Blurred." if verdict == "rejected" else None
     fixed = content if verdict == "fixed" else None
-    reviews.add(session, made.id, seen_revision=2, verdict=verdict, reason=reason, fixed=fixed, actor=actor)
+    add_review(session, made.id, seen_revision=2, verdict=verdict, reason=reason, fixed=fixed, actor=actor)
     return str(verdict)
 
 
@@ -239,9 +245,9 @@ def test_empty_one_and_few_have_reasons(viewer: Client, services: Services) -> N
     assert viewer.seen("/statistics?correction=shift")["targets"][0]["corrected"]["reason"]
     with services.writing() as session:
         one = samples.sample(session)
-        vehicles.update(session, one.vehicle.id, {"manufacturer_height_m": 1.6}, version=1, actor=None)
+        update_vehicle(session, one.vehicle.id, {"manufacturer_height_m": 1.6}, version=1, actor=None)
         samples.measure(session, one)
-        second = surveys.create(session, name="Other", actor=None)
+        second = create_survey(session, name="Other", actor=None)
     waiting = viewer.seen("/statistics")
     assert waiting["counted"] == {
         "measurements": 0,
@@ -272,7 +278,7 @@ def test_a_survey_has_its_own_standards(
     assert told["standards"] == table and told["version"] > 0
     assert viewer.seen(f"/surveys/{one}/standards") == told
     with services.writing() as session:
-        other = surveys.create(session, name="Other", actor=None).id
+        other = create_survey(session, name="Other", actor=None).id
     found = viewer.seen(f"/statistics?survey={one}&state=all")
     assert found["standards"] == table
     eyes = [t.height_m for t in ground.told if t.target == "driver_eye"]
@@ -281,7 +287,7 @@ def test_a_survey_has_its_own_standards(
     assert viewer.seen(f"/statistics?survey={other}")["standards"] == usual["standards"]
     assert viewer.seen("/statistics")["standards"] == [*usual["standards"], *table]
     with services.reading() as session:
-        event = audit.listing(session, survey_id=one, entity="standards")[0]
+        event = trail.listing(session, survey_id=one, entity="standards")[0]
     assert event.after == {"standards": table} and event.before == {"standards": usual["standards"]}
 
 

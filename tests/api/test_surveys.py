@@ -4,8 +4,8 @@ from collections.abc import Callable
 
 from sqlalchemy import text
 
-from backend.storage.records import Job
-from backend.work.services import Services
+from sightline.infra.jobs.records import Job
+from sightline.infra.services import Services
 from tests.api.conftest import Client, error_of
 
 

@@ -6,15 +6,15 @@ from pathlib import Path
 import pytest
 from fastapi.testclient import TestClient
 
-from backend.api.uploads import clean_name
-from backend.app import create_app
-from backend.media import store as media_store
-from backend.media import uploads as parts
-from backend.settings import Settings
-from backend.storage.records import Job
-from backend.work import uploading
-from backend.work.ingesting import remove_recording
-from backend.work.services import Services, open_services
+from sightline.app import create_app
+from sightline.infra.jobs.records import Job
+from sightline.infra.services import Services, open_services
+from sightline.media.store import local, upload_parts
+from sightline.recordings.ingest_job import remove_recording
+from sightline.recordings.uploads import service
+from sightline.recordings.uploads.routes import clean_name
+from sightline.recordings.uploads.store import get_upload
+from sightline.settings import Settings
 from tests.api.conftest import TUS, Client, announce, error_of, send, upload
 
 Work = Callable[[], list[Job]]
@@ -76,9 +76,9 @@ def test_the_connection_breaks_in_the_middle(
 
     upload_id = int(location.rpartition("/")[2])
     with services.reading() as session:
-        found = uploading.uploads.get(session, upload_id)
+        found = get_upload(session, upload_id)
     with pytest.raises(Broken):
-        uploading.take(services, found, 0, pieces())
+        service.take_bytes(services, found, 0, pieces())
     assert offset_of(operator, location) == 5000
     assert operator.seen(f"/surveys/{survey_id}/uploads")[0]["offset"] == 5000
     assert send(operator, location, 5000, content[5000:]).headers["Sightline-Recording"]
@@ -91,7 +91,7 @@ def test_a_server_killed_behind_the_last_byte(
     content = clip.read_bytes()
     location = announce(operator, survey_id, "a.mp4", len(content)).headers["Location"]
     part = f"upload-{location.rpartition('/')[2]}"
-    parts.append(uploading.folder(services), part, 0, [content])
+    upload_parts.append(service.upload_folder(services), part, 0, [content])
     assert operator.seen(f"/surveys/{survey_id}/recordings") == []
     reborn = open_services(settings)
     with TestClient(create_app(services=reborn)):
@@ -99,7 +99,7 @@ def test_a_server_killed_behind_the_last_byte(
     reborn.close()
     (recording,) = operator.seen(f"/surveys/{survey_id}/recordings")
     assert recording["state"] == "ingesting" and recording["job"]["state"] == "queued"
-    assert not list(uploading.folder(services).iterdir())
+    assert not list(service.upload_folder(services).iterdir())
 
 
 def test_a_client_that_asks_finishes_what_the_kill_left(
@@ -108,7 +108,7 @@ def test_a_client_that_asks_finishes_what_the_kill_left(
     content = clip.read_bytes()
     location = announce(operator, survey_id, "a.mp4", len(content)).headers["Location"]
     part = f"upload-{location.rpartition('/')[2]}"
-    parts.append(uploading.folder(services), part, 0, [content])
+    upload_parts.append(service.upload_folder(services), part, 0, [content])
     answer = operator.http.head(location, headers=TUS)
     assert answer.headers["Sightline-Recording"]
     assert len(operator.seen(f"/surveys/{survey_id}/recordings")) == 1
@@ -140,15 +140,15 @@ def test_a_twin_deleted_while_an_upload_ends_does_not_take_its_file_along(
 ) -> None:
     first = upload(operator, survey_id, clip)
     work()
-    put_file, deleted = media_store.LocalStore.put_file, []
+    put_file, deleted = local.LocalStore.put_file, []
 
-    def then_deleted(store: media_store.LocalStore, key: str, path: Path, *, link: bool = False) -> None:
+    def then_deleted(store: local.LocalStore, key: str, path: Path, *, link: bool = False) -> None:
         put_file(store, key, path, link=link)
         if not deleted:
             deleted.append(first)
             remove_recording(services, first, None)
 
-    monkeypatch.setattr(media_store.LocalStore, "put_file", then_deleted)
+    monkeypatch.setattr(local.LocalStore, "put_file", then_deleted)
     second = upload(operator, survey_id, clip)
     assert deleted == [first]
     assert [job.state for job in work()] == ["done"]
@@ -172,7 +172,7 @@ def test_a_full_disk_is_told_before_a_byte_is_sent(
     class Usage:
         free = 1_000_000
 
-    monkeypatch.setattr(media_store.shutil, "disk_usage", lambda _path: Usage)
+    monkeypatch.setattr(local.shutil, "disk_usage", lambda _path: Usage)
     answer = announce(operator, survey_id, "a.mp4", 5_000_000_000)
     assert answer.status_code == 507
     assert "no room" in error_of(answer)
@@ -190,7 +190,7 @@ def test_a_disk_that_fills_up_keeps_what_arrived(
         raise OSError(28, "No space left on device")
 
     with monkeypatch.context() as patched:
-        patched.setattr(parts.os, "write", full)
+        patched.setattr(upload_parts.os, "write", full)
         answer = send(operator, location, 2000, content[2000:])
     assert answer.status_code == 507
     assert "disk is full" in error_of(answer)
@@ -204,18 +204,18 @@ def test_giving_up(operator: Client, survey_id: int, services: Services) -> None
     assert operator.http.delete(location, headers=TUS).status_code == 204
     assert operator.http.head(location, headers=TUS).status_code == 404
     assert send(operator, location, 50, b"x").status_code == 404
-    assert not list(uploading.folder(services).iterdir())
+    assert not list(service.upload_folder(services).iterdir())
 
 
 def test_abandoned_uploads_go_after_a_week(operator: Client, survey_id: int, services: Services) -> None:
     import os
 
     location = announce(operator, survey_id, "a.mp4", 100).headers["Location"]
-    uploading.recover(services)
+    service.recover_uploads(services)
     assert offset_of(operator, location) == 0
-    for path in uploading.folder(services).iterdir():
+    for path in service.upload_folder(services).iterdir():
         os.utime(path, (1, 1))
-    uploading.recover(services)
+    service.recover_uploads(services)
     assert operator.seen(f"/surveys/{survey_id}/uploads") == []
 
 
@@ -255,6 +255,6 @@ def test_names_are_only_names() -> None:
     assert clean_name("/a/b/\x00c\n.mp4") == "c.mp4"
     assert clean_name("  ") == "recording"
     assert len(clean_name("x" * 5000 + ".mp4")) == 400
-    assert uploading.suffix_of("a.MP4") == ".mp4"
-    assert uploading.suffix_of("a.b/c") == ""
-    assert uploading.suffix_of("a.waytoolongsuffix") == ""
+    assert service.upload_suffix("a.MP4") == ".mp4"
+    assert service.upload_suffix("a.b/c") == ""
+    assert service.upload_suffix("a.waytoolongsuffix") == ""

@@ -1,19 +1,19 @@
 """Does queued jobs in the test's own process, one after the other, as a worker would."""
 
-from backend.storage import jobs as table
-from backend.storage.records import Job
-from backend.work import jobs
-from backend.work.runner import Runner
-from backend.work.services import Services
+from sightline import job_handlers
+from sightline.infra.jobs.records import Job
+from sightline.infra.jobs.runner import Runner
+from sightline.infra.jobs.store import get_job, queued_jobs
+from sightline.infra.services import Services
 
 
 def run_jobs(services: Services) -> list[Job]:
     """Run every queued job to its end and give them back as they ended."""
-    jobs.load_handlers()
+    assert job_handlers.MODULES
     runner = Runner(services.settings, services.sessions)
     with services.reading() as session:
-        waiting = table.queued(session)
+        waiting = queued_jobs(session)
     for job_id in waiting:
         runner.run(job_id)
     with services.reading() as session:
-        return [table.get(session, job_id) for job_id in waiting]
+        return [get_job(session, job_id) for job_id in waiting]

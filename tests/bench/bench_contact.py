@@ -19,9 +19,10 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from backend.demonstration import day_scene, low_light_scene, render_frame, truth
-from backend.demonstration.scene import Scene
-from backend.geometry.contact import Proposal, propose
+from sightline.geometry.contact import Proposal, propose
+from sightline.simulation import truth
+from sightline.simulation.render import render_frame
+from sightline.simulation.scene import Scene, day_scene, low_light_scene
 from tests.bench.surveys import HELD_OUT, TRAINING, boxes_of, pose_of, site
 
 POINTER_PX = 8.0

@@ -24,19 +24,19 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 cv2.setNumThreads(1)
 
-from backend.geometry.board import Board, canonical_order  # noqa: E402
-from backend.geometry.calibration import calibrate  # noqa: E402
-from backend.geometry.camera import Camera  # noqa: E402
-from backend.geometry.charuco import Charuco  # noqa: E402
-from backend.geometry.corners import detect, refine_subpixel  # noqa: E402
-from backend.geometry.height import measure_height  # noqa: E402
-from backend.geometry.pose import pose_from_corners  # noqa: E402
-from backend.geometry.road_pose import Reference, RoadPose  # noqa: E402
-from backend.geometry.saddle import refine_saddles  # noqa: E402
-from backend.geometry.tracking import track  # noqa: E402
-from backend.media.decode import frames_of  # noqa: E402
-from backend.media.writer import write_mp4  # noqa: E402
-from backend.work.camera_files import pose_detections  # noqa: E402
+from sightline.cameras.camera_files import pose_detections  # noqa: E402
+from sightline.geometry.board import Board, canonical_order  # noqa: E402
+from sightline.geometry.calibration import calibrate  # noqa: E402
+from sightline.geometry.camera import Camera  # noqa: E402
+from sightline.geometry.charuco import Charuco  # noqa: E402
+from sightline.geometry.corners import detect, refine_subpixel  # noqa: E402
+from sightline.geometry.height import measure_height  # noqa: E402
+from sightline.geometry.pose import pose_from_corners  # noqa: E402
+from sightline.geometry.road_pose import Reference, RoadPose  # noqa: E402
+from sightline.geometry.saddle import refine_saddles  # noqa: E402
+from sightline.geometry.tracking import track  # noqa: E402
+from sightline.media.video.decode import frames_of  # noqa: E402
+from sightline.media.video.writer import write_mp4  # noqa: E402
 from tests.bench.goals import BOARD, Row, best_s, facing, report, rms, row, truth_of  # noqa: E402
 from tests.geometry.scenes import camera_of  # noqa: E402
 from tests.geometry.simulate import Lens, Scene, picture  # noqa: E402

@@ -28,12 +28,13 @@ sys.path.insert(0, str(ROOT))
 
 from playwright.sync_api import Page  # noqa: E402
 
-from backend.errors import SightlineError  # noqa: E402
-from backend.media.decode import frames_of  # noqa: E402
-from backend.media.decode_host import DecodeHost  # noqa: E402
-from backend.media.frames import FrameServer, RecordingMedia  # noqa: E402
-from backend.media.images import read_image_bgr  # noqa: E402
-from backend.media.ingest import Ingested, ingest  # noqa: E402
+from sightline.errors import SightlineError  # noqa: E402
+from sightline.media.images import read_image_bgr  # noqa: E402
+from sightline.media.video.decode import frames_of  # noqa: E402
+from sightline.media.video.decode_host import DecodeHost  # noqa: E402
+from sightline.media.video.frames import FrameServer  # noqa: E402
+from sightline.media.video.ingest import Ingested, ingest  # noqa: E402
+from sightline.media.video.seeker import RecordingMedia  # noqa: E402
 from tests.bench.web_ground import chromium  # noqa: E402
 from tests.media.clips import SPECS, Spec, cut_copy, read_number, write  # noqa: E402
 

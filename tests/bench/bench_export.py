@@ -18,11 +18,11 @@ from typing import cast
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from backend.geometry.documents import camera_to_dict, pose_to_dict
-from backend.storage import calibrations, database, poses
-from backend.work.exporting_build import build
-from backend.work.packaging_files import Staging, zip_folder
-from backend.work.services import Services
+from sightline.export.build import build
+from sightline.geometry.documents import camera_to_dict, pose_to_dict
+from sightline.infra.csv_package.files import Staging, zip_folder
+from sightline.infra.database.engine import SessionFactory, make_engine, migrate, reading, session_factory
+from sightline.infra.services import Services
 from tests.api.ground import flat_camera, pose_above_road
 from tests.bench.seed import seed
 from tests.storage import samples
@@ -32,7 +32,7 @@ GOAL_MB = {100_000: 700, 1_000_000: 1500}
 
 def with_real_set_up() -> None:
     """The sample's pose and calibration are stubs; a report needs a camera that exists."""
-    add_calibration, add_pose = calibrations.add, poses.add
+    add_calibration, add_pose = samples.add_calibration, samples.add_pose
 
     def lens(*args, **values):  # type: ignore[no-untyped-def]
         return add_calibration(*args, **{**values, "document": camera_to_dict(flat_camera())})
@@ -40,17 +40,17 @@ def with_real_set_up() -> None:
     def pose(*args, **values):  # type: ignore[no-untyped-def]
         return add_pose(*args, **{**values, "document": pose_to_dict(pose_above_road()), "expected": []})
 
-    samples.calibrations.add, samples.poses.add = lens, pose  # type: ignore[assignment]
+    samples.add_calibration, samples.add_pose = lens, pose  # type: ignore[assignment]
 
 
 def peak_mb() -> float:
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
 
 
-def fresh(url: str) -> database.SessionFactory:
-    engine = database.make_engine(url)
-    database.migrate(engine)
-    return database.session_factory(engine)
+def fresh(url: str) -> SessionFactory:
+    engine = make_engine(url)
+    migrate(engine)
+    return session_factory(engine)
 
 
 def make(url: str, count: int) -> None:
@@ -66,7 +66,7 @@ def measure(url: str, folder: Path) -> None:
     staging.folder.mkdir()
     before = peak_mb()
     cpu, wall = process_time(), perf_counter()
-    with database.reading(factory) as session:
+    with reading(factory) as session:
         # no photographs and no crops: nothing is asked of the services
         built = build(staging, session, 1, cast(Services, None), told, crops=False)
     rows = peak_mb()

@@ -23,14 +23,14 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 cv2.setNumThreads(1)
 
-from backend.geometry.board import road_points  # noqa: E402
-from backend.geometry.camera import normalised_to_pixels, undistort  # noqa: E402
-from backend.geometry.corners import Corners  # noqa: E402
-from backend.geometry.height import measure_height, measure_heights  # noqa: E402
-from backend.geometry.multiframe import measure_frames  # noqa: E402
-from backend.geometry.pose import pose_from_corners  # noqa: E402
-from backend.geometry.quick import QuickHeights  # noqa: E402
-from backend.geometry.road_pose import Reference  # noqa: E402
+from sightline.geometry.board import road_points  # noqa: E402
+from sightline.geometry.camera import normalised_to_pixels, undistort  # noqa: E402
+from sightline.geometry.corners import Corners  # noqa: E402
+from sightline.geometry.height import measure_height, measure_heights  # noqa: E402
+from sightline.geometry.multiframe import measure_frames  # noqa: E402
+from sightline.geometry.pose import pose_from_corners  # noqa: E402
+from sightline.geometry.quick import QuickHeights  # noqa: E402
+from sightline.geometry.road_pose import Reference  # noqa: E402
 from tests.bench.goals import BOARD, Row, best_s, facing, report, rms, row, truth_of  # noqa: E402
 from tests.geometry.scenes import LENSES, camera_of, pose_of  # noqa: E402
 from tests.geometry.simulate import Lens, Scene  # noqa: E402

@@ -22,12 +22,12 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from backend.demonstration.scan_strips import recording, strips
-from backend.demonstration.scan_traffic import ScanSite, ScanTruth, traffic, truths
-from backend.linescan.direct import measure_direct
-from backend.linescan.finding import Finder
-from backend.linescan.paper import measure_paper
-from backend.linescan.parts import Motion, Passage, Rig
+from sightline.linescan.direct import measure_direct
+from sightline.linescan.finding import Finder
+from sightline.linescan.paper import measure_paper
+from sightline.linescan.parts import Motion, Passage, Rig
+from sightline.simulation.scan_strips import recording, strips
+from sightline.simulation.scan_traffic import ScanSite, ScanTruth, traffic, truths
 from tests.bench.goals import Row, report, rms, row
 
 RIG = Rig(0.593, 4882.8)

@@ -22,11 +22,12 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from backend.media.decode_host import DecodeHost
-from backend.media.frames import FrameServer, RecordingMedia
-from backend.media.ingest import ingest
-from backend.media.picture import luma_crc
-from backend.media.writer import write_mp4
+from sightline.media.video.decode_host import DecodeHost
+from sightline.media.video.frames import FrameServer
+from sightline.media.video.ingest import ingest
+from sightline.media.video.picture import luma_crc
+from sightline.media.video.seeker import RecordingMedia
+from sightline.media.video.writer import write_mp4
 
 SIZES = ((640, 480), (1920, 1080), (3840, 2160))
 RATE = 25

@@ -31,11 +31,12 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 cv2.setNumThreads(1)
 
-from backend.media.decode import frames_of  # noqa: E402
-from backend.media.passes import FoundPass, find_passes  # noqa: E402
-from backend.media.store import sha256_of  # noqa: E402
-from backend.settings import load_settings  # noqa: E402
-from backend.work.finding_passes import square_at  # noqa: E402
+from sightline.detection.classify import FoundPass  # noqa: E402
+from sightline.detection.finder import find_passes  # noqa: E402
+from sightline.media.store.local import sha256_of  # noqa: E402
+from sightline.media.video.decode import frames_of  # noqa: E402
+from sightline.settings import load_settings  # noqa: E402
+from sightline.vehicles.passes.find_job import square_at  # noqa: E402
 from tests.bench.goals import Row, report, row  # noqa: E402
 from tests.bench.surveys import HELD_OUT, TRAINING, Passing, passings, pose_of, site, video_of  # noqa: E402
 

@@ -22,8 +22,8 @@ def main(counts: list[int]) -> int:
     for count in counts:
         found = statistics(count)
         cpu, wall = process_time(), perf_counter()
-        from backend.work.drawing.figures import drawings
-        from backend.work.drawing.report import report
+        from sightline.export.report.figures import drawings
+        from sightline.export.report.report import report
 
         drawn = drawings(found)
         figures = process_time() - cpu

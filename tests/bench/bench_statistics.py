@@ -19,11 +19,10 @@ from time import perf_counter, process_time
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from backend.api.statistics import statistics_body
-from backend.storage import database
-from backend.storage.database import SessionFactory
-from backend.work import figuring
-from backend.work.figuring import Choices, Filter
+from sightline.infra.database.engine import SessionFactory, make_engine, migrate, reading, session_factory
+from sightline.results import survey_statistics
+from sightline.results.routes import statistics_body
+from sightline.results.survey_statistics import Choices, Filter
 from tests.bench.seed import seed
 
 GOALS_S = {100_000: 1.0, 1_000_000: 5.0}
@@ -32,9 +31,9 @@ GOALS_S = {100_000: 1.0, 1_000_000: 5.0}
 def fresh(folder: Path) -> SessionFactory:
     """A migrated database."""
     url = os.environ.get("SIGHTLINE_BENCH_DATABASE_URL") or f"sqlite:///{folder / 'bench.sqlite3'}"
-    engine = database.make_engine(url)
-    database.migrate(engine)
-    return database.session_factory(engine)
+    engine = make_engine(url)
+    migrate(engine)
+    return session_factory(engine)
 
 
 def timed(action: Callable[[], object]) -> tuple[float, float]:
@@ -47,8 +46,8 @@ def timed(action: Callable[[], object]) -> tuple[float, float]:
 
 def answer(factory: SessionFactory, chosen: Filter) -> int:
     """What the route does, from the database to the text that goes out; its length."""
-    with database.reading(factory) as session:
-        found = figuring.statistics(session, chosen, Choices())
+    with reading(factory) as session:
+        found = survey_statistics.survey_statistics(session, chosen, Choices())
     assert found.counted.measurements > 0
     return len(statistics_body(found, "inset").model_dump_json())
 
@@ -59,7 +58,7 @@ def main(counts: list[int]) -> int:
             factory = fresh(Path(folder))
             spent = timed(lambda factory=factory, count=count: seed(factory, count))  # type: ignore[misc]
             print(f"{count} measurements seeded: {spent[0]:.1f} s CPU, {spent[1]:.1f} s")
-            figuring.forget()
+            survey_statistics.forget_statistics()
             profile = cProfile.Profile()
             if os.environ.get("SIGHTLINE_BENCH_PROFILE"):
                 profile.enable()

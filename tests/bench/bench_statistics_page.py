@@ -18,8 +18,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
 from playwright.sync_api import Browser, Page
 
-from backend.settings import Settings
-from backend.storage import database
+from sightline.infra.database.engine import make_engine, migrate, session_factory
+from sightline.settings import Settings
 from tests.bench.seed import seed
 from tests.bench.web_ground import chromium, serving, sign_in_link
 
@@ -58,9 +58,9 @@ def clicked(page: Page, survey_id: int) -> tuple[float, float]:
 def measure(count: int, browser: Browser) -> None:
     with tempfile.TemporaryDirectory(prefix="sightline-bench-") as name:
         folder = Path(name)
-        engine = database.make_engine(Settings(data_dir=folder).database_url)
-        database.migrate(engine)
-        survey_id = seed(database.session_factory(engine), count).survey.id
+        engine = make_engine(Settings(data_dir=folder).database_url)
+        migrate(engine)
+        survey_id = seed(session_factory(engine), count).survey.id
         engine.dispose()
         with serving("serve", folder) as server:
             page = signed_in(browser, server.url, folder)

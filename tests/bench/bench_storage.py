@@ -17,8 +17,20 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from backend.storage import database, frames, measurements, recordings, reviews, surveys, vehicles
-from backend.storage.database import SessionFactory
+from sightline.infra.database.engine import (
+    SessionFactory,
+    make_engine,
+    migrate,
+    reading,
+    session_factory,
+    writing,
+)
+from sightline.measurements.store import list_measurements
+from sightline.recordings.frames.store import get_frame_table
+from sightline.recordings.store import note_ingested
+from sightline.reviews.store import review_queue
+from sightline.surveys.store import get_survey
+from sightline.vehicles.store import list_vehicles
 from tests.bench.goals import Row, report, row
 from tests.storage import samples
 from tests.storage.samples import Sample
@@ -38,23 +50,23 @@ def cpu_s(function: Callable[[], object]) -> float:
 def fresh(folder: Path) -> SessionFactory:
     """A migrated database."""
     url = os.environ.get("SIGHTLINE_BENCH_DATABASE_URL") or f"sqlite:///{folder / 'bench.sqlite3'}"
-    engine = database.make_engine(url)
-    database.migrate(engine)
-    return database.session_factory(engine)
+    engine = make_engine(url)
+    migrate(engine)
+    return session_factory(engine)
 
 
 def lists(factory: SessionFactory, one: Sample) -> Iterator[Row]:
     survey_id = one.survey.id
-    with database.reading(factory) as session:
+    with reading(factory) as session:
         wanted: tuple[tuple[str, float, Callable[[], object]], ...] = (
             (
                 f"{VEHICLES} vehicles with measurements",
                 1.0,
-                lambda: vehicles.list_for_survey(session, survey_id),
+                lambda: list_vehicles(session, survey_id),
             ),
-            ("counts and steps of that survey", 0.3, lambda: surveys.get(session, survey_id)),
-            ("review queue of that survey", 1.5, lambda: reviews.queue(session, survey_id, actor=1)),
-            ("all its measurements", 1.0, lambda: measurements.list_for_survey(session, survey_id)),
+            ("counts and steps of that survey", 0.3, lambda: get_survey(session, survey_id)),
+            ("review queue of that survey", 1.5, lambda: review_queue(session, survey_id, actor=1)),
+            ("all its measurements", 1.0, lambda: list_measurements(session, survey_id)),
         )
         for words, goal_s, action in wanted:
             spent_s = cpu_s(action)
@@ -62,7 +74,7 @@ def lists(factory: SessionFactory, one: Sample) -> Iterator[Row]:
 
 
 def writes(factory: SessionFactory, one: Sample) -> Iterator[Row]:
-    with database.writing(factory) as session:
+    with writing(factory) as session:
         spent = [cpu_s(partial(samples.measure, session, one, key=900_000 + key)) for key in range(50)]
     middle_ms = 1000 * statistics.median(spent)
     yield row("a measurement with its event <= 30 ms", "", f"{middle_ms:.1f} ms", middle_ms <= 30)
@@ -70,12 +82,12 @@ def writes(factory: SessionFactory, one: Sample) -> Iterator[Row]:
 
 def bulk_frames(factory: SessionFactory, one: Sample) -> Iterator[Row]:
     table = samples.frame_table(FRAMES)
-    with database.writing(factory) as session:
+    with writing(factory) as session:
         made = samples.add_recording(session, one.survey.id, None)
-        spent_s = cpu_s(lambda: recordings.ingested(session, made.id, samples.facts(), table, actor=None))
+        spent_s = cpu_s(lambda: note_ingested(session, made.id, samples.facts(), table, actor=None))
     yield row(f"{FRAMES} frames written <= 1 s", "", f"{spent_s:.2f} s", spent_s <= 1)
-    with database.reading(factory) as session:
-        spent_s = cpu_s(lambda: frames.table(session, made.id))
+    with reading(factory) as session:
+        spent_s = cpu_s(lambda: get_frame_table(session, made.id))
     yield row(f"{FRAMES} frames read <= 0.5 s", "", f"{spent_s:.2f} s", spent_s <= 0.5)
 
 

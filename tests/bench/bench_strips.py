@@ -27,10 +27,10 @@ import tifffile
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
-from backend.demonstration.scan_traffic import ScanSite, ScanVehicle, traffic  # noqa: E402
-from backend.media.strips import open_strip  # noqa: E402
-from backend.media.strips_reader import StripReader  # noqa: E402
-from backend.media.strips_store import store_strip  # noqa: E402
+from sightline.media.strips.reader import open_strip  # noqa: E402
+from sightline.media.strips.stored_reader import StripReader  # noqa: E402
+from sightline.media.strips.stored_writer import store_strip  # noqa: E402
+from sightline.simulation.scan_traffic import ScanSite, ScanVehicle, traffic  # noqa: E402
 from tests.bench.goals import Row, report, row  # noqa: E402
 from tests.media.scans import Fed, stored_pair  # noqa: E402
 
@@ -42,7 +42,7 @@ FOLDER = Path(tempfile.mkdtemp(prefix="bench-strips-"))
 RUNNER = """
 import os, sys
 os.sched_setaffinity(0, [min(os.sched_getaffinity(0))])
-from backend.cli import main
+from sightline.cli import main
 status = main(sys.argv[1:])
 about = dict(line.split(":", 1) for line in open("/proc/self/status"))
 print(about["VmHWM"].split()[0], file=sys.stderr)

@@ -17,9 +17,9 @@ from scipy.stats import theilslopes
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from backend.linescan.direct import measure_direct
-from backend.linescan.paper import measure_paper
-from backend.linescan.parts import Crossings, Motion, Passage, Rig
+from sightline.linescan.direct import measure_direct
+from sightline.linescan.paper import measure_paper
+from sightline.linescan.parts import Crossings, Motion, Passage, Rig
 
 OUT = Path(__file__).resolve().parents[2] / ".build" / "trains"
 SLIT_PX = 36

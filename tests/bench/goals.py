@@ -7,7 +7,7 @@ from time import perf_counter
 
 import numpy as np
 
-from backend.geometry.board import Board
+from sightline.geometry.board import Board
 from tests.geometry.simulate import Lens, Scene
 
 BOARD = Board(6, 4, 0.1)

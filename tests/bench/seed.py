@@ -5,8 +5,10 @@ from __future__ import annotations
 from sqlalchemy import Table, text
 from sqlalchemy.orm import Session
 
-from backend.storage import database
-from backend.storage.tables_of_work import measurement_series, measurements, reviews, vehicles
+from sightline.infra.database.engine import SessionFactory, writing
+from sightline.measurements.tables import measurement_series, measurements
+from sightline.reviews.tables import reviews
+from sightline.vehicles.tables import vehicles
 from tests.storage import samples
 from tests.storage.samples import Sample
 
@@ -18,9 +20,9 @@ TARGETS = ("roof", "driver_eye", "taillight")
 FIRST = 1000  # ids below belong to the sample
 
 
-def seed(factory: database.SessionFactory, count: int) -> Sample:
+def seed(factory: SessionFactory, count: int) -> Sample:
     """`count` measurements, three of each vehicle; every fifth revised, nine of ten accepted, one waiting."""
-    with database.writing(factory) as session:
+    with writing(factory) as session:
         one = samples.sample(session)
         made = samples.measure(session, one)
         _vehicles(session, one.vehicle.id, count // 3)

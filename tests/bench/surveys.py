@@ -13,16 +13,16 @@ from pathlib import Path
 
 import numpy as np
 
-from backend.demonstration import render
-from backend.demonstration.camera import DemoCamera
-from backend.demonstration.compose import Place
-from backend.demonstration.light import DAY, LOW, Light
-from backend.demonstration.models import MODELS
-from backend.demonstration.scene import FADE_FRAMES, FPS, RoadBoard, Scene, Vehicle, _paint, _reach
-from backend.demonstration.shape import shape_of
-from backend.geometry.camera import Camera
-from backend.geometry.road_pose import RoadPose
-from backend.media.writer import write_mp4
+from sightline.geometry.camera import Camera
+from sightline.geometry.road_pose import RoadPose
+from sightline.media.video.writer import write_mp4
+from sightline.simulation import render
+from sightline.simulation.camera import DemoCamera
+from sightline.simulation.compose import Place
+from sightline.simulation.light import DAY, LOW, Light
+from sightline.simulation.models import MODELS
+from sightline.simulation.scene import FADE_FRAMES, FPS, RoadBoard, Scene, Vehicle, _paint, _reach
+from sightline.simulation.shape import shape_of
 
 TRAINING = (101, 102, 103, 104, 105, 106)
 HELD_OUT = (201, 202, 203, 204, 205, 206)

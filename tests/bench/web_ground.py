@@ -16,10 +16,10 @@ from typing import Any
 from bench_media import Draw
 from playwright.sync_api import Browser, sync_playwright
 
-from backend.media.writer import write_mp4
-from backend.settings import Settings
-from backend.work.people import FIRST_ADMIN, new_sign_in_link
-from backend.work.services import open_services
+from sightline.infra.services import open_services
+from sightline.media.video.writer import write_mp4
+from sightline.people.service import FIRST_ADMIN, new_sign_in_link
+from sightline.settings import Settings
 from tests.browser.conftest import chromium_path
 from tests.browser.server import Server, start
 from tests.real.client import Client

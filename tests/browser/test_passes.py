@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 from playwright.sync_api import Page, expect
 
-from backend.media.writer import write_mp4
+from sightline.media.video.writer import write_mp4
 from tests.media.street import car, street
 
 from .server import ROOT

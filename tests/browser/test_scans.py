@@ -7,8 +7,9 @@ from typing import Any
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
-from backend.demonstration.scan_rod import row_of
-from backend.work.demo_scan import RODS, SITE
+from sightline.demo.scan import SITE
+from sightline.demo.scan_heights import RODS
+from sightline.simulation.scan_rod import row_of
 
 from .conftest import wait_for_demonstration
 

@@ -20,8 +20,8 @@ def environment(**more: str) -> dict[str, str]:
 
 def sightline(*arguments: str, cwd: Path | None = None, **more: str) -> "subprocess.CompletedProcess[str]":
     """One command to its end."""
-    command = [sys.executable, "-m", "backend.cli", *arguments]
-    more = {"PYTHONPATH": str(Path(__file__).resolve().parents[2]), **more}
+    command = [sys.executable, "-m", "sightline.cli", *arguments]
+    more = {"PYTHONPATH": str(Path(__file__).resolve().parents[2] / "backend"), **more}
     return subprocess.run(
         command, capture_output=True, text=True, cwd=cwd, env=environment(**more), timeout=120, check=False
     )
@@ -41,12 +41,12 @@ class Server:
         self.url = f"http://127.0.0.1:{self.port}"
         data_dir.mkdir(parents=True, exist_ok=True)
         self.log = data_dir / f"log-{time.time_ns()}.txt"
-        command = [sys.executable, "-m", "backend.cli", "serve", "--data-dir", str(data_dir)]
+        command = [sys.executable, "-m", "sightline.cli", "serve", "--data-dir", str(data_dir)]
         self.process = subprocess.Popen(
             [*command, "--port", str(self.port), *arguments],
             stdout=self.log.open("w"),
             stderr=subprocess.STDOUT,
-            env=environment(PYTHONPATH=str(Path(__file__).resolve().parents[2]), **more),
+            env=environment(PYTHONPATH=str(Path(__file__).resolve().parents[2] / "backend"), **more),
         )
 
     def wait(self, seconds: float = 60.0) -> None:

@@ -6,9 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from backend.cli import main
-from backend.settings import Settings
-from backend.storage import database, surveys
+from sightline.cli import main
+from sightline.infra.database.engine import make_engine, migrate, session_factory, writing
+from sightline.settings import Settings
+from sightline.surveys.store import create_survey
 from tests.conftest import SERVER
 
 
@@ -18,10 +19,10 @@ def stored(tmp_path: Path, database_url: str, monkeypatch: pytest.MonkeyPatch) -
     monkeypatch.setenv("SIGHTLINE_DATA_DIR", str(tmp_path))
     monkeypatch.setenv("SIGHTLINE_DATABASE_URL", database_url)
     assert Settings().database_url == database_url
-    engine = database.make_engine(database_url)
-    with database.writing(database.session_factory(engine)) as session:
-        surveys.create(session, name="Rouen south", site="=lane 1", actor=None)
-        surveys.create(session, name="Other", actor=None)
+    engine = make_engine(database_url)
+    with writing(session_factory(engine)) as session:
+        create_survey(session, name="Rouen south", site="=lane 1", actor=None)
+        create_survey(session, name="Other", actor=None)
     engine.dispose()
     yield tmp_path
 
@@ -79,10 +80,10 @@ def test_a_data_folder_of_any_name_holds_its_own_database(
     folder = tmp_path / name
     folder.mkdir()
     monkeypatch.delenv("SIGHTLINE_DATABASE_URL", raising=False)
-    engine = database.make_engine(Settings(data_dir=folder).database_url)
-    database.migrate(engine)
-    with database.writing(database.session_factory(engine)) as session:
-        surveys.create(session, name="Road", actor=None)
+    engine = make_engine(Settings(data_dir=folder).database_url)
+    migrate(engine)
+    with writing(session_factory(engine)) as session:
+        create_survey(session, name="Road", actor=None)
     engine.dispose()
     assert (folder / "sightline.db").is_file()
     assert [path.name for path in tmp_path.iterdir()] == [name]

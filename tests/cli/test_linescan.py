@@ -13,10 +13,10 @@ import numpy as np
 import pytest
 import tifffile
 
-from backend.cli import main
-from backend.demonstration.scan_strips import strips
-from backend.demonstration.scan_traffic import ScanSite, ScanTruth, traffic, truths
-from backend.media.strips_sheet import Pixels
+from sightline.cli import main
+from sightline.media.strips.sheet import Pixels
+from sightline.simulation.scan_strips import strips
+from sightline.simulation.scan_traffic import ScanSite, ScanTruth, traffic, truths
 
 pytestmark = pytest.mark.once
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from backend.cli import COMMANDS, cli, main
+from sightline.cli import COMMANDS, cli, main
 from tests.cli.running import sightline
 
 pytestmark = pytest.mark.once
@@ -85,7 +85,7 @@ def test_a_pipe_that_closes_early_is_no_error(tmp_path: Path) -> None:
 def test_what_nobody_expected_is_one_sentence_too(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    from backend.commands import verify
+    from sightline.commands import verify
 
     def break_down(*_: object) -> dict[str, object]:
         raise ZeroDivisionError("division by zero")

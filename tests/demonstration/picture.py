@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from backend.demonstration import DemoCamera, FramePixels, PassTruth
+from sightline.simulation.camera import DemoCamera
+from sightline.simulation.truth import FramePixels, PassTruth
 
 
 def frame_of(one: PassTruth, number: int) -> FramePixels:

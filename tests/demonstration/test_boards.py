@@ -4,20 +4,18 @@ import cv2
 import numpy as np
 import pytest
 
-from backend.demonstration import (
+from sightline.simulation.board import (
     LAB_COLUMNS,
     LAB_COUNT,
     LAB_ROWS,
     LAB_SQUARE_M,
-    DemoCamera,
-    Scene,
     board_corners_m,
-    day_scene,
     lab_corners_px,
     lab_image,
-    low_light_scene,
-    render_frame,
 )
+from sightline.simulation.camera import DemoCamera
+from sightline.simulation.render import render_frame
+from sightline.simulation.scene import Scene, day_scene, low_light_scene
 
 STOP = (cv2.TERM_CRITERIA_EPS + cv2.TERM_CRITERIA_MAX_ITER, 40, 1e-3)
 

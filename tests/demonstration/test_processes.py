@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from backend.demonstration import render_frame
-from backend.work.demo_rendering import chunks_of, rendered, scene_named
+from sightline.demo.rendering import chunks_of, rendered, scene_named
+from sightline.simulation.render import render_frame
 
 
 def test_the_work_is_shared_out_whole_and_in_order() -> None:

@@ -3,17 +3,13 @@
 import numpy as np
 import pytest
 
-from backend.demonstration import (
-    PassTruth,
-    Scene,
-    day_scene,
-    low_light_scene,
-    render_frame,
-    truth,
-)
-from backend.demonstration.compose import Place
-from backend.demonstration.glow import add_glow
-from backend.demonstration.shape import shape_of
+from sightline.simulation import truth
+from sightline.simulation.compose import Place
+from sightline.simulation.glow import add_glow
+from sightline.simulation.render import render_frame
+from sightline.simulation.scene import Scene, day_scene, low_light_scene
+from sightline.simulation.shape import shape_of
+from sightline.simulation.truth import PassTruth
 from tests.demonstration.picture import edge_along_column, frame_of
 
 DAY, LOW = day_scene(), low_light_scene()

@@ -5,13 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from backend.demonstration.scan_rod import LIGHT_DN, HeldRod, row_of
-from backend.demonstration.scan_strips import empty_line, strips
-from backend.demonstration.scan_traffic import ScanSite, demo_traffic, truths
-from backend.demonstration.truth import spots_of
-from backend.linescan.line_height import line_height
-from backend.work.demo_scan_heights import CLICK_SIGMA_PX, clicked_rod, contact_of, targets_of
-from backend.work.line_poses import look, solve
+from sightline.demo.scan_heights import CLICK_SIGMA_PX, clicked_rod, contact_of, targets_of
+from sightline.linescan.line_height import line_height
+from sightline.scans.heights.poses import preview_line_pose, solve
+from sightline.simulation.scan_rod import LIGHT_DN, HeldRod, row_of
+from sightline.simulation.scan_strips import empty_line, strips
+from sightline.simulation.scan_traffic import ScanSite, demo_traffic, truths
+from sightline.simulation.truth import spots_of
 
 SITE = ScanSite(rows=256, line_rate_hz=2441.4, read_noise_dn=0.5, row_gain=0.0, plane_m=3.0)
 INSETS = {"roof": (0.30, 0.10), "driver_eye": (0.45, 0.10), "taillight": (0.05, 0.05)}
@@ -60,7 +60,7 @@ def test_heights_of_all_its_vehicles_are_the_truth_within_their_uncertainty() ->
     shares, distances = [], []
     for true in truths(SITE, demo_traffic()):
         rod = clicked_rod(SITE, rng)
-        assert look(rod).status == "ok" and look(rod).warnings == ()
+        assert preview_line_pose(rod).status == "ok" and preview_line_pose(rod).warnings == ()
         pose = solve(rod)
         heights = {spot.name: spot.height_m for spot in spots_of(true.vehicle.vehicle)}
         for name, (_, row) in targets_of(SITE, true).items():

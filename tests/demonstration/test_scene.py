@@ -7,15 +7,10 @@ from collections import Counter
 import numpy as np
 import pytest
 
-from backend.demonstration import (
-    SOURCE,
-    Scene,
-    catalogue,
-    day_scene,
-    low_light_scene,
-    truth,
-    truth_document,
-)
+from sightline.simulation import truth
+from sightline.simulation.models import SOURCE, catalogue
+from sightline.simulation.scene import Scene, day_scene, low_light_scene
+from sightline.simulation.truth import truth_document
 from tests.demonstration.picture import frame_of, height_m
 
 SCENES = pytest.mark.parametrize("scene", [day_scene(), low_light_scene()], ids=lambda s: s.name)

@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from backend.demonstration.scene import Scene, day_scene, low_light_scene
-from backend.demonstration.truth import pass_truth
-from backend.geometry.camera import Camera
-from backend.geometry.road_pose import RoadPose
-from backend.geometry.traffic import headings
-from backend.work.demo_wheels import CLICK_NOISE_PX, both_in_sight
+from sightline.demo.wheels import CLICK_NOISE_PX, both_in_sight
+from sightline.geometry.camera import Camera
+from sightline.geometry.road_pose import RoadPose
+from sightline.geometry.traffic import headings
+from sightline.simulation.scene import Scene, day_scene, low_light_scene
+from sightline.simulation.truth import pass_truth
 
 
 def true_pose(scene: Scene) -> RoadPose:

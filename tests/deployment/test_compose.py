@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 import yaml
 
-from backend.settings import Settings
+from sightline.settings import Settings
 
 pytestmark = pytest.mark.once
 

@@ -9,8 +9,8 @@ import httpx
 import pytest
 from moto.server import ThreadedMotoServer
 
-from backend.media.images import read_image_bgr
-from backend.media.writer import write_mp4
+from sightline.media.images import read_image_bgr
+from sightline.media.video.writer import write_mp4
 from tests.browser.server import Server, start
 from tests.media.clips import painted, read_number
 from tests.real.client import Client

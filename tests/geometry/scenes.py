@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from backend.geometry.camera import Camera
-from backend.geometry.road_pose import RoadPose
+from sightline.geometry.camera import Camera
+from sightline.geometry.road_pose import RoadPose
 from tests.geometry.simulate import Lens, Scene
 
 LENSES = (

@@ -1,4 +1,4 @@
-"""An independent camera, road and board to test against. It shares no code with backend.geometry.
+"""An independent camera, road and board to test against. It shares no code with sightline.geometry.
 
 Everything is written from the definitions: cameras by position and angles, distortion as plain formulas per
 point, inversion by bisection-free fixed-point rounds to convergence, pictures by casting rays at a checker

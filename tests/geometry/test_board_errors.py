@@ -11,15 +11,15 @@ import math
 import numpy as np
 import pytest
 
-from backend.errors import BadInput
-from backend.geometry.arrays import frozen
-from backend.geometry.board import Board
-from backend.geometry.corners import Corners
-from backend.geometry.documents import pose_from_dict, pose_to_dict
-from backend.geometry.height import measure_height, measure_heights
-from backend.geometry.multiframe import measure_frames
-from backend.geometry.pose import pose_from_corners
-from backend.geometry.road_pose import DEFAULT_U_BOW_M, DEFAULT_U_SQUARE, Reference, RoadPose
+from sightline.errors import BadInput
+from sightline.geometry.arrays import frozen
+from sightline.geometry.board import Board
+from sightline.geometry.corners import Corners
+from sightline.geometry.documents import pose_from_dict, pose_to_dict
+from sightline.geometry.height import measure_height, measure_heights
+from sightline.geometry.multiframe import measure_frames
+from sightline.geometry.pose import pose_from_corners
+from sightline.geometry.road_pose import DEFAULT_U_BOW_M, DEFAULT_U_SQUARE, Reference, RoadPose
 from tests.geometry.scenes import camera_of
 from tests.geometry.simulate import Lens, Scene
 

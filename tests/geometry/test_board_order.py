@@ -6,9 +6,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from backend.errors import BadInput
-from backend.geometry.board import Board, canonical_order, require_board, road_points
-from backend.geometry.corners import detect
+from sightline.errors import BadInput
+from sightline.geometry.board import Board, canonical_order, require_board, road_points
+from sightline.geometry.corners import detect
 from tests.geometry.simulate import Lens, Scene, picture
 
 # the eight ways in which a detector may number one and the same grid of corners

@@ -6,10 +6,11 @@ import cv2
 import numpy as np
 import pytest
 
-from backend.errors import BadInput
-from backend.geometry.arrays import frozen
-from backend.geometry.calibration import calibrate
-from backend.geometry.corners import Board, Corners, detect, not_found
+from sightline.errors import BadInput
+from sightline.geometry.arrays import frozen
+from sightline.geometry.board import Board
+from sightline.geometry.calibration import calibrate
+from sightline.geometry.corners import Corners, detect, not_found
 from tests.geometry.scenes import shared
 from tests.geometry.simulate import Lens, Scene
 

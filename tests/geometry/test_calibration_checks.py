@@ -7,14 +7,15 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
-from backend.commands.geometry import calibrate as calibrate_command
-from backend.errors import BadInput
-from backend.geometry.arrays import frozen
-from backend.geometry.calibration import calibrate
-from backend.geometry.calibration_checks import calibrate_and_check
-from backend.geometry.corners import Board, Corners
-from backend.geometry.crossvalidation import cross_validate, cross_validation_warnings, in_words
-from backend.geometry.documents import camera_from_dict
+from sightline.commands.geometry import calibrate as calibrate_command
+from sightline.errors import BadInput
+from sightline.geometry.arrays import frozen
+from sightline.geometry.board import Board
+from sightline.geometry.calibration import calibrate
+from sightline.geometry.calibration_checks import calibrate_and_check
+from sightline.geometry.corners import Corners
+from sightline.geometry.crossvalidation import cross_validate, cross_validation_warnings, in_words
+from sightline.geometry.documents import camera_from_dict
 from tests.geometry.scenes import shared
 from tests.geometry.simulate import Lens, Scene
 from tests.geometry.test_calibration import BOARD, SIZE, view, views

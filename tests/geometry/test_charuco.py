@@ -6,16 +6,16 @@ import cv2
 import numpy as np
 import pytest
 
-from backend.cli import main
-from backend.errors import BadInput
-from backend.geometry.board import Board
-from backend.geometry.calibration import calibrate
-from backend.geometry.camera import Camera
-from backend.geometry.charuco import Charuco, charuco_of
-from backend.geometry.corners import Corners, detect
-from backend.geometry.pose import pose_from_corners
-from backend.geometry.road_pose import Reference
-from backend.geometry.tracking import track
+from sightline.cli import main
+from sightline.errors import BadInput
+from sightline.geometry.board import Board
+from sightline.geometry.calibration import calibrate
+from sightline.geometry.camera import Camera
+from sightline.geometry.charuco import Charuco, charuco_of
+from sightline.geometry.corners import Corners, detect
+from sightline.geometry.pose import pose_from_corners
+from sightline.geometry.road_pose import Reference
+from sightline.geometry.tracking import track
 from tests.geometry.scenes import camera_of
 from tests.geometry.simulate import Lens, Scene, picture
 
@@ -132,7 +132,7 @@ def test_clutter_and_boards_that_cannot_be() -> None:
 def test_commands_take_charuco_boards(tmp_path, capsys) -> None:
     from json import dumps
 
-    from backend.geometry.documents import camera_to_dict
+    from sightline.geometry.documents import camera_to_dict
 
     camera, board = tmp_path / "camera.json", tmp_path / "board.png"
     camera.write_text(dumps(camera_to_dict(camera_of(Lens()))))

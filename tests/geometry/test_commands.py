@@ -8,8 +8,8 @@ import cv2
 import numpy as np
 import pytest
 
-from backend.cli import main
-from backend.geometry.documents import camera_to_dict, pose_to_dict
+from sightline.cli import main
+from sightline.geometry.documents import camera_to_dict, pose_to_dict
 from tests.geometry.scenes import camera_of, pose_of
 from tests.geometry.simulate import Lens, Scene, picture
 

@@ -6,12 +6,12 @@ import cv2
 import numpy as np
 import pytest
 
-from backend.demonstration import day_scene, low_light_scene, render_frame
-from backend.demonstration.scene import Scene
-from backend.demonstration.truth import spot_pixel, spots_of
-from backend.geometry.camera import Camera
-from backend.geometry.contact import Proposal, propose
-from backend.geometry.road_pose import RoadPose
+from sightline.geometry.camera import Camera
+from sightline.geometry.contact import Proposal, propose
+from sightline.geometry.road_pose import RoadPose
+from sightline.simulation.render import render_frame
+from sightline.simulation.scene import Scene, day_scene, low_light_scene
+from sightline.simulation.truth import spot_pixel, spots_of
 
 POINTER_PX = 8.0
 

@@ -6,9 +6,10 @@ import cv2
 import numpy as np
 import pytest
 
-from backend.errors import BadInput
-from backend.geometry.corners import Board, detect
-from backend.geometry.tracking import track
+from sightline.errors import BadInput
+from sightline.geometry.board import Board
+from sightline.geometry.corners import detect
+from sightline.geometry.tracking import track
 from tests.geometry.scenes import shared
 from tests.geometry.simulate import Lens, Scene, picture
 

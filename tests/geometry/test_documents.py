@@ -6,10 +6,10 @@ import json
 import numpy as np
 import pytest
 
-from backend.errors import BadInput
-from backend.geometry.camera import View
-from backend.geometry.documents import camera_from_dict, camera_to_dict, pose_from_dict, pose_to_dict
-from backend.geometry.road_pose import BoardOnRoad, RoadPose
+from sightline.errors import BadInput
+from sightline.geometry.camera import View
+from sightline.geometry.documents import camera_from_dict, camera_to_dict, pose_from_dict, pose_to_dict
+from sightline.geometry.road_pose import BoardOnRoad, RoadPose
 from tests.geometry.scenes import camera_of, pose_of
 from tests.geometry.simulate import Lens, Scene
 

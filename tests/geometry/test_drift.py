@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from backend.geometry.drift import Motion, displacement_px, fit_motion, height_change
-from backend.geometry.drift_spans import Look, course
-from backend.geometry.height import measure_height
+from sightline.geometry.drift import Motion, displacement_px, fit_motion, height_change
+from sightline.geometry.drift_spans import Look, course
+from sightline.geometry.height import measure_height
 from tests.geometry.scenes import pose_of
 from tests.geometry.simulate import Lens, Scene
 

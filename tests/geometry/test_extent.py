@@ -7,9 +7,9 @@ import cv2
 import numpy as np
 import pytest
 
-from backend.geometry.board import Board
-from backend.geometry.corners import detect
-from backend.geometry.extent import goes_on
+from sightline.geometry.board import Board
+from sightline.geometry.corners import detect
+from sightline.geometry.extent import goes_on
 
 DATA = Path(
     os.environ.get("SIGHTLINE_SHARED_DATA") or Path(__file__).resolve().parents[2].parent / "shared/data"

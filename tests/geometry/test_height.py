@@ -5,12 +5,12 @@ import dataclasses
 import numpy as np
 import pytest
 
-from backend.geometry.arrays import exp_rotation
-from backend.geometry.gradient import gradient
-from backend.geometry.height import COVERAGE_95, height_both, measure_height, measure_heights
-from backend.geometry.quick import QuickHeights
-from backend.geometry.road_pose import BoardOnRoad, RoadPose
-from backend.geometry.sight import REASONS, sight
+from sightline.geometry.arrays import exp_rotation
+from sightline.geometry.gradient import gradient
+from sightline.geometry.height import COVERAGE_95, height_both, measure_height, measure_heights
+from sightline.geometry.quick import QuickHeights
+from sightline.geometry.road_pose import BoardOnRoad, RoadPose
+from sightline.geometry.sight import REASONS, sight
 from tests.geometry.scenes import LENSES, camera_of, pose_of
 from tests.geometry.simulate import Lens, Scene
 
@@ -257,8 +257,8 @@ def test_bad_sigma_or_inset(values) -> None:
 
 
 def test_square_camera_of_another_size_is_named() -> None:
-    from backend.errors import BadInput
-    from backend.geometry.camera import require_size
+    from sightline.errors import BadInput
+    from sightline.geometry.camera import require_size
 
     with pytest.raises(BadInput, match="800x600"):
         require_size(camera_of(Lens()), 800, 600, "clip.mp4")

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from backend.errors import BadInput
-from backend.geometry.imports import camera_from_text, read_camera
+from sightline.errors import BadInput
+from sightline.geometry.imports import camera_from_text, read_camera
 from tests.geometry.scenes import shared
 
 OPENCV_YAML = """%YAML:1.0

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from backend.geometry.camera import Camera, normalised_to_pixels, project, project_with_jacobians, undistort
+from sightline.geometry.camera import Camera, normalised_to_pixels, project, project_with_jacobians, undistort
 from tests.geometry.scenes import LENSES, camera_of
 from tests.geometry.simulate import Lens, bend
 

@@ -5,10 +5,10 @@ import dataclasses
 import numpy as np
 import pytest
 
-from backend.geometry import multiframe
-from backend.geometry.height import COVERAGE_95, measure_height
-from backend.geometry.multiframe import measure_frames
-from backend.geometry.road_pose import BoardOnRoad, RoadPose
+from sightline.geometry import multiframe
+from sightline.geometry.height import COVERAGE_95, measure_height
+from sightline.geometry.multiframe import measure_frames
+from sightline.geometry.road_pose import BoardOnRoad, RoadPose
 from tests.geometry.scenes import LENSES, pose_of
 from tests.geometry.simulate import Lens, Scene
 

@@ -5,15 +5,22 @@ import dataclasses
 import numpy as np
 import pytest
 
-from backend.errors import BadInput
-from backend.geometry.board import road_points
-from backend.geometry.height import measure_heights
-from backend.geometry.insets import DEFAULT_INSETS
-from backend.geometry.multiframe import measure_frames
-from backend.geometry.plan import Plan, plan_site
-from backend.geometry.planar import refine
-from backend.geometry.road_pose import BoardOnRoad, RoadPose
-from backend.geometry.site import BOARD_TOP_M, CORNER_SIGMA_PX, PLANNING_BOARD, Site, plain_camera, site_pose
+from sightline.errors import BadInput
+from sightline.geometry.board import road_points
+from sightline.geometry.height import measure_heights
+from sightline.geometry.insets import DEFAULT_INSETS
+from sightline.geometry.multiframe import measure_frames
+from sightline.geometry.plan import Plan, plan_site
+from sightline.geometry.planar import refine
+from sightline.geometry.road_pose import BoardOnRoad, RoadPose
+from sightline.geometry.site import (
+    BOARD_TOP_M,
+    CORNER_SIGMA_PX,
+    PLANNING_BOARD,
+    Site,
+    plain_camera,
+    site_pose,
+)
 from tests.geometry.scenes import camera_of
 from tests.geometry.simulate import Lens, Scene, bend
 

@@ -6,12 +6,13 @@ import cv2
 import numpy as np
 import pytest
 
-from backend.errors import BadInput
-from backend.geometry.arrays import frozen
-from backend.geometry.corners import Board, Corners, not_found
-from backend.geometry.height import COVERAGE_95, measure_height
-from backend.geometry.pose import expected_u, pose_from_corners
-from backend.geometry.road_pose import Reference
+from sightline.errors import BadInput
+from sightline.geometry.arrays import frozen
+from sightline.geometry.board import Board
+from sightline.geometry.corners import Corners, not_found
+from sightline.geometry.height import COVERAGE_95, measure_height
+from sightline.geometry.pose import expected_u, pose_from_corners
+from sightline.geometry.road_pose import Reference
 from tests.geometry.scenes import LENSES, camera_of, pose_of
 from tests.geometry.simulate import Lens, Scene
 

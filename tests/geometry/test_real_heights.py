@@ -5,9 +5,9 @@ import json
 import numpy as np
 import pytest
 
-from backend.geometry.camera import Camera
-from backend.geometry.height import measure_height
-from backend.geometry.road_pose import RoadPose
+from sightline.geometry.camera import Camera
+from sightline.geometry.height import measure_height
+from sightline.geometry.road_pose import RoadPose
 from tests.geometry.scenes import shared
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from backend.geometry.road import axes_at_contact, iso_heights, ladder_at_contact, road_grid, road_point
+from sightline.geometry.road import axes_at_contact, iso_heights, ladder_at_contact, road_grid, road_point
 from tests.geometry.scenes import LENSES, pose_of
 from tests.geometry.simulate import Lens, Scene
 

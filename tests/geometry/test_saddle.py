@@ -3,13 +3,14 @@
 import numpy as np
 import pytest
 
-from backend.geometry.corners import Board, detect, refine_subpixel
-from backend.geometry.height import measure_height
-from backend.geometry.mean_picture import MeanPicture
-from backend.geometry.pose import pose_from_corners
-from backend.geometry.road_pose import Reference
-from backend.geometry.saddle import refine_saddles
-from backend.geometry.tracking import track
+from sightline.geometry.board import Board
+from sightline.geometry.corners import detect, refine_subpixel
+from sightline.geometry.height import measure_height
+from sightline.geometry.mean_picture import MeanPicture
+from sightline.geometry.pose import pose_from_corners
+from sightline.geometry.road_pose import Reference
+from sightline.geometry.saddle import refine_saddles
+from sightline.geometry.tracking import track
 from tests.geometry.scenes import camera_of
 from tests.geometry.simulate import Lens, Scene, picture
 

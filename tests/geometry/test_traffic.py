@@ -5,9 +5,9 @@ import dataclasses
 import numpy as np
 import pytest
 
-from backend.geometry.gain import best_second_frame, second_frame_gain
-from backend.geometry.height import measure_height
-from backend.geometry.inset_trend import (
+from sightline.geometry.gain import best_second_frame, second_frame_gain
+from sightline.geometry.height import measure_height
+from sightline.geometry.inset_trend import (
     inset_from_known_heights,
     inset_from_solved,
     inset_from_trend,
@@ -15,10 +15,10 @@ from backend.geometry.inset_trend import (
     together,
     unshared,
 )
-from backend.geometry.insets import bias_m
-from backend.geometry.multiframe import measure_frames
-from backend.geometry.spread import mean_and_spread, strays
-from backend.geometry.traffic import heading_of_pair, headings, turned
+from sightline.geometry.insets import bias_m
+from sightline.geometry.multiframe import measure_frames
+from sightline.geometry.spread import mean_and_spread, strays
+from sightline.geometry.traffic import heading_of_pair, headings, turned
 from tests.geometry.scenes import pose_of
 from tests.geometry.simulate import Lens, Scene
 

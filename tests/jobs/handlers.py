@@ -9,16 +9,16 @@ from typing import Any
 
 from sqlalchemy.orm import Session
 
-from backend.errors import BadInput
-from backend.settings import load_settings
-from backend.storage import surveys
-from backend.storage.records import Job
-from backend.work import jobs
-from backend.work.worker import run_worker
+from sightline.errors import BadInput
+from sightline.infra.jobs import registry
+from sightline.infra.jobs.records import Job
+from sightline.infra.jobs.worker import run_worker
+from sightline.settings import load_settings
+from sightline.surveys.store import create_survey
 
 
-@jobs.handler("test_make_survey")
-def make_survey(context: jobs.JobContext) -> jobs.Outcome:
+@registry.handler("test_make_survey")
+def make_survey(context: registry.JobContext) -> registry.Outcome:
     """Takes as long as asked on its first attempt, then makes one survey together with the job's end."""
     (Path(context.payload["folder"]) / f"attempt-{context.job.attempts}").write_text(str(os.getpid()))
     until = time.monotonic() + (context.payload["first_s"] if context.job.attempts == 1 else 0.2)
@@ -27,18 +27,18 @@ def make_survey(context: jobs.JobContext) -> jobs.Outcome:
         time.sleep(0.02)
 
     def finish(session: Session) -> Mapping[str, Any]:
-        made = surveys.create(session, name=context.payload["name"], actor=context.actor)
+        made = create_survey(session, name=context.payload["name"], actor=context.actor)
         return {"survey_id": made.id}
 
     return finish
 
 
 def _mark(session: Session, job: Job, sentence: str) -> None:
-    surveys.create(session, name=f"{job.kind}: {sentence}", actor=None)
+    create_survey(session, name=f"{job.kind}: {sentence}", actor=None)
 
 
-@jobs.handler("test_fail", failed=_mark)
-def fail(context: jobs.JobContext) -> jobs.Outcome:
+@registry.handler("test_fail", failed=_mark)
+def fail(context: registry.JobContext) -> registry.Outcome:
     """Ends as the payload says."""
     match context.payload["how"]:
         case "input":
@@ -52,17 +52,17 @@ def fail(context: jobs.JobContext) -> jobs.Outcome:
 
 
 def _broken_finish(session: Session) -> Mapping[str, Any]:
-    surveys.create(session, name="half there", actor=None)
+    create_survey(session, name="half there", actor=None)
     raise BadInput("The result cannot be stored; try again.")
 
 
-@jobs.handler("test_wait", failed=_mark)
-def wait(context: jobs.JobContext) -> jobs.Outcome:
+@registry.handler("test_wait", failed=_mark)
+def wait(context: registry.JobContext) -> registry.Outcome:
     """Goes on until it is told to stop."""
     while not context.is_cancelled():
         context.progress(0.25, "Waiting.")
         time.sleep(0.02)
-    raise jobs.Cancelled("Cancelled.")
+    raise registry.Cancelled("Cancelled.")
 
 
 if __name__ == "__main__":

@@ -11,13 +11,15 @@ from pathlib import Path
 
 import pytest
 
-from backend.settings import Settings
-from backend.storage import audit, database, surveys
-from backend.storage import jobs as table
-from backend.storage.records import Job
-from backend.work import jobs
-from backend.work.queue import attach, open_queue
-from backend.work.worker import start_child_worker
+from sightline.infra.audit.verification import verify_records
+from sightline.infra.database.engine import SessionFactory, reading, writing
+from sightline.infra.jobs import registry
+from sightline.infra.jobs.queue import attach, open_queue
+from sightline.infra.jobs.records import Job
+from sightline.infra.jobs.store import get_job
+from sightline.infra.jobs.worker import start_child_worker
+from sightline.settings import Settings
+from sightline.surveys.store import list_surveys
 
 ROOT = Path(__file__).resolve().parents[2]
 LEASE_S = 2.0
@@ -53,11 +55,11 @@ def start(settings: Settings) -> Iterator[Callable[[], "subprocess.Popen[bytes]"
         process.wait()
 
 
-def enqueue(settings: Settings, factory: database.SessionFactory, tmp_path: Path, first_s: float) -> Job:
+def enqueue(settings: Settings, factory: SessionFactory, tmp_path: Path, first_s: float) -> Job:
     attach(factory, open_queue(settings))
     payload = {"folder": str(tmp_path), "first_s": first_s, "name": "made once"}
-    with database.writing(factory) as session:
-        return jobs.enqueue(session, "test_make_survey", payload, survey_id=None, actor=None)
+    with writing(factory) as session:
+        return registry.enqueue(session, "test_make_survey", payload, survey_id=None, actor=None)
 
 
 def wait_for(path: Path, seconds: float = 30) -> int:
@@ -69,11 +71,11 @@ def wait_for(path: Path, seconds: float = 30) -> int:
     return int(path.read_text())
 
 
-def wait_for_end(factory: database.SessionFactory, job: Job, seconds: float = 30) -> Job:
+def wait_for_end(factory: SessionFactory, job: Job, seconds: float = 30) -> Job:
     end = time.monotonic() + seconds
     while True:
-        with database.reading(factory) as session:
-            found = table.get(session, job.id)
+        with reading(factory) as session:
+            found = get_job(session, job.id)
         if found.state not in ("queued", "running"):
             return found
         assert time.monotonic() < end, f"the job is still {found.state}"
@@ -88,16 +90,16 @@ def alive(pid: int) -> bool:
     return status.rsplit(")", 1)[1].split()[0] != "Z"
 
 
-def made(factory: database.SessionFactory) -> list[str]:
-    with database.reading(factory) as session:
-        assert audit.verify(session).ok
-        return [one.name for one in surveys.list_all(session)]
+def made(factory: SessionFactory) -> list[str]:
+    with reading(factory) as session:
+        assert verify_records(session).ok
+        return [one.name for one in list_surveys(session)]
 
 
 @pytest.mark.parametrize("victim", ["the process at work", "the whole worker"])
 def test_a_killed_worker_loses_nothing(
     settings: Settings,
-    factory: database.SessionFactory,
+    factory: SessionFactory,
     tmp_path: Path,
     start: Callable[[], "subprocess.Popen[bytes]"],
     victim: str,
@@ -121,7 +123,7 @@ def test_a_killed_worker_loses_nothing(
 
 def test_the_orphans_of_a_killed_worker_end_by_themselves(
     settings: Settings,
-    factory: database.SessionFactory,
+    factory: SessionFactory,
     tmp_path: Path,
     start: Callable[[], "subprocess.Popen[bytes]"],
 ) -> None:
@@ -138,7 +140,7 @@ def test_the_orphans_of_a_killed_worker_end_by_themselves(
 
 def test_a_stopped_worker_gives_its_job_back(
     settings: Settings,
-    factory: database.SessionFactory,
+    factory: SessionFactory,
     tmp_path: Path,
     start: Callable[[], "subprocess.Popen[bytes]"],
 ) -> None:
@@ -147,15 +149,15 @@ def test_a_stopped_worker_gives_its_job_back(
     wait_for(tmp_path / "attempt-1")
     worker.terminate()
     assert worker.wait(10) == 0
-    with database.reading(factory) as session:
-        waiting = table.get(session, job.id)
+    with reading(factory) as session:
+        waiting = get_job(session, job.id)
     assert (waiting.state, waiting.attempts, waiting.worker) == ("queued", 0, None)
 
 
 SERVER = """
 import os, sys, time
-from backend.settings import load_settings
-from backend.work.worker import start_child_worker
+from sightline.settings import load_settings
+from sightline.infra.jobs.worker import start_child_worker
 child = start_child_worker(load_settings())
 print(child.process.pid, flush=True)
 time.sleep(60)

@@ -9,16 +9,26 @@ from pathlib import Path
 import pytest
 from sqlalchemy import update
 
-from backend.errors import Conflict
-from backend.settings import Settings
-from backend.storage import audit, database, surveys
-from backend.storage import jobs as table
-from backend.storage.columns import now
-from backend.storage.records import Job
-from backend.storage.tables_of_work import jobs as job_rows
-from backend.work import jobs
-from backend.work.queue import attach, open_queue
-from backend.work.runner import Runner, sweep
+from sightline.errors import Conflict
+from sightline.infra.audit.verification import verify_records
+from sightline.infra.database.engine import SessionFactory, reading, writing
+from sightline.infra.database.types import now
+from sightline.infra.jobs import registry
+from sightline.infra.jobs.queue import attach, open_queue
+from sightline.infra.jobs.records import Job
+from sightline.infra.jobs.runner import Runner, sweep
+from sightline.infra.jobs.store import (
+    LeaseLost,
+    claim_job,
+    fail_job,
+    finish_job,
+    get_job,
+    renew_lease,
+    request_job_cancel,
+)
+from sightline.infra.jobs.tables import jobs as job_rows
+from sightline.settings import Settings
+from sightline.surveys.store import create_survey, list_surveys
 from tests.jobs import handlers
 
 assert handlers.make_survey
@@ -31,24 +41,24 @@ def settings(tmp_path: Path, database_url: str) -> Settings:
 
 
 @pytest.fixture
-def runner(settings: Settings, factory: database.SessionFactory) -> Runner:
+def runner(settings: Settings, factory: SessionFactory) -> Runner:
     return Runner(settings, factory)
 
 
-def queued(factory: database.SessionFactory, kind: str, **payload: object) -> Job:
-    with database.writing(factory) as session:
-        return jobs.enqueue(session, kind, payload, survey_id=None, actor=None)
+def queued(factory: SessionFactory, kind: str, **payload: object) -> Job:
+    with writing(factory) as session:
+        return registry.enqueue(session, kind, payload, survey_id=None, actor=None)
 
 
-def job_now(factory: database.SessionFactory, job: Job) -> Job:
-    with database.reading(factory) as session:
-        return table.get(session, job.id)
+def job_now(factory: SessionFactory, job: Job) -> Job:
+    with reading(factory) as session:
+        return get_job(session, job.id)
 
 
-def survey_names(factory: database.SessionFactory) -> list[str]:
-    with database.reading(factory) as session:
-        assert audit.verify(session).ok
-        return [one.name for one in surveys.list_all(session)]
+def survey_names(factory: SessionFactory) -> list[str]:
+    with reading(factory) as session:
+        assert verify_records(session).ok
+        return [one.name for one in list_surveys(session)]
 
 
 def until(true: Callable[[], bool], seconds: float = 10) -> None:
@@ -58,9 +68,7 @@ def until(true: Callable[[], bool], seconds: float = 10) -> None:
         time.sleep(0.02)
 
 
-def test_a_job_is_done_with_its_result(
-    runner: Runner, factory: database.SessionFactory, tmp_path: Path
-) -> None:
+def test_a_job_is_done_with_its_result(runner: Runner, factory: SessionFactory, tmp_path: Path) -> None:
     job = queued(factory, "test_make_survey", folder=str(tmp_path), first_s=0, name="made")
     assert (job.state, job.attempts) == ("queued", 0)
     runner.run(job.id)
@@ -81,7 +89,7 @@ def test_a_job_is_done_with_its_result(
     ],
 )
 def test_a_failed_job_says_why_and_leaves_nothing_half_there(
-    runner: Runner, factory: database.SessionFactory, how: str, words: str
+    runner: Runner, factory: SessionFactory, how: str, words: str
 ) -> None:
     job = queued(factory, "test_fail", how=how)
     runner.run(job.id)
@@ -90,7 +98,7 @@ def test_a_failed_job_says_why_and_leaves_nothing_half_there(
     assert survey_names(factory) == [f"test_fail: {failed.error}"]
 
 
-def test_an_unknown_kind_fails_with_a_sentence(runner: Runner, factory: database.SessionFactory) -> None:
+def test_an_unknown_kind_fails_with_a_sentence(runner: Runner, factory: SessionFactory) -> None:
     job = queued(factory, "test_nobody")
     runner.run(job.id)
     assert job_now(factory, job).error == (
@@ -98,17 +106,17 @@ def test_an_unknown_kind_fails_with_a_sentence(runner: Runner, factory: database
     )
 
 
-def test_a_queued_job_is_cancelled_at_once(runner: Runner, factory: database.SessionFactory) -> None:
+def test_a_queued_job_is_cancelled_at_once(runner: Runner, factory: SessionFactory) -> None:
     job = queued(factory, "test_wait")
-    with database.writing(factory) as session:
-        assert table.request_cancel(session, job.id, actor=None).state == "cancelled"
+    with writing(factory) as session:
+        assert request_job_cancel(session, job.id, actor=None).state == "cancelled"
     runner.run(job.id)
     assert job_now(factory, job).attempts == 0
-    with pytest.raises(Conflict, match="nothing to cancel"), database.writing(factory) as session:
-        table.request_cancel(session, job.id, actor=None)
+    with pytest.raises(Conflict, match="nothing to cancel"), writing(factory) as session:
+        request_job_cancel(session, job.id, actor=None)
 
 
-def test_a_running_job_reports_and_is_cancelled(runner: Runner, factory: database.SessionFactory) -> None:
+def test_a_running_job_reports_and_is_cancelled(runner: Runner, factory: SessionFactory) -> None:
     job = queued(factory, "test_wait")
     thread = threading.Thread(target=runner.run, args=(job.id,))
     thread.start()
@@ -117,25 +125,25 @@ def test_a_running_job_reports_and_is_cancelled(runner: Runner, factory: databas
     assert (running.state, running.message) == ("running", "Waiting.")
     first_lease = running.lease_until
     until(lambda: job_now(factory, job).lease_until != first_lease)
-    with database.writing(factory) as session:
-        assert table.request_cancel(session, job.id, actor=None).cancel_requested
+    with writing(factory) as session:
+        assert request_job_cancel(session, job.id, actor=None).cancel_requested
     thread.join(10)
     assert job_now(factory, job).state == "cancelled"
     assert survey_names(factory) == ["test_wait: Cancelled."]
 
 
-def expire(factory: database.SessionFactory, job: Job) -> None:
-    with database.writing(factory) as session:
+def expire(factory: SessionFactory, job: Job) -> None:
+    with writing(factory) as session:
         past = now() - timedelta(seconds=60)
         session.execute(update(job_rows).where(job_rows.c.id == job.id).values(lease_until=past))
 
 
 def test_a_worker_that_comes_back_from_the_dead_changes_nothing(
-    settings: Settings, factory: database.SessionFactory, tmp_path: Path
+    settings: Settings, factory: SessionFactory, tmp_path: Path
 ) -> None:
     job = queued(factory, "test_make_survey", folder=str(tmp_path), first_s=0, name="once")
-    with database.writing(factory) as session:
-        old = table.claim(session, job.id, worker="old", lease_s=5)
+    with writing(factory) as session:
+        old = claim_job(session, job.id, worker="old", lease_s=5)
     assert old is not None
     expire(factory, job)
     queue = open_queue(settings)
@@ -143,21 +151,21 @@ def test_a_worker_that_comes_back_from_the_dead_changes_nothing(
     again = job_now(factory, job)
     assert (again.state, again.attempts) == ("queued", 1) and queue.waiting() >= 1
     Runner(settings, factory).run(job.id)
-    with database.writing(factory) as session:
-        assert not table.renew(session, old, lease_s=5).held
-    for end in (lambda s: table.finish(s, old, {}), lambda s: table.fail(s, old, "x")):
-        with pytest.raises(table.LeaseLost), database.writing(factory) as session:
-            surveys.create(session, name="ghost", actor=None)
+    with writing(factory) as session:
+        assert not renew_lease(session, old, lease_s=5).held
+    for end in (lambda s: finish_job(s, old, {}), lambda s: fail_job(s, old, "x")):
+        with pytest.raises(LeaseLost), writing(factory) as session:
+            create_survey(session, name="ghost", actor=None)
             end(session)
     assert survey_names(factory) == ["once"]
     assert job_now(factory, job).attempts == 2
 
 
-def test_three_deaths_are_enough(settings: Settings, factory: database.SessionFactory) -> None:
+def test_three_deaths_are_enough(settings: Settings, factory: SessionFactory) -> None:
     job, queue = queued(factory, "test_fail", how="input"), open_queue(settings)
     for attempt in (1, 2, 3):
-        with database.writing(factory) as session:
-            claimed = table.claim(session, job.id, worker=f"w{attempt}", lease_s=5)
+        with writing(factory) as session:
+            claimed = claim_job(session, job.id, worker=f"w{attempt}", lease_s=5)
         assert claimed is not None and claimed.attempts == attempt
         expire(factory, job)
         sweep(factory, queue)
@@ -166,23 +174,21 @@ def test_three_deaths_are_enough(settings: Settings, factory: database.SessionFa
     assert survey_names(factory) == [f"test_fail: {ended.error}"]
 
 
-def test_an_expired_job_that_was_to_stop_is_cancelled(
-    settings: Settings, factory: database.SessionFactory
-) -> None:
+def test_an_expired_job_that_was_to_stop_is_cancelled(settings: Settings, factory: SessionFactory) -> None:
     job = queued(factory, "test_wait")
-    with database.writing(factory) as session:
-        table.claim(session, job.id, worker="w", lease_s=5)
-        table.request_cancel(session, job.id, actor=None)
+    with writing(factory) as session:
+        claim_job(session, job.id, worker="w", lease_s=5)
+        request_job_cancel(session, job.id, actor=None)
     expire(factory, job)
     sweep(factory, open_queue(settings))
     assert job_now(factory, job).state == "cancelled"
 
 
-def test_only_a_committed_job_is_pushed(settings: Settings, factory: database.SessionFactory) -> None:
+def test_only_a_committed_job_is_pushed(settings: Settings, factory: SessionFactory) -> None:
     queue = open_queue(settings)
     attach(factory, queue)
-    with pytest.raises(ZeroDivisionError), database.writing(factory) as session:
-        jobs.enqueue(session, "test_wait", {}, survey_id=None, actor=None)
+    with pytest.raises(ZeroDivisionError), writing(factory) as session:
+        registry.enqueue(session, "test_wait", {}, survey_id=None, actor=None)
         raise ZeroDivisionError
     assert queue.waiting() == 0
     queued(factory, "test_wait")
@@ -194,13 +200,13 @@ def test_only_a_committed_job_is_pushed(settings: Settings, factory: database.Se
     assert queue.waiting() == 1
 
 
-def test_two_claims_of_one_job_give_it_to_one(factory: database.SessionFactory) -> None:
+def test_two_claims_of_one_job_give_it_to_one(factory: SessionFactory) -> None:
     job = queued(factory, "test_wait")
     got: list[Job | None] = []
 
     def claim(name: str) -> None:
-        with database.writing(factory) as session:
-            got.append(table.claim(session, job.id, worker=name, lease_s=5))
+        with writing(factory) as session:
+            got.append(claim_job(session, job.id, worker=name, lease_s=5))
 
     threads = [threading.Thread(target=claim, args=(f"w{n}",)) for n in range(4)]
     for thread in threads:

@@ -5,10 +5,10 @@ from functools import lru_cache
 
 import numpy as np
 
-from backend.demonstration.scan_strips import strips
-from backend.demonstration.scan_traffic import Halt, ScanSite, ScanTruth, ScanVehicle, traffic, truths
-from backend.linescan.finding import Finder
-from backend.linescan.parts import Passage, Rig
+from sightline.linescan.finding import Finder
+from sightline.linescan.parts import Passage, Rig
+from sightline.simulation.scan_strips import strips
+from sightline.simulation.scan_traffic import Halt, ScanSite, ScanTruth, ScanVehicle, traffic, truths
 
 RIG = Rig(0.593, 4882.8)
 SITE = ScanSite(rows=128, misalignment_px=0.4)

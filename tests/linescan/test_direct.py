@@ -6,12 +6,12 @@ from functools import lru_cache
 import numpy as np
 import pytest
 
-from backend.demonstration.scan_strips import strips
-from backend.demonstration.scan_traffic import ScanSite, ScanVehicle, truths
-from backend.linescan.direct import NO_ORDER, NO_TEXTURE, baseline_of, measure_direct
-from backend.linescan.masks import Sheet, sampled, shifted
-from backend.linescan.parts import Crossings, Passage, Rig
-from backend.linescan.warp import Course, solved_by_boundaries
+from sightline.linescan.direct import NO_ORDER, NO_TEXTURE, baseline_of, measure_direct
+from sightline.linescan.masks import Sheet, sampled, shifted
+from sightline.linescan.parts import Crossings, Passage, Rig
+from sightline.linescan.warp import Course, solved_by_boundaries
+from sightline.simulation.scan_strips import strips
+from sightline.simulation.scan_traffic import ScanSite, ScanVehicle, truths
 from tests.linescan.scenes import RIG, SITE, cars, found, plain, plain_truth
 
 pytestmark = pytest.mark.once

@@ -2,10 +2,10 @@
 
 import pytest
 
-from backend.linescan.equations import corrected, exact, printed
-from backend.linescan.gaps import gaps
-from backend.linescan.parts import Crossings, Motion, Rig
-from backend.linescan.planner import line_rate_for, speed_error
+from sightline.linescan.equations import corrected, exact, printed
+from sightline.linescan.gaps import gaps
+from sightline.linescan.parts import Crossings, Motion, Rig
+from sightline.linescan.planner import line_rate_for, speed_error
 
 BASELINE_M, RATE_HZ = 0.593, 4882.8
 

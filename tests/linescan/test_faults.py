@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from backend.demonstration.scan_strips import strips
-from backend.linescan.direct import measure_direct
-from backend.linescan.faults import notes_of
+from sightline.linescan.direct import measure_direct
+from sightline.linescan.faults import notes_of
+from sightline.simulation.scan_strips import strips
 from tests.linescan.scenes import RIG, SITE, cars, found, plain, plain_truth
 
 pytestmark = pytest.mark.once

@@ -6,13 +6,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from backend.demonstration.scan_strips import strips
-from backend.errors import BadInput
-from backend.linescan import finding
-from backend.linescan.background import Grid, enough_lines, first_road, road_from, same_but_for_light
-from backend.linescan.direct import measure_direct
-from backend.linescan.finding import CUT, OTHER_WAY, STOPPED, TOO_LONG, Finder
-from backend.linescan.parts import Rig
+from sightline.errors import BadInput
+from sightline.linescan import finding
+from sightline.linescan.background import Grid, enough_lines, first_road, road_from, same_but_for_light
+from sightline.linescan.direct import measure_direct
+from sightline.linescan.finding import CUT, OTHER_WAY, STOPPED, TOO_LONG, Finder
+from sightline.linescan.parts import Rig
+from sightline.simulation.scan_strips import strips
 from tests.linescan.scenes import (
     RIG,
     SITE,

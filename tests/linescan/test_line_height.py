@@ -5,8 +5,8 @@ from math import atan2, tan
 import numpy as np
 import pytest
 
-from backend.linescan.line_height import contact_distance, ladder, line_height
-from backend.linescan.line_pose import LinePoseError, solve_line_pose
+from sightline.linescan.line_height import contact_distance, ladder, line_height
+from sightline.linescan.line_pose import LinePoseError, solve_line_pose
 
 FOCAL_PX, PRINCIPAL_ROW, PITCH_RAD, CAMERA_M = 900.0, 505.0, -0.07, 1.1
 ROD = [(distance, height) for distance in (2.0, 5.0) for height in (0.0, 0.5, 1.0, 1.5)]

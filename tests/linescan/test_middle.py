@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from backend.linescan.masks import pooled
-from backend.linescan.middle import median
+from sightline.linescan.masks import pooled
+from sightline.linescan.middle import median
 
 pytestmark = pytest.mark.once
 

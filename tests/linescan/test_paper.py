@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from backend.demonstration.scan_strips import strips
-from backend.demonstration.scan_traffic import ScanSite, ScanTruth, traffic, truths
-from backend.linescan.matching import match_blocks
-from backend.linescan.paper import measure_paper
-from backend.linescan.parts import Crossings, Motion, Passage, Rig
+from sightline.linescan.matching import match_blocks
+from sightline.linescan.paper import measure_paper
+from sightline.linescan.parts import Crossings, Motion, Passage, Rig
+from sightline.simulation.scan_strips import strips
+from sightline.simulation.scan_traffic import ScanSite, ScanTruth, traffic, truths
 
 
 def texture(lines: np.ndarray, rows: int, seed: int = 0) -> np.ndarray:

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from backend.linescan.parts import Crossings, Motion, Rig
-from backend.linescan.rig import baseline_ratio, gain, misalignment, wheelbase
+from sightline.linescan.parts import Crossings, Motion, Rig
+from sightline.linescan.rig import baseline_ratio, gain, misalignment, wheelbase
 
 RIG = Rig(0.593, 4882.8)
 

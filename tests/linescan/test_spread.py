@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from backend.linescan.registration import Fit, Look, Prior, State
-from backend.linescan.spread import covariance
-from backend.linescan.warp import Course
+from sightline.linescan.registration import Fit, Look, Prior, State
+from sightline.linescan.spread import covariance
+from sightline.linescan.warp import Course
 
 pytestmark = pytest.mark.once
 CLUSTERS, EACH = 12, 20

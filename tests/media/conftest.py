@@ -8,8 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from backend.media.frames import FrameServer, RecordingMedia
-from backend.media.ingest import Ingested, ingest
+from sightline.media.video.frames import FrameServer
+from sightline.media.video.ingest import Ingested, ingest
+from sightline.media.video.seeker import RecordingMedia
 from tests.media.clips import Spec, write
 
 ROOT = Path(__file__).resolve().parents[2]

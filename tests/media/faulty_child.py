@@ -6,7 +6,7 @@ import ctypes
 import time
 from typing import Any
 
-from backend.media import decode_child, seeker, window
+from sightline.media.video import decode_child, seeker, window
 
 AT = 40
 HELD: list[bytearray] = []

@@ -12,9 +12,10 @@ import sys
 import time
 from pathlib import Path
 
-from backend.errors import SightlineError
-from backend.media.frames import FrameServer, RecordingMedia
-from backend.media.ingest import ingest
+from sightline.errors import SightlineError
+from sightline.media.video.frames import FrameServer
+from sightline.media.video.ingest import ingest
+from sightline.media.video.seeker import RecordingMedia
 from tests.media.clips import X264_B, Spec, write
 
 SPECS = (

@@ -8,12 +8,12 @@ from typing import Any
 
 import numpy as np
 
-from backend.demonstration.scan_strips import recording
-from backend.demonstration.scan_traffic import ScanSite, ScanVehicle
-from backend.media.strips import rebatched
-from backend.media.strips_notes import StripNotes
-from backend.media.strips_sheet import Pixels
-from backend.media.strips_store import StoredStrip, store_strip
+from sightline.media.strips.notes import StripNotes
+from sightline.media.strips.reader import rebatched
+from sightline.media.strips.sheet import Pixels
+from sightline.media.strips.stored_writer import StoredStrip, store_strip
+from sightline.simulation.scan_strips import recording
+from sightline.simulation.scan_traffic import ScanSite, ScanVehicle
 
 Pairs = Callable[[], Iterator[tuple[Pixels, Pixels]]]
 

@@ -12,8 +12,8 @@ import numpy as np
 import tifffile
 from numpy.typing import NDArray
 
-from backend.media.strips import TimeAxis, open_strip
-from backend.media.strips_sheet import Pixels
+from sightline.media.strips.reader import TimeAxis, open_strip
+from sightline.media.strips.sheet import Pixels
 
 
 def pattern(lines: int, rows: int, dtype: Any = np.uint8) -> Pixels:

@@ -12,9 +12,9 @@ import cv2
 import numpy as np
 import pytest
 
-from backend.errors import BadInput
-from backend.media.decode import open_container, probe
-from backend.media.frames import FrameServer
+from sightline.errors import BadInput
+from sightline.media.video.decode import open_container, probe
+from sightline.media.video.frames import FrameServer
 from tests.media.clips import Spec, read_number, write
 from tests.media.conftest import Clip, Ingest, media_of
 

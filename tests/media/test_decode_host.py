@@ -17,13 +17,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from backend.errors import BadInput, Damaged
-from backend.media.decode_blame import Blame, CannotDecode
-from backend.media.decode_host import DecodeHost
-from backend.media.decode_wire import Limits
-from backend.media.frames import FrameServer, NotWanted, RecordingMedia
-from backend.media.images import png, read_image_bgr
-from backend.media.window import always
+from sightline.errors import BadInput, Damaged
+from sightline.media.images import png, read_image_bgr
+from sightline.media.video.decode_crashes import Blame, CannotDecode
+from sightline.media.video.decode_host import DecodeHost
+from sightline.media.video.decode_wire import Limits
+from sightline.media.video.frames import FrameServer
+from sightline.media.video.seeker import RecordingMedia
+from sightline.media.video.window import NotWanted, always
 from tests.media.clips import Spec, read_number
 from tests.media.conftest import ROOT, Clip, Ingest, media_of
 from tests.media.faulty_child import AT
@@ -203,7 +204,7 @@ def test_it_ends_with_the_server_and_leaves_no_zombie(plain: RecordingMedia) -> 
 
 def test_it_ends_when_the_server_is_killed() -> None:
     code = (
-        "import time; from backend.media.decode_host import DecodeHost; host = DecodeHost(1000000);"
+        "import time; from sightline.media.video.decode_host import DecodeHost; host = DecodeHost(1000000);"
         "host.start(); print(host.process_id, flush=True); time.sleep(60)"
     )
     with subprocess.Popen(

@@ -6,10 +6,11 @@ import cv2
 import numpy as np
 import pytest
 
-from backend.demonstration import day_scene, low_light_scene, render_frame
-from backend.geometry.drift import Motion
-from backend.geometry.drift_spans import Look, course, floor_px
-from backend.media.drift import background, mean_of, register
+from sightline.geometry.drift import Motion
+from sightline.geometry.drift_spans import Look, course, floor_px
+from sightline.media.video.drift import background, mean_of, register
+from sightline.simulation.render import render_frame
+from sightline.simulation.scene import day_scene, low_light_scene
 
 SIZE = (640, 480)
 SHAKES = [(0.2, 0.0, 0.0), (0.12, -0.16, 0.0), (1.0, 0.0, 0.0), (-1.8, 2.4, 0.0), (0.0, 0.0, 0.05)]

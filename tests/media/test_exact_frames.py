@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from backend.errors import Damaged
-from backend.media.decode import frames_of
-from backend.media.frames import FrameServer
-from backend.media.picture import upright
-from backend.media.seeker import Decoded, Seeker
+from sightline.errors import Damaged
+from sightline.media.video.decode import frames_of
+from sightline.media.video.frames import FrameServer
+from sightline.media.video.picture import upright
+from sightline.media.video.seeker import Decoded, Seeker
 from tests.media.clips import SPECS, X264_B, Spec, cut_copy, read_number, write
 from tests.media.conftest import Clip, Ingest, media_of
 

@@ -12,12 +12,12 @@ import cv2
 import numpy as np
 import pytest
 
-from backend.errors import BadInput, Damaged, NotFound
-from backend.media.caches import DiskCache, MemoryCache
-from backend.media.frames import FrameServer, NotWanted, RecordingMedia
-from backend.media.images import read_image_bgr
-from backend.media.seeker import Seeker
-from backend.media.window import FRAMES_OF_DECODER, Window, always
+from sightline.errors import BadInput, Damaged, NotFound
+from sightline.media.images import read_image_bgr
+from sightline.media.video.caches import DiskCache, MemoryCache
+from sightline.media.video.frames import FrameServer
+from sightline.media.video.seeker import RecordingMedia, Seeker
+from sightline.media.video.window import FRAMES_OF_DECODER, NotWanted, Window, always
 from tests.media.clips import Spec, read_number
 from tests.media.conftest import Clip, Ingest, media_of
 

@@ -11,8 +11,8 @@ import cv2
 import numpy as np
 import pytest
 
-from backend.errors import BadInput
-from backend.media.images import image_size, jpeg, png, read_image, read_image_bgr
+from sightline.errors import BadInput
+from sightline.media.images import image_size, jpeg, png, read_image, read_image_bgr
 from tests.media.clips import painted
 
 

@@ -14,11 +14,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from backend.errors import NoRoom
-from backend.media import store, thumbnails
-from backend.media.images import read_image
-from backend.media.ingest import IngestCancelled, ingest
-from backend.media.thumbnails import MOST
+from sightline.errors import NoRoom
+from sightline.media.cancelling import IngestCancelled
+from sightline.media.images import read_image
+from sightline.media.store import local
+from sightline.media.video import thumbnails
+from sightline.media.video.ingest import ingest
+from sightline.media.video.thumbnails import MOST
 from tests.media.clips import Spec, painted, uneven, write
 from tests.media.conftest import ROOT, Clip, Ingest
 
@@ -64,7 +66,7 @@ def test_times_come_from_the_time_stamps(clip: Clip, take_in: Ingest) -> None:
 
 
 def test_a_recorder_that_repeats_pictures_is_reported(tmp_path: Path, take_in: Ingest) -> None:
-    from backend.media.writer import write_mp4
+    from sightline.media.video.writer import write_mp4
 
     numbers = [0, 1, 1, 1, 2, 3]
     path = tmp_path / "stuck.mp4"
@@ -124,7 +126,7 @@ def test_cancelling_stops_at_once(spec: Spec, clip: Clip, tmp_path: Path) -> Non
 def test_a_killed_ingest_can_be_done_again(tmp_path: Path, clip: Clip) -> None:
     path = clip(Spec("a.ts", gop=10), 80)
     program = (
-        "import sys, time\nfrom pathlib import Path\nfrom backend.media.ingest import ingest\n"
+        "import sys, time\nfrom pathlib import Path\nfrom sightline.media.video.ingest import ingest\n"
         "def wait():\n    time.sleep(0.01)\n    return False\n"
         f"ingest(Path({str(path)!r}), lambda f: print(f, flush=True), wait, Path({str(tmp_path / 't')!r}), "
         f"work_dir=Path({str(tmp_path / 'w')!r}))\n"
@@ -148,7 +150,7 @@ def test_a_full_disk_is_told_and_leaves_no_working_copy(
     with pytest.raises(NoRoom, match="disk is full"):
         ingest(clip(Spec("cfr.mp4")), lambda _: None, lambda: False, tmp_path / "t")
     monkeypatch.undo()
-    monkeypatch.setattr(store.shutil, "disk_usage", lambda _: type("Usage", (), {"free": 10}))
+    monkeypatch.setattr(local.shutil, "disk_usage", lambda _: type("Usage", (), {"free": 10}))
     with pytest.raises(NoRoom, match="working copy"):
         ingest(clip(Spec("a.ts")), lambda _: None, lambda: False, tmp_path / "t", work_dir=tmp_path / "w")
     assert list((tmp_path / "w").iterdir()) == []

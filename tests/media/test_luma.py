@@ -6,7 +6,7 @@ import av
 import numpy as np
 import pytest
 
-from backend.media.picture import layout_of, upright_gray
+from sightline.media.video.picture import layout_of, upright_gray
 
 
 @pytest.mark.parametrize("pixels", ["yuv420p", "yuv444p", "nv12", "yuvj420p", "gray", "bgr24"])

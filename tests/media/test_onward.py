@@ -10,11 +10,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from backend.errors import Damaged
-from backend.media import onward
-from backend.media.display import Display
-from backend.media.frames import FrameServer, NotWanted, RecordingMedia
-from backend.media.window import Wanted, Window
+from sightline.errors import Damaged
+from sightline.media.video import prefetch
+from sightline.media.video.display import Display
+from sightline.media.video.frames import FrameServer
+from sightline.media.video.seeker import RecordingMedia
+from sightline.media.video.window import NotWanted, Wanted, Window
 
 COUNT = 100
 MEDIA = RecordingMedia(
@@ -176,7 +177,7 @@ def test_closing_stops_it_and_asking_starts_it_again(server: FrameServer, pictur
 def test_threads_end_without_work(
     server: FrameServer, pictures: Pictures, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(onward, "IDLE_S", 0.05)
+    monkeypatch.setattr(prefetch, "IDLE_S", 0.05)
     before = set(threading.enumerate())
     server.still(MEDIA, 10)
     until(lambda: 16 in pictures.asked)

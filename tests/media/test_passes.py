@@ -5,9 +5,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from backend.media.passes import FoundPass, PassesCancelled, PassFinder, find_passes, reduce
-from backend.media.passes_background import densest
-from backend.media.writer import write_mp4
+from sightline.detection.background import densest
+from sightline.detection.classify import FoundPass
+from sightline.detection.finder import PassesCancelled, PassFinder, find_passes, reduce
+from sightline.media.video.writer import write_mp4
 from tests.media.street import HEIGHT, WIDTH, Mover, car, street, walker
 
 RATE_HZ = 30.0

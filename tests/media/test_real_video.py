@@ -10,10 +10,10 @@ import cv2
 import numpy as np
 import pytest
 
-from backend.errors import BadInput
-from backend.media.decode import frames_of
-from backend.media.frames import FrameServer
-from backend.media.picture import Gray
+from sightline.errors import BadInput
+from sightline.media.video.decode import frames_of
+from sightline.media.video.frames import FrameServer
+from sightline.media.video.picture import Gray
 from tests.media.conftest import Ingest, media_of
 
 KNOWN = {  # frames, upright size, variable rate

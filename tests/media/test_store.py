@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 from moto.server import ThreadedMotoServer
 
-from backend.errors import BadInput, NoRoom, NotFound, SightlineError
-from backend.media import store as store_module
-from backend.media.store import LocalStore, MediaStore, key_of, open_store, sha256_of
+from sightline.errors import BadInput, NoRoom, NotFound, SightlineError
+from sightline.media.store import local
+from sightline.media.store.local import LocalStore, MediaStore, key_of, open_store, sha256_of
 
 DATA = os.urandom(300_000)
 
@@ -75,8 +75,8 @@ def test_linking_needs_no_room_and_outlives_the_given_file(
     store: MediaStore, video: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     if isinstance(store, LocalStore):
-        monkeypatch.setattr(store_module, "copy_whole", lambda *_: pytest.fail("bytes were copied"))
-        monkeypatch.setattr(store_module, "check_room", lambda *_: pytest.fail("room was asked for"))
+        monkeypatch.setattr(local, "copy_whole", lambda *_: pytest.fail("bytes were copied"))
+        monkeypatch.setattr(local, "check_room", lambda *_: pytest.fail("room was asked for"))
     store.put_file("a/b", video, link=True)
     store.put_file("a/b", video, link=True)
     video.unlink()
@@ -90,7 +90,7 @@ def test_where_links_do_not_work_bytes_are_copied(
     def other_disk(*_: object) -> None:
         raise OSError(errno.EXDEV, "Invalid cross-device link")
 
-    monkeypatch.setattr(store_module.os, "link", other_disk)
+    monkeypatch.setattr(local.os, "link", other_disk)
     store = LocalStore(tmp_path / "media")
     store.put_file("a/b", video, link=True)
     assert store.local_path("a/b").read_bytes() == DATA
@@ -117,8 +117,8 @@ def test_a_full_disk_is_seen_before_writing(
     tmp_path: Path, video: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     store = LocalStore(tmp_path / "media")
-    usage = type("Usage", (), {"free": store_module.RESERVE_BYTES + 1000})
-    monkeypatch.setattr(store_module.shutil, "disk_usage", lambda _: usage)
+    usage = type("Usage", (), {"free": local.RESERVE_BYTES + 1000})
+    monkeypatch.setattr(local.shutil, "disk_usage", lambda _: usage)
     assert store.free_bytes() == 1000
     with pytest.raises(NoRoom, match="There is no room for this file"):
         store.put_file("a/b", video)
@@ -132,7 +132,7 @@ def test_a_disk_that_fills_up_while_writing_leaves_nothing(
         raise OSError(errno.ENOSPC, "No space left on device")
 
     store = LocalStore(tmp_path / "media")
-    monkeypatch.setattr(store_module.os, "fsync", full)
+    monkeypatch.setattr(local.os, "fsync", full)
     with pytest.raises(NoRoom, match="disk is full"):
         store.put_file("a/b", video)
     assert not any(p.is_file() for p in (tmp_path / "media").rglob("*"))

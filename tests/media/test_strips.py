@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from backend.errors import BadInput
-from backend.media import strips_sheet
-from backend.media.strips import TimeAxis, check_pair, open_strip
-from backend.media.strips_notes import Dropped, column_of, lost_lines
+from sightline.errors import BadInput
+from sightline.media.strips import sheet
+from sightline.media.strips.notes import Dropped, column_of, lost_lines
+from sightline.media.strips.reader import TimeAxis, check_pair, open_strip
 from tests.media.strips import as_picture, pattern, png, read, tiff
 
 PACKINGS: tuple[dict[str, Any], ...] = (
@@ -48,7 +48,7 @@ def test_every_packing_gives_the_same_lines(
 def test_png_is_read_a_band_at_a_time(
     tmp_path: Path, dtype: Any, time_axis: TimeAxis, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("backend.media.strips_png.BAND_BYTES", 9000)
+    monkeypatch.setattr("sightline.media.strips.png.BAND_BYTES", 9000)
     strip = pattern(1203, 47, dtype)
     got = read(png(tmp_path / "a.png", as_picture(strip, time_axis)), time_axis)
     assert got.dtype == dtype
@@ -127,9 +127,9 @@ def test_a_system_that_reads_in_small_bits_is_asked_again(
 ) -> None:
     strip = pattern(200, 33)
     path = tiff(tmp_path / "a.tif", strip)
-    whole = strips_sheet.os.preadv
+    whole = sheet.os.preadv
     monkeypatch.setattr(
-        strips_sheet.os, "preadv", lambda handle, buffers, place: whole(handle, [buffers[0][:100]], place)
+        sheet.os, "preadv", lambda handle, buffers, place: whole(handle, [buffers[0][:100]], place)
     )
     np.testing.assert_array_equal(read(path, "height"), strip)
 

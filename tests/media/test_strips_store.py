@@ -13,12 +13,12 @@ import numpy as np
 import pytest
 import tifffile
 
-from backend.errors import BadInput, Damaged, NotFound
-from backend.media.cancelling import IngestCancelled
-from backend.media.store import LocalStore, key_of
-from backend.media.strips import Strip, open_strip
-from backend.media.strips_reader import StripReader, StripShelf
-from backend.media.strips_store import SUFFIX, StoredStrip, level_lines, quartered, store_strip
+from sightline.errors import BadInput, Damaged, NotFound
+from sightline.media.cancelling import IngestCancelled
+from sightline.media.store.local import LocalStore, key_of
+from sightline.media.strips.reader import Strip, open_strip
+from sightline.media.strips.stored_reader import StripReader, StripShelf
+from sightline.media.strips.stored_writer import SUFFIX, StoredStrip, level_lines, quartered, store_strip
 from tests.media.strips import pattern, png, tiff
 
 LINES, ROWS = 5003, 47

@@ -8,10 +8,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from backend.errors import BadInput
-from backend.media.decode import frames_of
-from backend.media.strips_video import cut_strips, line_rate
-from backend.media.writer import write_mp4
+from sightline.errors import BadInput
+from sightline.media.strips.video import cut_strips, line_rate
+from sightline.media.video.decode import frames_of
+from sightline.media.video.writer import write_mp4
 
 RATE, COUNT = 240, 300
 

@@ -14,8 +14,8 @@ from pathlib import Path
 
 import pytest
 
-from backend.errors import BadInput, Conflict, NoRoom, NotFound
-from backend.media import store, uploads
+from sightline.errors import BadInput, Conflict, NoRoom, NotFound
+from sightline.media.store import local, upload_parts
 from tests.media.conftest import ROOT
 
 DATA = os.urandom(200_000)
@@ -26,37 +26,37 @@ def pieces(data: bytes, size: int = 7_000) -> Iterator[bytes]:
 
 
 def test_an_upload_in_three_goes(tmp_path: Path) -> None:
-    uploads.create(tmp_path, "u1", len(DATA))
-    assert (uploads.offset(tmp_path, "u1"), uploads.size(tmp_path, "u1")) == (0, len(DATA))
-    assert uploads.append(tmp_path, "u1", 0, pieces(DATA[:50_000])) == 50_000
-    assert uploads.append(tmp_path, "u1", 50_000, []) == 50_000
+    upload_parts.create(tmp_path, "u1", len(DATA))
+    assert (upload_parts.offset(tmp_path, "u1"), upload_parts.size(tmp_path, "u1")) == (0, len(DATA))
+    assert upload_parts.append(tmp_path, "u1", 0, pieces(DATA[:50_000])) == 50_000
+    assert upload_parts.append(tmp_path, "u1", 50_000, []) == 50_000
     with pytest.raises(Conflict, match="not complete: 50000 of 200000"):
-        uploads.finish(tmp_path, "u1")
-    assert uploads.append(tmp_path, "u1", 50_000, pieces(DATA[50_000:])) == len(DATA)
-    done = uploads.finish(tmp_path, "u1")
+        upload_parts.finish(tmp_path, "u1")
+    assert upload_parts.append(tmp_path, "u1", 50_000, pieces(DATA[50_000:])) == len(DATA)
+    done = upload_parts.finish(tmp_path, "u1")
     assert done.path.read_bytes() == DATA and done.size == len(DATA)
-    assert done.sha256 == hashlib.sha256(DATA).hexdigest() == uploads.finish(tmp_path, "u1").sha256
-    uploads.discard(tmp_path, "u1")
-    uploads.discard(tmp_path, "u1")
+    assert done.sha256 == hashlib.sha256(DATA).hexdigest() == upload_parts.finish(tmp_path, "u1").sha256
+    upload_parts.discard(tmp_path, "u1")
+    upload_parts.discard(tmp_path, "u1")
     assert list(tmp_path.iterdir()) == []
 
 
 def test_wrong_offsets_are_refused(tmp_path: Path) -> None:
-    uploads.create(tmp_path, "u1", len(DATA))
-    uploads.append(tmp_path, "u1", 0, [DATA[:1000]])
+    upload_parts.create(tmp_path, "u1", len(DATA))
+    upload_parts.append(tmp_path, "u1", 0, [DATA[:1000]])
     for wrong in (0, 999, 1001, -1):
         with pytest.raises(Conflict, match="stands at byte 1000"):
-            uploads.append(tmp_path, "u1", wrong, [b"x"])
-    assert uploads.offset(tmp_path, "u1") == 1000
+            upload_parts.append(tmp_path, "u1", wrong, [b"x"])
+    assert upload_parts.offset(tmp_path, "u1") == 1000
 
 
 def test_more_than_announced_is_refused_and_the_rest_kept(tmp_path: Path) -> None:
-    uploads.create(tmp_path, "u1", 1000)
+    upload_parts.create(tmp_path, "u1", 1000)
     with pytest.raises(BadInput, match="1000 announced"):
-        uploads.append(tmp_path, "u1", 0, [DATA[:900], DATA[900:1001]])
-    assert uploads.offset(tmp_path, "u1") == 900
-    assert uploads.append(tmp_path, "u1", 900, [DATA[900:1000]]) == 1000
-    assert uploads.finish(tmp_path, "u1").path.read_bytes() == DATA[:1000]
+        upload_parts.append(tmp_path, "u1", 0, [DATA[:900], DATA[900:1001]])
+    assert upload_parts.offset(tmp_path, "u1") == 900
+    assert upload_parts.append(tmp_path, "u1", 900, [DATA[900:1000]]) == 1000
+    assert upload_parts.finish(tmp_path, "u1").path.read_bytes() == DATA[:1000]
 
 
 def test_a_broken_connection_keeps_what_arrived(tmp_path: Path) -> None:
@@ -64,27 +64,27 @@ def test_a_broken_connection_keeps_what_arrived(tmp_path: Path) -> None:
         yield DATA[:5000]
         raise ConnectionResetError
 
-    uploads.create(tmp_path, "u1", len(DATA))
+    upload_parts.create(tmp_path, "u1", len(DATA))
     with pytest.raises(ConnectionResetError):
-        uploads.append(tmp_path, "u1", 0, broken())
-    assert uploads.offset(tmp_path, "u1") == 5000
+        upload_parts.append(tmp_path, "u1", 0, broken())
+    assert upload_parts.offset(tmp_path, "u1") == 5000
 
 
 def test_two_connections_do_not_write_at_once(tmp_path: Path) -> None:
-    uploads.create(tmp_path, "u1", len(DATA))
+    upload_parts.create(tmp_path, "u1", len(DATA))
 
     def meddled() -> Iterator[bytes]:
         yield DATA[:100]
         with pytest.raises(Conflict, match="another connection"):
-            uploads.append(tmp_path, "u1", 100, [b"x"])
+            upload_parts.append(tmp_path, "u1", 100, [b"x"])
         yield DATA[100:200]
 
-    assert uploads.append(tmp_path, "u1", 0, meddled()) == 200
+    assert upload_parts.append(tmp_path, "u1", 0, meddled()) == 200
 
 
 def test_a_full_disk_keeps_what_was_there(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    uploads.create(tmp_path, "u1", len(DATA))
-    uploads.append(tmp_path, "u1", 0, [DATA[:5000]])
+    upload_parts.create(tmp_path, "u1", len(DATA))
+    upload_parts.append(tmp_path, "u1", 0, [DATA[:5000]])
     write, room = os.write, [8000]
 
     def small_disk(handle: int, data: memoryview) -> int:
@@ -94,59 +94,59 @@ def test_a_full_disk_keeps_what_was_there(tmp_path: Path, monkeypatch: pytest.Mo
         room[0] -= written
         return written
 
-    monkeypatch.setattr(uploads.os, "write", small_disk)
+    monkeypatch.setattr(upload_parts.os, "write", small_disk)
     with pytest.raises(NoRoom, match="disk is full"):
-        uploads.append(tmp_path, "u1", 5000, pieces(DATA[5000:]))
+        upload_parts.append(tmp_path, "u1", 5000, pieces(DATA[5000:]))
     monkeypatch.undo()
-    assert uploads.offset(tmp_path, "u1") == 13_000
-    uploads.append(tmp_path, "u1", 13_000, pieces(DATA[13_000:]))
-    assert uploads.finish(tmp_path, "u1").sha256 == hashlib.sha256(DATA).hexdigest()
+    assert upload_parts.offset(tmp_path, "u1") == 13_000
+    upload_parts.append(tmp_path, "u1", 13_000, pieces(DATA[13_000:]))
+    assert upload_parts.finish(tmp_path, "u1").sha256 == hashlib.sha256(DATA).hexdigest()
 
 
 def test_no_room_is_told_before_a_byte_is_sent(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(store.shutil, "disk_usage", lambda _: type("Usage", (), {"free": 10**6}))
+    monkeypatch.setattr(local.shutil, "disk_usage", lambda _: type("Usage", (), {"free": 10**6}))
     with pytest.raises(NoRoom, match="There is no room for this upload"):
-        uploads.create(tmp_path, "u1", 10**9)
+        upload_parts.create(tmp_path, "u1", 10**9)
     assert list(tmp_path.iterdir()) == []
 
 
 def test_empty_files_and_strange_names_are_refused(tmp_path: Path) -> None:
     for size in (0, -1):
         with pytest.raises(BadInput, match="empty"):
-            uploads.create(tmp_path, "u1", size)
+            upload_parts.create(tmp_path, "u1", size)
     for name in ("../u", "a/b", "", ".", "x" * 65, "u.1"):
-        for ask in (uploads.offset, uploads.size, uploads.finish, uploads.discard):
+        for ask in (upload_parts.offset, upload_parts.size, upload_parts.finish, upload_parts.discard):
             with pytest.raises(NotFound):
                 ask(tmp_path, name)
         with pytest.raises(NotFound):
-            uploads.create(tmp_path, name, 5)
-    uploads.create(tmp_path, "u1", 5)
+            upload_parts.create(tmp_path, name, 5)
+    upload_parts.create(tmp_path, "u1", 5)
     with pytest.raises(Conflict):
-        uploads.create(tmp_path, "u1", 5)
+        upload_parts.create(tmp_path, "u1", 5)
 
 
 def test_unknown_uploads_are_not_there(tmp_path: Path) -> None:
     with pytest.raises(NotFound, match="no such upload"):
-        uploads.offset(tmp_path, "gone")
+        upload_parts.offset(tmp_path, "gone")
     with pytest.raises(NotFound):
-        uploads.append(tmp_path, "gone", 0, [b"x"])
+        upload_parts.append(tmp_path, "gone", 0, [b"x"])
 
 
 def test_content_changed_on_its_way_is_refused(tmp_path: Path) -> None:
-    uploads.create(tmp_path, "u1", 4)
-    uploads.append(tmp_path, "u1", 0, [b"good"])
+    upload_parts.create(tmp_path, "u1", 4)
+    upload_parts.append(tmp_path, "u1", 0, [b"good"])
     with pytest.raises(BadInput, match="SHA-256"):
-        uploads.finish(tmp_path, "u1", hashlib.sha256(b"goof").hexdigest())
-    assert uploads.finish(tmp_path, "u1", hashlib.sha256(b"good").hexdigest().upper()).size == 4
+        upload_parts.finish(tmp_path, "u1", hashlib.sha256(b"goof").hexdigest())
+    assert upload_parts.finish(tmp_path, "u1", hashlib.sha256(b"good").hexdigest().upper()).size == 4
 
 
 def test_sweeping_takes_only_what_is_old(tmp_path: Path) -> None:
     for name in ("old", "new"):
-        uploads.create(tmp_path, name, 10)
+        upload_parts.create(tmp_path, name, 10)
     os.utime(tmp_path / "old.part", (1, 1))
-    assert uploads.sweep(tmp_path, 3600) == ["old"]
-    assert uploads.offset(tmp_path, "new") == 0
-    assert uploads.sweep(tmp_path / "none", 3600) == []
+    assert upload_parts.sweep(tmp_path, 3600) == ["old"]
+    assert upload_parts.offset(tmp_path, "new") == 0
+    assert upload_parts.sweep(tmp_path / "none", 3600) == []
 
 
 @pytest.mark.parametrize("after_s", [0.35, 0.6])
@@ -154,7 +154,7 @@ def test_a_killed_server_leaves_an_upload_that_goes_on(after_s: float, tmp_path:
     source = tmp_path / "source"
     source.write_bytes(DATA)
     program = (
-        "import sys, time\nfrom pathlib import Path\nfrom backend.media import uploads\n"
+        "import sys, time\nfrom pathlib import Path\nfrom sightline.media import uploads\n"
         f"folder, data = Path({str(tmp_path / 'u')!r}), Path({str(source)!r}).read_bytes()\n"
         "uploads.create(folder, 'u1', len(data))\n"
         "def slowly():\n"
@@ -167,7 +167,7 @@ def test_a_killed_server_leaves_an_upload_that_goes_on(after_s: float, tmp_path:
         child.stdout.readline()
         time.sleep(after_s - 0.3)
         child.send_signal(signal.SIGKILL)
-    have = uploads.offset(tmp_path / "u", "u1")
+    have = upload_parts.offset(tmp_path / "u", "u1")
     assert 0 < have < len(DATA)
-    uploads.append(tmp_path / "u", "u1", have, pieces(DATA[have:]))
-    assert uploads.finish(tmp_path / "u", "u1").path.read_bytes() == DATA
+    upload_parts.append(tmp_path / "u", "u1", have, pieces(DATA[have:]))
+    assert upload_parts.finish(tmp_path / "u", "u1").path.read_bytes() == DATA

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from backend.errors import BadInput
-from backend.media.decode import frames_of, probe
-from backend.media.writer import write_mp4
+from sightline.errors import BadInput
+from sightline.media.video.decode import frames_of, probe
+from sightline.media.video.writer import write_mp4
 from tests.media.clips import painted, read_number
 
 

@@ -8,9 +8,9 @@ from statsmodels.regression.mixed_linear_model import MixedLM
 from statsmodels.stats.proportion import proportion_confint
 from statsmodels.stats.weightstats import DescrStatsW
 
-from backend.statistics.agreement import bland_altman, trend
-from backend.statistics.distributions import ecdf, share_below, sorted_values
-from backend.statistics.repeatability import gauge
+from sightline.statistics.agreement import bland_altman, trend
+from sightline.statistics.distributions import ecdf, share_below, sorted_values
+from sightline.statistics.repeatability import gauge
 
 
 def test_regression_and_its_band_are_those_of_least_squares() -> None:

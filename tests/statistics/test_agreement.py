@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from backend.statistics.agreement import bland_altman, reference_part, trend
-from backend.statistics.corrections import CORRECTIONS, Known, corrected
+from sightline.statistics.agreement import bland_altman, reference_part, trend
+from sightline.statistics.corrections import CORRECTIONS, Known, corrected
 
 U_TRUTH = 0.03 / np.sqrt(3)
 

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from backend.errors import BadInput
-from backend.statistics.distributions import (
+from sightline.errors import BadInput
+from sightline.statistics.distributions import (
     density,
     ecdf,
     percentiles,
@@ -13,7 +13,7 @@ from backend.statistics.distributions import (
     sorted_values,
     vehicles_for_interval,
 )
-from backend.statistics.sample_size import vehicles_needed
+from sightline.statistics.sample_size import vehicles_needed
 
 
 def heights(n: int, seed: int = 1) -> np.ndarray:

@@ -12,9 +12,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy import stats
 
-from backend.commands.errors import errors
-from backend.errors import BadInput
-from backend.statistics.errors import FIGURES, MOST_FOR_BOOTSTRAP, error_group, error_table, round_to_cm
+from sightline.commands.errors import errors
+from sightline.errors import BadInput
+from sightline.statistics.errors import FIGURES, MOST_FOR_BOOTSTRAP, error_group, error_table, round_to_cm
 
 
 def rows(n: int, seed: int = 1) -> tuple[np.ndarray, np.ndarray]:

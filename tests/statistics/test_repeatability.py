@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from backend.statistics.repeatability import Codes, claim, codes_of, gauge, within_cells
+from sightline.statistics.repeatability import Codes, claim, codes_of, gauge, within_cells
 
 
 def balanced(items: int, persons: int, repeats: int, seed: int) -> tuple[np.ndarray, Codes, Codes]:

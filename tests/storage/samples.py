@@ -7,39 +7,31 @@ import numpy as np
 from sqlalchemy import insert
 from sqlalchemy.orm import Session
 
-from backend.storage import (
-    calibrations,
-    cameras,
-    database,
-    measurements,
-    people,
-    photographs,
-    poses,
-    recordings,
-    surveys,
-    vehicles,
-)
-from backend.storage.columns import now
-from backend.storage.records import (
-    Calibration,
-    Camera,
-    Facts,
-    FrameTable,
-    Measurement,
-    MeasurementValues,
-    Person,
-    Photograph,
-    Pose,
-    Recording,
-    Role,
-    Survey,
-    Target,
-    Vehicle,
-)
-from backend.storage.tables_of_work import measurement_series
-from backend.storage.tables_of_work import measurements as revision_rows
-from backend.storage.tables_of_work import reviews as review_rows
-from backend.storage.tables_of_work import vehicles as vehicle_rows
+from sightline.cameras.calibrations.records import Calibration
+from sightline.cameras.calibrations.store import add_calibration
+from sightline.cameras.records import Camera
+from sightline.cameras.store import create_camera
+from sightline.enums import Role, Target
+from sightline.infra.database.engine import SessionFactory, writing
+from sightline.infra.database.types import now
+from sightline.infra.web.person import Person
+from sightline.measurements.records import Measurement, MeasurementValues, Vehicle
+from sightline.measurements.store import add_measurement
+from sightline.measurements.tables import measurement_series
+from sightline.measurements.tables import measurements as revision_rows
+from sightline.people.store import create_person
+from sightline.poses.records import Pose
+from sightline.poses.store import add_pose
+from sightline.recordings.frames.records import FrameTable
+from sightline.recordings.records import Facts, Recording
+from sightline.recordings.store import create_recording, get_recording, note_ingested
+from sightline.reviews.tables import reviews as review_rows
+from sightline.surveys.photographs.records import Photograph
+from sightline.surveys.photographs.store import add_photograph
+from sightline.surveys.records import Survey
+from sightline.surveys.store import create_survey
+from sightline.vehicles.store import create_vehicle
+from sightline.vehicles.tables import vehicles as vehicle_rows
 
 KEY = "00000000-0000-4000-8000-{:012d}"
 
@@ -58,7 +50,7 @@ def facts(**changed: Any) -> Facts:
 
 def person(session: Session, name: str = "Olga", role: Role = "operator") -> Person:
     """Somebody with this role."""
-    return people.create(session, name=name, email=f"{name.lower()}@example.org", role=role, actor=None)
+    return create_person(session, name=name, email=f"{name.lower()}@example.org", role=role, actor=None)
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,20 +70,20 @@ class Sample:
 def sample(session: Session) -> Sample:
     """Two people, a survey with a calibrated camera, a posed recording and one vehicle."""
     olga, rene = person(session), person(session, "René", "reviewer")
-    survey = surveys.create(session, name="Rouen south", site="lane 1", actor=olga.id)
-    camera = cameras.create(session, survey.id, name="Left", actor=olga.id)
-    calibration = add_calibration(session, camera.id, olga.id)
+    survey = create_survey(session, name="Rouen south", site="lane 1", actor=olga.id)
+    camera = create_camera(session, survey.id, name="Left", actor=olga.id)
+    lens = calibration(session, camera.id, olga.id)
     recording = add_recording(session, survey.id, olga.id)
-    pose = add_pose(session, recording.id, calibration.id, olga.id)
+    pose = road_pose(session, recording.id, lens.id, olga.id)
     span = {"first_frame": 10, "last_frame": 40}
-    vehicle = vehicles.create(session, recording.id, {**span, "make": "Peugeot"}, actor=olga.id)  # type: ignore[typeddict-item]
-    recording = recordings.get(session, recording.id)
-    return Sample(olga, rene, survey, camera, calibration, recording, pose, vehicle)
+    vehicle = create_vehicle(session, recording.id, {**span, "make": "Peugeot"}, actor=olga.id)  # type: ignore[typeddict-item]
+    recording = get_recording(session, recording.id)
+    return Sample(olga, rene, survey, camera, lens, recording, pose, vehicle)
 
 
-def add_calibration(session: Session, camera_id: int, actor: int | None) -> Calibration:
+def calibration(session: Session, camera_id: int, actor: int | None) -> Calibration:
     """A trusted calibration from images."""
-    return calibrations.add(
+    return add_calibration(
         session,
         camera_id,
         source="images",
@@ -107,7 +99,7 @@ def add_calibration(session: Session, camera_id: int, actor: int | None) -> Cali
 
 def add_recording(session: Session, survey_id: int, actor: int | None, count: int = 100) -> Recording:
     """An ingested recording."""
-    made = recordings.create(
+    made = create_recording(
         session,
         survey_id,
         name="day.mp4",
@@ -116,18 +108,18 @@ def add_recording(session: Session, survey_id: int, actor: int | None, count: in
         size_bytes=5 * 2**31,
         actor=actor,
     )
-    return recordings.ingested(session, made.id, facts(), frame_table(count), actor=actor)
+    return note_ingested(session, made.id, facts(), frame_table(count), actor=actor)
 
 
 def photograph(session: Session, one: Sample, name: str = "rig.jpg") -> Photograph:
     """A photograph of the set-up whose file is nowhere."""
     file: dict[str, Any] = {"name": name, "media_key": "p", "sha256": "0" * 64, "size_bytes": 9}
-    return photographs.add(session, one.survey.id, **file, width_px=640, height_px=480, actor=one.olga.id)
+    return add_photograph(session, one.survey.id, **file, width_px=640, height_px=480, actor=one.olga.id)
 
 
-def add_pose(session: Session, recording_id: int, calibration_id: int, actor: int | None) -> Pose:
+def road_pose(session: Session, recording_id: int, calibration_id: int, actor: int | None) -> Pose:
     """A road pose of that recording."""
-    return poses.add(
+    return add_pose(
         session,
         recording_id,
         calibration_id=calibration_id,
@@ -179,14 +171,14 @@ def values(one: Sample, **changed: Any) -> MeasurementValues:
 def measure(session: Session, one: Sample, target: Target = "roof", key: int = 1) -> Measurement:
     """A measurement of the sample's vehicle, by Olga."""
     content = values(one, target=target)
-    return measurements.add(
+    return add_measurement(
         session, one.vehicle.id, client_key=KEY.format(key), values=content, actor=one.olga.id
     )
 
 
-def fill(factory: database.SessionFactory, count: int) -> Sample:
+def fill(factory: SessionFactory, count: int) -> Sample:
     """`count` vehicles with three measurements each, a third of them reviewed, every fifth revised."""
-    with database.writing(factory) as session:
+    with writing(factory) as session:
         one = sample(session)
         measured = measure(session, one)
         revision = revision_rows.select().where(revision_rows.c.id == measured.revision_id)

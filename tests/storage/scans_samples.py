@@ -6,22 +6,33 @@ from typing import Any
 
 from sqlalchemy.orm import Session
 
-from backend.linescan.line_pose import solve_line_pose
-from backend.linescan.parts import Rig
-from backend.storage import (
-    line_heights,
-    line_poses,
-    scans,
-    scans_measurements,
-    scans_reviews,
-    scans_runs,
-    scans_swap,
-    scans_vehicles,
+from sightline.linescan.line_pose import solve_line_pose
+from sightline.linescan.parts import Rig
+from sightline.scans.heights.pose_store import append_line_pose
+from sightline.scans.heights.poses import solved_values
+from sightline.scans.heights.service import RowClicks, height_values
+from sightline.scans.heights.store import append_line_height, withdraw_line_height
+from sightline.scans.records import Scan, ScanRunValues, ScanValues, StripFacts, StripSource
+from sightline.scans.store import (
+    create_scan,
+    note_reading_failed,
+    note_scan_read,
+    remove_scan,
+    restart_reading,
+    rig_columns,
+    update_scan,
 )
-from backend.storage.scans import rig_columns
-from backend.storage.scans_records import Scan, ScanRunValues, ScanValues, StripFacts, StripSource
-from backend.work.line_heights import RowClicks, height_values
-from backend.work.line_poses import solved_values
+from sightline.scans.swap_store import swap_scan_cameras
+from sightline.scans.vehicles.measurement_store import append_scan_measurement, append_scan_measurements
+from sightline.scans.vehicles.review_store import add_scan_review
+from sightline.scans.vehicles.run_store import add_scan_run
+from sightline.scans.vehicles.store import (
+    change_scan_vehicle,
+    create_scan_vehicle,
+    create_scan_vehicles,
+    remove_scan_vehicle,
+    restore_scan_vehicle,
+)
 from tests.storage.samples import Sample
 
 RIG = Rig(baseline_m=0.593, line_rate_hz=4882.8, u_baseline_m=0.0003)
@@ -76,36 +87,36 @@ def facts() -> StripFacts:
 def scan(session: Session, one: Sample) -> Scan:
     """A scan of two strips, yet to be read."""
     source = (StripSource("a.tif", "aa/a.tif", "aa" * 32), StripSource("b.tif", "bb/b.tif", "bb" * 32))
-    return scans.create(
+    return create_scan(
         session, one.survey.id, name="Gate", source=source, time_axis="width", rig=RIG, actor=one.olga.id
     )
 
 
 def ready(session: Session, one: Sample) -> Scan:
     """A scan that was read."""
-    return scans.was_read(session, scan(session, one).id, facts(), actor=None)
+    return note_scan_read(session, scan(session, one).id, facts(), actor=None)
 
 
 def vehicle(session: Session, one: Sample) -> Any:
     """A found vehicle, not measured yet."""
-    return scans_vehicles.create(session, ready(session, one).id, origin="found", actor=one.olga.id)
+    return create_scan_vehicle(session, ready(session, one).id, origin="found", actor=one.olga.id)
 
 
 def measured(session: Session, one: Sample, **changed: Any) -> Any:
     """A measurement of a found vehicle."""
     made = vehicle(session, one)
-    return scans_measurements.append(session, made.id, values(**changed), actor=one.olga.id)
+    return append_scan_measurement(session, made.id, values(**changed), actor=one.olga.id)
 
 
 def run(session: Session, one: Sample, scan_id: int) -> Any:
     """A run that found one vehicle."""
     found = ScanRunValues("direct", rig_columns(RIG), 1, 1, {"misalignment_px": 0.4}, [], "0.1.0")
-    return scans_runs.add(session, scan_id, found, actor=one.olga.id)
+    return add_scan_run(session, scan_id, found, actor=one.olga.id)
 
 
 def removed(session: Session, one: Sample) -> Any:
     """A vehicle that was taken out."""
-    return scans_vehicles.remove(session, vehicle(session, one).id, version=1, actor=one.olga.id)
+    return remove_scan_vehicle(session, vehicle(session, one).id, version=1, actor=one.olga.id)
 
 
 def rod(session: Session, one: Sample, scan_id: int, seen_revision: int = 0) -> Any:
@@ -119,14 +130,14 @@ def rod(session: Session, one: Sample, scan_id: int, seen_revision: int = 0) -> 
     ]
     given: dict[str, Any] = {"sigma_px": 0.5, "u_distance_m": 0.0, "u_lean_rad": 0.0}
     told = solved_values(found, marks, **given)
-    return line_poses.append(session, scan_id, told, seen_revision=seen_revision, actor=one.olga.id)
+    return append_line_pose(session, scan_id, told, seen_revision=seen_revision, actor=one.olga.id)
 
 
 def tall(session: Session, one: Sample, vehicle_id: int, pose: Any, seen_revision: int = 0) -> Any:
     """A roof 1.4 m above a contact at 3 m: the row of a target 0.3 m behind it."""
     clicks = RowClicks("roof", (1300.0, 830.0), (1500.0, 500.0 - 900.0 * 0.3 / 3.3), 1.0, 0.3, 0.1)
     told = height_values(pose, clicks, [])
-    return line_heights.append(session, vehicle_id, told, seen_revision=seen_revision, actor=one.olga.id)
+    return append_line_height(session, vehicle_id, told, seen_revision=seen_revision, actor=one.olga.id)
 
 
 Write = Callable[[Session, Sample], Any]
@@ -144,71 +155,67 @@ def _tall(session: Session, one: Sample) -> Any:
 
 # name -> (what must be there first, the write itself); for the test that every write leaves one event
 WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
-    "scans.create": (lambda s, o: None, lambda s, o, _: scan(s, o)),
-    "scans.was_read": (scan, lambda s, o, made: scans.was_read(s, made.id, facts(), actor=None)),
-    "scans.reading_failed": (
+    "create_scan": (lambda s, o: None, lambda s, o, _: scan(s, o)),
+    "note_scan_read": (scan, lambda s, o, made: note_scan_read(s, made.id, facts(), actor=None)),
+    "note_reading_failed": (
         scan,
-        lambda s, o, made: scans.reading_failed(s, made.id, "It is no picture.", actor=None),
+        lambda s, o, made: note_reading_failed(s, made.id, "It is no picture.", actor=None),
     ),
-    "scans.restart_reading": (
+    "restart_reading": (
         scan,
-        lambda s, o, made: scans.restart_reading(s, made.id, actor=o.olga.id),
+        lambda s, o, made: restart_reading(s, made.id, actor=o.olga.id),
     ),
-    "scans.update": (
+    "update_scan": (
         ready,
-        lambda s, o, made: scans.update(s, made.id, {"baseline_m": 0.594}, version=1, actor=o.olga.id),
+        lambda s, o, made: update_scan(s, made.id, {"baseline_m": 0.594}, version=1, actor=o.olga.id),
     ),
-    "scans_swap.swap_cameras": (
+    "swap_scan_cameras": (
         ready,
-        lambda s, o, made: scans_swap.swap_cameras(s, made.id, version=1, actor=o.olga.id),
+        lambda s, o, made: swap_scan_cameras(s, made.id, version=1, actor=o.olga.id),
     ),
-    "scans.remove": (ready, lambda s, o, made: scans.remove(s, made.id, actor=o.olga.id)),
-    "scans_runs.add": (ready, lambda s, o, made: run(s, o, made.id)),
-    "scans_vehicles.create": (
+    "remove_scan": (ready, lambda s, o, made: remove_scan(s, made.id, actor=o.olga.id)),
+    "add_scan_run": (ready, lambda s, o, made: run(s, o, made.id)),
+    "create_scan_vehicle": (
         ready,
-        lambda s, o, made: scans_vehicles.create(s, made.id, {"make": "Fiat"}, actor=o.olga.id),
+        lambda s, o, made: create_scan_vehicle(s, made.id, {"make": "Fiat"}, actor=o.olga.id),
     ),
-    "scans_vehicles.create_many": (
+    "create_scan_vehicles": (
         ready,
-        lambda s, o, made: scans_vehicles.create_many(s, made.id, 1, origin="found", actor=o.olga.id),
+        lambda s, o, made: create_scan_vehicles(s, made.id, 1, origin="found", actor=o.olga.id),
     ),
-    "scans_vehicles.change_facts": (
+    "change_scan_vehicle": (
         vehicle,
-        lambda s, o, made: scans_vehicles.change_facts(
+        lambda s, o, made: change_scan_vehicle(
             s, made.id, {"true_length_m": 4.447}, version=1, actor=o.olga.id
         ),
     ),
-    "scans_vehicles.remove": (
+    "remove_scan_vehicle": (
         vehicle,
-        lambda s, o, made: scans_vehicles.remove(s, made.id, version=1, actor=o.olga.id),
+        lambda s, o, made: remove_scan_vehicle(s, made.id, version=1, actor=o.olga.id),
     ),
-    "scans_vehicles.restore": (
+    "restore_scan_vehicle": (
         removed,
-        lambda s, o, made: scans_vehicles.restore(s, made.id, actor=o.olga.id),
+        lambda s, o, made: restore_scan_vehicle(s, made.id, actor=o.olga.id),
     ),
-    "scans_measurements.append_many": (
+    "append_scan_measurements": (
         vehicle,
-        lambda s, o, made: scans_measurements.append_many(
-            s, made.scan_id, [(made.id, values())], actor=o.olga.id
-        ),
+        lambda s, o, made: append_scan_measurements(s, made.scan_id, [(made.id, values())], actor=o.olga.id),
     ),
-    "scans_measurements.append": (
+    "append_scan_measurement": (
         vehicle,
-        lambda s, o, made: scans_measurements.append(s, made.id, values(), version=1, actor=o.olga.id),
+        lambda s, o, made: append_scan_measurement(s, made.id, values(), version=1, actor=o.olga.id),
     ),
-    "scans_reviews.add": (
+    "add_scan_review": (
         measured,
-        lambda s, o, made: scans_reviews.add(s, made.id, verdict="accepted", actor=o.rene.id),
+        lambda s, o, made: add_scan_review(s, made.id, verdict="accepted", actor=o.rene.id),
     ),
-    "line_poses.append": (ready, lambda s, o, made: rod(s, o, made.id)),
-    "line_heights.append": (
+    "append_line_pose": (ready, lambda s, o, made: rod(s, o, made.id)),
+    "append_line_height": (
         _calibrated,
         lambda s, o, made: tall(s, o, made[0].id, made[1]),
     ),
-    "line_heights.withdraw": (
+    "withdraw_line_height": (
         _tall,
-        lambda s, o, made: line_heights.withdraw(
-            s, made.vehicle_id, "roof", seen_revision=1, actor=o.olga.id
-        ),
+        lambda s, o, made: withdraw_line_height(s, made.vehicle_id, "roof", seen_revision=1, actor=o.olga.id),
     ),
 }

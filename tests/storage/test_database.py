@@ -9,19 +9,31 @@ from sqlalchemy import Engine, text
 from sqlalchemy.exc import OperationalError
 from sqlalchemy.orm import Session
 
-from backend.errors import BadInput, NoRoom
-from backend.settings import Settings, load_settings
-from backend.storage import audit, database, surveys
+from sightline.errors import BadInput, NoRoom
+from sightline.infra.audit import trail
+from sightline.infra.audit.verification import verify_records
+from sightline.infra.database.engine import (
+    DatabaseAway,
+    SessionFactory,
+    explanation,
+    make_engine,
+    migrate,
+    reading,
+    session_factory,
+    writing,
+)
+from sightline.settings import Settings, load_settings
+from sightline.surveys.store import create_survey, list_surveys
 
 
-def test_many_writers_take_turns_and_the_chain_holds(factory: database.SessionFactory) -> None:
+def test_many_writers_take_turns_and_the_chain_holds(factory: SessionFactory) -> None:
     problems: list[BaseException] = []
 
     def write(name: str) -> None:
         try:
             for n in range(5):
-                with database.writing(factory) as session:
-                    surveys.create(session, name=f"{name}-{n}", actor=None)
+                with writing(factory) as session:
+                    create_survey(session, name=f"{name}-{n}", actor=None)
         except BaseException as error:
             problems.append(error)
 
@@ -31,35 +43,35 @@ def test_many_writers_take_turns_and_the_chain_holds(factory: database.SessionFa
     for thread in threads:
         thread.join()
     assert problems == []
-    with database.reading(factory) as session:
-        assert audit.verify(session).checked == 40 and audit.verify(session).ok
+    with reading(factory) as session:
+        assert verify_records(session).checked == 40 and verify_records(session).ok
 
 
-def test_reading_goes_on_while_somebody_writes(factory: database.SessionFactory) -> None:
-    with database.writing(factory) as session:
-        surveys.create(session, name="seen later", actor=None)
-        with database.reading(factory) as other:
-            assert surveys.list_all(other) == ()
-    with database.reading(factory) as other:
-        assert [one.name for one in surveys.list_all(other)] == ["seen later"]
+def test_reading_goes_on_while_somebody_writes(factory: SessionFactory) -> None:
+    with writing(factory) as session:
+        create_survey(session, name="seen later", actor=None)
+        with reading(factory) as other:
+            assert list_surveys(other) == ()
+    with reading(factory) as other:
+        assert [one.name for one in list_surveys(other)] == ["seen later"]
 
 
-def test_reading_sees_one_state_to_its_end(factory: database.SessionFactory) -> None:
+def test_reading_sees_one_state_to_its_end(factory: SessionFactory) -> None:
     """An export is many queries: what is stored between two of them must be in none or in all."""
-    with database.reading(factory) as session:
-        before = surveys.list_all(session)
-        with database.writing(factory) as other:
-            surveys.create(other, name="Meanwhile", actor=None)
-        assert surveys.list_all(session) == before
-    with database.reading(factory) as session:
-        assert len(surveys.list_all(session)) == len(before) + 1
+    with reading(factory) as session:
+        before = list_surveys(session)
+        with writing(factory) as other:
+            create_survey(other, name="Meanwhile", actor=None)
+        assert list_surveys(session) == before
+    with reading(factory) as session:
+        assert len(list_surveys(session)) == len(before) + 1
 
 
-def test_what_reading_changed_is_rolled_back(factory: database.SessionFactory) -> None:
-    with database.reading(factory) as session:
-        surveys.create(session, name="never", actor=None)
-    with database.reading(factory) as session:
-        assert surveys.list_all(session) == () and audit.head(session).count == 0
+def test_what_reading_changed_is_rolled_back(factory: SessionFactory) -> None:
+    with reading(factory) as session:
+        create_survey(session, name="never", actor=None)
+    with reading(factory) as session:
+        assert list_surveys(session) == () and trail.head(session).count == 0
 
 
 def test_sqlite_runs_as_it_should(engine: Engine) -> None:
@@ -85,45 +97,45 @@ def test_foreign_keys_hold(session: Session) -> None:
     [
         ("database or disk is full", NoRoom, "disk is full"),
         ('could not extend file "x": No space left on device', NoRoom, "disk is full"),
-        ("database is locked", database.DatabaseAway, "busy"),
-        ("attempt to write a readonly database", database.DatabaseAway, "permissions"),
-        ("connection refused", database.DatabaseAway, "does not answer"),
+        ("database is locked", DatabaseAway, "busy"),
+        ("attempt to write a readonly database", DatabaseAway, "permissions"),
+        ("connection refused", DatabaseAway, "does not answer"),
     ],
 )
 def test_operational_errors_become_one_sentence(words: str, kind: type, said: str) -> None:
-    found = database.explanation(OperationalError("x", {}, sqlite3.OperationalError(words)))
+    found = explanation(OperationalError("x", {}, sqlite3.OperationalError(words)))
     assert type(found) is kind and said in found.message
 
 
 def test_a_full_disk_leaves_nothing_half_there(tmp_path: Path) -> None:
-    engine = database.make_engine(f"sqlite:///{tmp_path}/small.db")
-    database.migrate(engine)
-    factory = database.session_factory(engine)
-    with database.writing(factory) as session:
+    engine = make_engine(f"sqlite:///{tmp_path}/small.db")
+    migrate(engine)
+    factory = session_factory(engine)
+    with writing(factory) as session:
         pages = session.execute(text("PRAGMA page_count")).scalar_one()
         session.execute(text(f"PRAGMA max_page_count = {pages + 2}"))
-    with pytest.raises(NoRoom, match="disk is full"), database.writing(factory) as session:
-        surveys.create(session, name="x", description="much " * 20_000, actor=None)
-    with database.reading(factory) as session:
-        assert surveys.list_all(session) == () and audit.verify(session).ok
+    with pytest.raises(NoRoom, match="disk is full"), writing(factory) as session:
+        create_survey(session, name="x", description="much " * 20_000, actor=None)
+    with reading(factory) as session:
+        assert list_surveys(session) == () and verify_records(session).ok
     engine.dispose()
 
 
 @pytest.mark.parametrize("url", ["", "sqlite://", "sqlite:///:memory:", "mysql://a/b", "not a url"])
 def test_addresses_that_cannot_be_used(url: str) -> None:
     with pytest.raises(BadInput, match=r"^[A-Z].*\.$"):
-        database.make_engine(url)
+        make_engine(url)
 
 
 def test_a_database_that_is_away_is_said_so() -> None:
-    engine = database.make_engine("postgresql://nobody@127.0.0.1:1/none?connect_timeout=2")
+    engine = make_engine("postgresql://nobody@127.0.0.1:1/none?connect_timeout=2")
     with (
-        pytest.raises(database.DatabaseAway, match="does not answer"),
-        database.reading(database.session_factory(engine)) as session,
+        pytest.raises(DatabaseAway, match="does not answer"),
+        reading(session_factory(engine)) as session,
     ):
-        surveys.list_all(session)
-    with pytest.raises(database.DatabaseAway, match="does not answer"):
-        database.migrate(engine)
+        list_surveys(session)
+    with pytest.raises(DatabaseAway, match="does not answer"):
+        migrate(engine)
 
 
 def test_settings_come_from_the_environment(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:

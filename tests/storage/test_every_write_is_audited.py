@@ -11,28 +11,63 @@ import pytest
 from sqlalchemy import event, select
 from sqlalchemy.orm import Session
 
-import backend.storage
-from backend.storage import (
-    audit,
-    cameras,
-    catalogue,
-    click_sigmas,
-    database,
-    exports,
-    jobs,
-    measurements,
-    people,
-    photographs,
-    recordings,
-    reviews,
-    standards,
-    surveys,
-    uploads,
-    vehicles,
-    wheel_pairs,
+import sightline
+from sightline.cameras.store import (
+    add_calibration_image,
+    choose_calibration,
+    create_camera,
+    remove_calibration_image,
+    set_detection,
 )
-from backend.storage.records import CatalogueRow
-from backend.storage.tables_of_work import audit_events
+from sightline.export.store import add_export
+from sightline.infra.audit import trail
+from sightline.infra.audit.tables import audit_events
+from sightline.infra.audit.verification import verify_records
+from sightline.infra.database.engine import SessionFactory, reading, writing
+from sightline.infra.jobs.store import (
+    claim_job,
+    create_job,
+    fail_job,
+    finish_job,
+    job_cancelled,
+    release_job,
+    request_job_cancel,
+    requeue_job,
+)
+from sightline.measurements.click_sigma_store import choose_click_sigma
+from sightline.measurements.store import restore_measurement, revise_measurement, withdraw_measurement
+from sightline.people.store import (
+    create_sign_in_link,
+    end_sessions,
+    set_password,
+    update_person,
+    use_sign_in_link,
+)
+from sightline.quality.checks.store import add_wheel_pair, withdraw_wheel_pair
+from sightline.recordings.store import (
+    create_recording,
+    decide_drift,
+    note_ingest_failed,
+    note_ingested,
+    remove_recording,
+    restart_ingest,
+    store_drift,
+    take_back_drift_decision,
+    update_recording,
+)
+from sightline.recordings.uploads.store import create_upload, finish_upload, remove_upload, strip_arrived
+from sightline.results.standards_store import choose_standards
+from sightline.reviews.store import add_review
+from sightline.surveys.photographs.store import (
+    change_photograph_caption,
+    order_photographs,
+    remove_photograph,
+    restore_photograph,
+)
+from sightline.surveys.store import create_survey, update_survey
+from sightline.vehicles.catalogue.records import CatalogueRow
+from sightline.vehicles.catalogue.store import add_catalogue_row, import_catalogue_rows
+from sightline.vehicles.store import create_vehicle, remove_vehicle, restore_vehicle, update_vehicle
 from tests.storage import samples, scans_samples
 from tests.storage.samples import Sample, frame_table, values
 
@@ -43,57 +78,57 @@ def _image(session: Session, one: Sample) -> Any:
     detected: dict[str, Any] = {"found": True, "reason": None, "corners_px": [(1.0, 2)]}
     size = {"columns": 9, "rows": 6, "sharpness": 3.0, "actor": one.olga.id}
     file = {"name": "a.png", "media_key": "k", "width_px": 640, "height_px": 480}
-    return cameras.add_image(session, one.camera.id, **file, **detected, **size)
+    return add_calibration_image(session, one.camera.id, **file, **detected, **size)
 
 
 def _detect(session: Session, image_id: int, actor: int) -> Any:
     found = {"found": False, "reason": "No board.", "corners_px": []}
-    return cameras.set_detection(session, image_id, **found, columns=8, rows=5, sharpness=None, actor=actor)
+    return set_detection(session, image_id, **found, columns=8, rows=5, sharpness=None, actor=actor)
 
 
 def _upload(session: Session, one: Sample) -> Any:
-    return uploads.create(
+    return create_upload(
         session, one.survey.id, filename="a.mp4", size_bytes=9, media_key="u", actor=one.olga.id
     )
 
 
 def _strip(session: Session, one: Sample) -> Any:
     file: dict[str, Any] = {"filename": "first.tif", "size_bytes": 9, "media_key": "", "purpose": "strip"}
-    return uploads.create(session, one.survey.id, **file, actor=one.olga.id)
+    return create_upload(session, one.survey.id, **file, actor=one.olga.id)
 
 
 def _job(session: Session, one: Sample) -> Any:
-    return jobs.create(session, "ingest", {"a": 1}, survey_id=one.survey.id, actor=one.olga.id)
+    return create_job(session, "ingest", {"a": 1}, survey_id=one.survey.id, actor=one.olga.id)
 
 
 def _claimed(session: Session, one: Sample) -> Any:
-    return jobs.claim(session, _job(session, one).id, worker="w", lease_s=5)
+    return claim_job(session, _job(session, one).id, worker="w", lease_s=5)
 
 
 def _withdrawn(session: Session, one: Sample) -> Any:
     made = samples.measure(session, one)
-    return measurements.withdraw(session, made.id, seen_revision=1, actor=one.olga.id)
+    return withdraw_measurement(session, made.id, seen_revision=1, actor=one.olga.id)
 
 
 def _review(session: Session, one: Sample, made: Any) -> Any:
-    return reviews.add(session, made.id, seen_revision=1, verdict="accepted", actor=one.rene.id)
+    return add_review(session, made.id, seen_revision=1, verdict="accepted", actor=one.rene.id)
 
 
 def _wheels(session: Session, one: Sample) -> Any:
     crc = int(frame_table().crc32[20])
     points: dict[str, Any] = {"first": (100.0, 400.0), "second": (300.5, 410.0)}
-    return wheel_pairs.add(session, one.vehicle.id, frame=20, frame_crc=crc, **points, actor=one.olga.id)
+    return add_wheel_pair(session, one.vehicle.id, frame=20, frame_crc=crc, **points, actor=one.olga.id)
 
 
 def _moved(session: Session, one: Sample) -> Any:
     spans = [{"first_frame": 50, "last_frame": 99, "moved": True, "moved_px": 3.0, "change_m": 0.01}]
     check = {"state": "moved", "words": "Moved at frame 50.", "bumps": [50], "spans": spans}
-    return recordings.drift_found(session, one.recording.id, one.pose.id, check, actor=None)
+    return store_drift(session, one.recording.id, one.pose.id, check, actor=None)
 
 
 def _decided(session: Session, one: Sample) -> Any:
     _moved(session, one)
-    return recordings.decide_drift(session, one.recording.id, "A bird sat on it.", actor=one.olga.id)
+    return decide_drift(session, one.recording.id, "A bird sat on it.", actor=one.olga.id)
 
 
 def _recording(session: Session, one: Sample) -> Any:
@@ -102,274 +137,270 @@ def _recording(session: Session, one: Sample) -> Any:
 
 def _no_photograph(session: Session, one: Sample) -> Any:
     made = samples.photograph(session, one)
-    return photographs.remove(session, made.id, version=1, actor=one.olga.id)
+    return remove_photograph(session, made.id, version=1, actor=one.olga.id)
 
 
 # name -> (what must be there first, the write itself)
 WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
-    "people.create": (lambda s, o: None, lambda s, o, _: samples.person(s, "Ada", "admin")),
-    "people.update": (
+    "create_person": (lambda s, o: None, lambda s, o, _: samples.person(s, "Ada", "admin")),
+    "update_person": (
         lambda s, o: None,
-        lambda s, o, _: people.update(s, o.olga.id, name="O.", role="viewer", active=True, actor=o.rene.id),
+        lambda s, o, _: update_person(s, o.olga.id, name="O.", role="viewer", active=True, actor=o.rene.id),
     ),
-    "people.set_password": (
+    "set_password": (
         lambda s, o: None,
-        lambda s, o, _: people.set_password(s, o.olga.id, "$argon2", actor=o.olga.id),
+        lambda s, o, _: set_password(s, o.olga.id, "$argon2", actor=o.olga.id),
     ),
-    "people.end_sessions": (
+    "end_sessions": (
         lambda s, o: None,
-        lambda s, o, _: people.end_sessions(s, o.olga.id, actor=o.olga.id),
+        lambda s, o, _: end_sessions(s, o.olga.id, actor=o.olga.id),
     ),
-    "people.new_link": (lambda s, o: None, lambda s, o, _: people.new_link(s, o.olga.id, actor=o.rene.id)),
-    "people.use_link": (
-        lambda s, o: people.new_link(s, o.olga.id, actor=None),
-        lambda s, o, token: people.use_link(s, token),
-    ),
-    "surveys.create": (lambda s, o: None, lambda s, o, _: surveys.create(s, name="B", actor=o.olga.id)),
-    "surveys.update": (
+    "create_sign_in_link": (
         lambda s, o: None,
-        lambda s, o, _: surveys.update(
+        lambda s, o, _: create_sign_in_link(s, o.olga.id, actor=o.rene.id),
+    ),
+    "use_sign_in_link": (
+        lambda s, o: create_sign_in_link(s, o.olga.id, actor=None),
+        lambda s, o, token: use_sign_in_link(s, token),
+    ),
+    "create_survey": (lambda s, o: None, lambda s, o, _: create_survey(s, name="B", actor=o.olga.id)),
+    "update_survey": (
+        lambda s, o: None,
+        lambda s, o, _: update_survey(
             s, o.survey.id, name="C", site="", description="", insets={}, version=1, actor=o.olga.id
         ),
     ),
-    "standards.choose": (
+    "choose_standards": (
         lambda s, o: None,
-        lambda s, o, _: standards.choose(s, o.survey.id, [], version=0, actor=o.olga.id),
+        lambda s, o, _: choose_standards(s, o.survey.id, [], version=0, actor=o.olga.id),
     ),
-    "photographs.add": (lambda s, o: None, lambda s, o, _: samples.photograph(s, o)),
-    "photographs.change_caption": (
+    "add_photograph": (lambda s, o: None, lambda s, o, _: samples.photograph(s, o)),
+    "change_photograph_caption": (
         samples.photograph,
-        lambda s, o, made: photographs.change_caption(s, made.id, "The rig", version=1, actor=o.olga.id),
+        lambda s, o, made: change_photograph_caption(s, made.id, "The rig", version=1, actor=o.olga.id),
     ),
-    "photographs.order": (
+    "order_photographs": (
         samples.photograph,
-        lambda s, o, made: photographs.order(s, o.survey.id, [made.id], actor=o.olga.id),
+        lambda s, o, made: order_photographs(s, o.survey.id, [made.id], actor=o.olga.id),
     ),
-    "photographs.remove": (
+    "remove_photograph": (
         samples.photograph,
-        lambda s, o, made: photographs.remove(s, made.id, version=1, actor=o.olga.id),
+        lambda s, o, made: remove_photograph(s, made.id, version=1, actor=o.olga.id),
     ),
-    "photographs.restore": (
+    "restore_photograph": (
         _no_photograph,
-        lambda s, o, made: photographs.restore(s, made.id, actor=o.olga.id),
+        lambda s, o, made: restore_photograph(s, made.id, actor=o.olga.id),
     ),
-    "cameras.create": (
+    "create_camera": (
         lambda s, o: None,
-        lambda s, o, _: cameras.create(s, o.survey.id, name="Right", actor=o.olga.id),
+        lambda s, o, _: create_camera(s, o.survey.id, name="Right", actor=o.olga.id),
     ),
-    "cameras.add_image": (lambda s, o: None, lambda s, o, _: _image(s, o)),
-    "cameras.set_detection": (_image, lambda s, o, image: _detect(s, image.id, o.olga.id)),
-    "cameras.remove_image": (_image, lambda s, o, image: cameras.remove_image(s, image.id, actor=o.olga.id)),
-    "cameras.choose_calibration": (
-        lambda s, o: None,
-        lambda s, o, _: cameras.choose_calibration(s, o.camera.id, o.calibration.id, actor=o.olga.id),
+    "add_calibration_image": (lambda s, o: None, lambda s, o, _: _image(s, o)),
+    "set_detection": (_image, lambda s, o, image: _detect(s, image.id, o.olga.id)),
+    "remove_calibration_image": (
+        _image,
+        lambda s, o, image: remove_calibration_image(s, image.id, actor=o.olga.id),
     ),
-    "calibrations.add": (
+    "choose_calibration": (
         lambda s, o: None,
-        lambda s, o, _: samples.add_calibration(s, o.camera.id, o.olga.id),
+        lambda s, o, _: choose_calibration(s, o.camera.id, o.calibration.id, actor=o.olga.id),
     ),
-    "recordings.create": (
+    "add_calibration": (
         lambda s, o: None,
-        lambda s, o, _: recordings.create(
+        lambda s, o, _: samples.calibration(s, o.camera.id, o.olga.id),
+    ),
+    "create_recording": (
+        lambda s, o: None,
+        lambda s, o, _: create_recording(
             s, o.survey.id, name="b", media_key="k", sha256="0" * 64, size_bytes=1, actor=o.olga.id
         ),
     ),
-    "recordings.update": (
+    "update_recording": (
         lambda s, o: None,
-        lambda s, o, _: recordings.update(s, o.recording.id, {"lighting": "daytime"}, actor=o.olga.id),
+        lambda s, o, _: update_recording(s, o.recording.id, {"lighting": "daytime"}, actor=o.olga.id),
     ),
-    "recordings.ingested": (
+    "note_ingested": (
         lambda s, o: None,
-        lambda s, o, _: recordings.ingested(s, o.recording.id, samples.facts(), frame_table(), actor=None),
+        lambda s, o, _: note_ingested(s, o.recording.id, samples.facts(), frame_table(), actor=None),
     ),
-    "recordings.ingest_failed": (
+    "note_ingest_failed": (
         lambda s, o: None,
-        lambda s, o, _: recordings.ingest_failed(s, o.recording.id, "No video in it.", actor=None),
+        lambda s, o, _: note_ingest_failed(s, o.recording.id, "No video in it.", actor=None),
     ),
-    "recordings.restart_ingest": (
+    "restart_ingest": (
         lambda s, o: None,
-        lambda s, o, _: recordings.restart_ingest(s, o.recording.id, actor=o.olga.id),
+        lambda s, o, _: restart_ingest(s, o.recording.id, actor=o.olga.id),
     ),
-    "recordings.drift_found": (lambda s, o: None, lambda s, o, _: _moved(s, o)),
-    "recordings.decide_drift": (
+    "store_drift": (lambda s, o: None, lambda s, o, _: _moved(s, o)),
+    "decide_drift": (
         _moved,
-        lambda s, o, _: recordings.decide_drift(s, o.recording.id, "A bird.", actor=o.olga.id),
+        lambda s, o, _: decide_drift(s, o.recording.id, "A bird.", actor=o.olga.id),
     ),
-    "recordings.take_back_drift_decision": (
+    "take_back_drift_decision": (
         _decided,
-        lambda s, o, _: recordings.take_back_drift_decision(s, o.recording.id, actor=o.olga.id),
+        lambda s, o, _: take_back_drift_decision(s, o.recording.id, actor=o.olga.id),
     ),
-    "recordings.remove": (_recording, lambda s, o, made: recordings.remove(s, made.id, actor=o.olga.id)),
-    "uploads.create": (lambda s, o: None, lambda s, o, _: _upload(s, o)),
-    "uploads.finish": (
+    "remove_recording": (_recording, lambda s, o, made: remove_recording(s, made.id, actor=o.olga.id)),
+    "create_upload": (lambda s, o: None, lambda s, o, _: _upload(s, o)),
+    "finish_upload": (
         _upload,
-        lambda s, o, up: uploads.finish(s, up.id, recording_id=o.recording.id, actor=o.olga.id),
+        lambda s, o, up: finish_upload(s, up.id, recording_id=o.recording.id, actor=o.olga.id),
     ),
-    "uploads.strip_arrived": (
+    "strip_arrived": (
         _strip,
-        lambda s, o, up: uploads.strip_arrived(s, up.id, media_key="k", sha256="0" * 64, actor=o.olga.id),
+        lambda s, o, up: strip_arrived(s, up.id, media_key="k", sha256="0" * 64, actor=o.olga.id),
     ),
-    "uploads.remove": (_upload, lambda s, o, up: uploads.remove(s, up.id, actor=o.olga.id)),
-    "poses.add": (
+    "remove_upload": (_upload, lambda s, o, up: remove_upload(s, up.id, actor=o.olga.id)),
+    "add_pose": (
         lambda s, o: None,
-        lambda s, o, _: samples.add_pose(s, o.recording.id, o.calibration.id, o.olga.id),
+        lambda s, o, _: samples.road_pose(s, o.recording.id, o.calibration.id, o.olga.id),
     ),
-    "catalogue.add": (
+    "add_catalogue_row": (
         lambda s, o: None,
-        lambda s, o, _: catalogue.add(s, CatalogueRow("Peugeot", "3008", height_m=1.624), actor=o.olga.id),
+        lambda s, o, _: add_catalogue_row(
+            s, CatalogueRow("Peugeot", "3008", height_m=1.624), actor=o.olga.id
+        ),
     ),
-    "catalogue.import_rows": (
+    "import_catalogue_rows": (
         lambda s, o: None,
-        lambda s, o, _: catalogue.import_rows(
+        lambda s, o, _: import_catalogue_rows(
             s, [CatalogueRow("A", "B"), CatalogueRow("A", "C")], actor=o.olga.id
         ),
     ),
-    "vehicles.create": (
+    "create_vehicle": (
         lambda s, o: None,
-        lambda s, o, _: vehicles.create(
+        lambda s, o, _: create_vehicle(
             s, o.recording.id, {"first_frame": 1, "last_frame": 2}, actor=o.olga.id
         ),
     ),
-    "vehicles.update": (
+    "update_vehicle": (
         lambda s, o: None,
-        lambda s, o, _: vehicles.update(s, o.vehicle.id, {"make": "X"}, version=1, actor=o.olga.id),
+        lambda s, o, _: update_vehicle(s, o.vehicle.id, {"make": "X"}, version=1, actor=o.olga.id),
     ),
-    "vehicles.remove": (lambda s, o: None, lambda s, o, _: vehicles.remove(s, o.vehicle.id, actor=o.olga.id)),
-    "vehicles.restore": (
-        lambda s, o: vehicles.remove(s, o.vehicle.id, actor=o.olga.id),
-        lambda s, o, _: vehicles.restore(s, o.vehicle.id, actor=o.olga.id),
+    "remove_vehicle": (lambda s, o: None, lambda s, o, _: remove_vehicle(s, o.vehicle.id, actor=o.olga.id)),
+    "restore_vehicle": (
+        lambda s, o: remove_vehicle(s, o.vehicle.id, actor=o.olga.id),
+        lambda s, o, _: restore_vehicle(s, o.vehicle.id, actor=o.olga.id),
     ),
-    "measurements.add": (lambda s, o: None, lambda s, o, _: samples.measure(s, o)),
-    "measurements.revise": (
+    "add_measurement": (lambda s, o: None, lambda s, o, _: samples.measure(s, o)),
+    "revise_measurement": (
         lambda s, o: samples.measure(s, o),
-        lambda s, o, made: measurements.revise(
+        lambda s, o, made: revise_measurement(
             s, made.id, seen_revision=1, values=values(o, point=(1.0, 2.0)), actor=o.olga.id
         ),
     ),
-    "measurements.withdraw": (
+    "withdraw_measurement": (
         lambda s, o: samples.measure(s, o),
-        lambda s, o, made: measurements.withdraw(s, made.id, seen_revision=1, actor=o.olga.id),
+        lambda s, o, made: withdraw_measurement(s, made.id, seen_revision=1, actor=o.olga.id),
     ),
-    "measurements.restore": (
+    "restore_measurement": (
         _withdrawn,
-        lambda s, o, made: measurements.restore(s, made.id, seen_revision=2, actor=o.olga.id),
+        lambda s, o, made: restore_measurement(s, made.id, seen_revision=2, actor=o.olga.id),
     ),
-    "wheel_pairs.add": (lambda s, o: None, lambda s, o, _: _wheels(s, o)),
-    "wheel_pairs.withdraw": (
+    "add_wheel_pair": (lambda s, o: None, lambda s, o, _: _wheels(s, o)),
+    "withdraw_wheel_pair": (
         _wheels,
-        lambda s, o, _: wheel_pairs.withdraw(s, o.vehicle.id, actor=o.olga.id),
+        lambda s, o, _: withdraw_wheel_pair(s, o.vehicle.id, actor=o.olga.id),
     ),
-    "click_sigmas.choose": (
+    "choose_click_sigma": (
         lambda s, o: None,
-        lambda s, o, _: click_sigmas.choose(
+        lambda s, o, _: choose_click_sigma(
             s, o.survey.id, o.olga.id, sigma_px=0.6, pairs=12, actor=o.rene.id
         ),
     ),
-    "reviews.add": (lambda s, o: samples.measure(s, o), _review),
-    "exports.add": (
+    "add_review": (lambda s, o: samples.measure(s, o), _review),
+    "add_export": (
         lambda s, o: None,
-        lambda s, o, _: exports.add(
-            s, o.survey.id, media_key="z", size_bytes=1, sha256="0" * 64, head=audit.head(s), actor=o.olga.id
+        lambda s, o, _: add_export(
+            s, o.survey.id, media_key="z", size_bytes=1, sha256="0" * 64, head=trail.head(s), actor=o.olga.id
         ),
     ),
-    "jobs.create": (lambda s, o: None, lambda s, o, _: _job(s, o)),
-    "jobs.request_cancel": (_job, lambda s, o, job: jobs.request_cancel(s, job.id, actor=o.olga.id)),
-    "jobs.finish": (_claimed, lambda s, o, job: jobs.finish(s, job, {"x": 1})),
-    "jobs.fail": (_claimed, lambda s, o, job: jobs.fail(s, job, "It cannot be read.")),
-    "jobs.cancelled": (_claimed, lambda s, o, job: jobs.cancelled(s, job)),
-    "jobs.requeue": (_claimed, lambda s, o, job: jobs.requeue(s, job)),
-    "jobs.release": (_claimed, lambda s, o, job: jobs.release(s, job)),
+    "create_job": (lambda s, o: None, lambda s, o, _: _job(s, o)),
+    "request_job_cancel": (_job, lambda s, o, job: request_job_cancel(s, job.id, actor=o.olga.id)),
+    "finish_job": (_claimed, lambda s, o, job: finish_job(s, job, {"x": 1})),
+    "fail_job": (_claimed, lambda s, o, job: fail_job(s, job, "It cannot be read.")),
+    "job_cancelled": (_claimed, lambda s, o, job: job_cancelled(s, job)),
+    "requeue_job": (_claimed, lambda s, o, job: requeue_job(s, job)),
+    "release_job": (_claimed, lambda s, o, job: release_job(s, job)),
     **scans_samples.WRITES,
 }
 
 # What changes rows but is no act of a person that anybody would look for; the reason stands beside it.
 NO_EVENT = {
-    "people.seen": "a time stamp of presence",
-    "people.rehash_password": "the same password under newer hash parameters",
-    "uploads.advance": "bytes that arrive; the upload's beginning and end are events",
-    "jobs.claim": "bookkeeping of leases",
-    "jobs.renew": "bookkeeping of leases",
-    "frames.replace": "part of recordings.ingested",
-    "frames.remove": "part of recordings.remove",
-    "measurements.append_revision": "writes an event; part of revise, withdraw, restore and reviews.add",
-    "audit.record": "is the event",
-    "audit.record_many": "is the events",
-}
-HELPERS = {
-    "rows",
-    "database",
-    "columns",
-    "chain",
-    "tables",
-    "tables_of_work",
-    "tables_of_scans",
-    "records",
-    "words",
-    "verification",
+    "note_person_seen": "a time stamp of presence",
+    "rehash_password": "the same password under newer hash parameters",
+    "advance_upload": "bytes that arrive; the upload's beginning and end are events",
+    "claim_job": "bookkeeping of leases",
+    "renew_lease": "bookkeeping of leases",
+    "replace_frames": "part of recordings.ingested",
+    "remove_frames": "part of recordings.remove",
+    "append_measurement_revision": "writes an event; part of revise, withdraw, restore and reviews.add",
+    "record": "is the event",
+    "record_many": "is the events",
 }
 WRITING = re.compile(
-    r"(?<![.\w])(insert|update|sql_update|delete|add_rows?|change_row|_append|_appended|create_many|append_many|_end|_back|_state|_drift_decision)\("
-    r"|append_revision\(|audit\.record(_many)?\("
+    r"(?<![.\w])(insert|update|sql_update|delete|add_rows?|change_row|_append|_appended|create_scan_vehicles|append_scan_measurements|_end|_back|_state|_drift_decision)\("
+    r"|append_measurement_revision\(|trail\.record(_many)?\("
 )
 
 
 @pytest.mark.parametrize("name", WRITES)
-def test_a_write_leaves_one_event_in_its_transaction(name: str, factory: database.SessionFactory) -> None:
+def test_a_write_leaves_one_event_in_its_transaction(name: str, factory: SessionFactory) -> None:
     """Or nothing, where the transaction was rolled back."""
     prepare, write = WRITES[name]
-    with database.writing(factory) as session:
+    with writing(factory) as session:
         one = samples.sample(session)
         there = prepare(session, one)
-        before = audit.head(session)
-    with pytest.raises(ZeroDivisionError), database.writing(factory) as session:
+        before = trail.head(session)
+    with pytest.raises(ZeroDivisionError), writing(factory) as session:
         write(session, one, there)
         raise ZeroDivisionError
-    with database.reading(factory) as session:
-        assert audit.head(session) == before
-        assert audit.verify(session).ok
+    with reading(factory) as session:
+        assert trail.head(session) == before
+        assert verify_records(session).ok
         ids = session.execute(select(audit_events.c.id)).scalars()
         assert sorted(ids) == list(range(1, before.count + 1))
-    with database.writing(factory) as session:
+    with writing(factory) as session:
         changes = _count_changes(session)
         write(session, one, there)
-        after = audit.head(session)
+        after = trail.head(session)
     assert after.count - before.count == 1
     # the write, the event and the anchor; standards are kept in the event itself
-    assert changes["n"] > (1 if name == "standards.choose" else 2)
-    with database.reading(factory) as session:
-        assert audit.head(session) == after
-        assert audit.verify(session).ok
+    assert changes["n"] > (1 if name == "choose_standards" else 2)
+    with reading(factory) as session:
+        assert trail.head(session) == after
+        assert verify_records(session).ok
 
 
 def test_every_public_function_that_writes_is_in_the_list() -> None:
     found = set()
-    for module in pkgutil.iter_modules(backend.storage.__path__):
-        if module.name in HELPERS:
+    for module in pkgutil.walk_packages(sightline.__path__, "sightline."):
+        if not re.search(r"(^|[._])(store|query)$|\.trail$", module.name):
             continue
-        held = import_module(f"backend.storage.{module.name}")
+        held = import_module(module.name)
         for name, function in inspect.getmembers(held, inspect.isfunction):
             if name.startswith("_") or function.__module__ != held.__name__:
                 continue
             if WRITING.search(inspect.getsource(function).split("\n", 1)[1]):
-                found.add(f"{module.name}.{name}")
+                found.add(name)
     assert found - set(NO_EVENT) == set(WRITES)
 
 
-def test_a_fix_writes_the_revision_and_the_review(factory: database.SessionFactory) -> None:
-    with database.writing(factory) as session:
+def test_a_fix_writes_the_revision_and_the_review(factory: SessionFactory) -> None:
+    with writing(factory) as session:
         one = samples.sample(session)
         made = samples.measure(session, one)
-        before = audit.head(session).count
+        before = trail.head(session).count
         content = values(one, point=(1.0, 2.0))
-        reviews.add(session, made.id, seen_revision=1, verdict="fixed", fixed=content, actor=one.rene.id)
-        told = [(e.entity, e.action) for e in audit.listing(session, limit=2)]
+        add_review(session, made.id, seen_revision=1, verdict="fixed", fixed=content, actor=one.rene.id)
+        told = [(e.entity, e.action) for e in trail.listing(session, limit=2)]
     assert audit_count(factory) - before == 2
     assert told == [("review", "review"), ("measurement", "fix")]
 
 
-def audit_count(factory: database.SessionFactory) -> int:
-    with database.reading(factory) as session:
-        return audit.head(session).count
+def audit_count(factory: SessionFactory) -> int:
+    with reading(factory) as session:
+        return trail.head(session).count
 
 
 def _count_changes(session: Session) -> dict[str, int]:

@@ -5,19 +5,24 @@ import pytest
 from sqlalchemy import event
 from sqlalchemy.orm import Session
 
-from backend.storage import database, frames, recordings, reviews, surveys, vehicles
+from sightline.infra.database.engine import SessionFactory, reading, writing
+from sightline.recordings.frames.store import get_frame_table
+from sightline.recordings.store import note_ingested
+from sightline.reviews.store import review_queue
+from sightline.surveys.store import create_survey, get_survey, list_surveys
+from sightline.vehicles.store import list_vehicles
 from tests.storage import samples
 from tests.storage.samples import Sample
 
 
-def test_twenty_thousand_frames_come_back(factory: database.SessionFactory) -> None:
+def test_twenty_thousand_frames_come_back(factory: SessionFactory) -> None:
     table = samples.frame_table(20_000)
-    with database.writing(factory) as session:
+    with writing(factory) as session:
         one = samples.sample(session)
-        recordings.ingested(session, one.recording.id, samples.facts(), table, actor=None)
-    with database.reading(factory) as session:
-        back = frames.table(session, one.recording.id)
-        part = frames.table(session, one.recording.id, first=19_990, count=50)
+        note_ingested(session, one.recording.id, samples.facts(), table, actor=None)
+    with reading(factory) as session:
+        back = get_frame_table(session, one.recording.id)
+        part = get_frame_table(session, one.recording.id, first=19_990, count=50)
     for name in ("pts", "time_s", "key", "crc32"):
         assert np.array_equal(getattr(back, name), getattr(table, name))
         assert getattr(back, name).dtype == getattr(table, name).dtype
@@ -26,7 +31,7 @@ def test_twenty_thousand_frames_come_back(factory: database.SessionFactory) -> N
 
 
 @pytest.fixture
-def large(factory: database.SessionFactory) -> tuple[database.SessionFactory, Sample]:
+def large(factory: SessionFactory) -> tuple[SessionFactory, Sample]:
     """500 vehicles with three measurements each, a third of them reviewed."""
     return factory, samples.fill(factory, 500)
 
@@ -38,15 +43,15 @@ def _statements(session: Session) -> list[str]:
     return ran
 
 
-def test_vehicles_list_in_three_queries(large: tuple[database.SessionFactory, Sample]) -> None:
+def test_vehicles_list_in_three_queries(large: tuple[SessionFactory, Sample]) -> None:
     factory, one = large
-    with database.reading(factory) as session:
+    with reading(factory) as session:
         ran = _statements(session)
-        found = vehicles.list_for_survey(session, one.survey.id)
+        found = list_vehicles(session, one.survey.id)
         assert len(ran) == 3
-        survey = surveys.get(session, one.survey.id)
+        survey = get_survey(session, one.survey.id)
         assert len(ran) == 3 + 9
-        queue = reviews.queue(session, one.survey.id, actor=one.olga.id)
+        queue = review_queue(session, one.survey.id, actor=one.olga.id)
     assert len(found) == 500 and sum(len(vehicle.measurements) for vehicle in found) == 1498
     assert {vehicle.state for vehicle in found} == {"partial", "measured"}
     counts = survey.counts
@@ -54,11 +59,11 @@ def test_vehicles_list_in_three_queries(large: tuple[database.SessionFactory, Sa
     assert counts.to_review + counts.accepted == 1498 and counts.to_review == len(queue)
 
 
-def test_many_surveys_take_as_many_queries_as_one(factory: database.SessionFactory) -> None:
-    with database.writing(factory) as session:
+def test_many_surveys_take_as_many_queries_as_one(factory: SessionFactory) -> None:
+    with writing(factory) as session:
         for n in range(40):
-            surveys.create(session, name=f"S{n}", actor=None)
-    with database.reading(factory) as session:
+            create_survey(session, name=f"S{n}", actor=None)
+    with reading(factory) as session:
         ran = _statements(session)
-        assert len(surveys.list_all(session)) == 40
+        assert len(list_surveys(session)) == 40
         assert len(ran) == 9

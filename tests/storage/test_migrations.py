@@ -10,10 +10,13 @@ from alembic.migration import MigrationContext
 from alembic.script import ScriptDirectory
 from sqlalchemy import CheckConstraint, Engine, inspect, text
 
-from backend.errors import BadInput
-from backend.storage import database, tables_of_scans, tables_of_work
-from backend.storage.columns import metadata
-from backend.storage.migrating import alembic_config
+import sightline.app
+from sightline.errors import BadInput
+from sightline.infra.database.engine import migrate, newest_revision
+from sightline.infra.database.migrations import alembic_config
+from sightline.infra.database.types import metadata
+
+assert sightline.app  # importing it brings in the tables of every slice
 
 
 def ours(_object: Any, name: str | None, kind: str, reflected: bool, _compared: Any) -> bool:
@@ -21,7 +24,6 @@ def ours(_object: Any, name: str | None, kind: str, reflected: bool, _compared: 
 
 
 def test_the_tables_are_those_of_the_code(engine: Engine) -> None:
-    assert tables_of_work.metadata is tables_of_scans.metadata is metadata
     with engine.connect() as connection:
         options = {"compare_type": True, "include_object": ours}
         context = MigrationContext.configure(connection, opts=options)
@@ -60,21 +62,21 @@ def test_there_is_one_head_and_names_say_what_is_done() -> None:
     assert len(scripts.get_heads()) == 1
     assert all(script.doc and len(script.revision) > 8 for script in scripts.walk_revisions())
     # What a start reads off the files must be what Alembic says.
-    assert scripts.get_heads() == [database.newest_revision()]
+    assert scripts.get_heads() == [newest_revision()]
 
 
 def test_nothing_to_migrate_needs_no_alembic(engine: Engine) -> None:
     """Its import would be half of a start."""
     url = engine.url.render_as_string(hide_password=False)
     program = (
-        "import sys; from backend.storage import database as d; "
+        "import sys; from sightline.infra.database import engine as d; "
         f"d.migrate(d.make_engine({url!r})); sys.exit('alembic' in sys.modules)"
     )
     assert subprocess.run([sys.executable, "-c", program], check=False).returncode == 0
 
 
 def test_migrating_again_changes_nothing(engine: Engine) -> None:
-    database.migrate(engine)
+    migrate(engine)
     with engine.connect() as connection:
         assert connection.execute(text("SELECT count(*) FROM alembic_version")).scalar_one() == 1
 
@@ -85,7 +87,7 @@ def test_a_newer_database_is_left_alone(engine: Engine) -> None:
         connection.execute(text("UPDATE alembic_version SET version_num = '9999_future'"))
     try:
         with pytest.raises(BadInput, match="newer version"):
-            database.migrate(engine)
+            migrate(engine)
     finally:
         with engine.begin() as connection:
             connection.execute(text("UPDATE alembic_version SET version_num = :then"), {"then": then})
@@ -94,4 +96,4 @@ def test_a_newer_database_is_left_alone(engine: Engine) -> None:
 def test_missing_migrations_are_named(engine: Engine, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("SIGHTLINE_MIGRATIONS", "/nowhere")
     with pytest.raises(BadInput, match="SIGHTLINE_MIGRATIONS"):
-        database.migrate(engine)
+        migrate(engine)

@@ -7,23 +7,21 @@ import pytest
 from sqlalchemy import Engine, text
 from sqlalchemy.exc import DBAPIError
 
-from backend.errors import SightlineError
-from backend.storage import (
-    audit,
-    click_sigmas,
-    database,
-    exports,
-    people,
-    photographs,
-    recordings,
-    reviews,
-    scans_reviews,
-    vehicles,
-    verification,
-    wheel_pairs,
-)
-from backend.storage.records import VehicleChanges
-from backend.storage.verification import verify_database
+from sightline.errors import SightlineError
+from sightline.export.store import add_export
+from sightline.infra.audit import trail
+from sightline.infra.audit.records import Verification
+from sightline.infra.audit.verification import verify_database, verify_records
+from sightline.infra.database.engine import SessionFactory, engine_of, reading, writing
+from sightline.measurements.click_sigma_store import choose_click_sigma
+from sightline.people.store import person_by_email
+from sightline.quality.checks.store import add_wheel_pair
+from sightline.recordings.store import remove_recording
+from sightline.reviews.store import add_review
+from sightline.scans.vehicles.review_store import add_scan_review
+from sightline.surveys.photographs.store import order_photographs
+from sightline.vehicles.records import VehicleChanges
+from sightline.vehicles.store import create_vehicle, remove_vehicle, restore_vehicle, update_vehicle
 from tests.storage import samples, scans_samples
 
 WRITTEN_ONCE = (
@@ -44,38 +42,38 @@ WRITTEN_ONCE = (
 
 
 @pytest.fixture
-def filled(factory: database.SessionFactory) -> database.SessionFactory:
+def filled(factory: SessionFactory) -> SessionFactory:
     """A database with one of everything."""
-    with database.writing(factory) as session:
+    with writing(factory) as session:
         one = samples.sample(session)
         made = samples.measure(session, one)
-        reviews.add(session, made.id, seen_revision=1, verdict="accepted", actor=one.rene.id)
+        add_review(session, made.id, seen_revision=1, verdict="accepted", actor=one.rene.id)
         samples.measure(session, one, "taillight", 2)
-        vehicles.create(session, one.recording.id, {"first_frame": 50, "last_frame": 60}, actor=None)
+        create_vehicle(session, one.recording.id, {"first_frame": 50, "last_frame": 60}, actor=None)
         crc = int(samples.frame_table().crc32[20])
         points: dict[str, Any] = {"first": (1.0, 2.0), "second": (3.0, 2.0)}
-        wheel_pairs.add(session, one.vehicle.id, frame=20, frame_crc=crc, **points, actor=one.olga.id)
-        click_sigmas.choose(session, one.survey.id, one.olga.id, sigma_px=0.7, pairs=9, actor=None)
+        add_wheel_pair(session, one.vehicle.id, frame=20, frame_crc=crc, **points, actor=one.olga.id)
+        choose_click_sigma(session, one.survey.id, one.olga.id, sigma_px=0.7, pairs=9, actor=None)
         for n in range(2):
             samples.photograph(session, one, f"{n}.jpg")
-        photographs.order(session, one.survey.id, [2, 1], actor=one.olga.id)
+        order_photographs(session, one.survey.id, [2, 1], actor=one.olga.id)
         scanned = scans_samples.measured(session, one)
         scans_samples.run(session, one, scanned.scan_id)
-        scans_reviews.add(session, scanned.id, verdict="accepted", actor=one.rene.id)
+        add_scan_review(session, scanned.id, verdict="accepted", actor=one.rene.id)
         rod = scans_samples.rod(session, one, scanned.scan_id)
         scans_samples.tall(session, one, scanned.vehicle_id, rod)
     return factory
 
 
-def test_the_database_refuses_changes_removal_and_replacing(filled: database.SessionFactory) -> None:
-    engine = database.engine_of(filled)
+def test_the_database_refuses_changes_removal_and_replacing(filled: SessionFactory) -> None:
+    engine = engine_of(filled)
     for table in WRITTEN_ONCE:
         for statement in _attempts(engine.dialect.name, table):
             with pytest.raises(DBAPIError, match="written once"), engine.begin() as connection:
                 connection.execute(text(statement))
                 pytest.fail(statement)
-    with database.reading(filled) as session:
-        assert audit.verify(session).ok
+    with reading(filled) as session:
+        assert verify_records(session).ok
 
 
 def _attempts(dialect: str, table: str) -> tuple[str, ...]:
@@ -192,9 +190,9 @@ TAMPERED: dict[str, tuple[tuple[str, ...], str]] = {
 
 
 @pytest.mark.parametrize("what", TAMPERED)
-def test_verify_finds(filled: database.SessionFactory, what: str) -> None:
+def test_verify_finds(filled: SessionFactory, what: str) -> None:
     statements, words = TAMPERED[what]
-    engine = database.engine_of(filled)
+    engine = engine_of(filled)
     _tamper(engine, *statements)
     found = verify_database(engine.url.render_as_string(hide_password=False))
     assert not found.ok
@@ -202,29 +200,29 @@ def test_verify_finds(filled: database.SessionFactory, what: str) -> None:
     assert found.problem.count(".") <= 2 and found.problem.endswith(".")
 
 
-def test_a_tail_cut_with_its_anchor_moved_is_found_by_an_export(filled: database.SessionFactory) -> None:
-    with database.writing(filled) as session:
-        head = audit.head(session)
-        exports.add(
+def test_a_tail_cut_with_its_anchor_moved_is_found_by_an_export(filled: SessionFactory) -> None:
+    with writing(filled) as session:
+        head = trail.head(session)
+        add_export(
             session, 1, media_key="z", size_bytes=1, sha256="0" * 64, head=head, actor=1
         )  # carries the head as it was before itself
-    with database.reading(filled) as session:
-        cut = audit.for_export(session)[1]
+    with reading(filled) as session:
+        cut = trail.for_export(session)[1]
     _tamper(
-        database.engine_of(filled),
+        engine_of(filled),
         "DELETE FROM measurements",
         "DELETE FROM audit_events WHERE id > 2",
         f"UPDATE audit_anchor SET count = 2, hash = '{cut.hash}'",
     )
-    with database.reading(filled) as session:
-        found = audit.verify(session)
+    with reading(filled) as session:
+        found = verify_records(session)
     assert not found.ok and "export 1" in str(found.problem)
 
 
-def test_a_sound_database_verifies_with_its_head(filled: database.SessionFactory, database_url: str) -> None:
-    with database.reading(filled) as session:
-        head = audit.head(session)
-        inside = audit.verify(session)
+def test_a_sound_database_verifies_with_its_head(filled: SessionFactory, database_url: str) -> None:
+    with reading(filled) as session:
+        head = trail.head(session)
+        inside = verify_records(session)
     assert inside == verify_database(database_url)
     assert (inside.ok, inside.checked, inside.head_hash, inside.problem) == (
         True,
@@ -234,27 +232,27 @@ def test_a_sound_database_verifies_with_its_head(filled: database.SessionFactory
     )
 
 
-def test_a_deleted_recording_takes_its_frames_along(filled: database.SessionFactory) -> None:
-    with database.writing(filled) as session:
+def test_a_deleted_recording_takes_its_frames_along(filled: SessionFactory) -> None:
+    with writing(filled) as session:
         made = samples.add_recording(session, 1, None)
-        recordings.remove(session, made.id, actor=None)
-        assert audit.verify(session).ok
+        remove_recording(session, made.id, actor=None)
+        assert verify_records(session).ok
 
 
-def test_a_vehicle_that_was_changed_deleted_and_restored_is_sound(filled: database.SessionFactory) -> None:
+def test_a_vehicle_that_was_changed_deleted_and_restored_is_sound(filled: SessionFactory) -> None:
     facts: VehicleChanges = {"manufacturer_height_m": 1.1 + 0.2, "make": "Škoda", "notes": "", "year": 2019}
-    with database.writing(filled) as session:
-        vehicles.update(session, 2, facts, version=1, actor=None)
-        assert audit.verify(session).ok
-        vehicles.remove(session, 2, actor=None)
-        assert audit.verify(session).ok
-        vehicles.restore(session, 2, actor=None)
-        assert audit.verify(session).ok
+    with writing(filled) as session:
+        update_vehicle(session, 2, facts, version=1, actor=None)
+        assert verify_records(session).ok
+        remove_vehicle(session, 2, actor=None)
+        assert verify_records(session).ok
+        restore_vehicle(session, 2, actor=None)
+        assert verify_records(session).ok
 
 
-def test_an_empty_chain_is_sound(factory: database.SessionFactory) -> None:
-    with database.reading(factory) as session:
-        assert audit.verify(session) == verification.Verification(True, 0, "0" * 64, None)
+def test_an_empty_chain_is_sound(factory: SessionFactory) -> None:
+    with reading(factory) as session:
+        assert verify_records(session) == Verification(True, 0, "0" * 64, None)
 
 
 def test_verify_says_that_a_database_is_of_another_version(engine: Engine) -> None:
@@ -286,12 +284,12 @@ def test_verify_says_what_is_no_database(tmp_path: Any) -> None:
     assert not (tmp_path / "none.db").exists()
 
 
-def test_events_name_their_actor_and_turn_the_page(filled: database.SessionFactory) -> None:
-    with database.reading(filled) as session:
-        newest = audit.listing(session, limit=2)
-        older = audit.listing(session, limit=2, before_id=newest[-1].id)
-        of_reviews = audit.listing(session, entity="review", survey_id=1)
-        rene = people.by_email(session, "René@Example.org")
+def test_events_name_their_actor_and_turn_the_page(filled: SessionFactory) -> None:
+    with reading(filled) as session:
+        newest = trail.listing(session, limit=2)
+        older = trail.listing(session, limit=2, before_id=newest[-1].id)
+        of_reviews = trail.listing(session, entity="review", survey_id=1)
+        rene = person_by_email(session, "René@Example.org")
     assert [event.id for event in newest + older] == sorted((e.id for e in newest + older), reverse=True)
     assert newest[0].previous_hash == newest[1].hash
     assert rene is not None and of_reviews[0].actor is not None and of_reviews[0].actor.id == rene.id

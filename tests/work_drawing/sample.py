@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from backend.statistics.standards import STANDARDS
-from backend.statistics.summary import Grouping, Roofs, errors_of, target_of
-from backend.work.figuring import SHOWN, Choices, Counted, Statistics, standards_of
+from sightline.results.survey_statistics import SHOWN, Choices, Counted, Statistics, standards_of
+from sightline.statistics.standards import STANDARDS
+from sightline.statistics.summary import Grouping, Roofs, errors_of, target_of
 
 MEAN_SD = {
     "driver_eye": (1.24, 0.075),

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from datetime import UTC, date, datetime
 
-from backend.geometry.insets import DEFAULT_INSETS
-from backend.work.drawing.facts import (
+from sightline.export.report.facts import (
     CalibrationFacts,
     Checksum,
     Exclusion,
@@ -17,8 +16,9 @@ from backend.work.drawing.facts import (
     RecordingFacts,
     ReportFacts,
 )
-from backend.work.drawing.units import Unit
-from backend.work.figuring import Choices, Statistics
+from sightline.export.report.units import Unit
+from sightline.geometry.insets import DEFAULT_INSETS
+from sightline.results.survey_statistics import Choices, Statistics
 
 _LENS = (
     ("fx_px", 1210.44, 1.13),

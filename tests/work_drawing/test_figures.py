@@ -9,15 +9,15 @@ import numpy as np
 import pytest
 from matplotlib.axes import Axes
 
-from backend.statistics.distributions import ecdf, sorted_values
-from backend.statistics.standards import Standard
-from backend.statistics.summary import Grouping
-from backend.work.drawing import labels, marks
-from backend.work.drawing.canvas import FULL, HALF, Drawing, svg
-from backend.work.drawing.figures import drawings, figures
-from backend.work.drawing.marks import MAIN
-from backend.work.drawing.units import fixed, limit
-from backend.work.figuring import Choices
+from sightline.export.report import labels, marks
+from sightline.export.report.canvas import FULL, HALF, Drawing, svg
+from sightline.export.report.figures import drawings, figures
+from sightline.export.report.marks import MAIN
+from sightline.export.report.units import fixed, limit
+from sightline.results.survey_statistics import Choices
+from sightline.statistics.distributions import ecdf, sorted_values
+from sightline.statistics.standards import Standard
+from sightline.statistics.summary import Grouping
 from tests.work_drawing.sample import statistics
 
 ERRORS = {"absolute-error-ecdf", "relative-error-ecdf", "signed-error-density", "error-against-height"}

@@ -18,10 +18,10 @@ import pytest
 import typst
 from PIL import Image
 
-from backend.work.drawing.facts import Exclusion, Photo, ReportFacts
-from backend.work.drawing.photos import as_svg
-from backend.work.drawing.report import report, sources
-from backend.work.figuring import Choices
+from sightline.export.report.facts import Exclusion, Photo, ReportFacts
+from sightline.export.report.photos import as_svg
+from sightline.export.report.report import report, sources
+from sightline.results.survey_statistics import Choices
 from tests.work_drawing.pdf_text import words
 from tests.work_drawing.sample import statistics
 from tests.work_drawing.sample_facts import facts
@@ -85,7 +85,7 @@ def test_the_same_facts_give_the_same_bytes_in_another_process() -> None:
     few = {"n": 30, "absent": ("taillight", "headlight", "roof")}
     program = (
         "import hashlib\n"
-        "from backend.work.drawing.report import report\n"
+        "from sightline.export.report.report import report\n"
         "from tests.work_drawing.sample import statistics\n"
         "from tests.work_drawing.sample_facts import facts\n"
         f"print(hashlib.sha256(report(facts(statistics(**{few})))).hexdigest())"

@@ -1,1 +1,0 @@
-"""The only place that knows HTTP: routes, bodies, session, who is asking."""

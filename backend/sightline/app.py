@@ -1,0 +1,162 @@
+"""create_app(): routers, one error handler, the guard, and the built front end."""
+
+import asyncio
+import logging
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+from typing import Any
+
+from fastapi import APIRouter, FastAPI
+from starlette.middleware.gzip import GZipMiddleware
+
+import sightline.cameras.calibrations.routes
+import sightline.cameras.planning.routes
+import sightline.cameras.routes
+import sightline.export.routes
+import sightline.infra.audit.routes
+import sightline.infra.jobs.routes
+import sightline.infra.web.health
+import sightline.measurements.assist.routes
+import sightline.measurements.preview.routes
+import sightline.measurements.routes
+import sightline.measurements.sheets.routes
+import sightline.people.routes
+import sightline.people.session_routes
+import sightline.poses.routes
+import sightline.quality.checks.routes
+import sightline.quality.drift.routes
+import sightline.quality.repeats.routes
+import sightline.recordings.frames.routes
+import sightline.recordings.routes
+import sightline.recordings.uploads.routes
+import sightline.results.routes
+import sightline.reviews.routes
+import sightline.scans.heights.routes
+import sightline.scans.routes
+import sightline.scans.statistics.routes
+import sightline.scans.vehicles.routes
+import sightline.surveys.photographs.routes
+import sightline.surveys.routes
+import sightline.vehicles.catalogue.routes
+import sightline.vehicles.passes.routes
+from sightline.errors import NotFound
+from sightline.infra.services import Services, open_services
+from sightline.infra.web import error_handlers, pages
+from sightline.infra.web.bodies import ErrorBody
+from sightline.infra.web.cookie import SignIn
+from sightline.infra.web.guard import Guard
+from sightline.infra.web.openapi import DESCRIPTION, TITLE, VERSION, operation_id
+from sightline.infra.web.person import Person
+from sightline.infra.web.secret import signing_secret
+from sightline.infra.web.write_gate import WriteGate
+from sightline.people.service import Attempts
+from sightline.people.store import get_person
+from sightline.recordings.uploads.service import recover_uploads
+from sightline.settings import Settings
+
+log = logging.getLogger(__name__)
+
+#: Every router of the API with its tag, in the order in which the work goes.
+ROUTERS: tuple[tuple[str, APIRouter], ...] = (
+    ("health", sightline.infra.web.health.router),
+    ("session", sightline.people.session_routes.router),
+    ("people", sightline.people.routes.router),
+    ("surveys", sightline.surveys.routes.router),
+    ("photographs", sightline.surveys.photographs.routes.router),
+    ("cameras", sightline.cameras.routes.router),
+    ("calibrations", sightline.cameras.calibrations.routes.router),
+    ("uploads", sightline.recordings.uploads.routes.router),
+    ("recordings", sightline.recordings.routes.router),
+    ("frames", sightline.recordings.frames.routes.router),
+    ("planning", sightline.cameras.planning.routes.router),
+    ("poses", sightline.poses.routes.router),
+    ("checks", sightline.quality.checks.routes.router),
+    ("drift", sightline.quality.drift.routes.router),
+    ("assist", sightline.measurements.assist.routes.router),
+    ("geometry", sightline.measurements.preview.routes.router),
+    ("vehicles", sightline.measurements.sheets.routes.router),
+    ("passes", sightline.vehicles.passes.routes.router),
+    ("catalogue", sightline.vehicles.catalogue.routes.router),
+    ("measurements", sightline.measurements.routes.router),
+    ("reviews", sightline.reviews.routes.router),
+    ("repeats", sightline.quality.repeats.routes.router),
+    ("scans", sightline.scans.routes.router),
+    ("scans_vehicles", sightline.scans.vehicles.routes.router),
+    ("line_heights", sightline.scans.heights.routes.router),
+    ("scans_statistics", sightline.scans.statistics.routes.router),
+    ("statistics", sightline.results.routes.router),
+    ("exports", sightline.export.routes.router),
+    ("audit", sightline.infra.audit.routes.router),
+    ("jobs", sightline.infra.jobs.routes.router),
+)
+ERRORS = (400, 401, 403, 404, 405, 409, 412, 413, 415, 422, 429, 500, 503, 507)
+
+
+def include_routes(app: FastAPI) -> None:
+    """Put every router under /api; each answers errors with the one error body."""
+    for tag, router in ROUTERS:
+        app.include_router(
+            router, prefix="/api", tags=[tag], responses={status: {"model": ErrorBody} for status in ERRORS}
+        )
+
+
+def describe() -> dict[str, Any]:
+    """The OpenAPI document, without opening a database or a media store."""
+    app = FastAPI(
+        title=TITLE, version=VERSION, description=DESCRIPTION, generate_unique_id_function=operation_id
+    )
+    include_routes(app)
+    return app.openapi()
+
+
+def create_app(settings: Settings | None = None, services: Services | None = None) -> FastAPI:
+    """The web app on an already migrated database. With `services` given, they stay open when it ends."""
+    settings = settings or (services.settings if services else Settings())
+    own = services is None
+    services = services or open_services(settings)
+
+    @asynccontextmanager
+    async def lifespan(_app: FastAPI) -> AsyncIterator[None]:
+        # Beside the first requests: finishing a large upload takes long, and nobody shall wait for it.
+        recovering = asyncio.create_task(asyncio.to_thread(_recover, services))
+        yield
+        await recovering
+        if own:
+            services.close()
+
+    app = FastAPI(
+        title=TITLE,
+        version=VERSION,
+        description=DESCRIPTION,
+        generate_unique_id_function=operation_id,
+        lifespan=lifespan,
+        docs_url=None,
+        redoc_url=None,
+    )
+    app.state.services = services
+    app.state.write_gate = WriteGate()
+    app.state.sign_in = SignIn(
+        signing_secret(settings), settings.secure_cookies, lambda id_: _person(services, id_)
+    )
+    app.state.attempts = Attempts()
+    error_handlers.install(app)
+    include_routes(app)
+    pages.install(app, settings)
+    app.add_middleware(GZipMiddleware, minimum_size=1000, compresslevel=5)
+    app.add_middleware(Guard)
+    return app
+
+
+def _recover(services: Services) -> None:
+    try:
+        recover_uploads(services)
+    except Exception:
+        log.exception("unfinished uploads were not looked through")
+
+
+def _person(services: Services, person_id: int) -> Person | None:
+    with services.reading() as session:
+        try:
+            return get_person(session, person_id)
+        except NotFound:
+            return None

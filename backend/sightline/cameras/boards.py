@@ -1,0 +1,40 @@
+"""The board as a person tells it: its kind, its inner corners, its square and its markers."""
+
+from typing import Literal
+
+from sightline.errors import BadInput
+from sightline.geometry.board import Board
+from sightline.geometry.charuco import charuco_of
+
+BoardKind = Literal["checkerboard", "charuco"]
+
+# Only counts and proportions matter to detection; the side of a square is asked for when calibrating.
+ANY_SQUARE_M = 0.1
+
+
+def board_told(
+    columns: int,
+    rows: int,
+    square_m: float | None,
+    kind: BoardKind = "checkerboard",
+    dictionary: str | None = None,
+    marker_m: float | None = None,
+) -> Board:
+    """The board of so many inner corners; without `square_m` one of any size, for detection alone.
+
+    Raises BadInput for a board half told; what no detector can look for, detection refuses.
+    """
+    charuco = None
+    if kind == "charuco":
+        if dictionary is None or marker_m is None or square_m is None:
+            raise BadInput(
+                "A ChArUco board needs the dictionary of its markers, the side of a marker and the side of a "
+                "square; give all three."
+            )
+        charuco = charuco_of(dictionary, marker_m)
+    elif dictionary is not None or marker_m is not None:
+        raise BadInput(
+            "A plain checkerboard has no markers; choose ChArUco as the kind of board, or leave out "
+            "dictionary and marker."
+        )
+    return Board(columns, rows, ANY_SQUARE_M if square_m is None else square_m, charuco)

@@ -1,0 +1,107 @@
+"""Calibrations as they go in and out."""
+
+from datetime import datetime
+from typing import Any, Literal
+
+import numpy as np
+from pydantic import Field
+
+from sightline.cameras.board_bodies import Markers
+from sightline.cameras.calibrations.calibrate_job import CHECKS
+from sightline.cameras.calibrations.records import Calibration
+from sightline.geometry.reshoot import places_missing
+from sightline.infra.web.bodies import FrameNumber, Id, Out, WhoBody
+
+Source = Literal["images", "clip", "import"]
+
+
+class CalibrationSummaryBody(Out):
+    id: int
+    camera_id: int
+    created_at: datetime
+    created_by: WhoBody | None
+    source: Source
+    trusted: bool
+    summary: str
+
+
+class ViewBody(Out):
+    """One picture of a calibration; residuals are seen minus modelled, in the order of the corners."""
+
+    file: str
+    image_id: int | None
+    frame: int | None
+    used: bool
+    reason: str | None
+    rms_px: float | None
+    corners_px: list[list[float]]
+    residuals_px: list[list[float]]
+
+
+class HeightDifferenceBody(Out):
+    """What two lenses make of one height; `expected_m`: the standard uncertainty of the difference by the
+    lenses' covariances. Null where the picture does not show it.
+    """
+
+    distance_m: float
+    difference_m: float | None
+    expected_m: float | None = None
+
+
+class CrossValidationBody(Out):
+    """Two halves of the pictures, calibrated apart. Where that could not be done, `reason` says why."""
+
+    reason: str | None
+    views: list[int] | None = Field(description="How many are in each half.")
+    fit_rms_px: float | None
+    held_out_rms_px: float | None = Field(description="Of each half's views under the other half's lens.")
+    height_differences: list[HeightDifferenceBody] = Field(
+        description="Camera level, 1.5 m high, board at 3 m, eye at 1.16 m; at 2, 3 and 5 m."
+    )
+
+
+class BoardShapeBody(Out):
+    """How far the board is from flat, from the pictures; `solved`: whether the calibration allows for it."""
+
+    solved: bool
+    bow_m: float = Field(description="From the most forward to the rearmost corner.")
+    flat_rms_px: float | None
+    bent_rms_px: float | None
+    height_differences: list[HeightDifferenceBody] = Field(description="Taken as flat minus taken as bent.")
+
+
+class CalibrationBody(CalibrationSummaryBody):
+    document: dict[str, Any] = Field(description="camera.json (contract.md).")
+    cross_validation: CrossValidationBody | None = Field(description="Null for an import.")
+    board_shape: BoardShapeBody | None
+    reshoot: list[str] = Field(description="What pictures are missing, in words.")
+    warnings: list[str]
+    coverage: list[list[int]] = Field(description="Corners per cell, 12 rows of 16; empty for an import.")
+    views: list[ViewBody]
+    recording_id: int | None
+
+
+class CalibrationWish(Markers):
+    """From the camera's images, or with `recording_id` from every n-th frame of a span of a recording."""
+
+    columns: int = Field(ge=2, le=100)
+    rows: int = Field(ge=2, le=100)
+    square_m: float = Field(gt=0, le=10, allow_inf_nan=False)
+    model: Literal["brown", "fisheye"] = "brown"
+    recording_id: Id | None = None
+    every: int | None = Field(default=None, ge=1, le=2**31 - 1)
+    first_frame: FrameNumber | None = None
+    last_frame: FrameNumber | None = None
+    bent_board: bool = Field(default=False, description="Solve for the board's shape too.")
+
+
+def calibration_body(made: Calibration) -> CalibrationBody:
+    """A calibration as it goes out: the checks beside camera.json, not in it. One made before there were
+    checks, or imported, has none.
+    """
+    document = dict(made.document)
+    checks = document.pop(CHECKS, {})
+    told = {name: getattr(made, name) for name in Calibration.__dataclass_fields__}
+    places = places_missing(np.array(made.coverage, dtype=np.float64)) if made.coverage else ()
+    none: dict[str, Any] = {"cross_validation": None, "board_shape": None, "reshoot": list(places)}
+    return CalibrationBody.model_validate({**told, **none, **checks, "document": document})

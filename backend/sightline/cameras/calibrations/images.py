@@ -1,0 +1,120 @@
+"""Calibration images: looking for the board, keeping the file once, looking again for another board."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from sightline.cameras.calibrations.records import CalibrationImage
+from sightline.cameras.store import (
+    add_calibration_image,
+    calibration_image_in_use,
+    get_camera,
+    list_calibration_images,
+    remove_calibration_image,
+    set_detection,
+)
+from sightline.geometry.board import Board
+from sightline.geometry.corners import Corners, detect
+from sightline.infra.services import Services
+from sightline.infra.stored_bytes import put_bytes
+from sightline.media.images import jpeg
+from sightline.recordings.uploads.service import upload_suffix
+
+JPEG_QUALITY = 92
+
+
+@dataclass(frozen=True)
+class Detection:
+    """What was found of a board in one picture; `columns` and `rows` as seen, corners row by row. `ids`,
+    `dictionary`, `marker_share`: as of a CalibrationImage.
+    """
+
+    found: bool
+    reason: str | None
+    corners_px: list[list[float]]
+    columns: int
+    rows: int
+    sharpness: float | None
+    ids: list[int] | None = None
+    dictionary: str | None = None
+    marker_share: float | None = None
+
+
+def look(gray: npt.NDArray[np.uint8], board: Board) -> Detection:
+    """Look for the board in a picture (H, W). Raises BadInput for a board that nobody can look for."""
+    return detection_of(detect(gray, board), board)
+
+
+def detection_of(corners: Corners, board: Board) -> Detection:
+    """A detection in plain lists."""
+    charuco = board.charuco
+    markers = (
+        (None, None) if charuco is None else (charuco.dictionary, round(charuco.marker_m / board.square_m, 6))
+    )
+    if not corners.found:
+        reason = corners.reason or "No board was found."
+        return Detection(False, reason, [], board.columns, board.rows, None, None, *markers)
+    seen = corners.board_as_seen
+    points: list[list[float]] = corners.points_px.reshape(-1, 2).tolist()
+    ids: list[int] | None = None if corners.ids is None else corners.ids.tolist()
+    return Detection(True, None, points, seen.columns, seen.rows, float(corners.sharpness), ids, *markers)
+
+
+def add_image(
+    services: Services, camera_id: int, name: str, content: bytes, board: Board, actor: int
+) -> CalibrationImage:
+    """Store a picture with what was found in it. Raises BadInput, naming the file, for what is no picture."""
+    with services.reading() as session:
+        get_camera(session, camera_id)
+    gray = services.frames.image(content, name)
+    found = look(gray, board)
+    key = put_bytes(services, content, upload_suffix(name))
+    height, width = gray.shape
+    with services.writing() as session:
+        return add_calibration_image(
+            session,
+            camera_id,
+            name=name,
+            media_key=key,
+            width_px=int(width),
+            height_px=int(height),
+            actor=actor,
+            **vars(found),
+        )
+
+
+def detect_again(
+    services: Services, camera_id: int, board: Board, actor: int
+) -> tuple[CalibrationImage, ...]:
+    """Look in every image of the camera for a board of another size or kind."""
+    with services.reading() as session:
+        get_camera(session, camera_id)
+        images = list_calibration_images(session, camera_id)
+    found = [(image.id, look(gray_of(services, image), board)) for image in images]
+    with services.writing() as session:
+        known = {image.id for image in list_calibration_images(session, camera_id)}
+        for image_id, detection in found:
+            if image_id in known:
+                set_detection(session, image_id, actor=actor, **vars(detection))
+        return list_calibration_images(session, camera_id)
+
+
+def gray_of(services: Services, image: CalibrationImage) -> npt.NDArray[np.uint8]:
+    """The stored picture as luminance, (H, W)."""
+    return services.frames.image(services.media.local_path(image.media_key).read_bytes(), image.name)
+
+
+def as_jpeg(services: Services, image: CalibrationImage) -> bytes:
+    """The stored picture for a browser, at its own size."""
+    content = services.media.local_path(image.media_key).read_bytes()
+    return jpeg(services.frames.image_bgr(content, image.name), JPEG_QUALITY)
+
+
+def remove_image(services: Services, image_id: int, actor: int) -> None:
+    """Take an image out, and its file if no other image has the same content."""
+    with services.writing() as session:
+        gone = remove_calibration_image(session, image_id, actor=actor)
+        in_use = calibration_image_in_use(session, gone.media_key)
+    if not in_use:
+        services.media.delete(gone.media_key)

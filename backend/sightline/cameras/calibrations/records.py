@@ -1,0 +1,48 @@
+"""A calibration, and the pictures that it was made of."""
+
+from dataclasses import dataclass
+from datetime import datetime
+
+from sightline.enums import CalibrationSource, JsonObject
+from sightline.infra.audit.records import Who
+
+
+@dataclass(frozen=True, slots=True)
+class Calibration:
+    """A calibration with its camera.json `document`; never changed once written."""
+
+    id: int
+    camera_id: int
+    created_at: datetime
+    created_by: Who | None
+    source: CalibrationSource
+    trusted: bool
+    summary: str
+    document: JsonObject
+    warnings: list[str]
+    coverage: list[list[int]]
+    views: list[JsonObject]
+    recording_id: int | None
+
+
+@dataclass(frozen=True, slots=True)
+class CalibrationImage:
+    """A picture of the board and what was found in it. `ids`: which corners were seen, row by row, None for
+    all; `dictionary` and `marker_share` (of a square's side): of a board with markers.
+    """
+
+    id: int
+    camera_id: int
+    name: str
+    media_key: str
+    width_px: int
+    height_px: int
+    found: bool
+    reason: str | None
+    corners_px: list[list[float]]
+    columns: int
+    rows: int
+    sharpness: float | None
+    ids: list[int] | None = None
+    dictionary: str | None = None
+    marker_share: float | None = None

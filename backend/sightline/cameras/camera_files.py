@@ -1,0 +1,125 @@
+"""Pictures and clips of a checkerboard, read for the command line's `calibrate` and `pose`."""
+
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+from time import perf_counter
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sightline.errors import BadInput
+from sightline.geometry.board import Board
+from sightline.geometry.calibration import NamedCorners
+from sightline.geometry.camera import Camera, require_size
+from sightline.geometry.corners import Corners, Gray, detect, not_found
+from sightline.geometry.mean_picture import MeanPicture
+from sightline.geometry.tracking import track
+from sightline.media.images import read_image
+from sightline.media.video.decode import frames_of
+
+Frames = Callable[[Path], Iterator[tuple[str, Gray]]]
+
+CLIP_VIEWS = 24  # views taken from a clip for a calibration: enough, and little alike
+POSE_FRAMES = 150  # frames of a clip that a pose looks at before it skips some
+SEARCH_S = 8.0  # how long frames are searched in vain, all together
+_IMAGE_ENDINGS = {".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp", ".pgm", ".ppm", ".pnm", ".jp2"}
+_CLIP_ENDINGS = {
+    ".mp4",
+    ".mov",
+    ".m4v",
+    ".avi",
+    ".mkv",
+    ".webm",
+    ".ts",
+    ".mts",
+    ".mpg",
+    ".mpeg",
+    ".h264",
+    ".hevc",
+}
+
+
+def pictures_of(path: Path, frames: Frames) -> Iterator[tuple[str, Gray]]:
+    """The picture in a file, or those `frames` takes of a clip, each with its name.
+
+    Raises BadInput in one sentence that names the file.
+    """
+    if not path.is_file():
+        raise BadInput(f"{path} is not a file; give picture files or a clip.")
+    ending = path.suffix.lower()
+    if ending in _CLIP_ENDINGS:
+        yield from frames(path)
+        return
+    try:
+        picture = read_image(path)
+    except BadInput:
+        if ending in _IMAGE_ENDINGS:
+            raise
+        yield from frames(path)
+        return
+    yield path.name, picture
+
+
+def spread_frames(path: Path, most: int = CLIP_VIEWS) -> Iterator[tuple[str, Gray]]:
+    """At most twice `most` frames, evenly spread: the step doubles when so many are held, for a clip tells
+    its length only at its end.
+    """
+    held: list[tuple[int, Gray]] = []
+    step = 1
+    for n, _, gray in frames_of(path):
+        if n % step == 0:
+            held.append((n, gray))
+        if len(held) >= 2 * most:
+            held = held[::2]
+            step *= 2
+    for n, gray in held:
+        yield f"{path.name} frame {n}", gray
+
+
+def early_frames(path: Path, most: int = POSE_FRAMES) -> Iterator[tuple[str, Gray]]:
+    """Every frame of a short clip; of a long one every second, then every fourth: none is held."""
+    step, taken = 1, 0
+    for n, _, gray in frames_of(path):
+        if n % step:
+            continue
+        yield f"{path.name} frame {n}", gray
+        taken += 1
+        if taken == 2 * most:
+            step, taken = 2 * step, most
+
+
+def calibration_views(paths: Sequence[Path], board: Board) -> list[NamedCorners]:
+    """One detection per picture or chosen frame, as `geometry.calibration.calibrate` takes them."""
+    views: list[NamedCorners] = []
+    for path in paths:
+        for name, gray in pictures_of(path, spread_frames):
+            views.append((name, detect(gray, board), (gray.shape[1], gray.shape[0])))
+    return views
+
+
+def pose_detections(
+    paths: Sequence[Path], camera: Camera, board: Board
+) -> tuple[list[Corners], NDArray[np.float64] | None]:
+    """The board in every picture or frame, in time order, found once and then followed; and the mean
+    picture of the frames in which it stood still.
+
+    A span without the board is searched for a bounded time. Raises BadInput where a picture has another
+    size than the camera's.
+    """
+    found: list[Corners] = []
+    last: Corners | None = None
+    mean = MeanPicture()
+    searched_s = 0.0
+    for path in paths:
+        for name, gray in pictures_of(path, early_frames):
+            require_size(camera, gray.shape[1], gray.shape[0], name)
+            corners = not_found(board, "The search was given up.") if last is None else track(gray, last)
+            if not corners.found and searched_s < SEARCH_S:
+                started = perf_counter()
+                corners = detect(gray, board)
+                searched_s += 0.0 if corners.found else perf_counter() - started
+            found.append(corners)
+            if corners.found:
+                last = corners
+                mean.add(gray, corners)
+    return found, mean.result()

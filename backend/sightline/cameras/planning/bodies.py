@@ -1,0 +1,113 @@
+"""Bodies of a site's plan."""
+
+from pydantic import Field
+
+from sightline.enums import MeasurementStatus
+from sightline.infra.web.bodies import Out
+from sightline.measurements.preview.bodies import BudgetEntryBody
+
+
+class PlannedCamera(Out):
+    name: str
+    width_px: int
+    height_px: int
+    calibration_id: int | None
+    lens_known: bool = Field(description="Whether the lens's own uncertainty is known and counted.")
+
+
+class PlannedSite(Out):
+    camera_height_m: float
+    distance_m: float
+    board_distance_m: float
+    sigma_px: float
+    direction_deg: float
+    travel_m: float
+
+
+class TwoFramesBody(Out):
+    reason: str | None
+    u_height_m: float | None
+    U95_height_m: float | None
+    u_inset_m: float | None
+
+
+class PlannedTargetBody(Out):
+    target: str = Field(
+        description="A target, or driver_eye_far: the driver on the side away from the camera."
+    )
+    height_m: float = Field(description="The height it is planned for; an estimate.")
+    inset_m: float
+    u_inset_m: float
+    status: MeasurementStatus
+    reason: str | None
+    u_height_m: float | None
+    U95_height_m: float | None
+    bias_if_ignored_m: float
+    budget: list[BudgetEntryBody]
+    flags: list[str]
+    two_frames: TwoFramesBody
+
+
+class CurveBody(Out):
+    """One line of a figure; a null is a point without a value."""
+
+    target: str
+    at_m: list[float]
+    value_m: list[float | None]
+
+
+class OutlookBody(Out):
+    """Where the picture's edges look: above the horizon, and from square across the road to +X."""
+
+    top_rad: float | None
+    bottom_rad: float | None
+    left_rad: float | None
+    right_rad: float | None
+
+
+class PlannedBoard(Out):
+    columns: int
+    rows: int
+    square_m: float
+    top_m: float
+
+
+class PlanBody(Out):
+    camera: PlannedCamera
+    site: PlannedSite
+    board: PlannedBoard
+    targets: list[PlannedTargetBody]
+    advice: list[str]
+    U95_over_distance: list[CurveBody]
+    bias_over_camera_height: list[CurveBody]
+    outlook: OutlookBody
+    tilt_rad: float
+    track_shown_m: float
+
+
+class LineFormBody(Out):
+    """Equation (2) in one of its forms: the line rate for the wanted error, the error at the line rate."""
+
+    line_rate_hz: float = Field(description="Keeps the speed within the wanted error.")
+    error: float = Field(description="Share by which the speed may be off at the planned line rate.")
+    error_mps: float
+
+
+class LinePlanBody(Out):
+    """What a line rate and a baseline are worth for a vehicle's speed; `u_` are standard uncertainties."""
+
+    speed_mps: float
+    baseline_m: float
+    u_baseline_m: float
+    line_rate_hz: float = Field(description="As given, else that of the corrected equation.")
+    error: float = Field(description="Share by which the speed may be off, as wanted.")
+    lines: float = Field(description="From camera 1 to camera 2.")
+    printed: LineFormBody = Field(description="The printed right side, 2 / (n + 2).")
+    corrected: LineFormBody = Field(description="The equation's middle term, 2 / n.")
+    one_line_mps: float = Field(description="By how much one line of transit changes the speed.")
+    one_line_m: float = Field(description="What the vehicle travels in one line.")
+    u_lines_mps: float = Field(description="Both crossings rounded to whole lines.")
+    u_baseline_mps: float
+    u_speed_mps: float
+    U95_speed_mps: float
+    advice: list[str]

@@ -1,0 +1,180 @@
+"""Cameras of a survey and their calibration images."""
+
+from typing import Annotated
+
+from fastapi import APIRouter, Query, Request, Response, UploadFile
+from pydantic import Field
+
+from sightline.cameras import store
+from sightline.cameras.board_bodies import Dictionary, KindAsked, MarkerM, Markers, SquareM
+from sightline.cameras.boards import board_told
+from sightline.cameras.calibrations import calibrate_job
+from sightline.cameras.calibrations import images as calibration_images
+from sightline.cameras.calibrations.bodies import CalibrationSummaryBody
+from sightline.cameras.calibrations.records import CalibrationImage
+from sightline.cameras.records import Camera
+from sightline.errors import BadInput
+from sightline.infra.jobs.records import Job
+from sightline.infra.web.bodies import Id, In, JobBody, Name, Out, Text
+from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired, Writing
+from sightline.recordings.frames.routes import JPEG, jpeg_once
+from sightline.recordings.uploads.routes import clean_name
+from sightline.surveys.store import get_survey
+
+router = APIRouter()
+
+MOST_IMAGE_BYTES = 64_000_000
+Corners = Annotated[int, Query(ge=2, le=100, description="Inner corners.")]
+
+
+class CameraBody(Out):
+    id: int
+    survey_id: int
+    name: str
+    notes: str
+    current_calibration_id: int | None
+    images: int
+    calibrations: list[CalibrationSummaryBody]
+
+
+class CalibrationImageBody(Out):
+    id: int
+    name: str
+    width_px: int
+    height_px: int
+    found: bool
+    reason: str | None
+    corners_px: list[list[float]] = Field(description="Row by row, from the top left as seen.")
+    columns: int
+    rows: int
+    sharpness: float | None
+    ids: list[int] | None = Field(description="Which corners were seen, row by row; null for all of them.")
+    dictionary: str | None = Field(description="Of a ChArUco board's markers; null for a checkerboard.")
+    marker_share: float | None = Field(description="Side of a marker over the side of a square.")
+    url: str
+
+
+class CameraDetail(Out):
+    id: int
+    survey_id: int
+    name: str
+    notes: str
+    current_calibration_id: int | None
+    images: list[CalibrationImageBody]
+    calibrations: list[CalibrationSummaryBody]
+    calibrating: JobBody | None = Field(description="A calibration that waits or runs, to be followed.")
+
+
+class NewCamera(In):
+    name: Name
+    notes: Text = ""
+
+
+class BoardSize(Markers):
+    columns: int = Field(ge=2, le=100)
+    rows: int = Field(ge=2, le=100)
+    square_m: SquareM = None
+
+
+class Choice(In):
+    calibration_id: Id
+
+
+@router.get("/surveys/{survey_id}/cameras")
+def list_cameras(survey_id: PathId, who: Viewer, session: Reading) -> list[CameraBody]:
+    """The cameras of a survey with their calibrations in short."""
+    get_survey(session, survey_id)
+    return [CameraBody.model_validate(one) for one in store.list_cameras(session, survey_id)]
+
+
+@router.post("/surveys/{survey_id}/cameras", status_code=201)
+def add_camera(survey_id: PathId, body: NewCamera, who: Operator, session: Writing) -> CameraBody:
+    """A new camera: a body and lens at one setting."""
+    made = store.create_camera(session, survey_id, name=body.name, notes=body.notes, actor=who.id)
+    return CameraBody.model_validate(made)
+
+
+@router.get("/cameras/{camera_id}")
+def get_camera(camera_id: PathId, who: Viewer, session: Reading) -> CameraDetail:
+    """One camera with its images."""
+    job = calibrate_job.under_way(session, camera_id)
+    return camera_detail(
+        store.get_camera(session, camera_id), store.list_calibration_images(session, camera_id), job
+    )
+
+
+@router.post("/cameras/{camera_id}/images", status_code=201)
+def add_image(
+    camera_id: PathId,
+    file: UploadFile,
+    who: Operator,
+    services: Wired,
+    columns: Corners = 9,
+    rows: Corners = 6,
+    square_m: SquareM = None,
+    board_kind: KindAsked = "checkerboard",
+    dictionary: Dictionary = None,
+    marker_m: MarkerM = None,
+) -> CalibrationImageBody:
+    """One picture of the board; the answer says at once whether the board was found in it."""
+    board = board_told(columns, rows, square_m, board_kind, dictionary, marker_m)
+    name = clean_name(file.filename or "picture")
+    content = whole_file(file, MOST_IMAGE_BYTES, name)
+    made = calibration_images.add_image(services, camera_id, name, content, board, who.id)
+    return image_body(made)
+
+
+@router.post("/cameras/{camera_id}/images/detect")
+def detect_again(
+    camera_id: PathId, body: BoardSize, who: Operator, services: Wired
+) -> list[CalibrationImageBody]:
+    """The board is of another size or kind: look in every image again."""
+    board = board_told(
+        body.columns, body.rows, body.square_m, body.board_kind, body.dictionary, body.marker_m
+    )
+    images = calibration_images.detect_again(services, camera_id, board, who.id)
+    return [image_body(one) for one in images]
+
+
+@router.get("/calibration-images/{image_id}.jpg", response_class=Response, responses=JPEG)
+def calibration_image(image_id: PathId, who: Viewer, services: Wired, request: Request) -> Response:
+    """The picture at its own size, as JPEG."""
+    with services.reading() as session:
+        image = store.get_calibration_image(session, image_id)
+    etag = f'"{image.media_key.rpartition("/")[2][:32]}"'
+    return jpeg_once(request, etag, lambda: calibration_images.as_jpeg(services, image))
+
+
+@router.delete("/calibration-images/{image_id}", status_code=204)
+def remove_image(image_id: PathId, who: Operator, services: Wired) -> None:
+    """Take a picture out; calibrations made from it stay as they are."""
+    calibration_images.remove_image(services, image_id, who.id)
+
+
+@router.put("/cameras/{camera_id}/current-calibration")
+def choose_calibration(camera_id: PathId, body: Choice, who: Operator, session: Writing) -> CameraBody:
+    """Choose which calibration new road poses use."""
+    camera = store.choose_calibration(session, camera_id, body.calibration_id, actor=who.id)
+    return CameraBody.model_validate(camera)
+
+
+def whole_file(file: UploadFile, most_bytes: int, name: str) -> bytes:
+    """The content of a small uploaded file. Raises BadInput for one that is too large."""
+    content = file.file.read(most_bytes + 1)
+    if len(content) > most_bytes:
+        raise BadInput(f"{name} is larger than {most_bytes // 1_000_000} MB; make it smaller and try again.")
+    return content
+
+
+def image_body(image: CalibrationImage) -> CalibrationImageBody:
+    """An image as it goes out, with its address."""
+    names = CalibrationImageBody.model_fields.keys() - {"url"}
+    values = {name: getattr(image, name) for name in names}
+    return CalibrationImageBody.model_validate({**values, "url": f"/api/calibration-images/{image.id}.jpg"})
+
+
+def camera_detail(camera: Camera, images: tuple[CalibrationImage, ...], job: Job | None) -> CameraDetail:
+    """A camera with its images in place of their number, and the calibration that is under way."""
+    short = CameraBody.model_validate(camera).model_dump(exclude={"images"})
+    under_way = None if job is None else JobBody.model_validate(job)
+    return CameraDetail(**short, images=[image_body(one) for one in images], calibrating=under_way)

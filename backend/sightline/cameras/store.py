@@ -1,0 +1,206 @@
+"""Cameras of a survey with their calibration images; calibrations are in `calibrations`."""
+
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from sqlalchemy import delete, func, select
+from sqlalchemy.orm import Session
+
+from sightline.cameras.calibrations.records import CalibrationImage
+from sightline.cameras.calibrations.store import summaries
+from sightline.cameras.calibrations.tables import calibration_images, calibrations
+from sightline.cameras.records import CalibrationSummary, Camera
+from sightline.cameras.tables import cameras
+from sightline.errors import BadInput
+from sightline.infra.audit import trail
+from sightline.infra.database.rows import add_row, change_row, get_row
+from sightline.infra.database.types import now
+from sightline.surveys.tables import surveys
+
+
+def create_camera(
+    session: Session, survey_id: int, *, name: str, notes: str = "", actor: int | None
+) -> Camera:
+    """A new camera in a survey. Raises NotFound, BadInput."""
+    get_row(session, surveys, survey_id, "survey")
+    if not name.strip():
+        raise BadInput("A camera needs a name; fill it in.")
+    content = {"survey_id": survey_id, "name": name.strip(), "notes": notes.strip()}
+    camera_id = add_row(session, cameras, {**content, "created_at": now(), "created_by": actor})
+    trail.record(session, actor, "create", "camera", camera_id, survey_id, None, content)
+    return get_camera(session, camera_id)
+
+
+def get_camera(session: Session, camera_id: int) -> Camera:
+    """One camera with its calibrations in short. Raises NotFound."""
+    return _cameras(session, [get_row(session, cameras, camera_id, "camera")])[0]
+
+
+def list_cameras(session: Session, survey_id: int) -> tuple[Camera, ...]:
+    """The cameras of a survey, in a fixed number of queries."""
+    query = select(cameras).where(cameras.c.survey_id == survey_id).order_by(cameras.c.id)
+    return _cameras(session, [dict(row) for row in session.execute(query).mappings()])
+
+
+def choose_calibration(session: Session, camera_id: int, calibration_id: int, *, actor: int | None) -> Camera:
+    """Make one of a camera's calibrations the current one. Raises NotFound, BadInput for another camera's."""
+    camera = get_row(session, cameras, camera_id, "camera")
+    if get_row(session, calibrations, calibration_id, "calibration")["camera_id"] != camera_id:
+        raise BadInput(
+            f"Calibration {calibration_id} belongs to another camera; choose one of this camera's."
+        )
+    change_row(session, cameras, camera_id, {"current_calibration_id": calibration_id})
+    before = {"current_calibration_id": camera["current_calibration_id"]}
+    after = {"current_calibration_id": calibration_id}
+    trail.record(
+        session, actor, "choose_calibration", "camera", camera_id, camera["survey_id"], before, after
+    )
+    return get_camera(session, camera_id)
+
+
+def list_calibration_images(session: Session, camera_id: int) -> tuple[CalibrationImage, ...]:
+    """The calibration images of a camera, in the order in which they came."""
+    query = select(calibration_images).where(calibration_images.c.camera_id == camera_id)
+    rows = session.execute(query.order_by(calibration_images.c.id)).mappings()
+    return tuple(_image(row) for row in rows)
+
+
+def get_calibration_image(session: Session, image_id: int) -> CalibrationImage:
+    """One calibration image. Raises NotFound."""
+    return _image(get_row(session, calibration_images, image_id, "calibration image"))
+
+
+def add_calibration_image(
+    session: Session,
+    camera_id: int,
+    *,
+    name: str,
+    media_key: str,
+    width_px: int,
+    height_px: int,
+    found: bool,
+    reason: str | None,
+    corners_px: Sequence[Sequence[float]],
+    columns: int,
+    rows: int,
+    sharpness: float | None,
+    actor: int | None,
+    ids: Sequence[int] | None = None,
+    dictionary: str | None = None,
+    marker_share: float | None = None,
+) -> CalibrationImage:
+    """A stored image with what was detected in it; `reason` says why no board was found."""
+    camera = get_row(session, cameras, camera_id, "camera")
+    content = {"name": name, "media_key": media_key, "width_px": width_px, "height_px": height_px}
+    seen = _seen(corners_px, ids, dictionary, marker_share)
+    detected = _detection(found, reason, seen, columns, rows, sharpness)
+    stamps = {"camera_id": camera_id, "created_at": now(), "created_by": actor}
+    image_id = add_row(session, calibration_images, {**content, **detected, **stamps})
+    after = {"camera_id": camera_id, **content, "found": found, "reason": reason}
+    trail.record(session, actor, "create", "calibration_image", image_id, camera["survey_id"], None, after)
+    return get_calibration_image(session, image_id)
+
+
+def set_detection(
+    session: Session,
+    image_id: int,
+    *,
+    found: bool,
+    reason: str | None,
+    corners_px: Sequence[Sequence[float]],
+    columns: int,
+    rows: int,
+    sharpness: float | None,
+    actor: int | None,
+    ids: Sequence[int] | None = None,
+    dictionary: str | None = None,
+    marker_share: float | None = None,
+) -> CalibrationImage:
+    """What was found when looking again, for a board of another size."""
+    before = get_row(session, calibration_images, image_id, "calibration image")
+    camera = get_row(session, cameras, before["camera_id"], "camera")
+    seen = _seen(corners_px, ids, dictionary, marker_share)
+    detected = _detection(found, reason, seen, columns, rows, sharpness)
+    change_row(session, calibration_images, image_id, detected)
+    what = trail.changed(before, detected, ("found", "reason", "columns", "rows"))
+    trail.record(session, actor, "detect", "calibration_image", image_id, camera["survey_id"], *what)
+    return get_calibration_image(session, image_id)
+
+
+def remove_calibration_image(session: Session, image_id: int, *, actor: int | None) -> CalibrationImage:
+    """Take an image out; the caller removes its file if no other row has its media_key."""
+    gone = get_calibration_image(session, image_id)
+    camera = get_row(session, cameras, gone.camera_id, "camera")
+    session.execute(delete(calibration_images).where(calibration_images.c.id == image_id))
+    before = {"camera_id": gone.camera_id, "name": gone.name, "media_key": gone.media_key}
+    trail.record(session, actor, "delete", "calibration_image", image_id, camera["survey_id"], before, None)
+    return gone
+
+
+def calibration_image_in_use(session: Session, media_key: str) -> bool:
+    """Whether any calibration image still has this file."""
+    query = select(calibration_images.c.id).where(calibration_images.c.media_key == media_key).limit(1)
+    return session.execute(query).first() is not None
+
+
+def _detection(
+    found: bool,
+    reason: str | None,
+    seen: Any,
+    columns: int,
+    rows: int,
+    sharpness: float | None,
+) -> dict[str, Any]:
+    if not found and not reason:
+        raise BadInput("An image without a board needs the reason why; say what was looked for.")
+    size = {"columns": columns, "rows": rows, "sharpness": sharpness}
+    return {"found": found, "reason": reason, "corners_px": seen, **size}
+
+
+def _seen(
+    corners_px: Sequence[Sequence[float]],
+    ids: Sequence[int] | None,
+    dictionary: str | None,
+    marker_share: float | None,
+) -> Any:
+    """The document of the column corners_px: the list of points, as it always was, or for a board with
+    markers an object that holds them with what else is known.
+    """
+    points = [[float(x), float(y)] for x, y in corners_px]
+    if dictionary is None:
+        return points
+    numbers = None if ids is None else [int(n) for n in ids]
+    return {"points": points, "ids": numbers, "dictionary": dictionary, "marker_share": marker_share}
+
+
+def _cameras(session: Session, rows: Sequence[Mapping[str, Any]]) -> tuple[Camera, ...]:
+    ids = [row["id"] for row in rows]
+    per_camera: dict[int, list[CalibrationSummary]] = defaultdict(list)
+    for summary in summaries(session, ids):
+        per_camera[summary.camera_id].append(summary)
+    counted = select(calibration_images.c.camera_id, func.count()).group_by(calibration_images.c.camera_id)
+    counts = {
+        camera_id: n
+        for camera_id, n in session.execute(counted.where(calibration_images.c.camera_id.in_(ids)))
+    }
+    return tuple(
+        Camera(
+            id=row["id"],
+            survey_id=row["survey_id"],
+            name=row["name"],
+            notes=row["notes"],
+            current_calibration_id=row["current_calibration_id"],
+            images=counts.get(row["id"], 0),
+            calibrations=tuple(per_camera[row["id"]]),
+        )
+        for row in rows
+    )
+
+
+def _image(row: Mapping[Any, Any]) -> CalibrationImage:
+    values = {key: value for key, value in row.items() if key not in ("created_at", "created_by")}
+    if isinstance(values["corners_px"], Mapping):
+        seen = dict(values.pop("corners_px"))
+        values |= {"corners_px": seen.pop("points"), **seen}
+    return CalibrationImage(**values)

@@ -1,0 +1,24 @@
+"""The table of cameras."""
+
+from sqlalchemy import (
+    Column,
+    ForeignKey,
+    String,
+    Table,
+    Text,
+)
+
+from sightline.infra.database.types import Moment, identity, metadata
+
+cameras = Table(
+    "cameras",
+    metadata,
+    identity(),
+    Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
+    Column("name", String(200), nullable=False),
+    Column("notes", Text, nullable=False),
+    # cameras and calibrations point at each other: this one is added last
+    Column("current_calibration_id", ForeignKey("calibrations.id", use_alter=True)),
+    Column("created_at", Moment, nullable=False),
+    Column("created_by", ForeignKey("people.id")),
+)

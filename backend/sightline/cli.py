@@ -1,0 +1,93 @@
+"""The command line (contract.md): one lazy import per command, one sentence per error."""
+
+from __future__ import annotations
+
+import importlib
+import os
+import sys
+from collections.abc import Sequence
+
+import click
+
+from sightline.errors import SightlineError
+
+# name -> where it is; a command's module is imported when the command is asked for, so that --help is quick
+COMMANDS = {
+    "serve": "sightline.commands.serve:serve",
+    "demo": "sightline.commands.demo:demo",
+    "worker": "sightline.commands.worker:worker",
+    "calibrate": "sightline.commands.geometry:calibrate",
+    "import-camera": "sightline.commands.geometry:import_camera",
+    "pose": "sightline.commands.geometry:pose",
+    "height": "sightline.commands.geometry:height",
+    "plan": "sightline.commands.plan:plan",
+    "errors": "sightline.commands.errors:errors",
+    "linescan": "sightline.commands.linescan:linescan",
+    "export": "sightline.commands.export:export",
+    "verify": "sightline.commands.verify:verify",
+}
+
+
+class LazyCommands(click.Group):
+    """A group whose commands are imported by name."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        return list(COMMANDS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        place = COMMANDS.get(cmd_name)
+        if place is None:
+            return None
+        module, name = place.split(":")
+        command = getattr(importlib.import_module(module), name)
+        assert isinstance(command, click.Command)
+        return command
+
+
+@click.command(cls=LazyCommands, context_settings={"help_option_names": ["-h", "--help"]})
+@click.version_option(package_name="sightline", prog_name="sightline")
+def cli() -> None:
+    """Heights of vehicles from roadside video, with their uncertainty and an audit trail."""
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one command. Exit status: 0, 2 for bad input, 1 for anything else."""
+    try:
+        status = cli.main(args=arguments, prog_name="sightline", standalone_mode=False)
+        return status if isinstance(status, int) else 0
+    except SightlineError as error:
+        return _say(error.message, error.exit_status)
+    except click.ClickException as error:
+        return _say(_sentence(error), error.exit_code)
+    except (click.exceptions.Abort, KeyboardInterrupt):
+        return _say("Stopped.", 1)
+    except BrokenPipeError:
+        # Whoever read our output has gone; say nothing more, not even at interpreter exit.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 1
+    except OSError as error:
+        why = (error.strerror or str(error)).lower()
+        return _say(f"{error.filename or 'A file'}: {why}; check it and try again.", 1)
+    except Exception as error:
+        if os.environ.get("SIGHTLINE_DEBUG"):
+            raise
+        name = type(error).__name__
+        return _say(f"Something went wrong ({name}: {error}); set SIGHTLINE_DEBUG=1 to see where.", 1)
+
+
+def _sentence(error: click.ClickException) -> str:
+    """Click's complaint, with the way to its help."""
+    said = " ".join(error.format_message().split()).rstrip(".")
+    context = getattr(error, "ctx", None)
+    where = context.command_path if context is not None else "sightline"
+    return f"{said}; see {where} --help."
+
+
+def _say(message: str, status: int) -> int:
+    """One line on standard error, whatever the message holds."""
+    print(" ".join(message.split()), file=sys.stderr)
+    return status
+
+
+if __name__ == "__main__":
+    sys.exit(main())

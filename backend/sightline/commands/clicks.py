@@ -1,0 +1,187 @@
+"""clicks.csv to heights.csv (contract.md): every column in, then the results; a bad row is a row with a
+reason.
+"""
+
+import csv
+import io
+import math
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+from sightline.commands.files import read_text
+from sightline.errors import BadInput
+from sightline.geometry.height import COVERAGE_95, Height, measure_heights
+from sightline.geometry.multiframe import measure_frames
+from sightline.geometry.road_pose import RoadPose
+from sightline.geometry.sight import REASONS
+
+FIRST = ("contact_x_px", "contact_y_px", "target_x_px", "target_y_px")
+_FURTHER = re.compile(r"(?:contact|target)([2-9]|[1-9]\d)_[xy]_px")
+OPTIONS = ("sigma_px", "inset_m", "u_inset_m")
+DEFAULTS = {"sigma_px": 1.0, "inset_m": 0.0, "u_inset_m": 0.0}
+NEEDED = ("id", *FIRST)
+RESULTS = (
+    "height_m",
+    "u_height_m",
+    "U95_height_m",
+    "x_m",
+    "y_m",
+    "distance_m",
+    "solved_inset_m",
+    "u_solved_inset_m",
+    "status",
+    "reason",
+)
+_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?|[+-]?(nan|inf|infinity)", re.IGNORECASE)
+
+
+@dataclass
+class _Row:
+    """One line: its cells as they were, the numbers read from them, or why they could not be."""
+
+    cells: list[str]
+    values: dict[str, float] = field(default_factory=dict)
+    frames: tuple[int, ...] = ()  # numbers of the further frames that were clicked too
+    problem: str | None = None
+    results: dict[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Counts:
+    """How many rows there were, and how many got a height."""
+
+    rows: int
+    measured: int
+
+
+def heights_csv(pose: RoadPose, path: Path) -> tuple[str, Counts]:
+    """The text of heights.csv for a clicks.csv. Raises BadInput where the table as a whole cannot be read."""
+    header, rows = _read(path)
+    single = [row for row in rows if row.problem is None and not row.frames]
+    _measure_single(pose, single)
+    for row in rows:
+        if row.problem is not None:
+            row.results = {"status": "not_measurable", "reason": row.problem}
+        elif row.frames:
+            row.results = _measure_several(pose, row)
+    measured = sum(row.results["status"] == "ok" for row in rows)
+    return _written(header, rows), Counts(len(rows), measured)
+
+
+def _read(path: Path) -> tuple[list[str], list[_Row]]:
+    what = f"a CSV table with the columns {', '.join(NEEDED)}"
+    text = read_text(path, what)
+    try:
+        lines = [cells for cells in csv.reader(io.StringIO(text, newline=""), strict=True) if cells]
+    except csv.Error as error:
+        raise BadInput(f"{path} is not a readable CSV table ({error}); give {what}.") from None
+    if not lines:
+        raise BadInput(f"{path} is empty; give {what}.")
+    header = [name.strip() for name in lines[0]]
+    missing = [name for name in NEEDED if name not in header]
+    if missing:
+        hint = "; separate its columns by commas" if ";" in lines[0][0] else ""
+        raise BadInput(f"{path} has no column {', '.join(missing)}; give {what}{hint}.")
+    twice = sorted({name for name in header if header.count(name) > 1})
+    if twice:
+        raise BadInput(f"{path} has the column {', '.join(twice)} more than once; name each column once.")
+    return header, [_parsed(header, cells) for cells in lines[1:]]
+
+
+def _parsed(header: list[str], cells: list[str]) -> _Row:
+    """One row's numbers; the first cell that cannot be read is the row's reason."""
+    if len(cells) != len(header):
+        problem = f"The row has {len(cells)} cells, the header has {len(header)}."
+        return _Row((cells + [""] * len(header))[: len(header)], problem=problem)
+    by_name = dict(zip(header, cells, strict=True))
+    row = _Row(cells)
+    filled = (_FURTHER.fullmatch(name) for name in header if by_name[name].strip())
+    row.frames = tuple(sorted({int(one[1]) for one in filled if one}))
+    further = [name.replace("_", f"{k}_", 1) for k in row.frames for name in FIRST]
+    for name in (*FIRST, *further, *OPTIONS):
+        text = by_name.get(name, "").strip()
+        if not text and name in DEFAULTS:
+            row.values[name] = DEFAULTS[name]
+        elif not text:
+            row.problem = f"The cell {name} is empty."
+            break
+        elif not _NUMBER.fullmatch(text):
+            row.problem = f"The cell {name} is not a number."
+            break
+        else:
+            row.values[name] = float(text)
+    return row
+
+
+def _measure_single(pose: RoadPose, rows: Sequence[_Row]) -> None:
+    if not rows:
+        return
+    table = np.array([[row.values[name] for name in (*FIRST, *OPTIONS)] for row in rows])
+    found = measure_heights(pose, table[:, 0:2], table[:, 2:4], table[:, 4], table[:, 5], table[:, 6])
+    columns = (
+        found.height_m,
+        found.u_height_m,
+        COVERAGE_95 * found.u_height_m,
+        found.x_m,
+        found.y_m,
+        found.distance_m,
+    )
+    for index, row in enumerate(rows):
+        code = int(found.code[index])
+        if code:
+            row.results = {"status": "not_measurable", "reason": REASONS[code]}
+            continue
+        row.results = {
+            name: metres(float(column[index])) for name, column in zip(RESULTS, columns, strict=False)
+        }
+        row.results["status"] = "ok"
+
+
+def _measure_several(pose: RoadPose, row: _Row) -> dict[str, str]:
+    """All frames of one vehicle: the inset is solved for, not assumed."""
+    frames = ("", *row.frames)
+    contacts = [[row.values[f"contact{k}_{axis}_px"] for axis in "xy"] for k in frames]
+    targets = [[row.values[f"target{k}_{axis}_px"] for axis in "xy"] for k in frames]
+    found = measure_frames(pose, contacts, targets, row.values["sigma_px"])
+    out = _of_height(found.height)
+    if found.solved_inset_m is not None and found.u_solved_inset_m is not None:
+        out["solved_inset_m"] = metres(found.solved_inset_m)
+        out["u_solved_inset_m"] = metres(found.u_solved_inset_m)
+    return out
+
+
+def _of_height(height: Height) -> dict[str, str]:
+    names = ("height_m", "u_height_m", "U95_height_m", "x_m", "y_m", "distance_m")
+    out = {"status": height.status, "reason": height.reason or ""}
+    for name in names:
+        value = getattr(height, name)
+        out[name] = "" if value is None else metres(value)
+    return out
+
+
+def metres(value: float) -> str:
+    """A length with six decimals, never a negative zero; empty where there is none."""
+    return "" if not math.isfinite(value) else f"{value + 0.0:.6f}".replace("-0.000000", "0.000000")
+
+
+def harmless(cell: str) -> str:
+    """A cell that a spreadsheet would run as a formula gets an apostrophe; numbers stay numbers."""
+    if cell[:1] in ("=", "+", "-", "@", "\t", "\r") and not _NUMBER.fullmatch(cell.strip()):
+        return "'" + cell
+    return cell
+
+
+def _written(header: list[str], rows: list[_Row]) -> str:
+    """The table as text: the columns given (but for old results), then the new results."""
+    keep = [i for i, name in enumerate(header) if name not in RESULTS]
+    out = io.StringIO(newline="")
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow([*(harmless(header[i]) for i in keep), *RESULTS])
+    for row in rows:
+        results = (row.results.get(name, "") for name in RESULTS)
+        writer.writerow([*(harmless(row.cells[i]) for i in keep), *results])
+    return out.getvalue()

@@ -1,0 +1,68 @@
+"""`sightline export`: the package of a survey as a folder."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import click
+
+from sightline.commands.options import data_dir_option, require_database, settings_of
+
+
+@click.command()
+@click.option("--survey", required=True, help="Name (or number) of the survey.")
+@click.option(
+    "-o",
+    "--output",
+    required=True,
+    type=click.Path(path_type=Path),
+    help="Folder to write; an earlier export there is replaced.",
+)
+@click.option("--crops/--no-crops", default=True, help="Cut out the pictures that were clicked on (default).")
+@data_dir_option
+def export(survey: str, output: Path, crops: bool, data_dir: Path | None) -> None:
+    """Write the package of a survey: tables, poses, crops, audit chain, statistics, figures and report.
+
+    Progress goes to standard error.
+    """
+    from sightline.export.build import build
+    from sightline.export.export_job import find_survey
+    from sightline.infra.csv_package.files import Staging, fresh_folder
+    from sightline.infra.database.engine import migrate
+    from sightline.infra.services import open_services
+
+    settings = settings_of(data_dir=data_dir)
+    require_database(settings)
+    services = open_services(settings)
+    try:
+        migrate(services.engine)
+        with services.reading() as session, fresh_folder(output) as folder:
+            staging = Staging(folder)
+            survey_id = find_survey(session, survey).id
+            built = build(staging, session, survey_id, services, _told(), crops=crops)
+    finally:
+        services.close()
+    click.echo(
+        f"{built.measurements} measurements of {built.vehicles} vehicles written to {output} "
+        f"({len(staging.written)} files). Audit head {built.head.hash}; keep it elsewhere, for "
+        "`sightline verify --head`."
+    )
+
+
+def _told() -> Callable[[float, str], None]:
+    """Progress on standard error: one line that changes on a terminal, one line a step elsewhere."""
+    last = ""
+
+    def tell(fraction: float, words: str) -> None:
+        nonlocal last
+        said = f"{100 * fraction:3.0f} %  {words}"
+        if sys.stderr.isatty():
+            end = "\n" if fraction >= 1.0 else ""
+            click.echo(f"\r{said:<70}{end}", err=True, nl=False)
+        elif words != last:
+            click.echo(said, err=True)
+        last = words
+
+    return tell

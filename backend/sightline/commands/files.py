@@ -1,0 +1,69 @@
+"""Reading and writing the small files of the geometry commands: whole or not at all, refusals by name."""
+
+import errno
+import json
+import os
+import tempfile
+from pathlib import Path
+from typing import Any
+
+from sightline.errors import BadInput, NoRoom
+
+_LARGEST_BYTES = 200_000_000
+
+
+def read_text(path: Path, what: str) -> str:
+    """A UTF-8 text file, its BOM dropped. Raises BadInput naming the file."""
+    try:
+        if path.stat().st_size > _LARGEST_BYTES:
+            raise BadInput(f"{path} is larger than 200 MB; give {what}.")
+        return path.read_bytes().decode("utf-8-sig")
+    except FileNotFoundError:
+        raise BadInput(f"{path} does not exist; give {what}.") from None
+    except UnicodeDecodeError:
+        raise BadInput(f"{path} is not UTF-8 text; give {what}, saved as UTF-8.") from None
+    except OSError as error:
+        raise BadInput(f"{path} cannot be read ({error.strerror}); give {what}.") from None
+
+
+def read_json(path: Path, what: str) -> Any:
+    """A JSON file. Raises BadInput naming the file."""
+    text = read_text(path, what)
+    try:
+        return json.loads(text)
+    except (ValueError, RecursionError):
+        raise BadInput(f"{path} is not readable JSON; give {what}.") from None
+
+
+def write_whole(path: Path, text: str) -> None:
+    """Write a text file so that it appears whole or not at all (a neighbour, flushed to disk, then
+    renamed).
+    """
+    part: str | None = None
+    try:
+        handle, part = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
+        with os.fdopen(handle, "w", encoding="utf-8", newline="") as file:
+            file.write(text)
+            file.flush()
+            os.fsync(file.fileno())
+        os.chmod(part, 0o666 & ~_umask())
+        os.replace(part, path)
+        part = None
+    except OSError as error:
+        if error.errno in (errno.ENOSPC, errno.EDQUOT):
+            raise NoRoom(f"{path} cannot be written because the disk is full; free some space.") from None
+        raise BadInput(f"{path} cannot be written ({error.strerror}); choose another place.") from None
+    finally:
+        if part is not None:
+            Path(part).unlink(missing_ok=True)
+
+
+def _umask() -> int:
+    value = os.umask(0)
+    os.umask(value)
+    return value
+
+
+def write_json(path: Path, value: Any) -> None:
+    """Write one JSON document, numbers at full precision."""
+    write_whole(path, json.dumps(value, indent=1, allow_nan=False) + "\n")

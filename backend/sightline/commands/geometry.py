@@ -1,0 +1,342 @@
+"""The commands calibrate, import-camera, pose and height (contract.md)."""
+
+import json
+import re
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import click
+import numpy as np
+from click.core import ParameterSource
+
+from sightline.commands.files import read_json, read_text, write_json, write_whole
+from sightline.errors import BadInput
+from sightline.geometry.board import Board, require_board
+from sightline.geometry.calibration_checks import CheckedCalibration, calibrate_and_check
+from sightline.geometry.camera import Camera
+from sightline.geometry.charuco import charuco_of
+from sightline.geometry.crossvalidation import in_words
+from sightline.geometry.documents import camera_from_dict, camera_to_dict, pose_from_dict, pose_to_dict
+from sightline.geometry.height import Height, measure_height
+from sightline.geometry.imports import read_camera
+from sightline.geometry.pose import expected_u, pose_from_corners
+from sightline.geometry.road_pose import (
+    DEFAULT_U_BOW_M,
+    DEFAULT_U_HEIGHT_M,
+    DEFAULT_U_LEAN_RAD,
+    Reference,
+    RoadPose,
+)
+
+_PATH = click.Path(path_type=Path)
+_JSON = click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
+_BOARD = click.option(
+    "--board", "board_text", required=True, metavar="CxR", help="Inner corners across x down."
+)
+_SQUARE = click.option("--square", "square_m", type=float, required=True, help="Side of a square in metres.")
+
+
+_CHARUCO = click.option(
+    "--charuco", metavar="DICT", help="A ChArUco board with markers of this dictionary, such as 4X4_50."
+)
+_MARKER = click.option("--marker", "marker_m", type=float, help="Side of its markers in metres.")
+
+
+def parse_board(
+    text: str, square_m: float, dictionary: str | None = None, marker_m: float | None = None
+) -> Board:
+    """`9x6` and a square in metres as a board; with a dictionary and a marker's side, a ChArUco board. Raises
+    BadInput.
+    """
+    if (dictionary is None) != (marker_m is None):
+        raise BadInput("--charuco and --marker go together; give the dictionary and the marker's side.")
+    match = re.fullmatch(r"\s*(\d{1,4})\s*[xX×*]\s*(\d{1,4})\s*", text)
+    if match is None:
+        raise BadInput(f"--board {text!r} is not of the form 9x6; count the inner corners across and down.")
+    charuco = None if dictionary is None or marker_m is None else charuco_of(dictionary, marker_m)
+    board = Board(int(match[1]), int(match[2]), square_m, charuco)
+    require_board(board)
+    return board
+
+
+def parse_point(text: str, option: str) -> tuple[float, float]:
+    """`X,Y` in pixels. Raises BadInput."""
+    try:
+        x, y = (float(part) for part in text.split(","))
+    except ValueError:
+        raise BadInput(f"{option} {text!r} is not of the form X,Y; give two numbers of pixels.") from None
+    return x, y
+
+
+def read_camera_file(path: Path) -> Camera:
+    return camera_from_dict(read_json(path, "a camera.json made by sightline calibrate"), str(path))
+
+
+def read_pose_file(path: Path) -> RoadPose:
+    return pose_from_dict(read_json(path, "a pose.json made by sightline pose"), str(path))
+
+
+@click.command()
+@click.argument("images", nargs=-1, required=True, type=_PATH)
+@_BOARD
+@_SQUARE
+@_CHARUCO
+@_MARKER
+@click.option("--model", type=click.Choice(["brown", "fisheye"]), default="brown", show_default=True)
+@click.option("--bent-board", is_flag=True, help="The board may not be flat: solve for its shape too.")
+@click.option("-o", "--output", type=_PATH, required=True, help="The camera.json to write.")
+@_JSON
+def calibrate(
+    images: tuple[Path, ...],
+    board_text: str,
+    square_m: float,
+    charuco: str | None,
+    marker_m: float | None,
+    model: Any,
+    bent_board: bool,
+    output: Path,
+    as_json: bool,
+) -> None:
+    """Intrinsics from checkerboard IMAGES (or a clip), as camera.json."""
+    from sightline.cameras.camera_files import calibration_views
+
+    board = parse_board(board_text, square_m, charuco, marker_m)
+    views = calibration_views(images, board)
+    try:
+        checked = calibrate_and_check(views, board, model, bent_board)
+    except BadInput as error:
+        raise BadInput(f"{', '.join(str(p) for p in images[:3])}: {error.message}") from None
+    result = checked.result
+    document = camera_to_dict(result.camera)
+    write_json(output, document)
+    if as_json:
+        extra = {
+            **checked.documents(),
+            "warnings": list(result.warnings),
+            "trusted": result.trusted,
+            "coverage": result.coverage.astype(int).tolist(),
+        }
+        click.echo(json.dumps({**document, **extra}))
+        return
+    click.echo(_calibration_text(checked, output))
+
+
+def _calibration_text(checked: CheckedCalibration, output: Path) -> str:
+    result, camera = checked.result, checked.result.camera
+    used = sum(view.used for view in camera.views)
+    lines = [
+        f"{output}: {used} of {len(camera.views)} pictures, residual {camera.rms_px:.3f} px, "
+        f"fx {camera.fx_px:.2f}, fy {camera.fy_px:.2f}, cx {camera.cx_px:.2f}, cy {camera.cy_px:.2f} px"
+    ]
+    lines += [f"left out {view.file}: {view.reason}" for view in camera.views if not view.used]
+    lines.append(in_words(checked.cross_validation))
+    lines += [f"warning: {warning}" for warning in result.warnings]
+    lines += [f"missing: {advice}" for advice in result.reshoot]
+    if not result.trusted:
+        lines.append("This calibration is not to be trusted.")
+    return "\n".join(lines)
+
+
+@click.command("import-camera")
+@click.argument("file", type=_PATH)
+@click.option("-o", "--output", type=_PATH, required=True, help="The camera.json to write.")
+@click.option("--model", type=click.Choice(["brown", "fisheye"]), help="Where the file does not say.")
+@click.option("--size", "size_text", metavar="WxH", help="The pictures' size, where the file does not say.")
+@click.option("--which", help="The camera to take from a file of several.")
+@_JSON
+def import_camera(
+    file: Path, output: Path, model: Any, size_text: str | None, which: str | None, as_json: bool
+) -> None:
+    """Intrinsics from OpenCV YAML/JSON, ROS camera_info, a Kalibr camchain or a mrcal .cameramodel."""
+    text = read_text(file, "a camera file of OpenCV, ROS, Kalibr or mrcal")
+    imported = read_camera(text, str(file), model, parse_size(size_text), which)
+    document = camera_to_dict(imported.camera)
+    write_json(output, document)
+    for note in imported.notes:
+        click.echo(note, err=True)
+    if as_json:
+        click.echo(json.dumps(document))
+    else:
+        camera = imported.camera
+        click.echo(f"{output}: {camera.model} camera, {camera.width_px}x{camera.height_px} px, no covariance")
+
+
+def parse_size(text: str | None) -> tuple[int, int] | None:
+    if text is None:
+        return None
+    match = re.fullmatch(r"(\d{1,6})[xX](\d{1,6})", text.strip())
+    if match is None:
+        raise BadInput(f"--size {text!r} is not of the form 1920x1080; give width and height in pixels.")
+    return int(match[1]), int(match[2])
+
+
+@click.command()
+@click.argument("pictures", nargs=-1, required=True, type=_PATH)
+@click.option("--camera", "camera_file", type=_PATH, required=True, help="The camera.json.")
+@_BOARD
+@_SQUARE
+@_CHARUCO
+@_MARKER
+@click.option(
+    "--reference-height", type=float, required=True, help="Height of the reference row of corners, metres."
+)
+@click.option("--reference", type=click.Choice(["top", "bottom"]), default="top", show_default=True)
+@click.option(
+    "--u-reference-height", type=float, default=DEFAULT_U_HEIGHT_M, show_default=True, help="Metres."
+)
+@click.option("--u-lean", type=float, default=DEFAULT_U_LEAN_RAD, show_default=True, help="Radians.")
+@click.option(
+    "--u-square", type=float, help="Of the side of a square, metres (default 0.1 % of it, an estimate)."
+)
+@click.option(
+    "--u-bow",
+    type=float,
+    default=DEFAULT_U_BOW_M,
+    show_default=True,
+    help="Of the board's middle out of plane, metres.",
+)
+@click.option("-o", "--output", type=_PATH, required=True, help="The pose.json to write.")
+@_JSON
+def pose(
+    pictures: tuple[Path, ...],
+    camera_file: Path,
+    board_text: str,
+    square_m: float,
+    charuco: str | None,
+    marker_m: float | None,
+    reference_height: float,
+    reference: Any,
+    u_reference_height: float,
+    u_lean: float,
+    u_square: float | None,
+    u_bow: float,
+    output: Path,
+    as_json: bool,
+) -> None:
+    """Road pose from a clip or PICTURES of the checkerboard standing on the road, as pose.json."""
+    from sightline.cameras.camera_files import pose_detections
+
+    camera = read_camera_file(camera_file)
+    board = parse_board(board_text, square_m, charuco, marker_m)
+    frames, mean_picture = pose_detections(pictures, camera, board)
+    try:
+        solved = pose_from_corners(
+            camera,
+            frames,
+            board,
+            Reference(reference, reference_height, u_reference_height, u_lean, u_square, u_bow),
+            mean_picture,
+        )
+    except BadInput as error:
+        raise BadInput(f"{', '.join(str(p) for p in pictures[:3])}: {error.message}") from None
+    document = pose_to_dict(solved)
+    write_json(output, document)
+    expected = expected_u(solved)
+    if as_json:
+        extra = {
+            "warnings": list(solved.warnings),
+            "expected": [{"distance_m": d, "u_height_m": u} for d, u in expected],
+        }
+        click.echo(json.dumps({**document, **extra}))
+        return
+    click.echo(
+        f"{output}: {solved.frames_used} frames, residual {solved.rms_px or 0.0:.3f} px, camera "
+        f"{solved.centre_m[2]:.3f} m above the road"
+    )
+    for distance, u in expected:
+        if u is not None:
+            click.echo(f"expected at {distance:g} m: +- {1000 * 1.96 * u:.0f} mm (95 %)")
+    for warning in solved.warnings:
+        click.echo(f"warning: {warning}")
+
+
+@click.command()
+@click.option("--pose", "pose_file", type=_PATH, required=True, help="The pose.json.")
+@click.option("--contact", metavar="X,Y", help="Where the tyre meets the road, pixels.")
+@click.option("--target", metavar="X,Y", help="The target, pixels.")
+@click.option(
+    "--inset", type=float, default=0.0, show_default=True, help="Target behind the side plane, metres."
+)
+@click.option(
+    "--u-inset", type=float, default=0.0, show_default=True, help="Its standard uncertainty, metres."
+)
+@click.option("--sigma", type=float, default=1.0, show_default=True, help="Of each click coordinate, pixels.")
+@click.option("--clicks", type=_PATH, help="A clicks.csv instead of one click pair.")
+@click.option("-o", "--output", type=_PATH, help="The heights.csv to write.")
+@_JSON
+def height(
+    pose_file: Path,
+    contact: str | None,
+    target: str | None,
+    inset: float,
+    u_inset: float,
+    sigma: float,
+    clicks: Path | None,
+    output: Path | None,
+    as_json: bool,
+) -> None:
+    """One height from two clicks, or all those of a clicks.csv."""
+    solved = read_pose_file(pose_file)
+    if clicks is not None:
+        if contact is not None or target is not None:
+            raise BadInput("Give either --contact and --target or --clicks, not both.")
+        _refuse_ignored(("sigma", "inset", "u_inset"), "the CSV's columns sigma_px, inset_m, u_inset_m")
+        _many(solved, clicks, output, as_json)
+        return
+    _refuse_ignored(("output",), "--json and a redirection, or --clicks with a CSV file")
+    if contact is None or target is None:
+        raise BadInput("Give --contact X,Y and --target X,Y, or --clicks with a CSV file.")
+    if not np.isfinite((sigma, inset, u_inset)).all() or sigma < 0 or u_inset < 0:
+        raise BadInput(
+            "--sigma, --inset and --u-inset must be finite numbers, --sigma and --u-inset not negative; "
+            "correct them."
+        )
+    measured = measure_height(
+        solved, parse_point(contact, "--contact"), parse_point(target, "--target"), sigma, inset, u_inset
+    )
+    if as_json:
+        click.echo(json.dumps(height_to_dict(measured)))
+    elif measured.height_m is None or measured.U95_height_m is None:
+        click.echo(f"not measurable: {measured.reason}")
+    else:
+        click.echo(f"{measured.height_m:.3f} m +- {measured.U95_height_m:.3f} m (95 %)")
+
+
+def _refuse_ignored(names: tuple[str, ...], instead: str) -> None:
+    """Raise BadInput for an option without effect: no number may rest on other inputs than those given."""
+    context = click.get_current_context()
+    for name in names:
+        if context.get_parameter_source(name) is ParameterSource.COMMANDLINE:
+            raise BadInput(f"--{name.replace('_', '-')} has no effect here; use {instead} instead.")
+
+
+def _many(solved: RoadPose, clicks: Path, output: Path | None, as_json: bool) -> None:
+    from sightline.commands.clicks import heights_csv
+
+    if output is None:
+        raise BadInput("Give -o with the heights.csv to write.")
+    text, counts = heights_csv(solved, clicks)
+    write_whole(output, text)
+    if as_json:
+        click.echo(json.dumps({"rows": counts.rows, "measured": counts.measured, "output": str(output)}))
+    else:
+        click.echo(f"{output}: {counts.measured} of {counts.rows} rows have a height")
+
+
+def height_to_dict(measured: Height) -> dict[str, Any]:
+    """A height as `sightline height --json` prints it."""
+    return {
+        "height_m": measured.height_m,
+        "u_height_m": measured.u_height_m,
+        "U95_height_m": measured.U95_height_m,
+        "x_m": measured.x_m,
+        "y_m": measured.y_m,
+        "distance_m": measured.distance_m,
+        "inset_m": measured.inset_m,
+        "u_inset_m": measured.u_inset_m,
+        "status": measured.status,
+        "reason": measured.reason,
+        "budget": [asdict(entry) for entry in measured.budget],
+        "flags": list(measured.flags),
+    }

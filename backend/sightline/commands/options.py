@@ -1,0 +1,67 @@
+"""What several commands share: the data folder, the settings, and JSON on standard output."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import click
+
+from sightline.errors import BadInput
+
+if TYPE_CHECKING:
+    from sightline.settings import Settings
+
+Command = TypeVar("Command", bound=Callable[..., Any])
+
+
+def data_dir_option(command: Command) -> Command:
+    """`--data-dir`: where database, media and caches are."""
+    option = click.option(
+        "--data-dir",
+        type=click.Path(file_okay=False, path_type=Path),
+        help="Folder of the database and the media (SIGHTLINE_DATA_DIR; default .data).",
+    )
+    return option(command)
+
+
+def json_option(command: Command) -> Command:
+    """`--json`: one JSON object on standard output."""
+    return click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")(command)
+
+
+def settings_of(**overrides: object) -> Settings:
+    """The settings of the environment with the options given. Raises BadInput naming the variable."""
+    from pydantic import ValidationError
+
+    from sightline.settings import load_settings
+
+    if isinstance(overrides.get("data_dir"), Path):
+        overrides["data_dir"] = Path(str(overrides["data_dir"])).absolute()
+    try:
+        return load_settings(**overrides)
+    except ValidationError as error:
+        first = error.errors()[0]
+        name = "SIGHTLINE_" + "_".join(str(part) for part in first["loc"]).upper()
+        said = str(first["msg"])
+        raise BadInput(f"{name} cannot be used ({said[:1].lower()}{said[1:]}); correct it.") from error
+
+
+def require_database(settings: Settings) -> None:
+    """Raise BadInput where the settings name a SQLite file that is not there: reading must not make one."""
+    if not settings.database_url.startswith("sqlite:///"):
+        return
+    from sqlalchemy import make_url
+
+    path = make_url(settings.database_url).database or ""
+    if not Path(path).is_file():
+        raise BadInput(f"There is no database at {path}; name its folder with --data-dir.")
+
+
+def print_json(value: object) -> None:
+    """One JSON object, full precision, no NaN."""
+    json.dump(value, sys.stdout, indent=2, ensure_ascii=False, allow_nan=False)
+    sys.stdout.write("\n")

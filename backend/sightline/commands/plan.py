@@ -1,0 +1,170 @@
+"""The command plan (contract.md): what heights, or a line scan's speeds, will be worth, before going out."""
+
+import json
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import click
+import numpy as np
+
+from sightline.commands.geometry import height_to_dict, parse_size, read_camera_file
+from sightline.errors import BadInput
+from sightline.geometry.camera import Camera
+from sightline.geometry.plan import Curve, Plan, plan_site
+from sightline.geometry.site import Site, plain_camera
+from sightline.linescan.planner import LinePlan, plan_lines
+
+
+@click.command()
+@click.option("--camera", "camera_file", type=click.Path(path_type=Path), help="The camera.json.")
+@click.option("--size", "size_text", metavar="WxH", help="Instead of --camera: the pictures' size ...")
+@click.option("--field-of-view", type=float, metavar="DEGREES", help="... and what they show across.")
+@click.option("--camera-height", type=float, help="Metres above the road.")
+@click.option("--distance", type=float, help="Across the road to the wheel track, metres.")
+@click.option(
+    "--board-distance", type=float, help="Where the board will stand; at the wheel track if not given."
+)
+@click.option("--sigma", type=float, default=1.0, show_default=True, help="Of each click coordinate, pixels.")
+@click.option(
+    "--direction", type=float, default=0.0, show_default=True, help="Degrees along the road, 0 is square."
+)
+@click.option(
+    "--travel", type=float, default=2.0, show_default=True, help="Between two frames of a vehicle, metres."
+)
+@click.option("--baseline", type=float, help="Plan a line scan instead: metres between both planes ...")
+@click.option("--speed", type=float, help="... the fastest vehicle, m/s ...")
+@click.option("--speed-error", type=float, help="... the share by which its speed may be off (0.01: 1 %) ...")
+@click.option("--line-rate", type=float, help="... lines a second; what --speed-error takes if not given ...")
+@click.option("--u-baseline", type=float, help="... and the baseline's standard uncertainty, metres.")
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
+def plan(
+    camera_file: Path | None,
+    size_text: str | None,
+    field_of_view: float | None,
+    camera_height: float | None,
+    distance: float | None,
+    board_distance: float | None,
+    sigma: float,
+    direction: float,
+    travel: float,
+    baseline: float | None,
+    speed: float | None,
+    speed_error: float | None,
+    line_rate: float | None,
+    u_baseline: float | None,
+    as_json: bool,
+) -> None:
+    """Expected uncertainty per target before going out; with --baseline that of a line scan's speeds."""
+    of_lines = (speed, speed_error, line_rate, u_baseline)
+    of_site = (camera_file, size_text, field_of_view, camera_height, distance, board_distance)
+    if baseline is not None:
+        if any(one is not None for one in of_site):
+            raise BadInput("A line scan is planned without a camera and its place; leave those options out.")
+        lines = _lines(baseline, speed, speed_error, line_rate, u_baseline or 0.0)
+        click.echo(json.dumps(_lines_to_dict(lines)) if as_json else _lines_text(lines))
+        return
+    if any(one is not None for one in of_lines):
+        raise BadInput("--speed, --speed-error, --line-rate and --u-baseline need --baseline.")
+    if camera_height is None or distance is None:
+        raise BadInput("Give --camera-height and --distance; or --baseline for a line scan.")
+    camera = _camera(camera_file, size_text, field_of_view)
+    site = Site(camera_height, distance, board_distance, sigma, float(np.deg2rad(direction)), travel)
+    planned = plan_site(camera, site)
+    click.echo(json.dumps(_plan_to_dict(planned)) if as_json else _plan_text(planned))
+
+
+def _lines(
+    baseline: float, speed: float | None, error: float | None, rate: float | None, u_baseline: float
+) -> LinePlan:
+    if speed is None or error is None:
+        raise BadInput("A line scan's plan needs --speed and --speed-error beside --baseline.")
+    given = [one for one in (baseline, speed, error, rate, u_baseline) if one is not None]
+    if not np.all(np.isfinite(given)):
+        raise BadInput("The numbers of a plan must be finite.")
+    try:
+        return plan_lines(speed, baseline, error, rate, u_baseline)
+    except (ValueError, OverflowError) as error_:
+        raise BadInput(str(error_)) from error_
+
+
+def _lines_to_dict(plan: LinePlan) -> dict[str, Any]:
+    said = asdict(plan)
+    said["advice"] = said.pop("words")
+    return said
+
+
+def _lines_text(plan: LinePlan) -> str:
+    wanted, expected = plan.wanted, plan.expected
+    return "\n".join(
+        [
+            f"{expected.lines:.1f} lines from camera 1 to camera 2 at {plan.line_rate_hz:.0f} Hz",
+            f"equation (2)              Hz for {100 * plan.error:g} %   speed off by",
+            f"as printed, 2 / (n + 2)  {wanted.printed_right_side_hz:12.0f}   "
+            f"{100 * expected.printed_right_side:.3g} %",
+            f"corrected, 2 / n         {wanted.corrected_hz:12.0f}   {100 * expected.corrected:.3g} %",
+            f"u of the speed, whole lines and baseline: {plan.u_speed_mps:.3f} m/s",
+            *plan.words,
+        ]
+    )
+
+
+def _camera(camera_file: Path | None, size_text: str | None, field_of_view: float | None) -> Camera:
+    size = parse_size(size_text)
+    if camera_file is not None and size is None and field_of_view is None:
+        return read_camera_file(camera_file)
+    if camera_file is None and size is not None and field_of_view is not None:
+        return plain_camera(*size, float(np.deg2rad(field_of_view)))
+    raise BadInput("Give either --camera, or --size and --field-of-view.")
+
+
+def _plan_to_dict(planned: Plan) -> dict[str, Any]:
+    site = planned.site
+    return {
+        "camera_height_m": site.camera_height_m,
+        "distance_m": site.distance_m,
+        "board_distance_m": site.board_m,
+        "sigma_px": site.sigma_px,
+        "direction_rad": site.direction_rad,
+        "travel_m": site.travel_m,
+        "tilt_rad": planned.tilt_rad,
+        "track_shown_m": planned.track_shown_m,
+        "targets": [
+            {
+                "target": t.target,
+                "bias_if_ignored_m": t.bias_if_ignored_m,
+                **height_to_dict(t.result),
+                "height_m": t.height_m,
+                "two_frames": asdict(t.two_frames),
+            }
+            for t in planned.targets
+        ],
+        "U95_over_distance": [_curve(c, "distance_m", "U95_height_m") for c in planned.U95_over_distance],
+        "bias_over_camera_height": [
+            _curve(c, "camera_height_m", "bias_if_ignored_m") for c in planned.bias_over_height
+        ],
+        "advice": list(planned.advice),
+    }
+
+
+def _curve(curve: Curve, at: str, value: str) -> dict[str, Any]:
+    points = zip(curve.at_m, curve.value_m, strict=True)
+    return {"target": curve.target, "points": [{at: x, value: y} for x, y in points]}
+
+
+def _plan_text(planned: Plan) -> str:
+    lines = ["target          height m  inset m       U95 mm  two frames mm  bias if inset ignored, mm"]
+    for t in planned.targets:
+        one, two = _mm(t.result.U95_height_m), _mm(t.two_frames.U95_height_m)
+        lines.append(
+            f"{t.target:<16}{t.height_m:8.2f}  {t.inset_m:.2f}+-{t.u_inset_m:.2f}   {one:>7}  {two:>13}  "
+            f"{1000 * t.bias_if_ignored_m:+.0f}"
+        )
+    eye = next(t for t in planned.targets if t.target == "driver_eye")
+    if eye.result.status == "ok" and eye.two_frames.reason is not None:
+        lines.append(eye.two_frames.reason)
+    return "\n".join([*lines, *planned.advice])
+
+
+def _mm(metres: float | None) -> str:
+    return "-" if metres is None else f"{1000 * metres:.0f}"

@@ -1,0 +1,148 @@
+"""`sightline serve`: the server, with its own worker beside it."""
+
+from __future__ import annotations
+
+import asyncio
+import gc
+import signal
+import socket
+from collections.abc import Callable
+from contextlib import ExitStack, suppress
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from sightline.commands.options import data_dir_option, settings_of
+from sightline.errors import BadInput
+
+if TYPE_CHECKING:
+    from fastapi import FastAPI
+
+    from sightline.infra.services import Services
+    from sightline.settings import Settings
+
+AFTER_START_S = 0.2
+
+
+@click.command()
+@click.option("--host", help="Address to listen on (SIGHTLINE_HOST; default 127.0.0.1).")
+@click.option("--port", type=click.IntRange(0, 65535), help="Port (SIGHTLINE_PORT; default 8000).")
+@click.option("--workers", type=click.IntRange(0, 64), help="Jobs side by side; 0: others do them.")
+@click.option("--demo", "with_demo", is_flag=True, help="Also make the demonstration survey, once.")
+@data_dir_option
+def serve(
+    host: str | None, port: int | None, workers: int | None, with_demo: bool, data_dir: Path | None
+) -> None:
+    """Migrate the database and serve the app; prints the address and, at first, a one-time sign-in link."""
+    run(host, port, workers, with_demo, data_dir)
+
+
+def run(
+    host: str | None, port: int | None, workers: int | None, with_demo: bool, data_dir: Path | None
+) -> None:
+    """Serve until stopped (SIGINT, SIGTERM). Raises BadInput when the port is taken."""
+    settings = settings_of(data_dir=data_dir, host=host, port=port, workers=workers or None)
+    with ExitStack() as stack:
+        # What the start makes stays for good: collecting in between finds nothing, and takes its time.
+        gc.disable()
+        stack.callback(gc.enable)
+        listener = stack.enter_context(listen(settings.host, settings.port))
+        serve_on(listener, settings, stack, own_worker=workers != 0, with_demo=with_demo)
+
+
+def listen(host: str, port: int) -> socket.socket:
+    """The socket, taken before anything else happens: two servers on one port are noticed at once."""
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    # Named as TCP: only then does asyncio switch Nagle's delay off, which costs 40 ms an answer.
+    listener = socket.socket(family, socket.SOCK_STREAM, socket.IPPROTO_TCP)
+    listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    try:
+        listener.bind((host, port))
+        # Listening already: whoever connects while we start waits a moment instead of being refused.
+        listener.listen(2048)
+    except OSError as error:
+        listener.close()
+        why = (error.strerror or str(error)).lower()
+        raise BadInput(
+            f"Port {port} on {host} cannot be used ({why}); choose another with --port."
+        ) from error
+    return listener
+
+
+def serve_on(
+    listener: socket.socket, settings: Settings, stack: ExitStack, *, own_worker: bool, with_demo: bool
+) -> None:
+    """Open everything and answer until stopped; the worker starts once the server answers."""
+    from sightline.app import create_app
+    from sightline.infra.database.engine import make_engine, migrate
+    from sightline.infra.jobs.worker import start_child_worker
+    from sightline.infra.services import open_services
+    from sightline.people.service import first_sign_in_link
+
+    settings.data_dir.mkdir(parents=True, exist_ok=True)
+    engine = make_engine(settings.database_url)
+    migrate(engine)
+    engine.dispose()
+    services = open_services(settings)
+    stack.callback(services.close)
+    link = first_sign_in_link(services)
+    if with_demo:
+        request_demonstration(services)
+    app = create_app(services=services)
+
+    def answering() -> None:
+        # Later: the worker's own start must not take the processor from the server's.
+        services.frames.start()
+        child = start_child_worker(settings) if own_worker else None
+        if child is not None:
+            stack.callback(child.stop)
+
+    gc.freeze()
+    gc.enable()
+    answer(listener, app, link, answering)
+
+
+def request_demonstration(services: Services) -> None:
+    """Queue the demonstration survey unless it is there."""
+    from sightline.demo.request import ensure_requested
+
+    with services.writing() as session:
+        job = ensure_requested(session)
+    if job is not None:
+        click.echo("The demonstration survey is being made; it appears on the home page within a minute.")
+
+
+def answer(
+    listener: socket.socket, app: FastAPI, link: str | None, answering: Callable[[], None] | None = None
+) -> None:
+    """Say where we are and run the web server until it is told to stop.
+
+    `answering` is called a moment after requests are taken: whoever waited for the start comes first.
+    """
+    import uvicorn
+
+    class Server(uvicorn.Server):
+        async def startup(self, sockets: list[socket.socket] | None = None) -> None:
+            await super().startup(sockets)
+            if answering is not None:
+                asyncio.get_running_loop().call_later(AFTER_START_S, answering)
+
+    config = uvicorn.Config(
+        app,
+        log_level="warning",
+        access_log=False,
+        proxy_headers=True,
+        server_header=False,
+        timeout_graceful_shutdown=3,
+    )
+    host, port = listener.getsockname()[:2]
+    shown = "localhost" if host in ("127.0.0.1", "::1", "0.0.0.0", "::") else host
+    address = f"http://{shown}:{port}"
+    click.echo(f"Sightline is at {address} (stop with Ctrl+C).")
+    if link is not None:
+        click.echo(f"Sign in for the first time, once, with {address}{link}")
+    # uvicorn raises the signal that ended it once more: taken as Ctrl+C, so that what we opened is closed.
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    with suppress(KeyboardInterrupt):
+        Server(config).run(sockets=[listener])

@@ -1,0 +1,96 @@
+"""`sightline verify`: the audit chain of a database, or a whole export."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import click
+
+from sightline.commands.options import json_option, print_json
+from sightline.errors import BadInput, Damaged
+from sightline.settings import sqlite_url
+
+DATABASE = "sightline.db"
+
+
+@click.command()
+@click.argument("place", metavar="DIR_OR_DATABASE")
+@click.option("--head", help="Last hash of the audit chain as you kept it (16 signs or more); for an export.")
+@json_option
+def verify(place: str, head: str | None, as_json: bool) -> None:
+    """Check the audit chain of a database (file, data folder or postgresql:// address) or a whole export.
+
+    Of an export also the sums of its files, every height and every statistic, computed again, and every row
+    against the audit chain. Only --head finds a chain that was written anew from end to end.
+    """
+    found = check(place, head)
+    if as_json:
+        print_json(found)
+    if not found["ok"]:
+        raise Damaged(f"{place}: {found['problem']}")
+    if not as_json:
+        click.echo(_words(place, found))
+
+
+def check(place: str, head: str | None = None) -> dict[str, Any]:
+    """What was checked, with `ok` and `problem`. Raises BadInput for a place that is neither."""
+    if "://" in place:
+        return check_database(place)
+    path = Path(place)
+    if not path.exists():
+        raise BadInput(f"{place} does not exist; name a database, a data folder or an exported folder.")
+    if path.is_dir() and (path / DATABASE).is_file():
+        path = path / DATABASE
+    if path.is_dir() or path.suffix == ".zip":
+        return check_export(path, head)
+    return check_database(sqlite_url(path.absolute()), str(path))
+
+
+def check_export(path: Path, head: str | None = None) -> dict[str, Any]:
+    """An exported folder or ZIP, with the SHA-256 of the ZIP."""
+    from sightline.export.verify.package import verify_place
+    from sightline.media.store.local import sha256_of
+
+    found = asdict(verify_place(path, head))
+    return {"kind": "export", **found, "sha256": sha256_of(path) if path.is_file() else None}
+
+
+def check_database(url: str, name: str | None = None) -> dict[str, Any]:
+    """A database; nothing in it is changed."""
+    from sqlalchemy import inspect
+    from sqlalchemy.exc import DatabaseError
+
+    from sightline.infra.audit.verification import require_version, verify_records
+    from sightline.infra.database.engine import make_engine, reading, session_factory
+
+    engine = make_engine(url)
+    stranger = (
+        f"{name or 'This address'} is not a Sightline database; name the sightline.db of a data folder."
+    )
+    try:
+        if not inspect(engine).has_table("audit_events"):
+            raise BadInput(stranger)
+        with reading(session_factory(engine)) as session:
+            require_version(session)
+            found = verify_records(session)
+    except DatabaseError as error:
+        raise BadInput(stranger) from error
+    finally:
+        engine.dispose()
+    return {"kind": "database", **asdict(found)}
+
+
+def _words(place: str, found: dict[str, Any]) -> str:
+    said = f"{place}: the audit chain of {found['checked']} events holds, head {found['head_hash'][:16]}"
+    if found["kind"] != "export":
+        return said + "."
+    said += (
+        f"; {found['files']} files unchanged, {found['heights']} heights and {found['statistics']} figures "
+        f"of statistics computed again and equal, {found['keys']} keys followed, {found['crops']} crops "
+        f"compared, {found['drawings']} drawings made again."
+    )
+    if found["sha256"] is not None:
+        said += f" SHA-256 {found['sha256']}; compare it with the one on the export page."
+    return " ".join([said, *found["notes"]])

@@ -1,0 +1,30 @@
+"""`sightline worker`: does queued jobs, on this machine or another."""
+
+from __future__ import annotations
+
+import importlib
+from pathlib import Path
+
+import click
+
+from sightline.commands.options import data_dir_option, settings_of
+
+
+@click.command()
+@click.option("--workers", type=click.IntRange(1, 64), help="Jobs side by side (SIGHTLINE_WORKERS).")
+@click.option("--parent", type=int, hidden=True, help="Stop when the process of this number ends.")
+@data_dir_option
+def worker(workers: int | None, parent: int | None, data_dir: Path | None) -> None:
+    """Do queued jobs until stopped. On several machines, database and media are shared ones."""
+    import logging
+
+    from sightline.infra.jobs.worker import run_worker
+
+    level = logging.INFO if parent is None else logging.WARNING
+    logging.basicConfig(level=level, format="%(asctime)s %(name)s: %(message)s")
+    run_worker(settings_of(data_dir=data_dir, workers=workers), parent=parent, handlers=load_job_handlers)
+
+
+def load_job_handlers() -> None:
+    """Register all handlers, in the process that is to run them."""
+    importlib.import_module("sightline.job_handlers")

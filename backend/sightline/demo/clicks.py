@@ -1,0 +1,146 @@
+"""The work of the demonstration's two people: some vehicles measured, some of that reviewed.
+
+The operator clicks where things are in the picture, 0.7 px beside it: the same way from points to heights as
+for everybody else, so every number on the screens is one that the program computed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from uuid import UUID, uuid5
+
+import numpy as np
+from sqlalchemy.orm import Session
+
+from sightline.enums import REQUIRED_TARGETS, Target
+from sightline.measurements.records import Measurement, Vehicle
+from sightline.measurements.service import Clicked, ClickedFrame, Point, store_measurement
+from sightline.reviews.service import review
+from sightline.simulation.scene import FPS
+from sightline.simulation.truth import PassTruth
+
+CLICK_NOISE_PX = 0.7
+# A driver on the far side sits behind the middle of the car (metrology 2.2).
+FAR_EYE_INSET_M, U_FAR_EYE_INSET_M = 1.15, 0.15
+REJECTED = "The contact point is on the shadow, below the tyre; click where the tyre touches the road."
+_NAMESPACE = UUID("6f0b5a52-4d1c-4b6e-9d6e-2f1f0a3f7c11")
+_SLIP_PX = 7.0
+# Every third vehicle has its taillight clicked on a second frame too, this far along its way.
+_SECOND_EVERY, _SECOND_TRAVEL_M = 3, 2.0
+
+
+@dataclass(frozen=True)
+class Pass:
+    """A stored vehicle with its truth."""
+
+    vehicle: Vehicle
+    truth: PassTruth
+
+
+def measure(session: Session, passes: list[Pass], *, actor: int) -> dict[int, list[Measurement]]:
+    """Measure each vehicle as far as its targets are in sight; the measurements by vehicle id."""
+    rng = np.random.default_rng(20190611)
+    stored: dict[int, list[Measurement]] = {}
+    for index, one in enumerate(passes):
+        again = np.random.default_rng(one.vehicle.id)
+        for target, frame, clicked in _clicks(one.truth, rng, slip=index == len(passes) - 4):
+            if target == "taillight" and index % _SECOND_EVERY == 0 and index != len(passes) - 4:
+                clicked = replace(clicked, more_frames=_second(one.truth, frame, target, again))
+            key = str(uuid5(_NAMESPACE, f"{one.vehicle.id} {target}"))
+            made = store_measurement(session, one.vehicle.id, key, frame, clicked, actor=actor)
+            stored.setdefault(one.vehicle.id, []).append(made)
+    return stored
+
+
+def _clicks(truth: PassTruth, rng: np.random.Generator, slip: bool) -> Iterator[tuple[Target, int, Clicked]]:
+    for target in REQUIRED_TARGETS:
+        found = sight_of(truth, target)
+        if found is None:
+            continue
+        frame, contact, point = found
+        far_driver = target == "driver_eye" and truth.vehicle.driver_side == "far"
+        below = _SLIP_PX if slip and target == "taillight" else 0.0
+        yield (
+            target,
+            frame,
+            Clicked(
+                target=target,
+                contact=_beside((contact[0], contact[1] + below), rng),
+                point=_beside(point, rng),
+                inset_m=FAR_EYE_INSET_M if far_driver else None,
+                u_inset_m=U_FAR_EYE_INSET_M if far_driver else None,
+            ),
+        )
+
+
+def _second(truth: PassTruth, first: int, target: str, rng: np.random.Generator) -> tuple[ClickedFrame, ...]:
+    """The same two points two metres further on or back; none where no frame shows them."""
+    before = next(one for one in truth.frames if one.frame == first)
+    apart = round(_SECOND_TRAVEL_M / truth.vehicle.speed_mps * FPS)
+    for one in truth.frames:
+        seen = before.contact is not None and before.contact in one.pixels and one.shows(target)
+        if seen and abs(one.frame - first) == apart and before.contact is not None:
+            contact, point = one.pixels[before.contact], one.pixels[target]
+            return (ClickedFrame(one.frame, _beside(contact, rng), _beside(point, rng)),)
+    return ()
+
+
+def sight_of(truth: PassTruth, target: str) -> tuple[int, Point, Point] | None:
+    """(frame, contact, target) in the frame that shows both best, uncovered; None if none does."""
+    best = truth.best_frames.get(target, truth.best_frame)
+    for one in sorted(truth.frames, key=lambda seen: abs(seen.frame - best)):
+        if one.contact is not None and one.shows(target):
+            return one.frame, one.pixels[one.contact], one.pixels[target]
+    return None
+
+
+def _beside(point: Point, rng: np.random.Generator) -> Point:
+    x, y = rng.normal(0.0, CLICK_NOISE_PX, 2)
+    return round(point[0] + float(x), 2), round(point[1] + float(y), 2)
+
+
+def judge(session: Session, passes: list[Pass], stored: dict[int, list[Measurement]], *, actor: int) -> None:
+    """The first half is accepted, one measurement is fixed and the slip is rejected; the rest waits."""
+    for index, one in enumerate(passes):
+        for made in stored.get(one.vehicle.id, []):
+            if index < len(passes) // 2:
+                _accept(session, made, actor)
+            elif index == len(passes) - 4 and made.target == "taillight":
+                _say(session, made, "rejected", actor, reason=REJECTED)
+            elif index == len(passes) - 5 and made.target == "roof":
+                _fix(session, made, one.truth, actor)
+
+
+def _accept(session: Session, made: Measurement, actor: int) -> None:
+    _say(session, made, "accepted", actor)
+
+
+def _fix(session: Session, made: Measurement, truth: PassTruth, actor: int) -> None:
+    found = sight_of(truth, made.target)
+    assert found is not None
+    rng = np.random.default_rng(made.id)
+    contact, point = _beside(found[1], rng), _beside(found[2], rng)
+    _say(session, made, "fixed", actor, reason="Clicked again at higher zoom.", points=(contact, point))
+
+
+def _say(
+    session: Session,
+    made: Measurement,
+    verdict: str,
+    actor: int,
+    *,
+    reason: str | None = None,
+    points: tuple[Point, Point] | None = None,
+) -> None:
+    review(
+        session,
+        made.id,
+        revision=made.revision,
+        verdict=verdict,  # type: ignore[arg-type]
+        reason=reason,
+        frame=None,
+        contact=points[0] if points else None,
+        point=points[1] if points else None,
+        actor=actor,
+    )

@@ -1,0 +1,49 @@
+"""Second clicks of the demonstration's people, so that the page of repeats has figures to show.
+
+Their scatter is known: the operator's is that of the first clicks, the reviewer's a little larger, and both
+click beside where things are in the picture, without a leaning of their own.
+"""
+
+from __future__ import annotations
+
+from uuid import UUID, uuid5
+
+import numpy as np
+from sqlalchemy.orm import Session
+
+from sightline.demo.clicks import CLICK_NOISE_PX, Pass, sight_of
+from sightline.measurements.records import Measurement
+from sightline.measurements.service import Clicked, Point, store_measurement
+
+REVIEWER_NOISE_PX = 0.8
+OF_EACH = 12
+_NAMESPACE = UUID("0b8f3c57-8f43-4a0c-b9a7-6d7f6a2d9e35")
+
+
+def click_again(
+    session: Session,
+    passes: list[Pass],
+    stored: dict[int, list[Measurement]],
+    *,
+    operator: int,
+    reviewer: int,
+) -> None:
+    """Operator and reviewer click some of the measurements again; not those of the vehicle with the slip."""
+    rng = np.random.default_rng(20190704)
+    slipped = passes[-4].vehicle.id if len(passes) >= 4 else None
+    truths = {one.vehicle.id: one.truth for one in passes}
+    found = [one for key, made in stored.items() if key != slipped for one in made]
+    for actor, noise_px in ((operator, CLICK_NOISE_PX), (reviewer, REVIEWER_NOISE_PX)):
+        for index in sorted(rng.permutation(len(found))[:OF_EACH]):
+            first = found[int(index)]
+            sight = sight_of(truths[first.vehicle_id], first.target)
+            assert sight is not None
+            frame, contact, point = sight
+            clicked = Clicked(first.target, _beside(contact, noise_px, rng), _beside(point, noise_px, rng))
+            key = str(uuid5(_NAMESPACE, f"{first.id} {actor}"))
+            store_measurement(session, first.vehicle_id, key, frame, clicked, repeat_of=first.id, actor=actor)
+
+
+def _beside(point: Point, noise_px: float, rng: np.random.Generator) -> Point:
+    x, y = rng.normal(0.0, noise_px, 2)
+    return round(point[0] + float(x), 2), round(point[1] + float(y), 2)

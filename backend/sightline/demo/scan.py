@@ -1,0 +1,228 @@
+"""The demonstration's line-scan recording: simulated traffic past two line cameras.
+
+Its vehicles are found and measured by this program; two people fill in facts, click wheels and review.
+"""
+
+from __future__ import annotations
+
+import shutil
+import tempfile
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass, replace
+from pathlib import Path
+from threading import Event
+from typing import Any, cast
+
+import numpy as np
+from sqlalchemy.orm import Session
+
+from sightline.demo.scan_heights import RODS, store_heights
+from sightline.infra.services import Services
+from sightline.linescan.parts import Pixels, Rig
+from sightline.media.cancelling import check_cancelled
+from sightline.media.store.local import key_of
+from sightline.media.strips.notes import StripNotes
+from sightline.media.strips.stored_reader import StripReader
+from sightline.media.strips.stored_writer import SUFFIX, store_strip
+from sightline.scans.records import ScanVehicle as StoredVehicle
+from sightline.scans.records import ScanVehicleChanges, StripFacts, StripSource
+from sightline.scans.store import create_scan, note_scan_read
+from sightline.scans.vehicles.find_job import Planned, Search, search, store
+from sightline.scans.vehicles.measure import measured_at
+from sightline.scans.vehicles.measurement_store import append_scan_measurement
+from sightline.scans.vehicles.motion import crossings_of, values_of, wheels_of, with_wheels
+from sightline.scans.vehicles.review_store import add_scan_review
+from sightline.scans.vehicles.store import change_scan_vehicle, get_scan_vehicle, list_scan_vehicles
+from sightline.simulation.scan_strips import recording
+from sightline.simulation.scan_traffic import ScanSite, ScanTruth, ScanVehicle, demo_traffic, truths
+
+NAME = "Line scan, lane 1"
+SITE = ScanSite(rows=256, line_rate_hz=2441.4, misalignment_px=0.6, seed=11, plane_m=3.0)
+RIG = Rig(SITE.baseline_m, SITE.line_rate_hz, u_baseline_m=0.0003, u_line_rate_ratio=2e-5)
+CLICK_NOISE_LINES = 1.5
+SLIP_LINES = 38.0
+REJECTED = "The rear boundary lies on the shadow behind the vehicle; place it where the bumper ends."
+# by the order of passing: without facts, without wheels, accepted, with the slip
+PLAIN, UNWHEELED, ACCEPTED, SLIPPED = (6, 13), (3, 9), range(8), 10
+
+
+@dataclass(frozen=True, eq=False)
+class ScanParts:
+    """The recording, already in the media store, what was found in it and what is true of it."""
+
+    facts: StripFacts
+    readers: tuple[StripReader, StripReader]
+    found: Search
+    truth: tuple[ScanTruth, ...]
+
+
+class _Pictured:
+    """One camera's simulated lines as a strip."""
+
+    def __init__(self, name: str, lines: Pixels) -> None:
+        self.name, self._lines = name, lines
+        self.lines, self.rows = lines.shape
+        self.dtype: np.dtype[Any] = lines.dtype
+        self.notes = StripNotes(SITE.line_rate_hz)
+
+    def chunks(self, lines: int | None = None) -> Iterator[Pixels]:
+        size = lines or 4096
+        return (self._lines[first : first + size] for first in range(0, self.lines, size))
+
+    def close(self) -> None:
+        """Nothing to give back."""
+
+
+class ScanMaker:
+    """Makes the recording beside the videos, in a thread of its own; `stop` gives it up."""
+
+    def __init__(self, services: Services) -> None:
+        self._stopped = Event()
+        self._pool = ThreadPoolExecutor(1, thread_name_prefix="demonstration-scan")
+        self._made: Future[ScanParts] = self._pool.submit(make_scan, services, self._stopped.is_set)
+
+    def result(self) -> ScanParts:
+        """Wait for it."""
+        return self._made.result()
+
+    def stop(self) -> None:
+        """End the thread; nothing of it is kept."""
+        self._stopped.set()
+        self._pool.shutdown(wait=True, cancel_futures=True)
+
+
+def make_scan(
+    services: Services, is_cancelled: Callable[[], bool], traffic: Sequence[ScanVehicle] | None = None
+) -> ScanParts:
+    """Simulate, store and search the recording. Raises IngestCancelled."""
+    cars = tuple(traffic or demo_traffic())
+    pieces: tuple[list[Pixels], list[Pixels]] = ([], [])
+    for first, second in recording(SITE, cars, rods=RODS):
+        check_cancelled(is_cancelled, NAME)
+        pieces[0].append(first)
+        pieces[1].append(second)
+    folder = Path(tempfile.mkdtemp(prefix="demonstration-scan-", dir=services.scratch))
+    try:
+        stored = []
+        for camera, held in enumerate(pieces, 1):
+            strip = _Pictured(f"camera {camera} of {NAME}", cast(Pixels, np.concatenate(held)))
+            target = folder / f"{camera}{SUFFIX}"
+            one = store_strip(strip, target, is_cancelled=is_cancelled)
+            services.media.put_file(key_of(one.sha256, SUFFIX), target, link=True)
+            stored.append(one)
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+    keys = [key_of(one.sha256, SUFFIX) for one in stored]
+    first_reader, second_reader = (StripReader(services.media.local_path(key)) for key in keys)
+    readers = (first_reader, second_reader)
+
+    def report(_fraction: float, _message: str) -> None:
+        check_cancelled(is_cancelled, NAME)
+
+    found = search(report, RIG, "direct", readers)
+    facts = StripFacts(
+        first_key=keys[0],
+        second_key=keys[1],
+        first_sha256=stored[0].sha256,
+        second_sha256=stored[1].sha256,
+        rows_px=stored[0].rows,
+        lines=stored[0].lines,
+        bits=8,
+        notes=[
+            "Simulated, so that the truth is known: invented makes, a camera 0.6 px lower than the other, a "
+            "rod held up in camera 1's plane at 2.7 and at 4.5 m before the first vehicle."
+        ],
+    )
+    return ScanParts(facts, readers, found, truths(SITE, cars))
+
+
+def store_scan(session: Session, survey_id: int, parts: ScanParts, *, operator: int, reviewer: int) -> int:
+    """Store the recording, its vehicles and what the two people did; the scan's id."""
+    source = (
+        StripSource("lane-1-first.tif", parts.facts.first_key, parts.facts.first_sha256),
+        StripSource("lane-1-second.tif", parts.facts.second_key, parts.facts.second_sha256),
+    )
+    made = create_scan(
+        session,
+        survey_id,
+        name=NAME,
+        source=source,
+        time_axis="width",
+        rig=RIG,
+        lighting="daytime",
+        actor=None,
+    )
+    scan = note_scan_read(session, made.id, parts.facts, actor=None)
+    plans = [Planned(None, motion, "found") for motion in parts.found.motions]
+    store(session, scan, "direct", parts.found, plans, 0, job_id=None, actor=None)
+    rng = np.random.default_rng(20070507)
+    for index, one in enumerate(list_scan_vehicles(session, scan.id)):
+        truth = _truth_of(one, parts.truth)
+        if truth is None:
+            continue
+        if index not in PLAIN:
+            change_scan_vehicle(session, one.id, _facts(truth), version=2, actor=operator)
+        if index not in (*PLAIN, *UNWHEELED):
+            _click_wheels(session, one.id, truth, rng, operator)
+        if index == SLIPPED:
+            _slip(session, one.id, parts, operator)
+        _judge(session, one.id, index, reviewer)
+    store_heights(session, scan.id, SITE, parts.truth, operator)
+    return scan.id
+
+
+def _truth_of(vehicle: StoredVehicle, truth: Sequence[ScanTruth]) -> ScanTruth | None:
+    if vehicle.measurement is None or vehicle.measurement.values.status != "ok":
+        return None
+    front = vehicle.measurement.values.front_line_1
+    nearest = min(truth, key=lambda one: abs(one.front_line_1 - front))
+    return nearest if abs(nearest.front_line_1 - front) < 100 else None
+
+
+def _facts(truth: ScanTruth) -> ScanVehicleChanges:
+    model = truth.vehicle.vehicle.model
+    return ScanVehicleChanges(
+        make=model.make,
+        model=model.model,
+        year=truth.vehicle.vehicle.year,
+        category=model.category,  # type: ignore[typeddict-item]
+        true_length_m=model.length_m,
+        u_true_length_m=0.005,
+        true_wheelbase_m=model.wheelbase_m,
+        u_true_wheelbase_m=0.005,
+        facts_source="catalogue of the demonstration (invented)",
+    )
+
+
+def _click_wheels(
+    session: Session, vehicle_id: int, truth: ScanTruth, rng: np.random.Generator, actor: int
+) -> None:
+    before = get_scan_vehicle(session, vehicle_id).measurement
+    assert before is not None
+    lines = [round(line + float(rng.normal(0.0, CLICK_NOISE_LINES)), 1) for line in truth.wheel_lines_1]
+    values = replace(with_wheels(before.values, (lines[0], lines[1])), cause="wheels", placed_by=actor)
+    append_scan_measurement(session, vehicle_id, replace(values, run_id=None), actor=actor)
+
+
+def _slip(session: Session, vehicle_id: int, parts: ScanParts, actor: int) -> None:
+    """The operator takes the shadow for the vehicle's rear, at both cameras."""
+    before = get_scan_vehicle(session, vehicle_id).measurement
+    assert before is not None
+    right = crossings_of(before.values)
+    wrong = replace(
+        right, rear_line_1=right.rear_line_1 + SLIP_LINES, rear_line_2=right.rear_line_2 + SLIP_LINES
+    )
+    motion = measured_at(wrong, RIG, "direct", parts.readers)
+    values = values_of(motion, RIG, "boundaries", placed_by=actor)
+    values = with_wheels(values, wheels_of(before.values))
+    append_scan_measurement(session, vehicle_id, values, actor=actor)
+
+
+def _judge(session: Session, vehicle_id: int, index: int, reviewer: int) -> None:
+    measured = get_scan_vehicle(session, vehicle_id).measurement
+    assert measured is not None
+    if index in ACCEPTED:
+        add_scan_review(session, measured.id, verdict="accepted", actor=reviewer)
+    elif index == SLIPPED:
+        add_scan_review(session, measured.id, verdict="rejected", reason=REJECTED, actor=reviewer)

@@ -1,0 +1,158 @@
+"""Which tracks are vehicles that went by, from which frame to which, and where each is seen best."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Literal
+
+import numpy as np
+
+from sightline.detection.blobs import Box
+from sightline.detection.stitch import course, enters, leaves
+from sightline.detection.tracks import Sight, Track
+
+LEAST_TRAVEL_SHARE = 0.2
+LEAST_AREA_SHARE = 0.012
+LEAST_SIGHTS = 4
+LEAST_SIGHTS_DOWN = 10
+LEAST_SIGHTS_WITHIN = 15
+LEAST_STRAIGHTNESS = 0.6
+NARROWEST = 0.8
+BORDER_PX = 1.0
+SHARP_WEIGHT = 0.1
+SHOWN_WEIGHT = 0.3
+CLEAR_PX = 4.0
+STEPS = 8
+
+Direction = Literal["right", "left"]
+Sharpness = Callable[[int, Box], float]
+
+
+@dataclass(frozen=True)
+class FoundPass:
+    """One vehicle going by: its span, the way it goes in the picture, and the frame to measure it on.
+
+    `boxes` are (frame, x0, y0, x1, y1) of a few frames in pixels of the upright picture; `whole` says
+    whether all of the vehicle is in view on `best_frame`; `score` is 0 to 1, `sharpness` the mean grey
+    step between neighbouring pixels of the vehicle there, `luminance` the mean of the picture, 0-255.
+    """
+
+    first_frame: int
+    last_frame: int
+    best_frame: int
+    direction: Direction | None
+    whole: bool
+    score: float
+    sharpness: float
+    luminance: float
+    boxes: tuple[tuple[int, float, float, float, float], ...]
+
+
+@dataclass(frozen=True)
+class View:
+    """Size of the reduced picture, its scale to the upright one, and where the camera looks square at the
+    road: a fraction of the width.
+    """
+
+    width: int
+    height: int
+    scale: float
+    square_at: float = 0.5
+
+    @property
+    def size(self) -> tuple[int, int]:
+        return self.width, self.height
+
+
+def is_vehicle(track: Track, view: View) -> bool:
+    """Whether it went by, straight, large enough, and not as narrow as somebody on foot."""
+    seen = _seen(track)
+    if len(seen) < LEAST_SIGHTS:
+        return False
+    way = course(track, view.size)
+    largest = max(sight.box.area_px for sight in seen)
+    if abs(way.far_px) < LEAST_TRAVEL_SHARE * view.size[way.axis]:
+        return False
+    if (
+        largest < LEAST_AREA_SHARE * view.width * view.height
+        or straightness(track, way.axis) < LEAST_STRAIGHTNESS
+    ):
+        return False
+    if way.axis == 1 and len(seen) < LEAST_SIGHTS_DOWN:
+        return False
+    if not (enters(track, view.size) or leaves(track, view.size)) and len(seen) < LEAST_SIGHTS_WITHIN:
+        return False
+    return way.axis == 1 or _breadth(seen, view) >= NARROWEST
+
+
+def _breadth(seen: list[Sight], view: View) -> float:
+    """Width over height: the middle one of the sights in which all of it is in view, else the largest."""
+    whole = [
+        sight.box.width / sight.box.height for sight in seen if sight.clear and is_whole(sight.box, view)
+    ]
+    if len(whole) >= LEAST_SIGHTS:
+        return float(np.median(whole))
+    return max(sight.box.width / sight.box.height for sight in seen)
+
+
+def score_of(track: Track, whole: bool, view: View) -> float:
+    """How much speaks for a vehicle, 0 to 1: straight, driven in and out at the borders, seen whole."""
+    marks = enters(track, view.size), leaves(track, view.size), whole
+    return round(0.4 * straightness(track, course(track, view.size).axis) + 0.2 * sum(marks), 3)
+
+
+def straightness(track: Track, axis: int) -> float:
+    """Net way of the middle along an axis over the way it went, 0 to 1: what flickers stays where it is.
+
+    Looked at in a few steps, for what is hidden in part makes the middle jump.
+    """
+    middles = [sight.box.middle[axis] for sight in _seen(track)]
+    picked = [middles[i] for i in sorted({round(at) for at in np.linspace(0, len(middles) - 1, STEPS)})]
+    went = sum(abs(b - a) for a, b in pairwise(picked))
+    return abs(picked[-1] - picked[0]) / went if went else 0.0
+
+
+def direction_of(track: Track, view: View) -> Direction | None:
+    """Which way it goes in the picture; None for one that drives away from the camera or towards it."""
+    way = course(track, view.size)
+    if way.axis == 1:
+        return None
+    return "right" if way.far_px > 0 else "left"
+
+
+def is_whole(box: Box, view: View) -> bool:
+    """Whether nothing of it is cut off by the picture's border."""
+    return _margin_px(box, view) >= BORDER_PX
+
+
+def _margin_px(box: Box, view: View) -> float:
+    """How far it stays from the picture's border."""
+    return min(box.x0, box.y0, view.width - box.x1, view.height - box.y1)
+
+
+def best_sight(track: Track, view: View, sharpness: Sharpness) -> tuple[Sight, bool]:
+    """The sight to measure on: whole in view, near where the camera looks square at the road, and sharp.
+
+    A vehicle that is never whole is taken where least of it is cut off.
+    """
+    seen = [sight for sight in _seen(track) if sight.clear] or _seen(track)
+    whole = [sight for sight in seen if sight.clear and is_whole(sight.box, view)]
+    sharp = {sight.n: sharpness(sight.n, sight.box) for sight in whole or seen}
+    most = max(sharp.values()) or 1.0
+
+    largest = max(sight.box.area_px for sight in whole or seen)
+
+    def worth(sight: Sight) -> float:
+        off = abs(sight.box.middle[0] / view.width - view.square_at)
+        shown = sight.box.area_px / largest - max(0.0, 1.0 - _margin_px(sight.box, view) / CLEAR_PX)
+        return SHARP_WEIGHT * sharp[sight.n] / most + SHOWN_WEIGHT * shown - off
+
+    if whole:
+        return max(whole, key=worth), True
+    return max(seen, key=lambda one: one.box.area_px / largest + worth(one)), False
+
+
+def _seen(track: Track) -> list[Sight]:
+    return [sight for sight in track.sights if sight.seen]

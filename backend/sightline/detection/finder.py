@@ -1,0 +1,214 @@
+"""Finding the vehicle passes of a recording: one decode from first frame to last, in bounded memory.
+
+Luminance is reduced to `WIDTH_PX`; what stands before the empty road is followed from frame to frame; a
+track that goes by is a pass. The road of a moment is known only when some seconds after it have been
+seen, so pictures wait in a queue until then.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Iterator
+from contextlib import closing
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from sightline.detection.background import WINDOW_S, Background, Sampler, Small, foreground, gain_of
+from sightline.detection.blobs import LEAST_AREA_SHARE, Box, boxes_of
+from sightline.detection.classify import FoundPass, View, best_sight, direction_of, is_vehicle, score_of
+from sightline.detection.flow import Motion
+from sightline.detection.stitch import stitched
+from sightline.detection.tracks import Sight, Track, Tracker
+from sightline.errors import BadInput
+from sightline.media.cancelling import Cancelled
+from sightline.media.video.decode import Damage, decoded, open_container, same_size, video_stream
+from sightline.media.video.picture import Gray, layout_of, upright_gray
+
+__all__ = ["FoundPass", "PassFinder", "PassesCancelled", "find_passes", "reduce"]
+
+WIDTH_PX = 160
+SHARP_PX = 40
+CHUNK_S = 3.0
+PICTURES_HZ = 60.0
+LAPSE_S = 0.4
+BOXES_KEPT = 7
+Progress = Callable[[float], None]
+
+
+class PassesCancelled(BadInput):
+    """Nobody wants the passes any more."""
+
+    code = "cancelled"
+
+
+@dataclass(frozen=True, eq=False)
+class Reduced:
+    """Frame n, small: luminance (h, w), the mean grey step between neighbours (h', w'), mean luminance."""
+
+    n: int
+    small: Small
+    sharp: Small
+    luminance: float
+
+
+@dataclass
+class _Kept:
+    """What is remembered of frames after their pictures are gone."""
+
+    sharp: dict[int, Small] = field(default_factory=dict)
+    luminance: dict[int, float] = field(default_factory=dict)
+
+
+def find_passes(
+    path: Path,
+    *,
+    rate_hz: float | None = None,
+    square_at: float = 0.5,
+    on_progress: Progress = lambda _: None,
+    is_cancelled: Cancelled = lambda: False,
+    threads: int = 1,
+    name: str | None = None,
+) -> tuple[tuple[FoundPass, ...], int]:
+    """The vehicle passes of a recording in order of their first frame, and how many frames it has.
+
+    Frames count as in its frame table. `rate_hz` is the mean frame rate (default: what the file says, else
+    25), `square_at` the fraction of the picture's width where the camera looks square at the road.
+    `on_progress` gets a fraction 0..1; `is_cancelled` is asked at every frame. Two vehicles side by side that
+    go the same way and cover each other all the way are one pass. Raises BadInput (not a video),
+    PassesCancelled.
+    """
+    name = name or path.name
+    with closing(open_container(path, name)) as container:
+        stream = video_stream(container, name, threads)
+        rate = rate_hz or float(stream.average_rate or 25)
+        stride = max(1, round(rate / PICTURES_HZ))
+        damage, size, layout, n = Damage(), max(path.stat().st_size, 1), None, -1
+        finder: PassFinder | None = None
+        for frame in decoded(container, stream, damage):
+            if is_cancelled():
+                raise PassesCancelled(
+                    f"The search for passes in {name} was cancelled; nothing of it was kept."
+                )
+            layout = layout or layout_of(frame, stream.sample_aspect_ratio)
+            if not same_size(frame, layout):
+                continue
+            n += 1
+            if n % stride:
+                continue
+            gray = upright_gray(frame, layout)
+            finder = finder or PassFinder((gray.shape[1], gray.shape[0]), rate, stride, square_at)
+            finder.offer(reduce(n, gray))
+            if n % 30 == 0 and damage.position is not None:
+                on_progress(min(0.99, damage.position / size))
+    if finder is None:
+        raise BadInput(f"{name} holds no picture that can be decoded; copy it again or convert it to MP4.")
+    on_progress(1.0)
+    return finder.finish(), n + 1
+
+
+def reduce(n: int, gray: Gray) -> Reduced:
+    """Frame n, small."""
+    height, width = gray.shape
+    w = min(WIDTH_PX, width)
+    h = max(1, round(height * w / width))
+    small = np.asarray(cv2.resize(gray, (w, h), interpolation=cv2.INTER_AREA), np.uint8)
+    rows = np.ascontiguousarray(gray[::4])
+    steps = cv2.absdiff(rows[:, 1:], rows[:, :-1])
+    size = (SHARP_PX, max(1, round(SHARP_PX * height / width)))
+    sharp = np.asarray(cv2.resize(steps, size, interpolation=cv2.INTER_AREA), np.uint8)
+    return Reduced(n, small, sharp, float(cv2.mean(small)[0]))
+
+
+class PassFinder:
+    """Takes reduced pictures in order, one frame in `stride`; `finish` gives the passes."""
+
+    def __init__(
+        self, size_px: tuple[int, int], rate_hz: float, stride: int = 1, square_at: float = 0.5
+    ) -> None:
+        width_px, height_px = size_px
+        w = min(WIDTH_PX, width_px)
+        self._view = View(w, max(1, round(height_px * w / width_px)), width_px / w, square_at)
+        self._ahead = max(1, round(WINDOW_S * rate_hz / stride))
+        self._chunk = max(1, round(CHUNK_S * rate_hz / stride))
+        self._lapse = max(3, round(LAPSE_S * rate_hz))
+        self._sampler = Sampler(rate_hz / stride)
+        self._tracker = Tracker(self._view.width, self._view.height, rate_hz)
+        self._waiting: deque[Reduced] = deque()
+        self._kept = _Kept()
+        self._gain = 1.0
+        self._motion = Motion()
+        self._before: Small | None = None
+
+    def offer(self, picture: Reduced) -> None:
+        """The next picture."""
+        self._sampler.offer(picture.small)
+        self._waiting.append(picture)
+        if len(self._waiting) >= self._ahead + self._chunk:
+            self._look(self._chunk)
+
+    def finish(self) -> tuple[FoundPass, ...]:
+        """All passes, when there are no more pictures."""
+        self._look(len(self._waiting))
+        tracks = stitched(self._tracker.finish(), self._view.size, self._lapse)
+        found = [self._found(track) for track in tracks if is_vehicle(track, self._view)]
+        return tuple(sorted(found, key=lambda one: (one.first_frame, one.last_frame)))
+
+    def _look(self, count: int) -> None:
+        """Follow what moves on the oldest pictures."""
+        road = self._sampler.background()
+        for _ in range(count):
+            picture = self._waiting.popleft()
+            boxes = self._boxes(picture.small, road)
+            self._before = picture.small
+            self._tracker.step(picture.n, boxes)
+            if boxes:
+                self._kept.sharp[picture.n] = picture.sharp
+                self._kept.luminance[picture.n] = picture.luminance
+
+    def _boxes(self, small: Small, road: Background) -> list[Box]:
+        self._gain = gain_of(small, road, self._gain)
+        mask, solid = foreground(small, road, self._gain)
+        moving = self._before is not None and cv2.countNonZero(mask) >= LEAST_AREA_SHARE * mask.size
+        flow = self._motion.between(small, self._before) if moving and self._before is not None else None
+        return boxes_of(mask, solid, None if flow is None else -flow)
+
+    def _found(self, track: Track) -> FoundPass:
+        best, whole = best_sight(track, self._view, self._sharpness)
+        return FoundPass(
+            first_frame=track.sights[0].n,
+            last_frame=max(sight.n for sight in track.sights if sight.seen),
+            best_frame=best.n,
+            direction=direction_of(track, self._view),
+            whole=whole,
+            score=score_of(track, whole, self._view),
+            sharpness=round(self._sharpness(best.n, best.box), 2),
+            luminance=round(self._kept.luminance.get(best.n, 0.0), 1),
+            boxes=tuple(self._box(sight) for sight in _some(track.sights, best)),
+        )
+
+    def _box(self, sight: Sight) -> tuple[int, float, float, float, float]:
+        k, box = self._view.scale, sight.box
+        return sight.n, round(box.x0 * k, 1), round(box.y0 * k, 1), round(box.x1 * k, 1), round(box.y1 * k, 1)
+
+    def _sharpness(self, n: int, box: Box) -> float:
+        sharp = self._kept.sharp.get(n)
+        if sharp is None:
+            return 0.0
+        k = sharp.shape[1] / self._view.width
+        x0, y0 = max(0, int(box.x0 * k)), max(0, int(box.y0 * k))
+        part: NDArray[np.uint8] = sharp[
+            y0 : max(y0 + 1, round(box.y1 * k)), x0 : max(x0 + 1, round(box.x1 * k))
+        ]
+        return float(part.mean()) if part.size else 0.0
+
+
+def _some(sights: list[Sight], best: Sight) -> Iterator[Sight]:
+    """A few sights spread over the track, the best among them."""
+    picked = {round(i) for i in np.linspace(0, len(sights) - 1, BOXES_KEPT)}
+    for index, sight in enumerate(sights):
+        if index in picked or sight is best:
+            yield sight

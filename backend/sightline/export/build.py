@@ -1,0 +1,301 @@
+"""Building an export: one pass over each stored table, then what is made of the tables written.
+
+Rows are written as they are read; what is held is a page of rows, one byte for each frame of each video, and
+what statistics need of a measurement (some 100 bytes).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass, field
+from itertools import groupby
+
+import numpy as np
+from sqlalchemy.orm import Session
+
+from sightline.cameras.calibrations.store import list_calibrations
+from sightline.cameras.store import list_cameras
+from sightline.export import columns, rows
+from sightline.export.contents import about_of, others_of, tables_of
+from sightline.export.crops import CROPS, Spots, spots_of, take_crops
+from sightline.export.derived import derive
+from sightline.export.query import (
+    OfVehicle,
+    audit_pages,
+    calibration_contents,
+    count_measurements,
+    most_frames,
+    pose_contents,
+    review_pages,
+    revision_pages,
+    vehicle_pages,
+)
+from sightline.infra.audit.records import AuditHead, Who
+from sightline.infra.csv_package.files import Staging, TableWriter
+from sightline.infra.csv_package.schema import DESCRIPTION, Table, description_of, json_bytes
+from sightline.infra.services import Services
+from sightline.measurements.records import Measurement
+from sightline.media.store.local import check_room
+from sightline.poses.store import list_whole_poses
+from sightline.quality.checks.csv import WHEEL_PAIRS, wheel_pair_rows
+from sightline.quality.checks.store import list_wheel_pairs
+from sightline.quality.repeats.csv import REPEATS, repeat_rows
+from sightline.recordings.frames.store import get_frame_table
+from sightline.recordings.store import list_recordings
+from sightline.results.csv import STANDARDS, standard_rows
+from sightline.scans.csv import TABLES, rows_of
+from sightline.surveys.photographs.csv import PHOTOGRAPHS, photograph_path, photograph_rows
+from sightline.surveys.photographs.service import photograph_content
+from sightline.surveys.photographs.store import list_photographs
+from sightline.surveys.records import Survey
+from sightline.surveys.store import get_survey
+
+Tell = Callable[[float, str], None]
+# Of one measurement with its revisions, budget and audit events, uncompressed; of one crop.
+_ROW_BYTES, _CROP_BYTES = 4_000, 60_000
+
+
+def silent(_fraction: float, _words: str) -> None:
+    """Progress that nobody follows."""
+
+
+@dataclass(frozen=True)
+class Built:
+    """What was written; `head` is the end of the audit chain that the package carries."""
+
+    head: AuditHead
+    measurements: int
+    vehicles: int
+    crops: int
+
+
+@dataclass(eq=False)
+class _Seen:
+    """What is gathered on the way: people named, frames clicked on, places to crop."""
+
+    people: dict[int, str] = field(default_factory=dict)
+    marks: dict[int, bytearray] = field(default_factory=dict)
+    spots: list[Spots] = field(default_factory=list)
+    crops: bool = False
+    measurements: int = 0
+    vehicles: int = 0
+
+    def name(self, person: Who | None) -> None:
+        if person is not None:
+            self.people[person.id] = person.name
+
+    def mark(self, one: Measurement) -> None:
+        for n in (one.frame, *(more.frame for more in one.more_frames)):
+            marks = self.marks.setdefault(one.recording_id, bytearray())
+            if len(marks) <= n:
+                marks.extend(bytes(n + 1 - len(marks)))
+            marks[n] = 1
+
+
+def build(
+    staging: Staging,
+    session: Session,
+    survey_id: int,
+    services: Services,
+    tell: Tell = silent,
+    *,
+    crops: bool = True,
+) -> Built:
+    """Write the whole package of a survey, as one transaction sees it.
+
+    `services` give photographs and, with `crops`, the pictures that were clicked on. Raises NotFound, NoRoom,
+    Damaged for a photograph that is gone, and whatever `tell` raises to stop.
+    """
+    survey = get_survey(session, survey_id)
+    count = count_measurements(session, survey_id)
+    needed = count * (_ROW_BYTES + (_CROP_BYTES if crops else 0))
+    check_room(staging.folder, needed, "this export")
+    most = most_frames(session, survey_id)
+    seen = _Seen(crops=crops)
+    _measurements(
+        staging, session, survey_id, most, seen, _part(tell, 0.0, 0.35, "Writing the measurements."), count
+    )
+    tell(0.35, "Writing vehicles, reviews and the audit chain.")
+    _small_tables(staging, session, survey, seen)
+    _photographs(staging, session, survey_id, services, seen)
+    head, moment = _audit(staging, session, survey_id, seen)
+    staging.fill(columns.PEOPLE, ({"id": id_, "name": seen.people[id_]} for id_ in sorted(seen.people)))
+    taken = _crops(
+        staging, services, seen, _part(tell, 0.45, 0.75, "Cutting out the pictures of each click.")
+    )
+    derive(staging, _part(tell, 0.75, 1.0, "Computing statistics, drawing figures and the report."))
+    about = about_of(survey.name, survey.site, survey.description, moment)
+    described = description_of(about, tables_of(most), others_of(staging.written), staging.written)
+    staging.add(DESCRIPTION, json_bytes(described))
+    staging.seal()
+    return Built(head, seen.measurements, seen.vehicles, taken)
+
+
+def _part(tell: Tell, start: float, end: float, words: str) -> Callable[[float], None]:
+    """Progress of a part as progress of the whole."""
+    return lambda fraction: tell(start + (end - start) * min(max(fraction, 0.0), 1.0), words)
+
+
+def _measurements(
+    staging: Staging,
+    session: Session,
+    survey_id: int,
+    most: int,
+    seen: _Seen,
+    tick: Callable[[float], None],
+    count: int,
+) -> None:
+    """Everything that is told of measurements, in one pass over the revisions."""
+    done = 0
+    with ExitStack() as stack:
+        out = _Writers(staging, stack, most)
+        for page in revision_pages(session, survey_id):
+            current: list[Measurement] = []
+            for _, group in groupby(page, key=lambda pair: pair[0].id):
+                revisions = list(group)
+                done += 1
+                for one, _ in revisions:
+                    seen.name(one.created_by)
+                    seen.mark(one)
+                newest, car = revisions[-1]
+                if newest.repeat_of is not None:
+                    out.repeats.add(repeat_rows([newest])[0])
+                    continue
+                out.measurement([one for one, _ in revisions], car)
+                seen.name(newest.review.reviewer)
+                seen.measurements += 1
+                if not newest.withdrawn:
+                    current.append(newest)
+            if seen.crops:
+                seen.spots.append(spots_of(current))
+            tick(done / max(count, 1))
+
+
+class _Writers:
+    """The open files of all tables that a pass over the measurements fills."""
+
+    def __init__(self, staging: Staging, stack: ExitStack, most: int) -> None:
+        self._staging, self._stack = staging, stack
+        self._clicks_table = columns.with_frames(columns.CLICKS, most)
+
+        def opened(table: Table, path: str | None = None) -> TableWriter:
+            return stack.enter_context(staging.table(columns.with_frames(table, most), path))
+
+        self._opened = opened
+        self._current, self._all = opened(columns.MEASUREMENTS), opened(columns.REVISIONS)
+        self._budget, self._clicks = opened(columns.BUDGET), opened(columns.CLICKS)
+        self._of_poses: dict[int, TableWriter] = {}
+        self.repeats = opened(REPEATS)
+
+    def measurement(self, revisions: Sequence[Measurement], car: OfVehicle) -> None:
+        """One measurement with all its revisions, the newest last."""
+        for one in revisions:
+            row = rows.revision_row(one)
+            self._all.add(row)
+        newest = revisions[-1]
+        self._current.add(rows.measurement_row(newest, row))
+        for entry in rows.budget_rows(newest):
+            self._budget.add(entry)
+        if not newest.withdrawn:
+            clicks = rows.click_row(newest, car)
+            self._clicks.add(clicks)
+            self._of_pose(newest.pose_id).add(clicks)
+
+    def _of_pose(self, pose_id: int) -> TableWriter:
+        if pose_id not in self._of_poses:
+            self._of_poses[pose_id] = self._opened(columns.CLICKS, rows.clicks_path(pose_id))
+        return self._of_poses[pose_id]
+
+
+def _small_tables(staging: Staging, session: Session, survey: Survey, seen: _Seen) -> None:
+    with staging.table(columns.VEHICLES) as table:
+        for page in vehicle_pages(session, survey.id):
+            for vehicle in page:
+                table.add(rows.vehicle_row(vehicle))
+        seen.vehicles = table.rows
+    with staging.table(columns.REVIEWS) as table:
+        for reviews in review_pages(session, survey.id):
+            for review in reviews:
+                seen.name(review.reviewer)
+                table.add(rows.review_row(review))
+    staging.fill(columns.RECORDINGS, map(rows.recording_row, list_recordings(session, survey.id)))
+    staging.fill(columns.FRAMES, _frame_rows(session, seen))
+    staging.fill(columns.INSETS, rows.inset_rows(survey))
+    staging.fill(STANDARDS, standard_rows(session, survey.id))
+    pairs = list_wheel_pairs(session, survey.id)
+    for pair in pairs:
+        seen.name(pair.created_by)
+    staging.fill(WHEEL_PAIRS, wheel_pair_rows(sorted(pairs, key=lambda pair: pair.id)))
+    scanned, people = rows_of(session, survey.id)
+    seen.people.update(people)
+    for table_of_scans in TABLES:
+        staging.fill(table_of_scans, scanned[table_of_scans.name])
+    _set_up(staging, session, survey, seen)
+
+
+def _photographs(staging: Staging, session: Session, survey_id: int, services: Services, seen: _Seen) -> None:
+    found = list_photographs(session, survey_id)
+    for one in found:
+        seen.name(one.created_by)
+        staging.add(photograph_path(one.id), photograph_content(services, one))
+    staging.fill(PHOTOGRAPHS, photograph_rows(found))
+
+
+def _set_up(staging: Staging, session: Session, survey: Survey, seen: _Seen) -> None:
+    """Poses and calibrations: as tables, as files for the command line, and as the audit chain knows them."""
+    found = list_whole_poses(session, survey.id)
+    staging.fill(columns.POSES, map(rows.pose_row, found))
+    by_id = {camera.id: camera for camera in list_cameras(session, survey.id)}
+    lenses = list_calibrations(session, survey.id)
+    staging.fill(columns.CALIBRATIONS, (rows.calibration_row(one, by_id) for one in lenses))
+    for pose in found:
+        seen.name(pose.created_by)
+        staging.add(rows.pose_path(pose.id), json_bytes(pose.document))
+    for lens in lenses:
+        seen.name(lens.created_by)
+        staging.add(rows.calibration_path(lens.id), json_bytes(lens.document))
+    for kind, contents in (
+        ("pose", pose_contents(session, survey.id)),
+        ("calibration", calibration_contents(session, survey.id)),
+    ):
+        for row_id, content in contents.items():
+            staging.add(rows.record_path(kind, row_id), json_bytes(content))
+
+
+def _frame_rows(session: Session, seen: _Seen) -> Iterator[rows.Cells]:
+    """Every frame that was clicked on, once, as the frame table has it."""
+    for recording_id in sorted(seen.marks):
+        table = get_frame_table(session, recording_id)
+        for n in np.flatnonzero(np.frombuffer(seen.marks[recording_id], np.uint8)):
+            if n < len(table):
+                yield {
+                    "recording_id": recording_id,
+                    "frame": int(n),
+                    "pts": int(table.pts[n]),
+                    "time_s": float(table.time_s[n]),
+                    "crc32": int(table.crc32[n]),
+                }
+
+
+def _audit(staging: Staging, session: Session, survey_id: int, seen: _Seen) -> tuple[AuditHead, str | None]:
+    """The chain from the survey's first event on; its end, and when this survey's last event happened."""
+    head, moment = AuditHead(0, ""), None
+    with staging.table(columns.AUDIT) as table:
+        for page in audit_pages(session, survey_id):
+            for event in page:
+                withheld = event["survey_id"] != survey_id
+                table.add(rows.audit_row(event, withheld))
+                head = AuditHead(event["id"], event["hash"])
+                if not withheld:
+                    moment = str(event["at"]).replace("+00:00", "Z")
+                    if event["actor_id"] is not None:
+                        seen.people[event["actor_id"]] = event["actor_name"] or ""
+    return head, moment
+
+
+def _crops(staging: Staging, services: Services, seen: _Seen, tick: Callable[[float], None]) -> int:
+    spots = [page for page in seen.spots if len(page)]
+    if not spots:
+        return staging.fill(CROPS, ())
+    return take_crops(staging, services, np.concatenate(spots), tick)

@@ -1,0 +1,115 @@
+"""What an export consists of: its tables in their order, its other files, and what it says of itself."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Collection
+from functools import cache
+from importlib.metadata import version
+from pathlib import Path
+
+from sightline.export import columns
+from sightline.export.crops import CROPS
+from sightline.export.exclusions import EXCLUSIONS
+from sightline.export.statistics_csv import TABLES
+from sightline.infra.csv_package.schema import About, Other, Table
+from sightline.infra.version import code_version
+from sightline.quality.checks.csv import WHEEL_PAIRS
+from sightline.quality.repeats.csv import REPEATS
+from sightline.results.csv import STANDARDS
+from sightline.scans.csv import TABLES as SCANS
+from sightline.surveys.photographs.csv import FOLDER as PHOTOGRAPHS_FOLDER
+from sightline.surveys.photographs.csv import PHOTOGRAPHS
+
+REPORT = "report.pdf"
+FIGURES = "figures/"
+
+PRIMARY: tuple[Table, ...] = (
+    columns.MEASUREMENTS,
+    columns.REVISIONS,
+    columns.BUDGET,
+    columns.CLICKS,
+    columns.VEHICLES,
+    columns.RECORDINGS,
+    columns.FRAMES,
+    columns.POSES,
+    columns.CALIBRATIONS,
+    columns.REVIEWS,
+    columns.INSETS,
+    STANDARDS,
+    PHOTOGRAPHS,
+    WHEEL_PAIRS,
+    REPEATS,
+    *SCANS,
+    columns.PEOPLE,
+    columns.AUDIT,
+    CROPS,
+)
+DERIVED: tuple[Table, ...] = (EXCLUSIONS, *TABLES)
+
+_OTHERS = (
+    (REPORT, "application/pdf", "Report: site, set-up, calibration, method, errors, figures, exclusions."),
+    (FIGURES, "image/svg+xml", "A figure of the statistics."),
+    (PHOTOGRAPHS_FOLDER, "image/jpeg", "A photograph of the set-up."),
+    ("poses/", "application/json", "A road pose with its camera (sightline-pose-1)."),
+    ("calibrations/", "application/json", "A calibration (sightline-camera-1)."),
+    (
+        "records/",
+        "application/json",
+        "A pose or calibration whole, as the audit chain vouches for it.",
+    ),
+    ("clicks/", "text/csv", "The clicks of one road pose, as `sightline height --clicks` reads them."),
+)
+_ABOUT = (
+    "Heights of vehicles measured from roadside video with Sightline. Lengths are in metres with six "
+    "decimals; u_ is a standard uncertainty (k = 1), U95_ the half-width of the 95 % interval; pixels have "
+    "(0, 0) at the centre of the top-left pixel. `sightline verify` checks this folder; `sightline height "
+    "--pose poses/pose-N.json --clicks clicks/pose-N.csv` computes its heights again. statistics/ is made of "
+    "the accepted measurements in these tables, heights to the micrometre. An apostrophe stands before any "
+    "text that a spreadsheet would run as a formula. The audit chain does not vouch for the names of people, "
+    "for texts of flags, nor, in rows stored by a version before this one, for created_at, code_version and "
+    "the drift columns: keep the SHA-256 of the ZIP elsewhere, which covers them."
+)
+
+
+def tables_of(most_frames: int) -> tuple[Table, ...]:
+    """Every table, with columns for as many frames as a measurement has at most."""
+    return tuple(columns.with_frames(table, most_frames) for table in (*PRIMARY, *DERIVED))
+
+
+def others_of(paths: Collection[str]) -> tuple[Other, ...]:
+    """The files that are described beside the tables; crops are described by crops.csv."""
+    return tuple(
+        Other(path, mediatype, meaning)
+        for start, mediatype, meaning in _OTHERS
+        for path in sorted(paths)
+        if path.startswith(start)
+    )
+
+
+def about_of(name: str, site: str, description: str, created: str | None) -> About:
+    """What the package of a survey says of itself; it is dated by its last event, not by the clock."""
+    said = description.strip()
+    title = f"{name}, {site}" if site else name
+    return About(title, f"{said}\n\n{_ABOUT}" if said else _ABOUT, created, made_with())
+
+
+def made_with() -> dict[str, str]:
+    """What figures and report were drawn with: all but the first the same draw the same bytes."""
+    used = ("numpy", "scipy", "matplotlib", "pillow", "typst")
+    versions = {name: version(name) for name in used}
+    return {"sightline": code_version(), "drawing": _drawing(), **versions}
+
+
+#: The folders that figures, report and statistics are made by: a change in them changes what they make.
+_MADE_IN = ("statistics", "linescan", "surveys", "quality", "scans", "results", "export")
+
+
+@cache
+def _drawing() -> str:
+    """The hash of the code that statistics, figures and report come from, whatever version it is part of."""
+    root = Path(__file__).resolve().parents[1]
+    digest = hashlib.sha256()
+    for file in sorted(file for folder in _MADE_IN for file in (root / folder).rglob("*.py")):
+        digest.update(file.relative_to(root).as_posix().encode() + b"\0" + file.read_bytes())
+    return digest.hexdigest()[:16]

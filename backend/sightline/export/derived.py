@@ -1,0 +1,45 @@
+"""What is made of an export's own tables: exclusions, statistics, figures, report. A check makes it again."""
+
+from __future__ import annotations
+
+from sightline.export.contents import FIGURES, REPORT
+from sightline.export.exclusions import EXCLUSIONS, exclusion_rows
+from sightline.export.measured import PackageStatistics, statistics_of
+from sightline.export.report.canvas import Drawing
+from sightline.export.report.figures import drawings
+from sightline.export.report.package_facts import report_facts
+from sightline.export.report.report import report
+from sightline.export.statistics_csv import TABLES, statistics_rows
+from sightline.infra.csv_package.files import Files, Staging, Tick
+from sightline.infra.csv_package.schema import Written
+
+# What the report lists the sums of: not itself, nor what there may be thousands of.
+_UNLISTED = ("crops/", FIGURES, "SHA256SUMS", "datapackage.json", REPORT)
+
+
+def derive(staging: Staging, tick: Tick) -> None:
+    """Write everything that follows from the tables in the folder."""
+    found = derive_tables(staging)
+    tick(0.5)
+    for path, content in drawn(staging.files(), found, staging.written):
+        staging.add(path, content)
+
+
+def derive_tables(staging: Staging) -> PackageStatistics:
+    """Write exclusions and statistics."""
+    files = staging.files()
+    staging.fill(EXCLUSIONS, exclusion_rows(files))
+    found = statistics_of(files)
+    rows = statistics_rows(found)
+    for table in TABLES:
+        staging.fill(table, rows[table.path])
+    return found
+
+
+def drawn(files: Files, found: PackageStatistics, written: dict[str, Written]) -> list[tuple[str, bytes]]:
+    """Figures and report by path, from tables that are written already."""
+    done = drawings(found.headline, scans=found.scans)
+    figures = sorted((name, one.svg) for name, one in done.items() if isinstance(one, Drawing))
+    listed = {path: one for path, one in written.items() if not path.startswith(_UNLISTED)}
+    facts = report_facts(files, found, listed)
+    return [*((f"{FIGURES}{name}.svg", svg) for name, svg in figures), (REPORT, report(facts, done))]

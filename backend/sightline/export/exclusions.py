@@ -1,0 +1,59 @@
+"""The list of exclusions of an export: what counts for no result, and why. Made of the package's own rows."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from sightline.export.columns import TARGETS
+from sightline.infra.csv_package.files import Files, read_columns, unsafe
+from sightline.infra.csv_package.schema import Cell, Column, Table
+
+STATES = ("withdrawn", "not_measurable", "rejected", "to_review")
+
+EXCLUSIONS = Table(
+    "exclusions",
+    "The measurements that count for no result in statistics/, and why: withdrawn, without a height, "
+    "rejected, or not accepted yet.",
+    (
+        Column("measurement_id", "integer", "measurement that is left out", required=True),
+        Column("vehicle_id", "integer", "vehicle that was measured", required=True),
+        Column("vehicle_number", "integer", "its number within the survey", required=True),
+        Column("target", "string", "what was measured", required=True, enum=TARGETS),
+        Column("state", "string", "why it is left out", required=True, enum=STATES),
+        Column("reason", "string", "the reason in words", required=True),
+    ),
+    primary=("measurement_id",),
+    foreign=((("measurement_id",), "measurements", ("id",)), (("vehicle_id",), "vehicles", ("id",))),
+)
+_READ = ("id", "vehicle_id", "target", "withdrawn", "status", "reason", "verdict", "review_reason")
+
+
+def exclusion_rows(files: Files) -> Iterator[dict[str, Cell]]:
+    """Rows by measurement, from measurements.csv and vehicles.csv."""
+    numbers = {id_: int(number) for id_, number in read_columns(files, "vehicles.csv", ("id", "number"))}
+    for values in read_columns(files, "measurements.csv", _READ):
+        row = dict(zip(_READ, values, strict=True))
+        why = _why(row)
+        if why is not None:
+            yield {
+                "measurement_id": int(row["id"]),
+                "vehicle_id": int(row["vehicle_id"]),
+                "vehicle_number": numbers.get(row["vehicle_id"]),
+                "target": row["target"],
+                "state": why[0],
+                "reason": why[1],
+            }
+
+
+def _why(row: Mapping[str, str]) -> tuple[str, str] | None:
+    if row["withdrawn"] == "true":
+        return "withdrawn", "The measurement was taken back."
+    if row["status"] != "ok":
+        return "not_measurable", unsafe(row["reason"]) or "There is no height."
+    if row["verdict"] == "rejected":
+        return "rejected", unsafe(row["review_reason"]) or "A reviewer rejected it."
+    if row["verdict"] == "to_review":
+        return "to_review", "Nobody has reviewed it yet."
+    if row["verdict"] == "reopened":
+        return "to_review", unsafe(row["review_reason"]) or "It was reopened and waits for another review."
+    return None

@@ -1,0 +1,118 @@
+"""Exports: the package of a survey as one transaction saw it, built in the background, kept and listed."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from sqlalchemy.orm import Session
+
+from sightline.errors import NotFound
+from sightline.export.build import Built, Tell, build
+from sightline.export.store import add_export
+from sightline.infra.csv_package.files import Staging, zip_folder
+from sightline.infra.jobs import registry
+from sightline.infra.jobs.records import Job
+from sightline.infra.jobs.store import get_job
+from sightline.infra.services import Services, services_of
+from sightline.media.store.local import check_room, key_of, sha256_of
+from sightline.surveys.records import Survey
+from sightline.surveys.store import get_survey, list_surveys, survey_by_name
+
+KIND = "export"
+_FOLDER = "export-"
+_BUILT, _ZIPPED = 0.85, 0.97  # of the whole work, by progress
+
+
+def find_survey(session: Session, name: str) -> Survey:
+    """A survey by its name, or by its number where no survey has that name. Raises BadInput, NotFound."""
+    known = [survey for survey in list_surveys(session) if survey.name == name]
+    if not known and name.isdigit():
+        return get_survey(session, int(name))
+    return known[0] if known else survey_by_name(session, name)
+
+
+def request_export(session: Session, survey_id: int, *, crops: bool = True, actor: int | None) -> Job:
+    """Queue an export, with or without pictures of the clicks. Raises NotFound."""
+    get_survey(session, survey_id)
+    payload = {"survey_id": survey_id, "crops": crops}
+    return registry.enqueue(session, KIND, payload, survey_id=survey_id, actor=actor)
+
+
+@registry.handler(KIND)
+def export(context: registry.JobContext) -> registry.Outcome:
+    """Build the package, keep it in the media store, and note it with the head of the audit chain."""
+    survey_id = int(context.payload["survey_id"])
+    services = services_of(context)
+    crops = bool(context.payload.get("crops", True))
+    context.progress(0.0, "Reading the survey.")
+    with _scratch(services, context.job.id) as folder:
+        built, package = _package(services, survey_id, crops, folder, _within(context.progress, _BUILT))
+        context.progress(_ZIPPED, "Storing the package.")
+        size, sha256 = package.stat().st_size, sha256_of(package)
+        key = key_of(sha256, ".zip")
+        services.media.put_file(key, package, link=True)
+    result = {"measurements": built.measurements, "vehicles": built.vehicles, "crops": built.crops}
+
+    def store(session: Session) -> Mapping[str, Any]:
+        made = add_export(
+            session,
+            survey_id,
+            media_key=key,
+            size_bytes=size,
+            sha256=sha256,
+            head=built.head,
+            actor=context.actor,
+        )
+        return {"export_id": made.id, **result}
+
+    return store
+
+
+def _package(services: Services, survey_id: int, crops: bool, folder: Path, tell: Tell) -> tuple[Built, Path]:
+    """Build and pack; the ZIP is written beside the files and takes their place."""
+    staging = Staging(folder / "package")
+    staging.folder.mkdir()
+    with services.reading() as session:
+        built = build(staging, session, survey_id, services, tell, crops=crops)
+    check_room(folder, 2 * sum(one.size for one in staging.written.values()), "this export")
+    package = folder / "package.zip"
+    zip_folder(
+        staging, package, lambda part: tell(1.0 + part * (_ZIPPED / _BUILT - 1.0), "Packing the files.")
+    )
+    return built, package
+
+
+def _within(tell: Tell, most: float) -> Tell:
+    return lambda fraction, words: tell(most * fraction, words)
+
+
+@contextmanager
+def _scratch(services: Services, job_id: int) -> Iterator[Path]:
+    """A folder for one job, gone when it ends; what killed workers left of jobs that are over goes first."""
+    _sweep(services, job_id)
+    folder = services.scratch / f"{_FOLDER}{job_id}"
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir()
+    try:
+        yield folder
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def _sweep(services: Services, job_id: int) -> None:
+    for folder in services.scratch.glob(f"{_FOLDER}*"):
+        number = folder.name.removeprefix(_FOLDER)
+        if number.isdigit() and int(number) != job_id and not _is_running(services, int(number)):
+            shutil.rmtree(folder, ignore_errors=True)
+
+
+def _is_running(services: Services, job_id: int) -> bool:
+    try:
+        with services.reading() as session:
+            return get_job(session, job_id).state == "running"
+    except NotFound:
+        return False

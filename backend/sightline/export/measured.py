@@ -1,0 +1,149 @@
+"""From the rows of a package back to the columns that statistics are made of, and to the statistics.
+
+An export and a check of it both go this way, so the statistics of a package are those of its own rows: of
+heights to the micrometre, as the CSV carries them.
+"""
+
+from __future__ import annotations
+
+from array import array
+from collections.abc import Mapping
+from dataclasses import dataclass
+from datetime import date
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sightline.export.scans import scans_in
+from sightline.infra.csv_package.files import Files, read_columns, unsafe
+from sightline.results.csv import standards_in
+from sightline.results.measured_columns_query import CATEGORIES, LIGHTING, NONE, TARGETS, VERDICTS, Measured
+from sightline.results.survey_statistics import Choices, Filter, Statistics, filtered, made_of
+from sightline.scans.statistics.service import ScanStatistics
+from sightline.statistics.corrections import CORRECTIONS, Correction
+from sightline.statistics.errors import Rounding
+from sightline.statistics.summary import Grouping
+
+_EPOCH = date(1970, 1, 1).toordinal()
+_READ = (
+    "id",
+    "vehicle_id",
+    "target",
+    "height_m",
+    "uncorrected_height_m",
+    "withdrawn",
+    "verdict",
+    "created_by_id",
+    "created_at",
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Cars:
+    """What the vehicles of a package are, by id: lighting and category as indices, lengths in metres."""
+
+    lighting: dict[str, int]
+    category: dict[str, int]
+    height_m: dict[str, float]
+    u_height_m: dict[str, float]
+
+
+@dataclass(frozen=True, eq=False)
+class PackageStatistics:
+    """The statistics of a package: `of` the accepted measurements by (correction, rounding), and of scans."""
+
+    of: Mapping[tuple[Correction, Rounding], Statistics]
+    scans: ScanStatistics
+
+    @property
+    def headline(self) -> Statistics:
+        return self.of[Choices().correction, Choices().rounding]
+
+
+def statistics_of(files: Files, choices: Choices = Choices()) -> PackageStatistics:
+    """The statistics of all accepted measurements of a package, from its tables, under every correction."""
+    measured, left_out = filtered(measured_of(files), Filter())
+    groupings = _groupings(files, measured)
+    wanted: list[tuple[Correction, Rounding]] = [(one, "cm") for one in CORRECTIONS]
+    wanted += [("inset", "none"), ("none", "none")]
+    table = standards_in(files)
+    found = {}
+    for correction, rounding in wanted:
+        chosen = Choices(rounding, correction, choices.u_reference_m, choices.own_standards, table)
+        found[correction, rounding] = made_of(measured, left_out, chosen, groupings, {}, {})
+    return PackageStatistics(found, scans_in(files))
+
+
+def measured_of(files: Files) -> Measured:
+    """The standing measurements with a height, from measurements.csv, vehicles.csv and recordings.csv."""
+    cars = _cars(files)
+    whole = {name: array("q") for name in ("id", "vehicle", "operator", "day", "target", "verdict")}
+    of_car = {name: array("q") for name in ("lighting", "category")}
+    lengths = {name: array("d") for name in ("height", "paper", "known", "u_known")}
+    for id_, car, target, height, paper, withdrawn, verdict, maker, at in read_columns(
+        files, "measurements.csv", _READ
+    ):
+        if withdrawn == "true" or not height or car not in cars.lighting:
+            continue
+        whole["id"].append(int(id_))
+        whole["vehicle"].append(int(car))
+        whole["operator"].append(int(maker) if maker else NONE)
+        whole["day"].append(date.fromisoformat(at[:10]).toordinal() - _EPOCH)
+        whole["target"].append(TARGETS.index(target))
+        whole["verdict"].append(VERDICTS.index(verdict))
+        of_car["lighting"].append(cars.lighting[car])
+        of_car["category"].append(cars.category[car])
+        lengths["height"].append(float(height))
+        lengths["paper"].append(float(paper) if paper else np.nan)
+        lengths["known"].append(cars.height_m[car])
+        lengths["u_known"].append(cars.u_height_m[car])
+    return Measured(
+        measurement_id=_ints(whole["id"]),
+        vehicle_id=_ints(whole["vehicle"]),
+        survey_id=np.zeros(len(whole["id"]), dtype=np.int64),
+        operator_id=_ints(whole["operator"]),
+        day=_ints(whole["day"]),
+        target=_ints(whole["target"]),
+        lighting=_ints(of_car["lighting"]),
+        category=_ints(of_car["category"]),
+        verdict=_ints(whole["verdict"]),
+        height_m=np.frombuffer(lengths["height"], np.float64),
+        uncorrected_height_m=np.frombuffer(lengths["paper"], np.float64),
+        manufacturer_height_m=np.frombuffer(lengths["known"], np.float64),
+        u_manufacturer_height_m=np.frombuffer(lengths["u_known"], np.float64),
+    )
+
+
+def _ints(values: array[int]) -> NDArray[np.int64]:
+    return np.frombuffer(values, np.int64)
+
+
+def _cars(files: Files) -> Cars:
+    """A vehicle without lighting has its recording's, as on the statistics page."""
+    of_recording = dict(read_columns(files, "recordings.csv", ("id", "lighting")))
+    names = ("id", "recording_id", "lighting", "category", "manufacturer_height_m", "u_manufacturer_height_m")
+    cars = Cars({}, {}, {}, {})
+    for id_, recording, lighting, category, height, u_height in read_columns(files, "vehicles.csv", names):
+        cars.lighting[id_] = _code(lighting or of_recording.get(recording, ""), LIGHTING)
+        cars.category[id_] = _code(category, CATEGORIES)
+        cars.height_m[id_] = float(height) if height else np.nan
+        cars.u_height_m[id_] = float(u_height) if u_height else np.nan
+    return cars
+
+
+def _code(word: str, words: tuple[str, ...]) -> int:
+    return words.index(word) if word else NONE
+
+
+def _groupings(files: Files, measured: Measured) -> dict[str, Grouping]:
+    """By lighting, category and operator; a package is of one site."""
+    people = {int(id_): unsafe(name) for id_, name in read_columns(files, "people.csv", ("id", "name"))}
+    ids, at = np.unique(measured.operator_id, return_inverse=True)
+    named = [f"{people[int(one)]} ({one})" if int(one) in people else "" for one in ids]
+    words = sorted({name for name in named if name})
+    code = np.array([words.index(name) if name else NONE for name in named], dtype=np.int64)
+    return {
+        "lighting": Grouping(measured.lighting, LIGHTING),
+        "category": Grouping(measured.category, CATEGORIES),
+        "operator": Grouping(code[at], words),
+    }

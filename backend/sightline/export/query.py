@@ -1,0 +1,155 @@
+"""Reading a survey for its export: page by page, so that memory does not grow with the survey."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from sqlalchemy import Select, Text, func, select, type_coerce
+from sqlalchemy.orm import Session
+
+from sightline.cameras.calibrations.tables import calibrations
+from sightline.cameras.tables import cameras
+from sightline.enums import JsonObject
+from sightline.infra.audit.hashing import event_hash, plain
+from sightline.infra.audit.records import AuditHead
+from sightline.infra.audit.tables import audit_anchor, audit_events
+from sightline.infra.database.people import people
+from sightline.infra.database.rows import row_content
+from sightline.measurements.query import is_first, measurement_of_row, measurement_revision_rows
+from sightline.measurements.records import Measurement, Vehicle
+from sightline.measurements.tables import measurement_series, measurements
+from sightline.poses.tables import road_poses
+from sightline.recordings.drift_query import flagged
+from sightline.reviews.query import reviews_of_series
+from sightline.reviews.records import Review
+from sightline.reviews.tables import reviews as review_rows
+from sightline.vehicles.store import list_vehicles_by_id
+from sightline.vehicles.tables import vehicles as vehicle_rows
+
+PAGE = 1000
+
+
+@dataclass(frozen=True, slots=True)
+class OfVehicle:
+    """What a row of an export says of a measurement's vehicle."""
+
+    number: int
+    lighting: str | None
+    category: str | None
+    manufacturer_height_m: float | None
+
+
+def count_measurements(session: Session, survey_id: int) -> int:
+    """How many measurements and repeats a survey has, those of deleted vehicles too."""
+    query = select(func.count()).where(measurement_series.c.survey_id == survey_id)
+    return int(session.execute(query).scalar_one())
+
+
+def most_frames(session: Session, survey_id: int) -> int:
+    """On how many frames the points of a measurement were clicked at most."""
+    query = (
+        select(measurements.c.more_frames)
+        .join(measurement_series, measurement_series.c.id == measurements.c.series_id)
+        .where(measurement_series.c.survey_id == survey_id, is_first)
+        .where(type_coerce(measurements.c.more_frames, Text) != "[]")
+        .execution_options(yield_per=PAGE)
+    )
+    return 1 + max((len(more) for more in session.execute(query).scalars()), default=0)
+
+
+def revision_pages(session: Session, survey_id: int) -> Iterator[list[tuple[Measurement, OfVehicle]]]:
+    """Every revision of every measurement and repeat of vehicles that were not deleted, in the order of
+    (measurement, revision); all revisions of one measurement come in one page.
+    """
+    v = vehicle_rows.c
+    base = measurement_revision_rows()
+    width = len(base.selected_columns)
+    chosen: Select[Any] = (
+        base.add_columns(v.number, v.lighting, v.category, v.manufacturer_height_m)
+        .join(vehicle_rows, v.id == measurement_series.c.vehicle_id)
+        .where(measurement_series.c.survey_id == survey_id, v.deleted_at.is_(None))
+        .order_by(measurements.c.series_id, measurements.c.revision)
+    )
+    of_survey = select(measurement_series.c.id).where(measurement_series.c.survey_id == survey_id)
+    for first, last in _spans(session, of_survey, measurement_series.c.id):
+        rows = session.execute(chosen.where(measurement_series.c.id.between(first, last))).all()
+        found: Any = tuple([measurement_of_row(row[:width]) for row in rows])  # type: ignore[arg-type]
+        cars = [OfVehicle(*row[width:]) for row in rows]
+        yield list(zip(flagged(session, found), cars, strict=True))
+
+
+def vehicle_pages(session: Session, survey_id: int) -> Iterator[list[Vehicle]]:
+    """The vehicles that were not deleted, with their measurements, in the order of ids."""
+    of_survey = select(vehicle_rows.c.id).where(vehicle_rows.c.survey_id == survey_id)
+    for ids in _ids(session, of_survey, vehicle_rows.c.id):
+        yield sorted(list_vehicles_by_id(session, ids), key=lambda one: one.id)
+
+
+def review_pages(session: Session, survey_id: int) -> Iterator[tuple[Review, ...]]:
+    """The reviews of a survey's measurements, oldest first; those of deleted vehicles are left out."""
+    of_survey = (
+        select(review_rows.c.id)
+        .join(measurement_series, measurement_series.c.id == review_rows.c.series_id)
+        .join(vehicle_rows, vehicle_rows.c.id == measurement_series.c.vehicle_id)
+        .where(measurement_series.c.survey_id == survey_id, vehicle_rows.c.deleted_at.is_(None))
+    )
+    for ids in _ids(session, of_survey, review_rows.c.id):
+        yield reviews_of_series(session, review_rows.c.id.in_(ids))
+
+
+def audit_pages(session: Session, survey_id: int) -> Iterator[list[dict[str, Any]]]:
+    """The chain from a survey's first event on, oldest first: rows as they were hashed, with the hash of
+    their content and the actor's name.
+    """
+    first = select(func.min(audit_events.c.id)).where(audit_events.c.survey_id == survey_id)
+    at: int | None = session.execute(first).scalar_one()
+    names = [column.name for column in audit_events.c]
+    query = (
+        select(audit_events, people.c.name.label("actor_name"))
+        .outerjoin(people, people.c.id == audit_events.c.actor_id)
+        .order_by(audit_events.c.id)
+        .limit(PAGE)
+    )
+    while at is not None:
+        rows = session.execute(query.where(audit_events.c.id >= at)).mappings().all()
+        if not rows:
+            return
+        yield [{**row, "content_sha256": event_hash({name: row[name] for name in names})} for row in rows]
+        at = int(rows[-1]["id"]) + 1
+
+
+def head_and_moment(session: Session) -> tuple[AuditHead, str | None]:
+    """The end of the chain, and when its last event happened (as it was hashed)."""
+    anchor = session.execute(select(audit_anchor.c.count, audit_anchor.c.hash)).one()
+    moment = session.execute(select(audit_events.c.at).where(audit_events.c.id == anchor[0]))
+    return AuditHead(anchor[0], anchor[1]), moment.scalar_one_or_none()
+
+
+def pose_contents(session: Session, survey_id: int) -> dict[int, JsonObject]:
+    """The whole content of each pose by id, as it was hashed for the audit chain."""
+    query = select(road_poses).where(road_poses.c.survey_id == survey_id).order_by(road_poses.c.id)
+    return {row["id"]: plain(row_content(row)) for row in session.execute(query).mappings()}
+
+
+def calibration_contents(session: Session, survey_id: int) -> dict[int, JsonObject]:
+    """The whole content of each calibration by id, as it was hashed for the audit chain."""
+    query = (
+        select(calibrations)
+        .join(cameras, cameras.c.id == calibrations.c.camera_id)
+        .where(cameras.c.survey_id == survey_id)
+        .order_by(calibrations.c.id)
+    )
+    return {row["id"]: plain(row_content(row)) for row in session.execute(query).mappings()}
+
+
+def _ids(session: Session, query: Select[Any], column: Any) -> Iterator[list[int]]:
+    """Ids in ascending order, a page at a time."""
+    last = 0
+    while found := list(session.execute(query.where(column > last).order_by(column).limit(PAGE)).scalars()):
+        yield found
+        last = found[-1]
+
+
+def _spans(session: Session, query: Select[Any], column: Any) -> Iterator[tuple[int, int]]:
+    for ids in _ids(session, query, column):
+        yield ids[0], ids[-1]

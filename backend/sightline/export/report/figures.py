@@ -1,0 +1,29 @@
+"""The figures of a survey's statistics as SVG: the paper's and more, readable in grey and without colours.
+
+Names are those that the statistics page gives to its downloads.
+"""
+
+from __future__ import annotations
+
+from sightline.export.report.canvas import Drawing
+from sightline.export.report.error_figures import error_figures
+from sightline.export.report.height_figures import height_figures
+from sightline.export.report.scan_figures import scan_drawings
+from sightline.export.report.units import Unit
+from sightline.results.survey_statistics import Statistics, standards_of
+from sightline.scans.statistics.service import ScanStatistics
+
+
+def figures(result: Statistics, unit: Unit = "m") -> dict[str, bytes]:
+    """Name to SVG of every figure that has something to draw; the same result gives the same bytes."""
+    return {name: one.svg for name, one in drawings(result, unit).items() if isinstance(one, Drawing)}
+
+
+def drawings(
+    result: Statistics, unit: Unit = "m", scans: ScanStatistics | None = None
+) -> dict[str, Drawing | str]:
+    """Name to figure, or to the sentence that stands in its place; those of line scans last."""
+    found = error_figures(result.errors, unit)
+    for name, target in result.targets.items():
+        found |= height_figures(name, target, standards_of(result.standards, name), unit)
+    return found if scans is None else {**found, **scan_drawings(scans, unit)}

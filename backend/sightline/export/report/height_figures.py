@@ -1,0 +1,190 @@
+"""Figures of heights: each target's distribution raw and corrected, its density, and its groups."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from sightline.export.report import labels, marks
+from sightline.export.report.canvas import FULL, HALF, INK, MUTED, NOTE_PT, Drawing, Sheet, svg
+from sightline.export.report.marks import MAIN, RAW, Limit
+from sightline.export.report.units import HEIGHT, Scale, Unit, count, fixed, limit, percent
+from sightline.export.report.words import TARGETS, group_word, heading
+from sightline.statistics.distributions import Density, Percentile
+from sightline.statistics.standards import Standard
+from sightline.statistics.summary import Distribution, Groups, Target
+
+_MARKED = (5.0, 15.0, 50.0, 85.0, 95.0)
+_LONGEST_WORD = 34
+_ROW_MM = 4.6
+
+
+def height_figures(
+    name: str, target: Target, standards: Sequence[Standard], unit: Unit
+) -> dict[str, Drawing | str]:
+    """One target's figures by name; `standards` in the order of the target's shares."""
+    limits = _limits(target, standards, unit)
+    found: dict[str, Drawing | str] = {
+        f"{name}-ecdf": _cumulative(name, target, limits, unit),
+        f"{name}-density": _density(name, target, limits, unit),
+    }
+    for grouping, groups in target.groups.items():
+        if len(groups.of) > 1:
+            found[f"{name}-by-{grouping}"] = _side_by_side(name, grouping, groups, limits, unit)
+    return found
+
+
+def _limits(target: Target, standards: Sequence[Standard], unit: Unit) -> list[Limit]:
+    """The standards near enough to the heights to be drawn; those of one height share a rule."""
+    parts = [one.ecdf for one in (target.raw, target.corrected) if one.ecdf is not None]
+    if not parts:
+        return []
+    low, high = min(float(one.value[0]) for one in parts), max(float(one.value[-1]) for one in parts)
+    reach = max(0.1, 0.4 * (high - low))
+    shares = {one.limit: one.share for one in target.corrected.shares}
+    by_height: dict[float, list[str]] = {}
+    for one in standards:
+        if low - reach <= one.height_m <= high + reach:
+            by_height.setdefault(one.height_m, []).append(_short(one.name))
+    return [_limit(at, names, shares.get(at), unit) for at, names in sorted(by_height.items())]
+
+
+def _limit(at_m: float, names: Sequence[str], share: float | None, unit: Unit) -> Limit:
+    return Limit(HEIGHT[unit].factor * at_m, f"{', '.join(names)} {limit(at_m, unit)}", share)
+
+
+def _with_share(one: Limit) -> Limit:
+    """Its words with the share of vehicles below it."""
+    return one if one.share is None else replace(one, word=f"{one.word}, {percent(one.share)} below")
+
+
+def _short(word: str) -> str:
+    return word if len(word) <= _LONGEST_WORD else word[: _LONGEST_WORD - 1] + "…"
+
+
+def _cumulative(name: str, target: Target, limits: Sequence[Limit], unit: Unit) -> Drawing | str:
+    scale, word = HEIGHT[unit], TARGETS[name]
+    raw, corrected = target.raw.ecdf, target.corrected.ecdf
+    title = f"Heights of the {word}, cumulative"
+    if raw is None and corrected is None:
+        return f"No height of the {word} counts here, so there is no distribution to draw."
+
+    def draw(axes: Axes) -> None:
+        named = []
+        if raw is not None:
+            named.append(marks.steps(axes, raw, RAW, scale.factor, f"raw (inset 0), n = {count(raw.n)}"))
+        if corrected is not None:
+            done = f"corrected, n = {count(corrected.n)}"
+            named.insert(0, marks.steps(axes, corrected, MAIN, scale.factor, done))
+            _whiskers(axes, target.corrected, scale)
+        axes.set(
+            xlabel=f"Height of the {word} above the road ({scale.sign})",
+            ylabel="Share of vehicles (%)",
+            ylim=(0, 100.8),
+        )
+        axes.margins(x=0.02)
+        _widen(axes, limits)
+        busy = marks.limits(axes, [_with_share(one) for one in limits])
+        wished = [replace(one, at=at) for one, at in zip(named, (0.62, 0.42), strict=False)]
+        if not labels.label(axes, wished, busy):
+            axes.legend(loc="lower right")
+
+    caption = (
+        "Solid: corrected, with its 95 % band (everywhere at once) and five percentiles with their 95 % "
+        "intervals. Dashed: raw, as the paper measures (inset 0)."
+    )
+    return Drawing(svg(draw, title, FULL), title, caption)
+
+
+def _whiskers(axes: Axes, found: Distribution, scale: Scale) -> None:
+    """The marked percentiles with their intervals, their values along the right edge."""
+    chosen = [one for one in found.percentiles if one.percent in _MARKED]
+    for one in chosen:
+        axes.plot(scale.factor * one.value, one.percent, "o", color=INK, markersize=2.6, zorder=4)
+        if one.low is not None and one.high is not None:
+            ends = scale.factor * np.array([one.low, one.high])
+            axes.plot(ends, [one.percent] * 2, "|-", color=INK, linewidth=0.8, markersize=4.5, zorder=4)
+    edge = axes.secondary_yaxis("right")
+    edge.set_yticks([one.percent for one in chosen], labels=[_valued(one, scale) for one in chosen])
+    edge.tick_params(length=2.5, labelsize=NOTE_PT, labelcolor=INK)
+    edge.spines["right"].set_visible(False)
+
+
+def _valued(one: Percentile, scale: Scale) -> str:
+    return f"P{fixed(one.percent, 0)}  {scale.number(one.value)} {scale.sign}"
+
+
+def _widen(axes: Axes, limits: Sequence[Limit]) -> None:
+    """Room for the standards and the words on their left; and limits that no longer move."""
+    low, high = axes.get_xlim()
+    at = [one.at for one in limits]
+    span = max([high, *at]) - min([low, *at])
+    axes.set_xlim(min([low, *(x - 0.035 * span for x in at)]), max([high, *(x + 0.01 * span for x in at)]))
+
+
+def _density(name: str, target: Target, limits: Sequence[Limit], unit: Unit) -> Drawing | str:
+    found, scale, word = target.density, HEIGHT[unit], TARGETS[name]
+    title = f"Heights of the {word}, density"
+    if not isinstance(found, Density):
+        return found
+
+    def draw(axes: Axes) -> None:
+        marks.hump(axes, found, MAIN, scale.factor)
+        axes.set(xlabel=f"Height of the {word} ({scale.sign})", ylabel=f"Density (per {scale.sign})")
+        axes.margins(x=0.01)
+        axes.set_ylim(0, 1.04 * float(found.high.max()) / scale.factor)
+        low, high = axes.get_xlim()
+        marks.limits(axes, [replace(one, share=0.0) for one in limits if low < one.at < high])
+
+    caption = (
+        f"Corrected heights, n = {count(found.n)}; Gaussian kernel, bandwidth "
+        f"{scale.length(found.bandwidth)}; pointwise 95 % band."
+    )
+    return Drawing(svg(draw, title, HALF), title, caption)
+
+
+def _side_by_side(name: str, grouping: str, groups: Groups, limits: Sequence[Limit], unit: Unit) -> Drawing:
+    """Groups as rows: median, middle 70 % and middle 90 %; no colours, and room for many groups."""
+    scale, word = HEIGHT[unit], TARGETS[name]
+    title = f"Heights of the {word} by {grouping}"
+    rows = list(groups.of.items())
+
+    def draw(axes: Axes) -> None:
+        for k, (_, found) in enumerate(rows):
+            at = {one.percent: scale.factor * one.value for one in found.percentiles}
+            axes.plot([at[5.0], at[95.0]], [k, k], color=INK, linewidth=0.8)
+            axes.plot([at[15.0], at[85.0]], [k, k], color=INK, linewidth=3.2, solid_capstyle="butt")
+            axes.plot(
+                at[50.0], k, "o", color="white", markeredgecolor=INK, markersize=4.2, markeredgewidth=0.9
+            )
+        words = [f"{_short(heading(group_word(grouping, one)))}  ({count(found.n)})" for one, found in rows]
+        axes.set_yticks(range(len(rows)), labels=words)
+        _room_on_the_left(axes)
+        axes.set_ylim(len(rows) - 0.4, -0.6)
+        axes.tick_params(axis="y", length=0)
+        axes.grid(axis="y", visible=False)
+        axes.spines["left"].set_visible(False)
+        axes.set_xlabel(f"Height of the {word} above the road ({scale.sign})")
+        for one in limits:
+            axes.axvline(one.at, color=MUTED, linewidth=0.7, dashes=(7, 1.5, 1, 1.5), zorder=0.5)
+
+    rules = "; ".join(one.word for one in limits)
+    more = f" {count(groups.left_out)} smaller groups are left out." if groups.left_out else ""
+    caption = (
+        "Corrected heights by group (number of vehicles): median (ring), 15th to 85th percentile (thick), "
+        f"5th to 95th (thin).{f' Upright rules: {rules}.' if rules else ''}{more}"
+    )
+    sheet = Sheet(FULL.width, 12.0 + _ROW_MM * len(rows), left=40.0, right=3.0)
+    return Drawing(svg(draw, title, sheet), title, caption)
+
+
+def _room_on_the_left(axes: Axes) -> None:
+    """Moves the left edge of the axes to where the longest word beside them ends."""
+    sheet = axes.figure.bbox
+    widest = max(word.get_window_extent().width for word in axes.get_yticklabels()) / sheet.width
+    place = axes.get_position()
+    left = widest + 0.03
+    axes.set_position((left, place.y0, place.x1 - left, place.height))

@@ -1,0 +1,121 @@
+"""Words beside the curves that they name, where no other curve runs and no other word stands."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.text import Annotation
+from matplotlib.transforms import Bbox
+from numpy.typing import NDArray
+
+from sightline.export.report.canvas import INK, TEXT_PT
+
+Floats = NDArray[np.float64]
+_ALONG = np.linspace(0.04, 0.96, 93)
+_DENSE = 800
+_AIR_PX = 1.5
+# Where a word stands from its point of the curve: points right and up, and its edge that is turned to it.
+_SIDES = (
+    (4.0, -2.0, "left", "top"),
+    (-4.0, 2.0, "right", "bottom"),
+    (4.0, 2.0, "left", "bottom"),
+    (-4.0, -2.0, "right", "top"),
+)
+Side = tuple[float, float, str, str]
+
+
+@dataclass(frozen=True, eq=False)
+class Named:
+    """A curve as it is drawn, (M,) each in data units, and its word. `at`: where along it the word would like
+    to stand, 0 to 1.
+    """
+
+    x: Floats
+    y: Floats
+    word: str
+    at: float = 0.5
+
+
+@dataclass(frozen=True, eq=False)
+class _Place:
+    x: float
+    y: float
+    side: Side
+    box: Bbox
+
+
+def label(axes: Axes, curves: Sequence[Named], busy: Sequence[Bbox] = ()) -> bool:
+    """Write each curve's word beside it. False, and nothing written, where a word finds no room.
+
+    The axes' limits must be final. `busy`: places that are taken, in pixels of the sheet.
+    """
+    paths = [_dense(axes, one) for one in curves]
+    taken = list(busy)
+    found: list[_Place] = []
+    for one, path in zip(curves, paths, strict=True):
+        place = _place(axes, one, path, np.concatenate(paths), taken)
+        if place is None:
+            return False
+        found.append(place)
+        taken.append(place.box)
+    for one, place in zip(curves, found, strict=True):
+        _write(axes, one.word, place.x, place.y, place.side)
+    return True
+
+
+def _write(axes: Axes, word: str, x: float, y: float, side: Side) -> Annotation:
+    right, up, ha, va = side
+    return axes.annotate(
+        word,
+        (x, y),
+        xycoords="figure pixels",
+        xytext=(right, up),
+        textcoords="offset points",
+        ha=ha,
+        va=va,
+        fontsize=TEXT_PT,
+        color=INK,
+        annotation_clip=False,
+    )
+
+
+def _dense(axes: Axes, one: Named) -> Floats:
+    """Points along the curve at equal steps of the sheet, (_DENSE, 2) pixels."""
+    at = np.asarray(axes.transData.transform(np.column_stack([one.x, one.y])), dtype=np.float64)
+    run = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(at, axis=0).T))])
+    along = np.linspace(0.0, run[-1], _DENSE)
+    return np.column_stack([np.interp(along, run, at[:, 0]), np.interp(along, run, at[:, 1])])
+
+
+def _place(axes: Axes, one: Named, path: Floats, every: Floats, taken: Sequence[Bbox]) -> _Place | None:
+    """The free place nearest to the wished one."""
+    frame, size = axes.get_window_extent(), _size(axes, one.word)
+    dots = axes.figure.dpi / 72.0
+    for share in sorted(_ALONG, key=lambda share: abs(share - one.at)):
+        x, y = (float(v) for v in path[round(share * (_DENSE - 1))])
+        for side in _SIDES:
+            right, up, ha, va = side
+            left = x + dots * right - (size[0] if ha == "right" else 0.0)
+            foot = y + dots * up - (size[1] if va == "top" else 0.0)
+            box = Bbox.from_bounds(left, foot, *size)
+            if _free(box.padded(_AIR_PX), frame, every, taken):
+                return _Place(x, y, side, box)
+    return None
+
+
+def _size(axes: Axes, word: str) -> tuple[float, float]:
+    text = _write(axes, word, 0.0, 0.0, _SIDES[0])
+    box = text.get_window_extent()
+    text.remove()
+    return box.width, box.height
+
+
+def _free(box: Bbox, frame: Bbox, every: Floats, taken: Sequence[Bbox]) -> bool:
+    if box.x0 < frame.x0 or box.x1 > frame.x1 or box.y0 < frame.y0 or box.y1 > frame.y1:
+        return False
+    x, y = every[:, 0], every[:, 1]
+    crossed = (x > box.x0) & (x < box.x1) & (y > box.y0) & (y < box.y1)
+    return not crossed.any() and not any(box.overlaps(other) for other in taken)

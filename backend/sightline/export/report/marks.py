@@ -1,0 +1,100 @@
+"""Marks of the figures. Dashes, greys and words tell lines apart, never a hue."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.transforms import Bbox
+from numpy.typing import NDArray
+
+from sightline.export.report.canvas import FAINT, INK, MUTED, NOTE_PT
+from sightline.export.report.labels import Named
+from sightline.statistics.distributions import Density, Ecdf
+
+Floats = NDArray[np.float64]
+_TEXT_MM = 2.7  # what an upright word needs beside the next
+
+
+@dataclass(frozen=True)
+class Pen:
+    """How a curve looks. `band`: whether its interval is drawn."""
+
+    dash: tuple[float, ...] = ()
+    colour: str = INK
+    width_pt: float = 1.2
+    band: bool = True
+
+    def line(self) -> dict[str, Any]:
+        """Matplotlib's words for it."""
+        style = (0, self.dash) if self.dash else "-"
+        return {"color": self.colour, "linewidth": self.width_pt, "linestyle": style}
+
+
+MAIN = Pen()
+SECOND = Pen(dash=(5, 2))
+THIRD = Pen(dash=(1, 1.4), colour=MUTED, width_pt=1.1, band=False)
+RAW = Pen(dash=(5, 2), colour=MUTED, width_pt=1.1, band=False)
+
+
+@dataclass(frozen=True)
+class Limit:
+    """A height that a standard is set by, in the figure's unit; `word` names it."""
+
+    at: float
+    word: str
+    share: float | None = None
+
+
+def steps(axes: Axes, ecdf: Ecdf, pen: Pen, factor: float, word: str = "") -> Named:
+    """A cumulative distribution as steps in per cent, with its band."""
+    x = factor * np.concatenate([ecdf.value[:1], ecdf.value])
+    y = 100.0 * np.concatenate([[0.0], ecdf.share])
+    if pen.band:
+        low, high = 100.0 * ecdf.low, 100.0 * ecdf.high
+        axes.fill_between(x[1:], low, high, step="post", color=INK, alpha=0.11, linewidth=0)
+    axes.step(x, y, where="post", label=word, **pen.line())
+    return Named(np.repeat(x, 2)[1:], np.repeat(y, 2)[:-1], word)
+
+
+def hump(axes: Axes, density: Density, pen: Pen, factor: float, word: str = "") -> Named:
+    """A density with its band, per unit of the axis."""
+    x, y = factor * density.value, density.density / factor
+    if pen.band:
+        low, high = density.low / factor, density.high / factor
+        axes.fill_between(x, low, high, color=INK, alpha=0.11, linewidth=0)
+    axes.plot(x, y, label=word, **pen.line())
+    return Named(x, y, word)
+
+
+def limits(axes: Axes, drawn: Sequence[Limit]) -> list[Bbox]:
+    """Standards as upright rules with their words, at the top where the curve is low, else at the foot.
+
+    Returns the places that the words take, in pixels. The axes' limits must be final.
+    """
+    words = []
+    left = np.inf
+    for one in sorted(drawn, key=lambda one: -one.at):
+        axes.axvline(one.at, color=FAINT, linewidth=0.7, dashes=(7, 1.5, 1, 1.5), zorder=1.5)
+        x = float(axes.transData.transform((one.at, 0.0))[0]) * 25.4 / axes.figure.dpi
+        x = min(x - 0.6, left)
+        left = x - _TEXT_MM
+        top = one.share is None or one.share < 0.5
+        words.append(
+            axes.annotate(
+                one.word,
+                (x / 25.4, 0.985 if top else 0.015),
+                xycoords=(axes.figure.dpi_scale_trans, axes.transAxes),
+                rotation=90,
+                ha="right",
+                va="top" if top else "bottom",
+                fontsize=NOTE_PT,
+                color=INK,
+                bbox={"facecolor": "white", "alpha": 0.85, "linewidth": 0, "pad": 0.4},
+                annotation_clip=False,
+            )
+        )
+    return [word.get_window_extent() for word in words]

@@ -1,0 +1,240 @@
+"""What the report of an export shows, read from the export's own files: so a check can draw it again."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from datetime import date, datetime
+from itertools import islice
+from typing import Any
+
+from sightline.export.measured import PackageStatistics
+from sightline.export.report.facts import (
+    CalibrationFacts,
+    Checksum,
+    Exclusion,
+    ExpectedHeight,
+    InsetFacts,
+    LensParameter,
+    PoseFacts,
+    RecordingFacts,
+    ReportFacts,
+)
+from sightline.export.report.scan_facts import scan_facts
+from sightline.geometry.documents import pose_from_dict
+from sightline.infra.csv_package.files import (
+    Files,
+    number,
+    read_columns,
+    read_rows,
+    read_whole,
+    unsafe,
+    whole,
+)
+from sightline.infra.csv_package.schema import Written
+from sightline.results.survey_statistics import Choices
+from sightline.surveys.photographs.csv import photos_in
+
+MOST_EXCLUSIONS = 300
+Words = Mapping[str, Any]
+
+
+def report_facts(files: Files, made: PackageStatistics, written: Mapping[str, Written]) -> ReportFacts:
+    """Everything that the report shows. `written`: the files whose sums it lists."""
+    found = made.headline
+    survey = survey_words(files)
+    head = _Head(files)
+    recordings = {row["id"]: row for row in read_rows(files, "recordings.csv")}
+    lenses = {row["id"]: row for row in read_rows(files, "calibrations.csv")}
+    cameras = {row["camera_id"]: unsafe(row["camera_name"]) for row in lenses.values()}
+    used = _Measurements(files)
+    exclusions = sum(1 for _ in read_columns(files, "exclusions.csv", ("measurement_id",)))
+    return ReportFacts(
+        survey=str(survey.get("name", "")),
+        site=str(survey.get("site", "")),
+        statistics=found,
+        choices=Choices(),
+        description=str(survey.get("description", "")),
+        as_of=head.moment,
+        first_day=used.first_day,
+        last_day=used.last_day,
+        counts=(
+            ("recordings", len(recordings)),
+            ("vehicles", sum(1 for _ in read_columns(files, "vehicles.csv", ("id",)))),
+            ("measurements", used.count),
+            ("counted in the results", found.counted.measurements),
+            ("left out", exclusions),
+            *_scanned(made),
+        ),
+        photos=photos_in(files),
+        recordings=tuple(_recording(row, cameras) for row in recordings.values()),
+        calibrations=tuple(
+            _calibration(files, row) for row in lenses.values() if row["id"] in used.calibrations
+        ),
+        poses=tuple(
+            _pose(files, row, recordings, lenses)
+            for row in read_rows(files, "poses.csv")
+            if row["id"] in used.poses
+        ),
+        insets=tuple(
+            InsetFacts(row["target"], float(row["inset_m"]), float(row["u_inset_m"]), unsafe(row["note"]))
+            for row in read_rows(files, "insets.csv")
+        ),
+        exclusions=tuple(islice(_exclusions(files), MOST_EXCLUSIONS)),
+        exclusions_total=exclusions,
+        scans=scan_facts(files, made.scans),
+        code_versions=tuple(sorted(used.code_versions)),
+        audit_events=head.count,
+        audit_head=head.hash,
+        checksums=tuple(Checksum(path, written[path].sha256) for path in sorted(written)),
+    )
+
+
+def _scanned(made: PackageStatistics) -> tuple[tuple[str, int], ...]:
+    """Scanned vehicles, where there are any."""
+    counted = made.scans.counted
+    return (
+        (("scanned vehicles", counted["vehicles"]), ("accepted of them", counted["used"]))
+        if counted["vehicles"]
+        else ()
+    )
+
+
+def survey_words(files: Files) -> dict[str, Any]:
+    """Name, site, description and insets of the survey, as its audit events made them."""
+    words: dict[str, Any] = {}
+    for entity, after in read_columns(files, "audit.csv", ("entity", "after")):
+        if entity == "survey" and after:
+            words |= json.loads(after)
+    return words
+
+
+class _Head:
+    """The end of the chain that a package carries."""
+
+    def __init__(self, files: Files) -> None:
+        self.count, self.hash = 0, ""
+        self.moment: datetime | None = None
+        for id_, hash_, at in read_columns(files, "audit.csv", ("id", "hash", "at")):
+            self.count, self.hash = int(id_), hash_
+            if at:
+                self.moment = datetime.fromisoformat(at)
+
+
+class _Measurements:
+    """What the report says of all measurements together."""
+
+    def __init__(self, files: Files) -> None:
+        days: set[str] = set()
+        self.count = 0
+        self.poses: Counter[str] = Counter()
+        self.calibrations: Counter[str] = Counter()
+        self.code_versions: Counter[str] = Counter()
+        names = ("created_at", "pose_id", "calibration_id", "code_version", "withdrawn")
+        for at, pose, calibration, code, _ in read_columns(files, "measurements.csv", names):
+            self.count += 1
+            days.add(at[:10])
+            self.poses[pose] += 1
+            self.calibrations[calibration] += 1
+            self.code_versions[code] += 1
+        self.first_day = date.fromisoformat(min(days)) if days else None
+        self.last_day = date.fromisoformat(max(days)) if days else None
+
+
+def _recording(row: Mapping[str, str], cameras: Mapping[str, str]) -> RecordingFacts:
+    return RecordingFacts(
+        name=unsafe(row["name"]),
+        camera=cameras.get(row["camera_id"], ""),
+        lighting=row["lighting"],
+        frames=whole(row["frame_count"]),
+        duration_s=number(row["duration_s"]),
+        width_px=whole(row["width_px"]),
+        height_px=whole(row["height_px"]),
+        sha256=row["sha256"],
+    )
+
+
+def _record(files: Files, kind: str, id_: str) -> dict[str, Any]:
+    found: dict[str, Any] = json.loads(read_whole(files, f"records/{kind}-{id_}.json"))
+    return found
+
+
+def _calibration(files: Files, row: Mapping[str, str]) -> CalibrationFacts:
+    record = _record(files, "calibration", row["id"])
+    document = record["document"]
+    views = record.get("views") or document.get("views") or []
+    return CalibrationFacts(
+        camera=unsafe(row["camera_name"]),
+        number=int(row["id"]),
+        made_on=date.fromisoformat(row["created_at"][:10]),
+        source=row["source"],
+        model=row["model"],
+        width_px=int(row["width_px"]),
+        height_px=int(row["height_px"]),
+        rms_px=number(row["rms_px"]),
+        views_used=sum(1 for view in views if view.get("used")),
+        views_given=len(views),
+        parameters=tuple(_parameters(document)),
+        warnings=tuple(str(one) for one in record.get("warnings") or ()),
+        trusted=row["trusted"] == "true",
+    )
+
+
+def _parameters(document: Words) -> Iterator[LensParameter]:
+    """The numbers of a lens with their u, in the order of the covariance."""
+    names = ("fx_px", "fy_px", "cx_px", "cy_px")
+    values = [float(document[name]) for name in names] + [float(one) for one in document["distortion"]]
+    given = document.get("parameters") or ()
+    covariance = document.get("covariance")
+    for place, value in enumerate(values):
+        variance = float(covariance[place][place]) if covariance and place < len(covariance) else -1.0
+        u = variance**0.5 if variance >= 0.0 else None
+        name = given[place] if place < len(given) else (*names, *(f"d{k}" for k in range(1, 15)))[place]
+        yield LensParameter(str(name), value, u)
+
+
+def _pose(
+    files: Files,
+    row: Mapping[str, str],
+    recordings: Mapping[str, Mapping[str, str]],
+    lenses: Mapping[str, Mapping[str, str]],
+) -> PoseFacts:
+    record = _record(files, "pose", row["id"])
+    pose = pose_from_dict(record["document"], row["document"])
+    lens = lenses.get(row["calibration_id"], {})
+    board = None
+    if row["board_columns"] and row["square_m"]:
+        millimetres = 1000 * float(row["square_m"])
+        board = f"{row['board_columns']} × {row['board_rows']} inner corners, squares of {millimetres:g} mm"
+    return PoseFacts(
+        number=int(row["id"]),
+        recording=unsafe(recordings.get(row["recording_id"], {}).get("name", "")),
+        camera=unsafe(lens.get("camera_name", "")),
+        calibration=int(row["calibration_id"]),
+        first_frame=int(row["first_frame"] or 0),
+        last_frame=int(row["last_frame"] or 0),
+        camera_height_m=float(pose.centre_m[2]),
+        board=board,
+        reference_height_m=number(row["reference_height_m"]),
+        u_reference_height_m=number(row["u_reference_height_m"]),
+        u_lean_rad=number(row["u_lean_rad"]),
+        distance_m=number(row["board_distance_m"]),
+        rms_px=number(row["rms_px"]),
+        expected=tuple(
+            ExpectedHeight(float(one["distance_m"]), one["U95_height_m"])
+            for one in record.get("expected") or ()
+        ),
+        warnings=tuple(str(one) for one in record.get("warnings") or ()),
+    )
+
+
+def _exclusions(files: Files) -> Iterator[Exclusion]:
+    for row in read_rows(files, "exclusions.csv"):
+        yield Exclusion(
+            measurement=int(row["measurement_id"]),
+            vehicle=row["vehicle_number"],
+            target=row["target"],
+            state=row["state"].replace("_", " "),
+            reason=unsafe(row["reason"]),
+        )

@@ -1,0 +1,62 @@
+"""What the report of an export says of its line scans, read from the export's own files."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Collection, Iterator, Mapping
+from statistics import fmean, median, stdev
+
+from sightline.export.report.facts import RigFacts, ScanFacts, ScannedHeights
+from sightline.infra.csv_package.files import Files, number, read_columns, read_rows, unsafe, whole
+from sightline.scans.statistics.service import ScanStatistics
+
+
+def scan_facts(files: Files, found: ScanStatistics) -> ScanFacts | None:
+    """Rigs and statistics of the line scans; None where the survey has none."""
+    rigs = tuple(_rig(row) for row in read_rows(files, "line_scans.csv"))
+    if not rigs:
+        return None
+    names = ("id", "method", "status", "verdict")
+    used = {
+        id_: method
+        for id_, method, status, verdict in read_columns(files, "scan_vehicles.csv", names)
+        if (status, verdict) == ("ok", "accepted")
+    }
+    methods = tuple(sorted(Counter(used.values()).items()))
+    return ScanFacts(rigs, found, methods, tuple(_heights(files, used.keys())))
+
+
+def _heights(files: Files, vehicles: Collection[str]) -> Iterator[ScannedHeights]:
+    """The standing heights of these vehicles, target by target."""
+    names = ("vehicle_id", "target", "current", "withdrawn", "height_m", "U95_height_m")
+    found: dict[str, list[tuple[float, float]]] = {}
+    for id_, target, current, withdrawn, height, u95 in read_columns(files, "line_heights.csv", names):
+        if id_ in vehicles and (current, withdrawn) == ("true", "false") and height and u95:
+            found.setdefault(target, []).append((float(height), float(u95)))
+    for target, pairs in sorted(found.items()):
+        heights = [height for height, _ in pairs]
+        sd = stdev(heights) if len(heights) > 1 else None
+        spread = median(u95 for _, u95 in pairs)
+        yield ScannedHeights(target, len(pairs), fmean(heights), sd, median(heights), spread)
+
+
+def _rig(row: Mapping[str, str]) -> RigFacts:
+    def value(name: str) -> float:
+        return number(row[name]) or 0.0
+
+    return RigFacts(
+        name=unsafe(row["name"]),
+        source=row["source"],
+        lighting=row["lighting"],
+        lines=whole(row["lines"]),
+        rows_px=whole(row["rows_px"]),
+        baseline_m=value("baseline_m"),
+        u_baseline_m=value("u_baseline_m"),
+        line_rate_hz=value("line_rate_hz"),
+        u_line_rate_ratio=value("u_line_rate_ratio"),
+        divergence_rad=value("divergence_rad"),
+        u_divergence_rad=value("u_divergence_rad"),
+        distance_m=number(row["distance_m"]),
+        misalignment_px=number(row["misalignment_px"]),
+        u_misalignment_px=value("u_misalignment_px"),
+    )

@@ -1,0 +1,60 @@
+"""Figures of line scans: what the scanned vehicles drive, measure and keep apart, as cumulative curves."""
+
+from __future__ import annotations
+
+from matplotlib.axes import Axes
+
+from sightline.export.report import marks
+from sightline.export.report.canvas import HALF, INK, Drawing, svg
+from sightline.export.report.marks import MAIN
+from sightline.export.report.units import SPEED, WAY, Scale, Unit, count, fixed
+from sightline.scans.statistics.service import ScanStatistics, Spread
+
+NAMES: dict[str, str] = {
+    "speed": "speed",
+    "length": "length",
+    "time_gap": "time gap",
+    "distance_gap": "distance gap",
+    "headway": "headway",
+}
+_SECONDS = Scale(1.0, "s", 2)
+_MARKED = (15.0, 50.0, 85.0)
+
+
+def scale_of(unit_of: str, unit: Unit) -> Scale:
+    """How a quantity of m/s, m or s is shown."""
+    return {"m/s": SPEED, "m": WAY}[unit_of][unit] if unit_of != "s" else _SECONDS
+
+
+def scan_drawings(found: ScanStatistics, unit: Unit = "m") -> dict[str, Drawing]:
+    """Name to figure of every quantity that has values."""
+    return {
+        f"scan-{one.quantity.replace('_', '-')}": _cumulative(one, scale_of(one.unit, unit))
+        for one in found.spreads
+        if one.ecdf is not None
+    }
+
+
+def _cumulative(one: Spread, scale: Scale) -> Drawing:
+    name, curve = NAMES[one.quantity], one.ecdf
+    assert curve is not None
+    title = f"Scanned vehicles: {name}, cumulative"
+    chosen = [each for each in one.percentiles if each.percent in _MARKED]
+
+    def draw(axes: Axes) -> None:
+        marks.steps(axes, curve, MAIN, scale.factor)
+        for each in chosen:
+            axes.plot(scale.factor * each.value, each.percent, "o", color=INK, markersize=2.6, zorder=4)
+            if each.low is not None and each.high is not None:
+                ends = [scale.factor * each.low, scale.factor * each.high]
+                axes.plot(ends, [each.percent] * 2, "|-", color=INK, linewidth=0.8, markersize=4.5, zorder=4)
+        axes.set(
+            xlabel=f"{name[:1].upper()}{name[1:]} ({scale.sign})",
+            ylabel="Share of vehicles (%)",
+            ylim=(0, 100.8),
+        )
+        axes.margins(x=0.02)
+
+    said = ", ".join(f"P{fixed(each.percent, 0)} {scale.length(each.value)}" for each in chosen)
+    caption = f"n = {count(one.n)}; {said}; 95 % intervals where n allows them, and the curve’s 95 % band."
+    return Drawing(svg(draw, title, HALF), title, caption)

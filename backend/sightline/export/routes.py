@@ -1,0 +1,86 @@
+"""Exports: the CSV package for a standards body."""
+
+import re
+from datetime import datetime
+from urllib.parse import quote
+
+from fastapi import APIRouter
+from fastapi.responses import FileResponse
+from pydantic import Field
+
+from sightline.export import store
+from sightline.export.export_job import request_export
+from sightline.export.records import Export
+from sightline.infra.web.bodies import In, JobBody, Out, WhoBody
+from sightline.infra.web.deps import PathId, Reading, Viewer, Wired, Writing
+from sightline.surveys.store import get_survey
+
+router = APIRouter()
+
+
+class WantedBody(In):
+    crops: bool = Field(True, description="With the pictures that were clicked on.")
+
+
+class ExportBody(Out):
+    id: int
+    created_at: datetime
+    created_by: WhoBody | None
+    size_bytes: int
+    sha256: str
+    audit_count: int = Field(description="How many events the audit chain in it has.")
+    audit_head: str = Field(description="The last hash of that chain; keep it elsewhere.")
+    url: str
+    filename: str = Field(description="What the downloaded file is called.")
+
+
+def body_of(made: Export, survey: str) -> ExportBody:
+    who = None if made.created_by is None else WhoBody.model_validate(made.created_by)
+    return ExportBody(
+        id=made.id,
+        created_at=made.created_at,
+        created_by=who,
+        size_bytes=made.size_bytes,
+        sha256=made.sha256,
+        audit_count=made.audit_count,
+        audit_head=made.audit_head,
+        url=f"/api/exports/{made.id}.zip",
+        filename=filename_of(made, survey),
+    )
+
+
+def filename_of(made: Export, survey: str) -> str:
+    """The name of a package's file after its survey's, in plain letters."""
+    plain = re.sub(r"[^A-Za-z0-9]+", "-", survey).strip("-").lower() or "survey"
+    return f"sightline-{plain}-{made.id}.zip"
+
+
+@router.post("/surveys/{survey_id}/exports", status_code=202)
+def make_export(
+    survey_id: PathId, who: Viewer, session: Writing, wanted: WantedBody | None = None
+) -> JobBody:
+    """Build the package in the background."""
+    crops = wanted is None or wanted.crops
+    return JobBody.model_validate(request_export(session, survey_id, crops=crops, actor=who.id))
+
+
+@router.get("/surveys/{survey_id}/exports")
+def list_exports(survey_id: PathId, who: Viewer, session: Reading) -> list[ExportBody]:
+    """The packages that were made of a survey, newest first."""
+    name = get_survey(session, survey_id).name
+    return [body_of(made, name) for made in store.list_exports(session, survey_id)]
+
+
+@router.get("/exports/{export_id}.zip", response_class=FileResponse)
+def download_export(export_id: PathId, who: Viewer, services: Wired) -> FileResponse:
+    """One package as it was made."""
+    with services.reading() as session:
+        made = store.get_export(session, export_id)
+        name = get_survey(session, made.survey_id).name
+    path = services.media.local_path(made.media_key)
+    headers = {
+        "Content-Disposition": f"attachment; filename={quote(filename_of(made, name))}",
+        "ETag": f'"{made.sha256}"',
+        "Cache-Control": "private, max-age=31536000, immutable",
+    }
+    return FileResponse(path, media_type="application/zip", headers=headers)

@@ -1,0 +1,210 @@
+"""The statistics of an export's line scans: read from its own rows, and as tables of their own."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from sightline.infra.csv_package.files import Files, number, read_columns, read_rows
+from sightline.infra.csv_package.schema import Cell, Column, Table
+from sightline.scans.records import state_of
+from sightline.scans.statistics.service import GAPS, MOTION, ScanStatistics, Seen, statistics_of_seen
+
+Cells = dict[str, Cell]
+FOLDER = "statistics/"
+_QUANTITY = Column(
+    "quantity",
+    "string",
+    "speed: when the front reaches camera 1; length; time_gap and distance_gap: from the rear before to this "
+    "front; headway: front to front",
+    required=True,
+    enum=("speed", "length", "time_gap", "distance_gap", "headway"),
+)
+_SIZE = Column("size", "string", "which size of a vehicle", required=True, enum=("length", "wheelbase"))
+_UNIT = Column("unit", "string", "unit of the figures of this row", required=True)
+_N = Column("n", "integer", "how many vehicles it rests on", required=True, minimum=0)
+_REASON = Column("reason", "string", "why a figure or its interval is missing")
+
+
+def _figure(name: str, meaning: str, unit: str = "") -> Column:
+    return Column(name, "number", meaning, unit)
+
+
+_INTERVAL = (
+    _figure("low", "lower end of its 95 % interval"),
+    _figure("high", "upper end of its 95 % interval"),
+)
+
+ERRORS = Table(
+    "scan_errors",
+    "Errors (measured minus manufacturer's) of lengths and wheelbases of accepted scanned vehicles, not "
+    "rounded, by lighting and overall; figures named _m are in metres, _m2 in square metres.",
+    (
+        _SIZE,
+        Column("group", "string", "which group", required=True),
+        Column("figure", "string", "which figure", required=True),
+        _N,
+        _figure("value", "the figure"),
+        *_INTERVAL,
+        _REASON,
+    ),
+    primary=("size", "group", "figure"),
+    folder=FOLDER,
+)
+BASELINES = Table(
+    "scan_baselines",
+    "What known sizes say of the baseline: measured over true, by weighted mean; 1.01 is 1 % too long.",
+    (
+        _SIZE,
+        _N,
+        _figure("ratio", "measured over true"),
+        _figure("u_ratio", "standard uncertainty of the ratio (k = 1)"),
+        _figure("spread", "standard deviation of a vehicle's ratio"),
+        _REASON,
+        Column("warning", "string", "what to beware of"),
+    ),
+    primary=("size",),
+    folder=FOLDER,
+)
+QUANTITIES = Table(
+    "scan_quantities",
+    "Mean and spread of what accepted scanned vehicles were measured for.",
+    (
+        _QUANTITY,
+        _UNIT,
+        _N,
+        _figure("mean", "mean, in the row's unit"),
+        _figure("sd", "standard deviation (n - 1), in the row's unit"),
+    ),
+    primary=("quantity",),
+    folder=FOLDER,
+)
+PERCENTILES = Table(
+    "scan_percentiles",
+    "Percentiles of the same with distribution-free 95 % intervals.",
+    (
+        _QUANTITY,
+        _UNIT,
+        _N,
+        _figure("percent", "which percentile", "%"),
+        _figure("value", "the percentile, in the row's unit"),
+        *_INTERVAL,
+        _REASON,
+    ),
+    primary=("quantity", "percent"),
+    folder=FOLDER,
+)
+ECDF = Table(
+    "scan_ecdf",
+    "Cumulative distributions of the same with 95 % bands; at most 600 points of each.",
+    (
+        _QUANTITY,
+        _figure("value", "the value, in m/s, m or s as scan_quantities says"),
+        _figure("share", "share of the vehicles that are not above it"),
+        _figure("low", "lower edge of the 95 % band"),
+        _figure("high", "upper edge of the 95 % band"),
+    ),
+    folder=FOLDER,
+)
+TABLES = (ERRORS, BASELINES, QUANTITIES, PERCENTILES, ECDF)
+
+
+def scans_in(files: Files) -> ScanStatistics:
+    """Statistics of the accepted vehicles of all line scans of a package, from its tables."""
+    return statistics_of_seen(list(_seen(files)), accepted_only=True)
+
+
+def _seen(files: Files) -> Iterator[Seen]:
+    lighting = dict(read_columns(files, "line_scans.csv", ("id", "lighting")))
+    rigs = {
+        id_: (float(baseline), float(u))
+        for id_, baseline, u in read_columns(
+            files, "scan_measurements.csv", ("id", "baseline_m", "u_baseline_m")
+        )
+    }
+    for row in read_rows(files, "scan_vehicles.csv"):
+        baseline, u_baseline = rigs.get(row["measurement_id"], (1.0, 0.0))
+        yield Seen(
+            vehicle_id=int(row["id"]),
+            scan_id=int(row["scan_id"]),
+            number=int(row["number"]),
+            state=state_of(row["status"] or None, row["verdict"] or None),
+            measured=row["status"] == "ok",
+            lighting=row["lighting"] or lighting.get(row["scan_id"], "") or "unknown",
+            values={name: number(row[name]) for name in (*MOTION, *GAPS)},
+            known={
+                name: number(row[column])
+                for name, column in (
+                    ("length_m", "true_length_m"),
+                    ("u_length_m", "u_true_length_m"),
+                    ("wheelbase_m", "true_wheelbase_m"),
+                    ("u_wheelbase_m", "u_true_wheelbase_m"),
+                )
+            },
+            rig_baseline_m=baseline,
+            rig_u_baseline_m=u_baseline,
+            status=row["status"] or "not_measurable",
+            reason=row["reason"] or None,
+        )
+
+
+def scan_rows(found: ScanStatistics) -> dict[str, Iterator[Cells]]:
+    """The rows of every table by its path; all are empty where no scanned vehicle is accepted."""
+    return {
+        ERRORS.path: _error_rows(found),
+        BASELINES.path: _baseline_rows(found),
+        QUANTITIES.path: _quantity_rows(found),
+        PERCENTILES.path: _percentile_rows(found),
+        ECDF.path: _ecdf_rows(found),
+    }
+
+
+def _error_rows(found: ScanStatistics) -> Iterator[Cells]:
+    for size, groups in (("length", found.length_errors), ("wheelbase", found.wheelbase_errors)):
+        if not groups["overall"].n:
+            continue
+        for name, group in groups.items():
+            for figure, value in group.figures.items():
+                within = group.ci95[figure]
+                ends: Cells = {} if within is None else {"low": within.low, "high": within.high}
+                row: Cells = {"size": size, "group": name, "figure": figure, "n": group.n, "value": value}
+                yield {**row, **ends, "reason": group.reason}
+
+
+def _baseline_rows(found: ScanStatistics) -> Iterator[Cells]:
+    for size, one in (("length", found.length_ratio), ("wheelbase", found.wheelbase_ratio)):
+        if found.counted["used"]:
+            row: Cells = {"size": size, "n": one.n, "ratio": one.value, "u_ratio": one.u}
+            yield {**row, "spread": one.spread, "reason": one.reason, "warning": one.warning}
+
+
+def _quantity_rows(found: ScanStatistics) -> Iterator[Cells]:
+    for one in found.spreads:
+        if one.n:
+            yield {
+                "quantity": one.quantity,
+                "unit": one.unit,
+                "n": one.n,
+                "mean": one.mean,
+                "sd": one.sd,
+            }
+
+
+def _percentile_rows(found: ScanStatistics) -> Iterator[Cells]:
+    for one in found.spreads:
+        for each in one.percentiles:
+            row: Cells = {"quantity": one.quantity, "unit": one.unit, "n": one.n, "percent": each.percent}
+            yield {**row, "value": each.value, "low": each.low, "high": each.high, "reason": each.reason}
+
+
+def _ecdf_rows(found: ScanStatistics) -> Iterator[Cells]:
+    for one in found.spreads:
+        if one.ecdf is not None:
+            curve = one.ecdf
+            for value, share, low, high in zip(
+                curve.value.tolist(),
+                curve.share.tolist(),
+                curve.low.tolist(),
+                curve.high.tolist(),
+                strict=True,
+            ):
+                yield {"quantity": one.quantity, "value": value, "share": share, "low": low, "high": high}

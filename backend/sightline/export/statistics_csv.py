@@ -1,0 +1,377 @@
+"""The statistics of an export as tables: what each figure and each percentile of the report rests on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import chain
+from typing import Any
+
+from sightline.export import scans
+from sightline.export.measured import PackageStatistics
+from sightline.infra.csv_package.schema import Cell, Column, Row, Table
+from sightline.results.survey_statistics import Shown, Statistics, standards_of
+from sightline.statistics.corrections import Correction
+from sightline.statistics.distributions import Ecdf
+from sightline.statistics.summary import Distribution, Errors
+
+Cells = dict[str, Cell]
+FOLDER = "statistics/"
+_ERRORS_OF: tuple[tuple[str, Correction], ...] = (("inset", "inset"), ("paper", "none"))
+_HEIGHTS = Column(
+    "heights",
+    "string",
+    "inset: heights corrected by each measurement's inset; paper: heights with an inset of 0",
+    required=True,
+    enum=("inset", "paper"),
+)
+_ROUNDING = Column(
+    "rounding",
+    "string",
+    "cm: both heights to whole centimetres as the paper does; none: not rounded",
+    required=True,
+    enum=("cm", "none"),
+)
+_CORRECTION = Column(
+    "correction",
+    "string",
+    "which correction of the heights (corrections.csv says what was done)",
+    required=True,
+)
+_TARGET = Column("target", "string", "what was measured", required=True)
+_N = Column("n", "integer", "how many measurements it rests on", required=True, minimum=0)
+_GROUPING = Column("grouping", "string", "what divides the measurements; all: nothing", required=True)
+_GROUP = Column("group", "string", "which group", required=True)
+_REASON = Column("reason", "string", "why a figure or its interval is missing")
+
+
+def _length(name: str, meaning: str) -> Column:
+    return Column(name, "number", meaning, "m")
+
+
+def _plain(name: str, meaning: str, unit: str = "") -> Column:
+    return Column(name, "number", meaning, unit)
+
+
+_INTERVAL = (
+    _plain("low", "lower end of its 95 % interval"),
+    _plain("high", "upper end of its 95 % interval"),
+)
+_BAND = (_plain("low", "lower edge of the 95 % band"), _plain("high", "upper edge of the 95 % band"))
+
+ERROR_TABLE = Table(
+    "error_table",
+    "Errors (measured minus manufacturer's height) of accepted roofs by lighting and overall, pooled from "
+    "the raw errors; figures named _m are in metres, _m2 in square metres, correlations have no unit.",
+    (
+        _HEIGHTS,
+        _ROUNDING,
+        _GROUP,
+        Column("figure", "string", "which figure", required=True),
+        _N,
+        _plain("value", "the figure"),
+        *_INTERVAL,
+        _REASON,
+    ),
+    primary=("heights", "rounding", "group", "figure"),
+    folder=FOLDER,
+)
+AGREEMENT = Table(
+    "agreement",
+    "Bland and Altman's limits of agreement, the regression of signed and absolute error on the "
+    "manufacturer's height, and the share of the errors' variance that the manufacturers' heights themselves "
+    "explain.",
+    (
+        _HEIGHTS,
+        _ROUNDING,
+        Column("figure", "string", "which figure; _m: metres", required=True),
+        _plain("value", "the figure"),
+        *_INTERVAL,
+        _REASON,
+    ),
+    primary=("heights", "rounding", "figure"),
+    folder=FOLDER,
+)
+ERROR_TREND = Table(
+    "error_trend",
+    "The regression lines of agreement.csv with their 95 % bands, at heights over the range of the data.",
+    (
+        _HEIGHTS,
+        _ROUNDING,
+        Column("of", "string", "signed or absolute error", required=True),
+        _length("reference_m", "manufacturer's height"),
+        _length("error_m", "error on the line"),
+        _length("low_m", "lower edge of the line's 95 % band"),
+        _length("high_m", "upper edge of the line's 95 % band"),
+    ),
+    folder=FOLDER,
+)
+ERROR_ECDF = Table(
+    "error_ecdf",
+    "Cumulative distributions of the absolute error (in metres) and of the relative error (absolute error "
+    "over the manufacturer's height, no unit); at most 600 points of each.",
+    (
+        _HEIGHTS,
+        _ROUNDING,
+        Column("of", "string", "absolute or relative error", required=True),
+        _GROUP,
+        _plain("value", "the error"),
+        _plain("share", "share of the errors that are not larger"),
+        *_BAND,
+    ),
+    folder=FOLDER,
+)
+ERROR_DENSITY = Table(
+    "error_density",
+    "Densities of the signed error with their 95 % bands.",
+    (
+        _HEIGHTS,
+        _ROUNDING,
+        _GROUP,
+        _length("error_m", "signed error"),
+        _plain("density", "density at that error", "1/m"),
+        _plain("low", "lower edge of the 95 % band", "1/m"),
+        _plain("high", "upper edge of the 95 % band", "1/m"),
+    ),
+    folder=FOLDER,
+)
+CORRECTION_TABLE = Table(
+    "corrections",
+    "What each correction did to the heights of each target, in words, and the mean and spread that it left.",
+    (
+        _TARGET,
+        _CORRECTION,
+        _N,
+        _length("mean_m", "mean of the corrected heights"),
+        _length("sd_m", "standard deviation of the corrected heights (n - 1)"),
+        Column("words", "string", "what was done"),
+        Column("warning", "string", "what to beware of"),
+        _REASON,
+    ),
+    primary=("target", "correction"),
+    folder=FOLDER,
+)
+PERCENTILE_TABLE = Table(
+    "percentiles",
+    "Percentiles of the heights of each target with distribution-free 95 % intervals, under each correction, "
+    "and under the headline's (inset) by group.",
+    (
+        _TARGET,
+        _CORRECTION,
+        _GROUPING,
+        _GROUP,
+        _N,
+        _plain("percent", "which percentile", "%"),
+        _length("height_m", "the percentile"),
+        _length("low_m", "lower end of its 95 % interval"),
+        _length("high_m", "upper end of its 95 % interval"),
+        _REASON,
+    ),
+    primary=("target", "correction", "grouping", "group", "percent"),
+    folder=FOLDER,
+)
+HEIGHT_ECDF = Table(
+    "height_ecdf",
+    "Cumulative distributions of the heights of each target with 95 % bands; at most 600 points of each.",
+    (
+        _TARGET,
+        _CORRECTION,
+        _GROUPING,
+        _GROUP,
+        _length("height_m", "height"),
+        _plain("share", "share of the heights that are not larger"),
+        *_BAND,
+    ),
+    folder=FOLDER,
+)
+HEIGHT_DENSITY = Table(
+    "height_density",
+    "Densities of the heights of each target with 95 % bands.",
+    (
+        _TARGET,
+        _CORRECTION,
+        _length("height_m", "height"),
+        _plain("density", "density at that height", "1/m"),
+        _plain("low", "lower edge of the 95 % band", "1/m"),
+        _plain("high", "upper edge of the 95 % band", "1/m"),
+    ),
+    folder=FOLDER,
+)
+SHARES = Table(
+    "shares",
+    "Which share of the heights lies below the value of each standard, with its 95 % interval.",
+    (
+        _TARGET,
+        _CORRECTION,
+        _GROUPING,
+        _GROUP,
+        Column("standard", "string", "whose value", required=True),
+        _length("limit_m", "the standard's height"),
+        Column("source", "string", "where the standard's value is from"),
+        Column("below", "integer", "how many heights lie below it", required=True),
+        _N,
+        _plain("share", "below over n"),
+        *_INTERVAL,
+    ),
+    folder=FOLDER,
+)
+TABLES = (
+    ERROR_TABLE,
+    AGREEMENT,
+    ERROR_TREND,
+    ERROR_ECDF,
+    ERROR_DENSITY,
+    CORRECTION_TABLE,
+    PERCENTILE_TABLE,
+    HEIGHT_ECDF,
+    HEIGHT_DENSITY,
+    SHARES,
+    *scans.TABLES,
+)
+
+
+def statistics_rows(found: PackageStatistics) -> dict[str, Iterator[Cells]]:
+    """The rows of every table by its path."""
+    errors = [
+        ({"heights": heights, "rounding": rounding}, found.of[correction, rounding].errors)
+        for heights, correction in _ERRORS_OF
+        for rounding in ("cm", "none")
+    ]
+    heights = [(correction, one) for (correction, rounding), one in found.of.items() if rounding == "cm"]
+    return {
+        ERROR_TABLE.path: chain.from_iterable(_error_rows(key, one) for key, one in errors),
+        AGREEMENT.path: chain.from_iterable(_agreement_rows(key, one) for key, one in errors),
+        ERROR_TREND.path: chain.from_iterable(_trend_rows(key, one) for key, one in errors),
+        ERROR_ECDF.path: chain.from_iterable(_error_ecdf_rows(key, one) for key, one in errors),
+        ERROR_DENSITY.path: chain.from_iterable(_error_density_rows(key, one) for key, one in errors),
+        CORRECTION_TABLE.path: chain.from_iterable(_correction_rows(*one) for one in heights),
+        PERCENTILE_TABLE.path: chain.from_iterable(_percentile_rows(*one) for one in heights),
+        HEIGHT_ECDF.path: chain.from_iterable(_height_ecdf_rows(*one) for one in heights),
+        HEIGHT_DENSITY.path: chain.from_iterable(_height_density_rows(*one) for one in heights),
+        SHARES.path: chain.from_iterable(_share_rows(*one) for one in heights),
+        **scans.scan_rows(found.scans),
+    }
+
+
+def _error_rows(key: Row, errors: Errors) -> Iterator[Cells]:
+    for name, group in errors.groups.items():
+        for figure, value in group.figures.items():
+            ci = group.ci95[figure]
+            ends = {} if ci is None else {"low": ci.low, "high": ci.high}
+            row = {**key, "group": name, "figure": figure, "n": group.n, "value": value, **ends}
+            yield {**row, "reason": group.reason}
+
+
+def _agreement_rows(key: Row, errors: Errors) -> Iterator[Cells]:
+    for name, part, figures in (
+        ("bland_altman", errors.bland_altman, ("bias_m", "lower_m", "upper_m")),
+        ("trend", errors.trend, ("slope", "intercept", "correlation")),
+        ("absolute_trend", errors.absolute_trend, ("slope", "intercept", "correlation")),
+        ("reference", errors.reference_part, _OF_REFERENCE),
+    ):
+        if isinstance(part, str):
+            yield {**key, "figure": name, "reason": part}
+            continue
+        for figure in figures:
+            ci = getattr(part, f"{figure.removesuffix('_m')}_ci95", None)
+            ends = {} if ci is None else {"low": ci.low, "high": ci.high}
+            yield {**key, "figure": f"{name}_{figure}", "value": getattr(part, figure), **ends}
+
+
+_OF_REFERENCE = ("u_reference_m", "share_of_variance", "rounding_share", "camera_sd_m", "correlation_alone")
+
+
+def _trend_rows(key: Row, errors: Errors) -> Iterator[Cells]:
+    for of, part in (("signed", errors.trend), ("absolute", errors.absolute_trend)):
+        if not isinstance(part, str):
+            for at, value, low, high in _points(part.at, part.value, part.low, part.high):
+                yield {**key, "of": of, "reference_m": at, "error_m": value, "low_m": low, "high_m": high}
+
+
+def _points(*columns: Any) -> Iterator[tuple[float, ...]]:
+    return zip(*(column.tolist() for column in columns), strict=True)
+
+
+def _ecdf_points(found: Ecdf | None, name: str) -> Iterator[Cells]:
+    if found is not None:
+        for value, share, low, high in _points(found.value, found.share, found.low, found.high):
+            yield {name: value, "share": share, "low": low, "high": high}
+
+
+def _error_ecdf_rows(key: Row, errors: Errors) -> Iterator[Cells]:
+    for of, groups in (("absolute", errors.absolute), ("relative", errors.relative)):
+        for group, found in groups.items():
+            for point in _ecdf_points(found, "value"):
+                yield {**key, "of": of, "group": group, **point}
+
+
+def _error_density_rows(key: Row, errors: Errors) -> Iterator[Cells]:
+    for group, found in errors.density.items():
+        if not isinstance(found, str):
+            for at, density, low, high in _points(found.value, found.density, found.low, found.high):
+                yield {**key, "group": group, "error_m": at, "density": density, "low": low, "high": high}
+
+
+def _correction_rows(correction: Correction, found: Statistics) -> Iterator[Cells]:
+    for target, one in found.targets.items():
+        done = one.correction
+        said: Cells = {"reason": done} if isinstance(done, str) else {"words": done.words}
+        if not isinstance(done, str):
+            said["warning"] = done.warning
+        left = one.corrected
+        row: Cells = {"target": target, "correction": correction, "n": left.n}
+        yield {**row, "mean_m": left.mean_m, "sd_m": left.sd_m, **said}
+
+
+def _distributions(correction: Correction, found: Statistics) -> Iterator[tuple[Shown, Cells, Distribution]]:
+    """Each target's heights under a correction, and under the headline's by group, with what names them."""
+    for target, one in found.targets.items():
+        key: Cells = {"target": target, "correction": correction}
+        yield target, {**key, "grouping": "all", "group": "all"}, one.corrected
+        if correction == "inset":
+            for grouping, groups in one.groups.items():
+                for word, part in groups.of.items():
+                    yield target, {**key, "grouping": grouping, "group": word}, part
+
+
+def _percentile_rows(correction: Correction, found: Statistics) -> Iterator[Cells]:
+    for _, key, one in _distributions(correction, found):
+        for each in one.percentiles:
+            row = {**key, "n": one.n, "percent": each.percent, "height_m": each.value}
+            yield {**row, "low_m": each.low, "high_m": each.high, "reason": each.reason}
+
+
+def _height_ecdf_rows(correction: Correction, found: Statistics) -> Iterator[Cells]:
+    for _, key, one in _distributions(correction, found):
+        for point in _ecdf_points(one.ecdf, "height_m"):
+            yield {**key, **point}
+
+
+def _height_density_rows(correction: Correction, found: Statistics) -> Iterator[Cells]:
+    for target, one in found.targets.items():
+        if not isinstance(one.density, str):
+            part = one.density
+            for at, density, low, high in _points(part.value, part.density, part.low, part.high):
+                row: Cells = {"target": target, "correction": correction, "height_m": at}
+                yield {**row, "density": density, "low": low, "high": high}
+
+
+def _share_rows(correction: Correction, found: Statistics) -> Iterator[Cells]:
+    for target, key, one in _distributions(correction, found):
+        for standard, share in zip(standards_of(found.standards, target), one.shares, strict=False):
+            row = {**key, "standard": standard.name, "limit_m": standard.height_m, "source": standard.source}
+            part = {"below": share.below, "n": share.n, "share": share.share}
+            yield {**row, **part, "low": share.low, "high": share.high}
+
+
+def same_cell(column: Column, told: str, found: str) -> bool:
+    """Whether two cells say the same; numbers to a millionth: machines differ in the last bits."""
+    if told == found:
+        return True
+    if column.type != "number" or not told or not found:
+        return False
+    a, b = float(told), float(found)
+    return abs(a - b) <= 1.1e-6 * max(1.0, abs(a), abs(b))
+
+
+def named(tables: Sequence[Table]) -> Mapping[str, Table]:
+    return {table.path: table for table in tables}

@@ -1,0 +1,63 @@
+"""Exports: the packages that were made, each with the audit chain's head at that moment."""
+
+from typing import Any
+
+from sqlalchemy import select
+from sqlalchemy.orm import Session
+
+from sightline.export.records import Export
+from sightline.export.tables import exports
+from sightline.infra.audit import trail
+from sightline.infra.audit.records import AuditHead
+from sightline.infra.database.people import people
+from sightline.infra.database.rows import add_row, get_row, missing, who
+from sightline.infra.database.types import now
+from sightline.surveys.tables import surveys
+
+
+def add_export(
+    session: Session,
+    survey_id: int,
+    *,
+    media_key: str,
+    size_bytes: int,
+    sha256: str,
+    head: AuditHead,
+    actor: int | None,
+) -> Export:
+    """A package that was written whole; `head` is the audit head that it carries."""
+    get_row(session, surveys, survey_id, "survey")
+    content = {"survey_id": survey_id, "media_key": media_key, "size_bytes": size_bytes, "sha256": sha256}
+    content |= {"audit_count": head.count, "audit_head": head.hash}
+    export_id = add_row(session, exports, {**content, "created_at": now(), "created_by": actor})
+    trail.record(session, actor, "create", "export", export_id, survey_id, None, content)
+    return get_export(session, export_id)
+
+
+def get_export(session: Session, export_id: int) -> Export:
+    """One export. Raises NotFound."""
+    found = _fetch(session, exports.c.id == export_id)
+    if not found:
+        raise missing("export", export_id)
+    return found[0]
+
+
+def list_exports(session: Session, survey_id: int) -> tuple[Export, ...]:
+    """A survey's exports, newest first."""
+    return _fetch(session, exports.c.survey_id == survey_id)
+
+
+def _fetch(session: Session, condition: Any) -> tuple[Export, ...]:
+    query = (
+        select(exports, people.c.name.label("maker"))
+        .outerjoin(people, people.c.id == exports.c.created_by)
+        .where(condition)
+        .order_by(exports.c.id.desc())
+    )
+    return tuple(
+        Export(
+            created_by=who(row["created_by"], row["maker"]),
+            **{key: value for key, value in row.items() if key not in ("created_by", "maker")},
+        )
+        for row in session.execute(query).mappings()
+    )

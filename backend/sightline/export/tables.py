@@ -1,0 +1,27 @@
+"""The table of exports."""
+
+from sqlalchemy import (
+    BigInteger,
+    Column,
+    ForeignKey,
+    Integer,
+    String,
+    Table,
+)
+
+from sightline.infra.database.types import Moment, identity, metadata
+
+exports = Table(
+    "exports",
+    metadata,
+    identity(),
+    Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
+    Column("media_key", String(400), nullable=False),
+    Column("size_bytes", BigInteger, nullable=False),
+    Column("sha256", String(64), nullable=False),
+    # the chain as it stood when the package was made: proof against a cut tail
+    Column("audit_count", Integer, nullable=False),
+    Column("audit_head", String(64), nullable=False),
+    Column("created_at", Moment, nullable=False),
+    Column("created_by", ForeignKey("people.id")),
+)

@@ -1,0 +1,168 @@
+"""Checking an export without the database: nothing in it is believed that something else does not vouch for.
+
+In order: the sums of all files; the audit chain, link by link; every height from clicks, pose and camera, and
+every row against its audit event; keys; poses, calibrations and photographs against the chain; verdicts;
+exclusions and statistics computed again from the rows; crops; figures and report drawn again; the
+description.
+
+What is left: somebody who changes rows and writes the whole chain anew makes a package that is sound in
+itself, and a crop exchanged together with its hash shows another picture. Both are found by what was kept
+elsewhere: the head of the chain (`--head`), the SHA-256 of the ZIP, which the program that made it lists. The
+latter alone covers names of people, texts of flags, and what events of earlier versions do not hold
+(created_at, code_version, the drift columns); the package's description says so.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from sightline.errors import BadInput, Damaged
+from sightline.export.verify.chain import Told, walk
+from sightline.export.verify.derived import (
+    check_crops,
+    check_description,
+    check_drawn,
+    check_statistics,
+    described_tables,
+)
+from sightline.export.verify.heights import check_heights
+from sightline.export.verify.rows import (
+    check_frames,
+    check_keys,
+    check_people_s_work,
+    check_set_up,
+    check_verdicts,
+)
+from sightline.infra.csv_package.files import Files, Tick, no_tick, open_package, read_whole, sum_of
+from sightline.infra.csv_package.schema import CHECKSUMS, Written
+from sightline.scans.verify import check_scans
+from sightline.surveys.photographs.verify import check_photographs
+
+_LEAST_OF_HEAD = 16
+
+
+@dataclass(frozen=True)
+class PackageCheck:
+    """What was checked; `problem` is one sentence, None when all is well. `notes`: what could not be."""
+
+    ok: bool
+    files: int
+    checked: int
+    heights: int
+    head_hash: str
+    problem: str | None
+    keys: int = 0
+    statistics: int = 0
+    crops: int = 0
+    drawings: int = 0
+    notes: list[str] = field(default_factory=list)
+
+
+@dataclass(eq=False)
+class _Found:
+    """Counts so far, told even when something is wrong."""
+
+    checked: int = 0
+    heights: int = 0
+    head: str = ""
+    keys: int = 0
+    statistics: int = 0
+    crops: int = 0
+    drawings: int = 0
+    notes: list[str] = field(default_factory=list)
+
+
+def verify_place(place: Path, head: str | None = None, tick: Tick = no_tick) -> PackageCheck:
+    """Check an exported folder or ZIP. Raises BadInput for anything else."""
+    return verify_package(open_package(place), head, tick)
+
+
+def verify_package(files: Files, head: str | None = None, tick: Tick = no_tick) -> PackageCheck:
+    """Check everything; the first problem found is told. `head`: (the beginning of) the chain's last hash, as
+    it was kept elsewhere.
+    """
+    found = _Found()
+    problem = None
+    try:
+        _check(files, head, found, tick)
+    except (Damaged, BadInput) as error:
+        problem = error.message
+    except (KeyError, ValueError, TypeError, IndexError) as error:
+        # Checksums agree, yet a column is missing or holds what it cannot: another version, or a forger's.
+        problem = f"A table lacks or cannot hold {error}; export the survey again with this version."
+        problem = " ".join(problem.split())
+    return PackageCheck(
+        problem is None,
+        len(files.paths),
+        found.checked,
+        found.heights,
+        found.head,
+        problem,
+        found.keys,
+        found.statistics,
+        found.crops,
+        found.drawings,
+        found.notes,
+    )
+
+
+def _check(files: Files, head: str | None, found: _Found, tick: Tick) -> None:
+    written = checksums(files)
+    tick(0.1)
+    told = walk(files)
+    found.checked, found.head = told.count, told.head
+    _same_head(told, head)
+    tick(0.2)
+    check_set_up(files, told)
+    found.heights = check_heights(files, told)
+    tick(0.5)
+    check_people_s_work(files, told)
+    check_verdicts(files, told)
+    check_frames(files)
+    check_scans(files, told)
+    check_photographs(files, told, written)
+    found.keys = check_keys(files, described_tables(files))
+    tick(0.6)
+    drawn_alike, notes = check_description(files, told, written)
+    found.notes += notes
+    statistics, found.statistics, notes = check_statistics(files, same_program=drawn_alike)
+    found.notes += notes
+    found.crops = check_crops(files, written)
+    tick(0.8)
+    if drawn_alike:
+        found.drawings = check_drawn(files, statistics, written)
+
+
+def _same_head(told: Told, head: str | None) -> None:
+    if head is None:
+        return
+    if len(head) < _LEAST_OF_HEAD:
+        raise BadInput(
+            f"The first {len(head)} characters of a head prove little; give at least {_LEAST_OF_HEAD} of them."
+        )
+    if not told.head.startswith(head.lower()):
+        raise Damaged(
+            f"audit.csv ends with {told.head[:16]}, not with the head that was kept: it was written anew, or "
+            "this is another export."
+        )
+
+
+def checksums(files: Files) -> dict[str, Written]:
+    """Every file is there with the bytes it was written with, and no other. Raises Damaged."""
+    there = files.paths
+    if CHECKSUMS not in there:
+        raise BadInput(f"There is no {CHECKSUMS}, so this is no whole export; export the survey again.")
+    listed = {}
+    for line in read_whole(files, CHECKSUMS).decode("utf-8", "replace").splitlines():
+        sum_, _, path = line.partition("  ")
+        listed[path] = sum_
+    strange = sorted(there - set(listed) - {CHECKSUMS})
+    if strange:
+        raise Damaged(f"{strange[0]} does not belong to the export; take it out and check again.")
+    written = {}
+    for path, sum_ in listed.items():
+        written[path] = sum_of(files, path)
+        if written[path].sha256 != sum_:
+            raise Damaged(f"{path} was changed after the export; take the whole export again.")
+    return written

@@ -1,0 +1,309 @@
+"""Intrinsics from checkerboard views, with their full covariance and a verdict in words."""
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import cv2
+import numpy as np
+
+from sightline.errors import BadInput
+from sightline.geometry.arrays import Floats, exp_rotation, frozen
+from sightline.geometry.board import Board, board_points, require_board
+from sightline.geometry.board_shape import BoardShape, shape_basis
+from sightline.geometry.bundle import from_scratch, refine_all, refine_bent
+from sightline.geometry.camera import Camera, View
+from sightline.geometry.corners import Corners, spacing_px
+from sightline.geometry.lens import Model
+from sightline.geometry.planar import PlanarPose, linearise, planar_roots
+from sightline.geometry.reshoot import reshoot_advice
+from sightline.geometry.verdict import Evidence, calibration_warnings
+
+COVERAGE_ROWS, COVERAGE_COLUMNS = 12, 16
+_BLURRED = 0.45  # edge width over square size from which a view is left out as blurred
+LEAST_VIEWS = 3
+LEAST_BENT_VIEWS = 6  # with fewer, the board's shape and the lens cannot be told apart
+_POOR_RMS_PX = 2.0  # above this, OpenCV's solution is doubted and other starts are tried
+
+NamedCorners = tuple[str, Corners, tuple[int, int]]
+
+
+@dataclass(frozen=True, eq=False)
+class BoardFlatness:
+    """The views fitted with the board taken as `flat`, and with its `shape` solved for (`bent`)."""
+
+    shape: BoardShape
+    flat: Camera
+    bent: Camera
+    solved: bool  # whether the calibration is the bent one
+
+
+@dataclass(frozen=True, eq=False)
+class CalibrationResult:
+    """A camera, how well it is known, and whether it is to be trusted.
+
+    coverage: corners per cell of a 12 x 16 grid over the picture; corners, residuals_px: per used view (by
+    file), (rows, columns, 2); residuals are seen minus modelled. `trusted` is False when a warning says not
+    to. `reshoot`: what pictures are missing, in words. `flatness` is None with too few views to tell.
+    """
+
+    camera: Camera
+    coverage: Floats
+    corners: dict[str, Floats]
+    residuals_px: dict[str, Floats]
+    warnings: tuple[str, ...]
+    trusted: bool
+    reshoot: tuple[str, ...] = ()
+    flatness: BoardFlatness | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class _Fit:
+    """One model fitted to the used views."""
+
+    camera: Camera
+    poses: tuple[PlanarPose, ...]
+    shape: BoardShape | None = None
+
+    @property
+    def rms_px(self) -> float:
+        squares = sum(pose.cost for pose in self.poses)
+        return float(np.sqrt(squares / sum(len(pose.residuals_px) for pose in self.poses)))
+
+
+def calibrate(
+    views: Sequence[NamedCorners], board: Board, model: Model = "brown", bent_board: bool = False
+) -> CalibrationResult:
+    """Calibrate from `(file, corners, (width, height))` per picture.
+
+    OpenCV's calibrateCamera (Zhang 2000; k1 k2 p1 p2 k3) or fisheye.calibrate (Kannala and Brandt 2006)
+    finds the minimum; the covariance is sigma^2 (J'J)^-1 with every view's pose marginalised, sigma^2 from
+    the residuals. It holds corner noise only: a wrong lens model or a bent board shows in the warnings, not
+    in it; with `bent_board` the board's shape is solved for too. Pictures of another size than most, without
+    a board or blurred come back as unused views with their reason. Raises BadInput when fewer than three
+    views are left, or six for a bent board.
+    """
+    require_board(board)
+    used, skipped = usable_views(views)
+    least = LEAST_BENT_VIEWS if bent_board else LEAST_VIEWS
+    if len(used) < least:
+        raise BadInput(_too_few(len(used), len(views), skipped, least))
+    size = used[0][2]
+    flat = _fit(used, board, size, model)
+    bent = _bend(flat, used, board) if len(used) >= LEAST_BENT_VIEWS else None
+    fit = bent if bent_board and bent is not None else flat
+    other = _try_other(used, board, size, model, bent_board)
+    rms = [float(np.sqrt(pose.cost / len(pose.residuals_px))) for pose in fit.poses]
+    by_file = {name: View(name, value, True) for (name, _, _), value in zip(used, rms, strict=True)} | skipped
+    camera = replace(_known(fit), views=tuple(by_file[name] for name, _, _ in views))
+    other_size = tuple(name for name, _, its in views if its != size)
+    evidence = Evidence(
+        camera,
+        coverage(used, size),
+        tuple(name for name, _, _ in used),
+        tuple(rms),
+        tuple(pose.rotation[:, 2] for pose in fit.poses),
+        None if other is None else other.rms_px,
+        other_size,
+        len(skipped) - len(other_size),
+        tuple(c.points_px.reshape(-1, 2) for _, c, _ in used),
+        tuple(spacing_px(c.points_px) for _, c, _ in used),
+    )
+    warnings, trusted = calibration_warnings(evidence)
+    shapes = [c.points_px.shape for _, c, _ in used]
+    return CalibrationResult(
+        camera,
+        frozen(evidence.coverage),
+        {name: c.points_px for name, c, _ in used},
+        {
+            name: frozen(pose.residuals_px.reshape(shape))
+            for (name, _, _), pose, shape in zip(used, fit.poses, shapes, strict=True)
+        },
+        warnings,
+        trusted,
+        reshoot_advice(evidence),
+        None if bent is None or bent.shape is None else _flatness(flat, bent, bent.shape, bent_board),
+    )
+
+
+def fitted_lens(
+    used: Sequence[NamedCorners], board: Board, model: Model, bent_board: bool, start: Camera | None = None
+) -> tuple[Camera, BoardShape | None]:
+    """The lens alone, with its covariance and the board's shape if it is asked for. Raises BadInput.
+
+    start: a lens close to the minimum, as that of all views is to that of half of them; without it, few
+    views may end in a false minimum.
+    """
+    fit = None if start is None else _from_start(used, board, start)
+    fit = fit or _fit(used, board, used[0][2], model)
+    if bent_board:
+        fit = _bend(fit, used, board)
+    return _known(fit), fit.shape
+
+
+def _known(fit: _Fit) -> Camera:
+    """The fitted camera with its residual and covariance."""
+    covariance = lens_covariance(fit.poses)
+    n = len(fit.camera.parameters)
+    return replace(
+        fit.camera, rms_px=fit.rms_px, covariance=None if covariance is None else covariance[:n, :n]
+    )
+
+
+def _flatness(flat: _Fit, bent: _Fit, shape: BoardShape, solved: bool) -> BoardFlatness:
+    return BoardFlatness(shape, _known(flat), _known(bent), solved)
+
+
+def usable_views(views: Sequence[NamedCorners]) -> tuple[list[NamedCorners], dict[str, View]]:
+    """The views to use, and those left out with their reason."""
+    sizes = Counter(size for _, c, size in views if c.found) or Counter(size for _, _, size in views)
+    usual = sizes.most_common(1)[0][0] if sizes else (0, 0)
+    used: list[NamedCorners] = []
+    skipped: dict[str, View] = {}
+    for name, corners, size in views:
+        reason = None
+        if size != usual:
+            reason = (
+                f"The picture is {size[0]}x{size[1]} px, most of the others are {usual[0]}x{usual[1]} px."
+            )
+        elif not corners.found:
+            reason = corners.reason or "No board was found."
+        elif corners.sharpness > _BLURRED * spacing_px(corners.points_px):
+            reason = f"The picture is blurred (edges {corners.sharpness:.1f} px wide)."
+        if reason is None:
+            used.append((name, corners, size))
+        else:
+            skipped[name] = View(name, None, False, reason)
+    return used, skipped
+
+
+def _too_few(used: int, given: int, skipped: dict[str, View], least: int) -> str:
+    first = next(iter(skipped.values()), None)
+    why = "" if first is None else f" {first.file}: {first.reason}"
+    return (
+        f"Only {used} of {given} pictures can be used and at least {least} are needed; "
+        f"take more pictures of the whole board, from different sides.{why}"
+    )
+
+
+def _fit(used: Sequence[NamedCorners], board: Board, size: tuple[int, int], model: Model) -> _Fit:
+    """Fit one lens model; BadInput where no start leads to a minimum."""
+    objects = [board_points(replace(c.board_as_seen, square_m=board.square_m))[c.which] for _, c, _ in used]
+    seen = [c.points_px.reshape(-1, 2) for _, c, _ in used]
+    fit = _with_opencv(objects, seen, size, model)
+    if fit is None or fit.rms_px > _POOR_RMS_PX:
+        again = from_scratch(size, model, objects, seen)
+        if again is not None and (fit is None or _Fit(*again).rms_px < fit.rms_px):
+            fit = _Fit(*again)
+    if fit is None:
+        raise BadInput(
+            f"The {model} model could not be fitted to these views; add views from different sides or use "
+            "the other model."
+        )
+    return fit
+
+
+def _bend(flat: _Fit, used: Sequence[NamedCorners], board: Board) -> _Fit:
+    """The same views with the board's shape solved for, starting from the flat solution."""
+    seen_as = [replace(c.board_as_seen, square_m=board.square_m) for _, c, _ in used]
+    objects = [board_points(one)[c.which] for (_, c, _), one in zip(used, seen_as, strict=True)]
+    seen = [c.points_px.reshape(-1, 2) for _, c, _ in used]
+    bases = [shape_basis(board, one)[c.which] for (_, c, _), one in zip(used, seen_as, strict=True)]
+    camera, poses, shape = refine_bent(flat.camera, flat.poses, objects, seen, bases)
+    return _Fit(camera, poses, BoardShape(board, frozen(shape)))
+
+
+def _from_start(used: Sequence[NamedCorners], board: Board, start: Camera) -> _Fit | None:
+    objects = [board_points(replace(c.board_as_seen, square_m=board.square_m))[c.which] for _, c, _ in used]
+    seen = [c.points_px.reshape(-1, 2) for _, c, _ in used]
+    roots = [planar_roots(start, o, s) for o, s in zip(objects, seen, strict=True)]
+    return _Fit(*refine_all(start, [r[0] for r in roots], objects, seen)) if all(roots) else None
+
+
+def _with_opencv(
+    objects: list[Floats], seen: list[Floats], size: tuple[int, int], model: Model
+) -> _Fit | None:
+    """OpenCV's solution, or None where it fails or ends in nonsense."""
+    try:
+        matrix, k, turns, shifts = (_brown if model == "brown" else _fisheye)(objects, seen, size)
+    except cv2.error:
+        return None
+    if not (np.isfinite(matrix).all() and np.isfinite(k).all()) or min(matrix[0, 0], matrix[1, 1]) <= 0:
+        return None
+    f_and_c = (float(matrix[0, 0]), float(matrix[1, 1]), float(matrix[0, 2]), float(matrix[1, 2]))
+    camera = Camera("camera", *size, model, *f_and_c, np.asarray(k, dtype=np.float64).ravel())
+    poses = tuple(
+        linearise(camera, exp_rotation(np.ravel(r)), np.asarray(t, dtype=np.float64).ravel(), p, s)
+        for r, t, p, s in zip(turns, shifts, objects, seen, strict=True)
+    )
+    if not np.isfinite(_Fit(camera, poses).rms_px):
+        return None
+    # OpenCV stops after 30 rounds by default, in every seventh simulated set far from the minimum
+    return _Fit(*refine_all(camera, poses, objects, seen))
+
+
+def _brown(objects: list[Floats], seen: list[Floats], size: tuple[int, int]) -> tuple[Any, Any, Any, Any]:
+    solve: Any = cv2.calibrateCamera
+    o32 = [p.astype(np.float32) for p in objects]
+    s32 = [s.reshape(-1, 1, 2).astype(np.float32) for s in seen]
+    _, matrix, k, turns, shifts = solve(o32, s32, size, None, None, flags=0)
+    return matrix, k, turns, shifts
+
+
+def _fisheye(objects: list[Floats], seen: list[Floats], size: tuple[int, int]) -> tuple[Any, Any, Any, Any]:
+    solve: Any = cv2.fisheye.calibrate
+    flags = cv2.fisheye.CALIB_RECOMPUTE_EXTRINSIC | cv2.fisheye.CALIB_FIX_SKEW
+    stop = (cv2.TERM_CRITERIA_EPS + cv2.TERM_CRITERIA_MAX_ITER, 200, 1e-10)
+    o = [p.reshape(-1, 1, 3) for p in objects]
+    s = [p.reshape(-1, 1, 2) for p in seen]
+    _, matrix, k, turns, shifts = solve(o, s, size, np.eye(3), np.zeros((4, 1)), flags=flags, criteria=stop)
+    return matrix, k, turns, shifts
+
+
+def _try_other(
+    used: Sequence[NamedCorners], board: Board, size: tuple[int, int], model: Model, bent_board: bool
+) -> _Fit | None:
+    """The other lens model on the same views, to judge the choice; None where it cannot be fitted."""
+    try:
+        other = _fit(used, board, size, "fisheye" if model == "brown" else "brown")
+    except BadInput:
+        return None
+    return _bend(other, used, board) if bent_board else other
+
+
+def lens_covariance(poses: Sequence[PlanarPose]) -> Floats | None:
+    """Covariance of the lens's parameters (and the board's shape, where it was solved for), every view's pose
+    marginalised (Schur complement).
+
+    sigma^2 is the residual variance of one coordinate with its degrees of freedom. None where the views do
+    not determine the lens.
+    """
+    n = poses[0].lens_jacobian.shape[1]
+    information = np.zeros((n, n))
+    for pose in poses:
+        a, b = pose.lens_jacobian, pose.jacobian
+        q, _ = np.linalg.qr(b)
+        free = a - q @ (q.T @ a)  # what the view's own pose cannot explain
+        information += free.T @ free
+    freedom = sum(pose.jacobian.shape[0] - 6 for pose in poses) - n
+    if freedom <= 0:
+        return None
+    variance = sum(pose.cost for pose in poses) / freedom
+    scale = np.sqrt(np.diag(information))
+    if not (scale > 0).all():
+        return None
+    scaled = information / np.outer(scale, scale)
+    if np.linalg.cond(scaled) > 1e13:
+        return None
+    covariance = variance * np.linalg.inv(scaled) / np.outer(scale, scale)
+    return np.asarray(0.5 * (covariance + covariance.T), dtype=np.float64)
+
+
+def coverage(used: Sequence[NamedCorners], size: tuple[int, int]) -> Floats:
+    """Corners per cell of a 12 x 16 grid over the picture."""
+    points = np.concatenate([c.points_px.reshape(-1, 2) for _, c, _ in used])
+    bins = [COVERAGE_ROWS, COVERAGE_COLUMNS]
+    extent = [[-0.5, size[1] - 0.5], [-0.5, size[0] - 0.5]]
+    counts, _, _ = np.histogram2d(points[:, 1], points[:, 0], bins=bins, range=extent)
+    return np.asarray(counts, dtype=np.float64)

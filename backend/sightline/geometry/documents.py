@@ -1,0 +1,238 @@
+"""camera.json and pose.json (contract.md) as dicts, both ways. Reading refuses by key, in one sentence."""
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any, cast
+
+import numpy as np
+
+from sightline.errors import BadInput
+from sightline.geometry.arrays import Floats, is_covariance
+from sightline.geometry.board_errors import BOWS
+from sightline.geometry.camera import Camera, View
+from sightline.geometry.lens import Model
+from sightline.geometry.road_pose import (
+    DEFAULT_U_HEIGHT_M,
+    DEFAULT_U_LEAN_RAD,
+    POSE_NAMES,
+    BoardOnRoad,
+    RoadPose,
+    Side,
+)
+
+CAMERA_FORMAT = "sightline-camera-1"
+POSE_FORMAT = "sightline-pose-1"
+_LENGTHS: dict[Model, tuple[int, ...]] = {"brown": (4, 5, 8), "fisheye": (4,)}
+
+
+def _rows(matrix: Floats | None) -> list[list[float]] | None:
+    return None if matrix is None else [[float(v) for v in row] for row in matrix]
+
+
+def camera_to_dict(camera: Camera) -> dict[str, Any]:
+    """The camera as `camera.json` has it."""
+    return {
+        "format": CAMERA_FORMAT,
+        "name": camera.name,
+        "width_px": camera.width_px,
+        "height_px": camera.height_px,
+        "model": camera.model,
+        "fx_px": camera.fx_px,
+        "fy_px": camera.fy_px,
+        "cx_px": camera.cx_px,
+        "cy_px": camera.cy_px,
+        "distortion": [float(v) for v in camera.distortion],
+        "rms_px": camera.rms_px,
+        "parameters": list(camera.parameters),
+        "covariance": _rows(camera.covariance),
+        "views": [
+            {"file": v.file, "rms_px": v.rms_px, "used": v.used, "reason": v.reason} for v in camera.views
+        ],
+    }
+
+
+def pose_to_dict(pose: RoadPose) -> dict[str, Any]:
+    """The pose as `pose.json` has it."""
+    board = None if pose.board is None else dict(vars(pose.board))
+    return {
+        "format": POSE_FORMAT,
+        "camera": camera_to_dict(pose.camera),
+        "cam_from_road": {
+            "rotation": _rows(pose.rotation),
+            "translation_m": [float(v) for v in pose.translation_m],
+        },
+        "parameters": list(pose.parameters),
+        "covariance": _rows(pose.covariance),
+        "board": board,
+        "frames_used": pose.frames_used,
+        "rms_px": pose.rms_px,
+    }
+
+
+class _Reader:
+    """Takes checked values out of one JSON object; every refusal names the key."""
+
+    def __init__(self, data: object, what: str) -> None:
+        if not isinstance(data, Mapping):
+            raise BadInput(f"{what} must be a JSON object; write it with sightline or follow contract.md.")
+        self.data = data
+        self.what = what
+
+    def fail(self, key: str, wanted: str) -> BadInput:
+        return BadInput(f"{self.what}: '{key}' must be {wanted}; correct that key or make the file again.")
+
+    def number(self, key: str, *, positive: bool = False, default: float | None = None) -> float:
+        value = self.data.get(key, default)
+        wanted = "a positive number" if positive else "a finite number"
+        if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+            raise self.fail(key, wanted)
+        if positive and value <= 0:
+            raise self.fail(key, wanted)
+        return float(value)
+
+    def not_negative(self, key: str, default: float) -> float:
+        value = self.number(key, default=default)
+        if value < 0:
+            raise self.fail(key, "zero or a positive number")
+        return value
+
+    def optional(self, key: str) -> float | None:
+        return None if self.data.get(key) is None else self.number(key)
+
+    def doubt(self, key: str) -> float | None:
+        """A standard uncertainty, None where it is not stated."""
+        return None if self.data.get(key) is None else self.not_negative(key, 0.0)
+
+    def whole(self, key: str, least: int, default: int | None = None) -> int:
+        value = self.data.get(key, default)
+        if isinstance(value, bool) or not isinstance(value, int) or value < least:
+            raise self.fail(key, f"a whole number of at least {least}")
+        return value
+
+    def text(self, key: str, choices: Sequence[str] = (), default: str | None = None) -> str:
+        value = self.data.get(key, default)
+        if not isinstance(value, str) or (choices and value not in choices):
+            raise self.fail(key, f"one of {', '.join(choices)}" if choices else "a text")
+        return value
+
+    def array(self, key: str, shape: tuple[int, ...] | None = None) -> Floats:
+        wanted = "a list of numbers" if shape is None else f"{' x '.join(map(str, shape))} numbers"
+        try:
+            value = np.array(self.data.get(key), dtype=np.float64)
+        except (TypeError, ValueError):
+            raise self.fail(key, wanted) from None
+        if not np.isfinite(value).all() or (shape is not None and value.shape != shape) or value.ndim == 0:
+            raise self.fail(key, wanted)
+        return value
+
+
+def _covariance(read: _Reader, known: tuple[str, ...]) -> Floats | None:
+    """The covariance in the order of `known`; parameters that the file does not name count as exact."""
+    if read.data.get("covariance") is None:
+        return None
+    names = read.data.get("parameters")
+    if not isinstance(names, list) or len(set(map(str, names))) != len(names) or not set(names) <= set(known):
+        raise read.fail("parameters", f"a list of names out of {' '.join(known)}")
+    matrix = read.array("covariance", (len(names), len(names)))
+    if not is_covariance(matrix):
+        raise read.fail("covariance", "symmetric and without negative variances")
+    out = np.zeros((len(known), len(known)))
+    where = [known.index(name) for name in names]
+    out[np.ix_(where, where)] = 0.5 * (matrix + matrix.T)
+    return out
+
+
+def _views(read: _Reader) -> tuple[View, ...]:
+    raw = read.data.get("views") or []
+    if not isinstance(raw, list):
+        raise read.fail("views", "a list")
+    views = []
+    for item in raw:
+        one = _Reader(item, f"{read.what}, views")
+        reason = one.data.get("reason")
+        views.append(
+            View(
+                one.text("file"),
+                one.optional("rms_px"),
+                bool(one.data.get("used", False)),
+                None if reason is None else str(reason),
+            )
+        )
+    return tuple(views)
+
+
+def camera_from_dict(data: object, what: str = "camera.json") -> Camera:
+    """Read `camera.json`. `what` is the name used in refusals. Raises BadInput naming the key."""
+    read = _Reader(data, what)
+    read.text("format", (CAMERA_FORMAT,))
+    model = cast(Model, read.text("model", ("brown", "fisheye")))
+    distortion = read.array("distortion")
+    if distortion.size == 0:
+        distortion = np.zeros(5 if model == "brown" else 4)
+    if distortion.shape not in [(n,) for n in _LENGTHS[model]]:
+        raise read.fail("distortion", f"{' or '.join(map(str, _LENGTHS[model]))} numbers for model {model}")
+    camera = Camera(
+        read.text("name", default="camera"),
+        read.whole("width_px", 2),
+        read.whole("height_px", 2),
+        model,
+        read.number("fx_px", positive=True),
+        read.number("fy_px", positive=True),
+        read.number("cx_px"),
+        read.number("cy_px"),
+        distortion,
+        read.optional("rms_px"),
+        None,
+        _views(read),
+    )
+    return _with_covariance(camera, _covariance(read, camera.parameters))
+
+
+def _with_covariance(camera: Camera, covariance: Floats | None) -> Camera:
+    return camera if covariance is None else Camera(**{**_fields(camera), "covariance": covariance})
+
+
+def _fields(camera: Camera) -> dict[str, Any]:
+    names = Camera.__dataclass_fields__
+    return {name: getattr(camera, name) for name in names}
+
+
+def _board(data: object, what: str) -> BoardOnRoad | None:
+    if data is None:
+        return None
+    read = _Reader(data, f"{what}, board")
+    return BoardOnRoad(
+        read.whole("columns", 2),
+        read.whole("rows", 2),
+        read.number("square_m", positive=True),
+        cast(Side, read.text("reference", ("top", "bottom"))),
+        read.number("reference_height_m"),
+        read.not_negative("u_reference_height_m", DEFAULT_U_HEIGHT_M),
+        read.not_negative("u_lean_rad", DEFAULT_U_LEAN_RAD),
+        read.number("distance_m", default=0.0),
+        read.doubt("u_square_m"),
+        read.doubt("u_bow_m"),
+        None
+        if read.data.get("bow_response") is None
+        else tuple(map(tuple, read.array("bow_response", (BOWS, len(POSE_NAMES))).tolist())),
+    )
+
+
+def pose_from_dict(data: object, what: str = "pose.json") -> RoadPose:
+    """Read `pose.json`. Raises BadInput naming the key."""
+    read = _Reader(data, what)
+    read.text("format", (POSE_FORMAT,))
+    camera = camera_from_dict(read.data.get("camera"), f"{what}, camera")
+    inner = _Reader(read.data.get("cam_from_road"), f"{what}, cam_from_road")
+    rotation = inner.array("rotation", (3, 3))
+    if np.abs(rotation @ rotation.T - np.eye(3)).max() > 1e-4 or np.linalg.det(rotation) < 0:
+        raise inner.fail("rotation", "a right-handed rotation matrix")
+    return RoadPose(
+        camera,
+        rotation,
+        inner.array("translation_m", (3,)),
+        _covariance(read, camera.parameters + POSE_NAMES),
+        _board(read.data.get("board"), what),
+        read.whole("frames_used", 0, default=0),
+        read.optional("rms_px"),
+    )

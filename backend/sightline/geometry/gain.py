@@ -1,0 +1,95 @@
+"""What a second frame would gain, before anybody clicks it."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from sightline.geometry.arrays import Floats
+from sightline.geometry.camera import project
+from sightline.geometry.height import measure_height
+from sightline.geometry.multiframe import LEAST_TRAVEL_M, measure_frames
+from sightline.geometry.road_pose import RoadPose
+from sightline.geometry.sight import OK, contact_on_road, sight
+
+
+@dataclass(frozen=True)
+class Gain:
+    """Expected standard uncertainties of a height with one frame and with a second one at `travel_m`."""
+
+    travel_m: float
+    u_single_m: float
+    u_double_m: float
+    u_inset_m: float
+    contact_px: tuple[float, float]
+    target_px: tuple[float, float]
+
+
+def second_frame_gain(
+    pose: RoadPose,
+    contact_px: ArrayLike,
+    target_px: ArrayLike,
+    travel_m: float,
+    sigma_px: float = 1.0,
+    inset_m: float = 0.0,
+    u_inset_m: float = 0.0,
+) -> Gain | None:
+    """Expected gain when the vehicle has moved `travel_m` along X (negative: against it).
+
+    contact_px, target_px: the clicks of the first frame (2,). The answer also says where both points will
+    be in the second frame. None where the first frame has no height, or the second would not show both
+    points.
+    """
+    contact = np.asarray(contact_px, dtype=np.float64).reshape(1, 2)
+    target = np.asarray(target_px, dtype=np.float64).reshape(1, 2)
+    single = measure_height(pose, contact[0], target[0], sigma_px, inset_m, u_inset_m)
+    if single.u_height_m is None or abs(travel_m) < LEAST_TRAVEL_M:
+        return None
+    second = _moved(pose, contact, target, travel_m, inset_m)
+    if not np.isfinite(second).all() or not pose.camera.inside(second).all():
+        return None
+    found = measure_frames(
+        pose, np.stack([contact[0], second[0]]), np.stack([target[0], second[1]]), sigma_px
+    )
+    if found.height.u_height_m is None or found.u_solved_inset_m is None:
+        return None
+    (cx, cy), (tx, ty) = second.tolist()
+    return Gain(
+        travel_m, single.u_height_m, found.height.u_height_m, found.u_solved_inset_m, (cx, cy), (tx, ty)
+    )
+
+
+def _moved(pose: RoadPose, contact: Floats, target: Floats, travel_m: float, inset_m: float) -> Floats:
+    """Pixels (2, 2) of contact and target after the travel; NaN where the first frame has no height."""
+    seen = sight(pose, contact, target, inset_m)
+    if seen.code[0] != OK:
+        return np.full((2, 2), np.nan)
+    x, y, _ = (float(v[0]) for v in contact_on_road(pose, seen))
+    ray = pose.rotation.T @ np.array([seen.target[0][0], seen.target[1][0], 1.0])
+    at = pose.centre_m + ray * (float(seen.plane_m[0]) / float(seen.w_target_y[0]))
+    shift = np.array([travel_m, 0.0, 0.0])
+    return project(pose.camera, pose.to_camera(np.stack([np.array([x, y, 0.0]), at]) + shift))
+
+
+def best_second_frame(
+    pose: RoadPose,
+    contact_px: ArrayLike,
+    target_px: ArrayLike,
+    travels_m: ArrayLike,
+    sigma_px: float = 1.0,
+    inset_m: float = 0.0,
+    u_inset_m: float = 0.0,
+) -> tuple[int, Gain] | None:
+    """Of candidate frames, given by how far the vehicle has moved in each, the index of the best and its
+    gain.
+    """
+    found = [
+        (index, gain)
+        for index, travel in enumerate(np.asarray(travels_m, dtype=np.float64).ravel())
+        if (
+            gain := second_frame_gain(
+                pose, contact_px, target_px, float(travel), sigma_px, inset_m, u_inset_m
+            )
+        )
+    ]
+    return min(found, key=lambda pair: pair[1].u_double_m, default=None)

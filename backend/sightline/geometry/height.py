@@ -1,0 +1,244 @@
+"""Heights with their uncertainty: one click pair with its budget, or a million."""
+
+from dataclasses import dataclass, field
+from math import sqrt
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from sightline.geometry.arrays import Floats
+from sightline.geometry.board_errors import board_covariance, board_parts, unknown_parts
+from sightline.geometry.gradient import Gradient, gradient
+from sightline.geometry.road_pose import RoadPose
+from sightline.geometry.sight import BAD_SIGMA, OK, REASONS, Sight, contact_on_road, sight
+
+COVERAGE_95 = 1.959963984540054  # the 97.5 % point of the normal distribution
+_CHUNK = 8192  # rows at a time: the working set stays in the processor's cache
+_EDGE_FLAG = np.sin(np.deg2rad(10.0))
+
+Status = Literal["ok", "not_measurable"]
+
+
+@dataclass(frozen=True)
+class BudgetEntry:
+    """One contribution to the standard uncertainty of a height."""
+
+    source: str
+    u_m: float
+
+
+@dataclass(frozen=True)
+class Height:
+    """One height, or the reason why there is none (then every number is None).
+
+    `u_height_m` is the root of the sum of the squares of `budget`. x_m, y_m: contact point on the road;
+    distance_m: from the camera's centre to it.
+    """
+
+    status: Status
+    reason: str | None
+    height_m: float | None
+    u_height_m: float | None
+    U95_height_m: float | None
+    x_m: float | None
+    y_m: float | None
+    distance_m: float | None
+    inset_m: float
+    u_inset_m: float
+    budget: tuple[BudgetEntry, ...] = field(default=())
+    flags: tuple[str, ...] = field(default=())
+
+
+@dataclass(frozen=True, eq=False)
+class Heights:
+    """N heights as arrays (N,); NaN where `code` is not 0, `REASONS[code]` then says why."""
+
+    code: NDArray[np.int8]
+    height_m: Floats
+    u_height_m: Floats
+    x_m: Floats
+    y_m: Floats
+    distance_m: Floats
+
+    @property
+    def ok(self) -> NDArray[np.bool_]:
+        return np.asarray(self.code == OK, dtype=np.bool_)
+
+    def reason(self, row: int) -> str | None:
+        return REASONS[int(self.code[row])] or None
+
+
+def not_measurable(reason: str, inset_m: float = 0.0, u_inset_m: float = 0.0) -> Height:
+    """A height that is not there, and why."""
+    return Height("not_measurable", reason, None, None, None, None, None, None, inset_m, u_inset_m)
+
+
+def _entries(pose: RoadPose, g: Gradient, sigma_px: float, u_inset_m: float) -> dict[str, float]:
+    """Variance of each source, for the first height of `g`."""
+    click = sigma_px**2
+    out = {
+        "click, target": click * float(g.target[:, 0] @ g.target[:, 0]),
+        "click, contact": click * float(g.contact[:, 0] @ g.contact[:, 0]),
+        "inset": (float(g.inset[0]) * u_inset_m) ** 2,
+    }
+    by_parameters = g.parameters[:, 0]
+    if pose.covariance is not None:
+        out["lens and pose"] = max(float(by_parameters @ pose.covariance @ by_parameters), 0.0)
+    for source, part in board_parts(pose).items():
+        out[source] = float(np.square(by_parameters[-6:] @ part).sum())
+    return out
+
+
+def _variance(g: Gradient, systematic: Floats, sigma_px: Floats | float, u_inset_m: Floats | float) -> Floats:
+    """Variance of every height (N,), all sources together; `systematic` (n + 6, n + 6): lens, pose, board."""
+    clicks = (g.target**2).sum(axis=0) + (g.contact**2).sum(axis=0)
+    rest = np.einsum("ij,ij->j", systematic @ g.parameters, g.parameters)
+    total = np.square(sigma_px) * clicks + np.maximum(rest, 0.0) + np.square(g.inset * u_inset_m)
+    return np.asarray(total, dtype=np.float64)
+
+
+def systematic_covariance(pose: RoadPose) -> Floats:
+    """Covariance (n + 6, n + 6) of lens, pose and what the board may be off by; unknown parts left out."""
+    n = len(pose.parameters)
+    out = np.zeros((n, n)) if pose.covariance is None else np.array(pose.covariance)
+    out[-6:, -6:] += board_covariance(pose)
+    return out
+
+
+def left_out(pose: RoadPose) -> list[str]:
+    """What the uncertainty of a height lacks because the pose does not say it, one sentence each."""
+    out = []
+    if pose.covariance is None:
+        out.append("The uncertainty of lens and pose is unknown and left out.")
+    elif pose.camera.covariance is None:
+        out.append("The uncertainty of the lens is unknown; only what the pose file states is included.")
+    missing = unknown_parts(pose)
+    return out if missing is None else [*out, missing]
+
+
+def _flags(pose: RoadPose, seen: Sight, u_m: float) -> tuple[str, ...]:
+    out = left_out(pose)
+    norm = np.sqrt(seen.target[0] ** 2 + seen.target[1] ** 2 + 1.0)
+    if abs(float(seen.w_target_y[0])) < _EDGE_FLAG * float(norm[0]):
+        out.append("The side plane is seen at less than 10 degrees.")
+    radius = max(float(np.hypot(*seen.contact)[0]), float(np.hypot(*seen.target)[0]))
+    if radius > 0.9 * pose.camera.limit.radius:
+        out.append("A click lies near the edge of what the lens model can invert.")
+    if pose.board is not None and pose.board.distance_m > 0:
+        ratio = float(seen.plane_m[0]) / pose.board.distance_m
+        if not 0.4 < ratio < 2.5:
+            out.append("The vehicle is at a very different distance than the board was.")
+    if u_m > 0.03:
+        out.append("The uncertainty is large, so the 95 % interval is approximate.")
+    return tuple(out)
+
+
+def measure_height(
+    pose: RoadPose,
+    contact_px: ArrayLike,
+    target_px: ArrayLike,
+    sigma_px: float = 1.0,
+    inset_m: float = 0.0,
+    u_inset_m: float = 0.0,
+) -> Height:
+    """The height of a target above the road from two clicks, with its budget (GUM: JCGM 100:2008, 5.1.2).
+
+    contact_px, target_px: (2,) pixels of the tyre's contact with the road and of the target; sigma_px:
+    standard uncertainty of each coordinate of each click; inset_m: how far the target lies behind the side
+    plane through the contact. Never raises for what was clicked: a height that cannot be had comes back
+    with its reason. Equations and the misprints they correct: sight.py.
+    """
+    contact = np.asarray(contact_px, dtype=np.float64).reshape(1, 2)
+    target = np.asarray(target_px, dtype=np.float64).reshape(1, 2)
+    values = (sigma_px, inset_m, u_inset_m)
+    if not np.isfinite(values).all() or sigma_px < 0 or u_inset_m < 0:
+        return not_measurable(REASONS[BAD_SIGMA])
+    seen = sight(pose, contact, target, inset_m)
+    if seen.code[0] != OK:
+        return not_measurable(REASONS[int(seen.code[0])], inset_m, u_inset_m)
+    variances = _entries(pose, gradient(pose, seen), sigma_px, u_inset_m)
+    u = sqrt(sum(variances.values()))
+    x, y, distance = contact_on_road(pose, seen)
+    return Height(
+        "ok",
+        None,
+        float(seen.height_m[0]),
+        u,
+        COVERAGE_95 * u,
+        float(x[0]),
+        float(y[0]),
+        float(distance[0]),
+        inset_m,
+        u_inset_m,
+        tuple(BudgetEntry(source, sqrt(v)) for source, v in variances.items()),
+        _flags(pose, seen, u),
+    )
+
+
+def height_both(
+    pose: RoadPose,
+    contact_px: ArrayLike,
+    target_px: ArrayLike,
+    sigma_px: float = 1.0,
+    inset_m: float = 0.0,
+    u_inset_m: float = 0.0,
+) -> tuple[Height, Height]:
+    """The height corrected by the inset, and the paper's uncorrected one (inset 0)."""
+    corrected = measure_height(pose, contact_px, target_px, sigma_px, inset_m, u_inset_m)
+    return corrected, measure_height(pose, contact_px, target_px, sigma_px)
+
+
+def measure_heights(
+    pose: RoadPose,
+    contacts_px: ArrayLike,
+    targets_px: ArrayLike,
+    sigma_px: ArrayLike = 1.0,
+    inset_m: ArrayLike = 0.0,
+    u_inset_m: ArrayLike = 0.0,
+    with_uncertainty: bool = True,
+) -> Heights:
+    """N heights: contacts_px, targets_px (N, 2); sigma_px, inset_m, u_inset_m a number or (N,).
+
+    As `measure_height`, without the budget; `u_height_m` is NaN when `with_uncertainty` is False.
+    """
+    contacts = np.asarray(contacts_px, dtype=np.float64).reshape(-1, 2)
+    targets = np.asarray(targets_px, dtype=np.float64).reshape(-1, 2)
+    n = len(contacts)
+    sigma, inset, u_inset = (
+        np.broadcast_to(np.asarray(v, dtype=np.float64), (n,)) for v in (sigma_px, inset_m, u_inset_m)
+    )
+    code = np.zeros(n, dtype=np.int8)
+    out = np.full((5, n), np.nan)
+    systematic = systematic_covariance(pose) if with_uncertainty else None
+    for start in range(0, n, _CHUNK):
+        part = slice(start, start + _CHUNK)
+        _measure_part(
+            pose, contacts[part], targets[part], sigma[part], inset[part], u_inset[part],
+            systematic, code[part], out[:, part],
+        )  # fmt: skip
+    return Heights(code, *out)
+
+
+def _measure_part(
+    pose: RoadPose,
+    contacts: Floats,
+    targets: Floats,
+    sigma: Floats,
+    inset: Floats,
+    u_inset: Floats,
+    systematic: Floats | None,
+    code: NDArray[np.int8],
+    out: Floats,
+) -> None:
+    """Fill one chunk of the result arrays in place."""
+    seen = sight(pose, contacts, targets, inset)
+    code[:] = seen.code
+    fine = np.isfinite(sigma) & np.isfinite(inset) & np.isfinite(u_inset) & (sigma >= 0) & (u_inset >= 0)
+    code[~fine] = BAD_SIGMA
+    out[0] = seen.height_m
+    out[2], out[3], out[4] = contact_on_road(pose, seen)
+    if systematic is not None:
+        with np.errstate(all="ignore"):
+            out[1] = np.sqrt(_variance(gradient(pose, seen), systematic, sigma, u_inset))
+    out[:, code != OK] = np.nan

@@ -1,0 +1,252 @@
+"""Insets from a survey's own vehicles: known heights, the trend with distance, two-frame solutions.
+
+All rest on the closed form of an uncorrected height (inset 0): a target of height h, `inset` behind the side
+plane D from the camera, reads m = Hc + (h - Hc) k with k = D / (D + inset) (metrology of the one-frame
+height; Hc is the camera's height).
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.optimize import minimize_scalar
+
+from sightline.geometry.arrays import Bools, Floats, frozen
+from sightline.geometry.gradient import gradient
+from sightline.geometry.height import systematic_covariance
+from sightline.geometry.road_pose import RoadPose
+from sightline.geometry.sight import OK, sight
+from sightline.geometry.spread import mean_and_spread, strays
+
+LEAST_KNOWN = 3
+LEAST_TREND = 10
+LEAST_FOR_SPREAD = 8
+_LEAST_INSET_M, _MOST_INSET_M = -0.5, 2.5
+_WIDE_U_M = 0.30  # as unknown as a target of unknown inset: such a figure says nothing
+_ROUNDS = 60
+
+
+@dataclass(frozen=True, eq=False)
+class Sightings:
+    """N uncorrected heights: camera height, distance to the side plane, height, standard uncertainty of its
+    own clicks, each (N,); `shared_m2` (N, N) is the covariance of what they share: lens, pose and board.
+    """
+
+    camera_height_m: Floats
+    distance_m: Floats
+    measured_m: Floats
+    u_m: Floats
+    shared_m2: Floats
+
+    def __len__(self) -> int:
+        return len(self.measured_m)
+
+    def only(self, chosen: Bools) -> "Sightings":
+        rows = np.flatnonzero(chosen)
+        return Sightings(
+            self.camera_height_m[rows],
+            self.distance_m[rows],
+            self.measured_m[rows],
+            self.u_m[rows],
+            self.shared_m2[np.ix_(rows, rows)],
+        )
+
+
+@dataclass(frozen=True)
+class InsetEstimate:
+    """An inset with its standard uncertainty and the number of vehicles behind it.
+
+    `spread_m`: standard deviation between vehicles where the figures tell it. `caution`: why it should not
+    be used, None where it can. `left_out`: rows that did not fit the others. `height_m`: mean height found
+    with it (trend only).
+    """
+
+    inset_m: float
+    u_inset_m: float
+    vehicles: int
+    spread_m: float | None = None
+    caution: str | None = None
+    left_out: tuple[int, ...] = ()
+    height_m: float | None = None
+
+
+def sightings(
+    pose: RoadPose, contacts_px: ArrayLike, targets_px: ArrayLike, sigma_px: ArrayLike
+) -> tuple[Sightings, Bools]:
+    """Uncorrected heights of clicks (N, 2) under one pose, sigma_px (N,); and which rows have one (N,)."""
+    contacts = np.asarray(contacts_px, dtype=np.float64).reshape(-1, 2)
+    targets = np.asarray(targets_px, dtype=np.float64).reshape(-1, 2)
+    sigma = np.broadcast_to(np.asarray(sigma_px, dtype=np.float64), (len(contacts),))
+    fine = np.asarray(sight(pose, contacts, targets, 0.0).code == OK, dtype=np.bool_)
+    seen = sight(pose, contacts[fine], targets[fine], 0.0)
+    g = gradient(pose, seen)
+    own = sigma[fine] * np.sqrt((g.target**2).sum(axis=0) + (g.contact**2).sum(axis=0))
+    shared = g.parameters.T @ systematic_covariance(pose) @ g.parameters
+    camera = np.full(int(fine.sum()), float(pose.centre_m[2]))
+    return Sightings(camera, seen.plane_m, seen.height_m, np.asarray(own), np.asarray(shared)), fine
+
+
+def together(parts: Sequence[Sightings]) -> Sightings:
+    """Sightings under several poses as one; different poses share nothing that counts here."""
+    total = sum(len(part) for part in parts)
+    shared = np.zeros((total, total))
+    at = 0
+    for part in parts:
+        shared[at : at + len(part), at : at + len(part)] = part.shared_m2
+        at += len(part)
+    return Sightings(
+        np.concatenate([part.camera_height_m for part in parts]),
+        np.concatenate([part.distance_m for part in parts]),
+        np.concatenate([part.measured_m for part in parts]),
+        np.concatenate([part.u_m for part in parts]),
+        shared,
+    )
+
+
+def inset_from_known_heights(
+    rows: Sightings, known_m: ArrayLike, u_known_m: ArrayLike
+) -> InsetEstimate | str:
+    """Inset of a target whose heights are known (roofs, from the manufacturer), or why there is none.
+
+    Least squares of m - Hc - (h - Hc) k over the inset; the weights hold both the clicks' and the known
+    height's uncertainty, u_m^2 + (k u_h)^2, with k following the inset: so errors of h do not draw it to one
+    side (Deming). A wrong entry of the catalogue is recognised against the median of the others, from five
+    vehicles on, and left out. The uncertainty has the residuals' scatter where that is larger, and what all
+    heights share.
+    """
+    known = np.asarray(known_m, dtype=np.float64).ravel()
+    u_known = np.broadcast_to(np.asarray(u_known_m, dtype=np.float64), known.shape)
+    if len(rows) < LEAST_KNOWN:
+        return f"At least {LEAST_KNOWN} vehicles of known height are needed; {len(rows)} can be used."
+    used = ~_do_not_fit(rows, known, u_known)
+    left_out = tuple(int(i) for i in np.flatnonzero(~used))
+    rows, known, u_known = rows.only(used), known[used], u_known[used]
+
+    def cost(inset: float) -> float:
+        return float(np.square(_misfit(rows, known, u_known, inset)).sum())
+
+    found = minimize_scalar(cost, bounds=(_LEAST_INSET_M, _MOST_INSET_M), options={"xatol": 1e-9})
+    inset = float(found.x)
+    weight, slope = _weight(rows, u_known, inset), _slope(rows, known - rows.camera_height_m, inset)
+    power = float(weight @ slope**2)
+    if power < 1.0:  # one standard uncertainty would be a metre
+        return "The vehicles are about as high as the camera, and such heights say nothing about the inset."
+    if not _LEAST_INSET_M + 1e-3 < inset < _MOST_INSET_M - 1e-3:
+        return "No inset fits the manufacturers' heights; check them, the camera's height and the clicks."
+    answer = weight * slope / power
+    scatter = max(1.0, cost(inset) / (len(rows) - 1))
+    u = float(np.sqrt(scatter / power + max(float(answer @ rows.shared_m2 @ answer), 0.0)))
+    caution = None
+    if u > _WIDE_U_M:
+        caution = (
+            "It says next to nothing: too few vehicles for heights so near the camera's or so uncertain."
+        )
+    return InsetEstimate(inset, u, len(rows), None, caution, left_out)
+
+
+def _misfit(rows: Sightings, known: Floats, u_known: Floats, inset: float) -> Floats:
+    """Residuals in their standard uncertainties (N,)."""
+    camera, k = rows.camera_height_m, rows.distance_m / (rows.distance_m + inset)
+    off = rows.measured_m - camera - (known - camera) * k
+    return np.asarray(off * np.sqrt(_weight(rows, u_known, inset)), dtype=np.float64)
+
+
+def _weight(rows: Sightings, u_known: Floats, inset: float) -> Floats:
+    k = rows.distance_m / (rows.distance_m + inset)
+    return np.asarray(1.0 / (rows.u_m**2 + np.square(k * u_known) + 1e-12), dtype=np.float64)
+
+
+def _slope(rows: Sightings, above_camera: Floats, inset: float) -> Floats:
+    """Derivative of an uncorrected height by the inset, h - Hc given as `above_camera`."""
+    d = rows.distance_m
+    return np.asarray(-above_camera * d / np.square(d + inset), dtype=np.float64)
+
+
+def _do_not_fit(rows: Sightings, known: Floats, u_known: Floats) -> Bools:
+    """Rows far from the fit of the least sum of absolute residuals, which one wrong height hardly moves."""
+    tried = np.linspace(_LEAST_INSET_M, _MOST_INSET_M, 301)
+    sums = [float(np.abs(_misfit(rows, known, u_known, float(one))).sum()) for one in tried]
+    misfit = _misfit(rows, known, u_known, float(tried[int(np.argmin(sums))]))
+    return strays(misfit, least=1.0)
+
+
+def inset_from_trend(rows: Sightings) -> InsetEstimate | str:
+    """Inset and mean height from how uncorrected heights trend with distance, or why there are none.
+
+    Fits m = Hc + (h - Hc) k; vehicles differ in h, and that scatter, found from the residuals, is in the
+    weights. It holds only if height and lane are unrelated, which nothing here can tell.
+    """
+    if len(rows) < LEAST_TREND:
+        return f"At least {LEAST_TREND} vehicles are needed; {len(rows)} can be used."
+    solved = _fit_trend(rows)
+    if solved is None:
+        return "The heights do not settle on an inset: too few vehicles, or all at about the same distance."
+    height, inset, covariance = solved
+    u = float(np.sqrt(covariance[1, 1]))
+    caution = _why_silent(rows, height) if u > _WIDE_U_M else None
+    return InsetEstimate(inset, u, len(rows), None, caution, (), height)
+
+
+def _fit_trend(rows: Sightings) -> tuple[float, float, Floats] | None:
+    """Mean height, inset and their covariance (2, 2) by reweighted least squares; None without a solution."""
+    d, camera = rows.distance_m, rows.camera_height_m
+    height, inset, between2 = float(rows.measured_m.mean()), 0.2, 0.05**2
+    for _ in range(_ROUNDS):
+        k = d / (d + inset)
+        off = rows.measured_m - camera - (height - camera) * k
+        between2 = max(float(np.mean((off**2 - rows.u_m**2) / k**2)), 1e-8)
+        weight = 1.0 / (rows.u_m**2 + k**2 * between2)
+        jacobian = np.column_stack([k, _slope(rows, height - camera, inset)])
+        normal = jacobian.T @ (weight[:, None] * jacobian)
+        if np.linalg.cond(normal) > 1e12:
+            return None
+        answer = np.linalg.solve(normal, jacobian.T * weight)
+        step = answer @ off
+        height, moved = height + float(step[0]), float(np.clip(inset + step[1], -0.8, 4.0))
+        settled = abs(moved - inset) < 1e-7
+        inset = moved
+        if settled:
+            break
+    if not -0.79 < inset < 3.99:
+        return None
+    freedom = len(rows) / (len(rows) - 2)
+    covariance = freedom * np.linalg.inv(normal) + answer @ rows.shared_m2 @ answer.T
+    return height, inset, np.asarray(covariance, dtype=np.float64)
+
+
+def _why_silent(rows: Sightings, height_m: float) -> str:
+    d = rows.distance_m
+    if abs(height_m - float(rows.camera_height_m.mean())) < 0.10:
+        return "It says nothing: this target is about as high as the camera, where the inset hardly matters."
+    if float(d.max()) < 1.4 * float(d.min()):
+        return f"It says nothing: all passed at about the same distance, {d.min():.1f} to {d.max():.1f} m."
+    return "It says nothing yet: vehicles differ among themselves, and a few hundred are needed for ±0.15 m."
+
+
+def inset_from_solved(solved_m: ArrayLike, u_solved_m: ArrayLike) -> InsetEstimate | str:
+    """Mean of insets (N,) solved for on two frames and the spread between vehicles, or why there is none."""
+    values = np.asarray(solved_m, dtype=np.float64).ravel()
+    u = np.asarray(u_solved_m, dtype=np.float64).ravel()
+    if len(values) < LEAST_KNOWN:
+        return f"At least {LEAST_KNOWN} vehicles measured on two frames are needed; there are {len(values)}."
+    gone = strays(values, u)
+    found = mean_and_spread(values[~gone], u[~gone])
+    spread = found.between if found.count >= LEAST_FOR_SPREAD else None
+    left_out = tuple(int(i) for i in np.flatnonzero(gone))
+    caution = "It says next to nothing: the frames were close together." if found.u_mean > _WIDE_U_M else None
+    return InsetEstimate(found.mean, found.u_mean, found.count, spread, caution, left_out)
+
+
+def unshared(
+    camera_height_m: ArrayLike, distance_m: ArrayLike, measured_m: ArrayLike, u_m: ArrayLike
+) -> Sightings:
+    """Sightings that share nothing, from numbers or columns (N,)."""
+    camera, distance, measured, u = np.broadcast_arrays(
+        *(
+            np.atleast_1d(np.asarray(v, dtype=np.float64))
+            for v in (camera_height_m, distance_m, measured_m, u_m)
+        )
+    )
+    n = len(measured)
+    return Sightings(frozen(camera), frozen(distance), frozen(measured), frozen(u), np.zeros((n, n)))

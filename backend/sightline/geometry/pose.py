@@ -1,0 +1,251 @@
+"""Road pose from the checkerboard that stands on the road: one joint solution from all still frames."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from sightline.errors import BadInput
+from sightline.geometry.arrays import Floats
+from sightline.geometry.board import Board, board_points, require_board, road_points
+from sightline.geometry.board_errors import bow_profiles, bow_response
+from sightline.geometry.camera import Camera, project, undistort
+from sightline.geometry.corners import Corners, spacing_px
+from sightline.geometry.height import measure_height
+from sightline.geometry.planar import PlanarPose, linearise, planar_roots
+from sightline.geometry.road_pose import DEFAULT_U_SQUARE, BoardOnRoad, Reference, RoadPose
+from sightline.geometry.saddle import refine_saddles
+from sightline.geometry.stillness import STILL_PX, Still, displacements_px, find_still, mean_sigma_px
+
+# board frame (x right, y down, z away) from road frame (X right, Y away, Z up), but for the origin's shift
+_BOARD_FROM_ROAD = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
+_HIGHEST_RMS_PX = 3.0
+_EDGE_ON_RAD = np.deg2rad(10.0)
+_AMBIGUOUS = 1.5  # ratio of the costs of the two planar poses below which the choice is doubtful
+
+
+def pose_from_corners(
+    camera: Camera,
+    frames: Sequence[Corners],
+    board: Board,
+    reference: Reference,
+    mean_picture: Floats | None = None,
+) -> RoadPose:
+    """Where the camera stood, from one detection per frame of the span in which the board stood still.
+
+    All still frames share one pose; least squares over them equals least squares on their mean corners, so
+    that is what is solved (Gauss-Newton from both planar solutions). The covariance is joint with the
+    lens's: an error of the lens moves the pose, A = -(J'J)^-1 J'J_lens. It comes from the residuals and
+    their correlation in time and is never divided by the number of frames; what the board may be off by is
+    left to the height's budget. mean_picture: the mean
+    of the still frames (mean_picture.py), on which the corners are then fitted again. Raises BadInput with a
+    reason: no detection, board or camera moving, board edge-on, wrong board or camera.
+    """
+    require_board(board)
+    _require_reference(reference)
+    used = [c for c in frames if c.found and c.ids is None]
+    if not used:
+        reason = _why_none(frames)
+        raise BadInput(f"The board was found in none of the {len(frames)} frames. {reason}")
+    seen_as = used[0].board_as_seen
+    used = [c for c in used if c.points_px.shape == used[0].points_px.shape]
+    seen_board = replace(seen_as, square_m=board.square_m)
+    still = _require_still(np.stack([c.points_px.reshape(-1, 2) for c in used]))
+    if mean_picture is not None:
+        still = _on_mean(mean_picture, still, seen_board)
+    roots = planar_roots(camera, board_points(seen_board), still.mean_px)
+    if not roots:
+        raise BadInput(
+            "No pose fits the corners; check that the camera file belongs to this recording and that the "
+            "whole board lies within the lens's valid radius."
+        )
+    best = roots[0]
+    warnings = _checked(best, roots, still, seen_board, len(frames) - len(used))
+    return _on_road(camera, best, seen_board, reference, still, warnings)
+
+
+def _why_none(frames: Sequence[Corners]) -> str:
+    if not frames:
+        return "No frame was given."
+    parts = [len(c.ids) for c in frames if c.ids is not None]
+    if parts:
+        whole = frames[0].board_as_seen.corners
+        return f"At most {max(parts)} of its {whole} corners are seen; show the whole board."
+    return frames[0].reason or "No board was found."
+
+
+def _require_reference(reference: Reference) -> None:
+    doubts = (reference.u_height_m, reference.u_lean_rad, reference.u_square_m or 0.0, reference.u_bow_m)
+    if not np.isfinite((reference.height_m, *doubts)).all() or min(doubts) < 0:
+        raise BadInput(
+            "The reference height and the board's uncertainties must be numbers, in metres and radians, the "
+            "uncertainties not negative."
+        )
+    if not 0.0 <= reference.height_m <= 20.0:
+        raise BadInput(
+            f"A reference row {reference.height_m} m above the road cannot be right; give the height of "
+            f"the {reference.side} row of inner corners above the road in metres."
+        )
+
+
+def _require_still(frames_px: Floats) -> Still:
+    """The still part of the span; BadInput when board or camera moves through most of it."""
+    still = find_still(frames_px)
+    if len(frames_px) > 1 and len(still.kept) < max(1, (len(frames_px) + 1) // 2):
+        raise BadInput(
+            f"The board or the camera moves during these frames (by up to {still.moved_px:.1f} px); "
+            "pick a span, or a single frame, in which both stand still."
+        )
+    return still
+
+
+def _on_mean(mean_picture: Floats, still: Still, board: Board) -> Still:
+    """Corners fitted on the mean picture instead of the mean of the corners, where both agree."""
+    grid = still.mean_px.reshape(board.rows, board.columns, 2)
+    fitted = refine_saddles(mean_picture, grid, board.clear_share)
+    if (
+        not fitted.ok.all()
+        or displacements_px((fitted.points_px - still.mean_px)[None], still.mean_px)[0] > STILL_PX
+    ):
+        return still
+    return replace(still, mean_px=fitted.points_px)
+
+
+def _checked(
+    best: PlanarPose, roots: list[PlanarPose], still: Still, board: Board, missed: int
+) -> tuple[str, ...]:
+    """Refuse what cannot be a pose of this board, and say in words what is doubtful."""
+    rms = float(np.sqrt(best.cost / len(best.residuals_px)))
+    if rms > _HIGHEST_RMS_PX:
+        raise BadInput(
+            f"The corners do not fit the camera model (residual {rms:.1f} px); the camera file belongs to "
+            "another camera or zoom, or the board is bent."
+        )
+    slant = abs(float(best.rotation[:, 2] @ _unit(best.translation)))
+    if slant < np.sin(_EDGE_ON_RAD):
+        raise BadInput("The board is seen edge-on; turn it towards the camera, at least 10 degrees.")
+    warnings = []
+    if missed:
+        warnings.append(f"The board was not found in {missed} of the frames; they are left out.")
+    if still.moved_px > 0.3 and len(still.kept) > 1:
+        warnings.append("Board or camera moved in some of the frames; only the still ones are used.")
+    if rms > 0.5:
+        warnings.append(
+            f"The corners miss the model by {rms:.2f} px; the board may be bent or the lens calibration poor."
+        )
+    if len(roots) > 1 and roots[1].cost < _AMBIGUOUS * best.cost + 1e-12:
+        warnings.append(
+            "Two poses fit the board almost equally well; turn it by some 30 degrees or bring it closer."
+        )
+    if spacing_px(still.mean_px.reshape(board.rows, board.columns, 2)) < 8:
+        warnings.append("The squares are small in the picture; bring the board closer.")
+    roll = float(np.rad2deg(np.arctan2(abs(best.rotation[0, 1]), best.rotation[1, 1])))
+    if roll > 28.0:
+        warnings.append(
+            f"The board appears rolled by {roll:.0f} degrees; check that columns and rows were not exchanged."
+        )
+    if len(still.kept) == 1:
+        warnings.append("Only one frame is used; whether the board stood still is not checked.")
+    return tuple(warnings)
+
+
+def _unit(v: Floats) -> Floats:
+    return np.asarray(v / np.linalg.norm(v), dtype=np.float64)
+
+
+def _on_road(
+    camera: Camera,
+    best: PlanarPose,
+    board: Board,
+    reference: Reference,
+    still: Still,
+    warnings: tuple[str, ...],
+) -> RoadPose:
+    """Express the board pose in the road frame, with the joint covariance of lens and pose."""
+    points = road_points(board, reference.side, reference.height_m)
+    rotation = best.rotation @ _BOARD_FROM_ROAD
+    translation = best.translation - rotation @ points[0]
+    at = linearise(camera, rotation, translation, points, still.mean_px)
+    freedom = max(2 * len(points) - 6, 1)
+    sigma = mean_sigma_px(float(np.sqrt(at.cost / freedom)), still)
+    pose = RoadPose(camera, rotation, translation, joint_covariance(camera, at, sigma))
+    if pose.centre_m[2] <= 0:
+        raise BadInput(
+            f"The reference height of {reference.height_m} m puts the camera below the road; give the height "
+            f"of the {reference.side} row of inner corners above the road, in metres."
+        )
+    return replace(
+        pose,
+        board=board_on_road(board, reference, at, points),
+        frames_used=len(still.kept),
+        rms_px=float(np.sqrt(at.cost / len(points))),
+        warnings=warnings,
+    )
+
+
+def board_on_road(board: Board, reference: Reference, at: PlanarPose, points: Floats) -> BoardOnRoad:
+    """The board as it stood, with what it may be off by; `at`: the solution for its `points` (N, 3), road
+    frame.
+    """
+    square = DEFAULT_U_SQUARE * board.square_m if reference.u_square_m is None else reference.u_square_m
+    return BoardOnRoad(
+        board.columns,
+        board.rows,
+        board.square_m,
+        reference.side,
+        reference.height_m,
+        reference.u_height_m,
+        reference.u_lean_rad,
+        float(np.linalg.norm(at.rotation @ points.mean(axis=0) + at.translation)),
+        square,
+        reference.u_bow_m,
+        tuple(tuple(float(v) for v in one) for one in bow_response(at, bow_profiles(board)).T),
+    )
+
+
+def joint_covariance(camera: Camera, at: PlanarPose, sigma_px: float) -> Floats:
+    """Covariance (n + 6, n + 6) of the lens's parameters and of a pose solved with them.
+
+    The solved pose answers an error of the lens with A = -(J'J)^-1 J'J_lens; a lens without covariance
+    counts as exact (the height's flags say so).
+    """
+    n = at.lens_jacobian.shape[1]
+    inverse = np.linalg.inv(at.jacobian.T @ at.jacobian)
+    out = np.zeros((n + 6, n + 6))
+    out[n:, n:] = sigma_px**2 * inverse
+    if camera.covariance is not None:
+        answer = -inverse @ at.jacobian.T @ at.lens_jacobian
+        out[:n, :n] = camera.covariance
+        out[n:, :n] = answer @ camera.covariance
+        out[:n, n:] = out[n:, :n].T
+        out[n:, n:] += answer @ camera.covariance @ answer.T
+    return 0.5 * (out + out.T)
+
+
+def expected_u(
+    pose: RoadPose,
+    distances_m: Sequence[float] = (2.0, 3.0, 5.0),
+    height_m: float = 1.2,
+    sigma_px: float = 1.0,
+) -> tuple[tuple[float, float | None], ...]:
+    """What a height will be worth: (distance, u_height_m) per distance across the road, for a target at
+    `height_m` in the middle of the picture; None where the picture shows no contact point at that distance.
+    """
+    out: list[tuple[float, float | None]] = []
+    for distance in distances_m:
+        clicks = _clicks_at(pose, distance, height_m)
+        height = None if clicks is None else measure_height(pose, clicks[0], clicks[1], sigma_px)
+        out.append((distance, None if height is None else height.u_height_m))
+    return tuple(out)
+
+
+def _clicks_at(pose: RoadPose, distance_m: float, height_m: float) -> Floats | None:
+    """Pixels of contact and target on the plane at a distance, where the picture's middle column meets it."""
+    camera = pose.camera
+    middle = undistort(camera, [[(camera.width_px - 1) / 2, (camera.height_px - 1) / 2]])
+    forward = pose.rotation.T @ np.array([*middle.points[0], 1.0])
+    if not middle.ok[0] or forward[1] <= 0.05:
+        return None
+    x, y = (pose.centre_m + forward * (distance_m / forward[1]))[:2]
+    clicks = project(camera, pose.to_camera(np.array([[x, y, 0.0], [x, y, height_m]])))
+    return clicks if np.isfinite(clicks).all() and camera.inside(clicks).all() else None

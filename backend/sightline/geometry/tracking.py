@@ -1,0 +1,29 @@
+"""Following a board from frame to frame: a sub-pixel search from where it was, instead of a new detection."""
+
+import cv2
+import numpy as np
+
+from sightline.geometry.arrays import frozen
+from sightline.geometry.corners import Corners, Gray, detect, flaw, not_found, refine_subpixel, spacing_px
+
+_STOP = (cv2.TERM_CRITERIA_EPS + cv2.TERM_CRITERIA_MAX_ITER, 20, 0.01)
+_LOOK_AGAIN_PX = 1.0  # a board that moved less is not checked again
+
+
+def track(gray: Gray, last: Corners) -> Corners:
+    """The board of the last frame in this one, where it moved by less than a third of a square; else not
+    found.
+    """
+    board = last.board_as_seen
+    share = 0.4 if board.charuco is None else 0.7 * board.clear_share
+    grid = refine_subpixel(gray, last.points_px, _STOP, share)
+    shift = grid - last.points_px
+    moved = float(np.sqrt((shift * shift).sum(axis=-1).max()))
+    if moved > 0.3 * spacing_px(last.points_px):
+        return not_found(last.board_as_seen, "The board moved too far between two frames.")
+    if board.charuco is not None and moved > _LOOK_AGAIN_PX:
+        return detect(gray, board)  # its numbers tell more than a look at the grid
+    reason = flaw(gray, grid) if moved > _LOOK_AGAIN_PX else None
+    if reason is not None:
+        return not_found(last.board_as_seen, reason)
+    return Corners(True, frozen(grid), last.board_as_seen, None, last.sharpness, "followed", last.ids)

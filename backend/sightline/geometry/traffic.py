@@ -1,0 +1,162 @@
+"""What the traffic itself says of a pose: the direction of travel from both tyre contacts of vehicles."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.stats import t as student
+
+from sightline.geometry.arrays import Bools, Floats, frozen
+from sightline.geometry.camera import undistort
+from sightline.geometry.road import road_point
+from sightline.geometry.road_pose import RoadPose
+from sightline.geometry.sight import MIN_DEPRESSION
+from sightline.geometry.spread import mean_and_spread, strays
+
+LEAST_BASE_M = 1.0  # between two tyre contacts of one vehicle
+MOST_BASE_M = 15.0
+LEAST_VEHICLES = 3
+_STEP_PX = 0.5
+_LEAST_SCALE_RAD = float(np.deg2rad(0.1))  # vehicles keep no straighter course than this
+
+
+@dataclass(frozen=True)
+class Heading:
+    """A vehicle's direction of travel against the road's X axis, whichever way it goes; and from how far
+    apart its contacts are.
+    """
+
+    heading_rad: float
+    u_heading_rad: float
+    base_m: float
+
+
+@dataclass(frozen=True, eq=False)
+class Headings:
+    """Headings of N vehicles (NaN where there is none), which were used, and their summary.
+
+    `spread_rad`: standard deviation between vehicles beyond what clicks explain. `proposed`: whether the mean
+    differs from 0 by more than the 95 % interval of Student's t; turning the road by `mean_rad` about Z
+    then corrects the pose.
+    """
+
+    heading_rad: Floats
+    used: Bools
+    mean_rad: float
+    u_mean_rad: float
+    spread_rad: float
+    proposed: bool
+
+
+def headings_of_pairs(
+    pose: RoadPose, first_px: ArrayLike, second_px: ArrayLike, sigma_px: float = 1.0
+) -> list[Heading | str]:
+    """Direction of travel from both tyre contacts (N, 2) of N vehicles, or the reason why there is none.
+
+    u is that of the clicks alone, by central differences of the road points.
+    """
+    clicks = np.stack([np.asarray(c, dtype=np.float64).reshape(-1, 2) for c in (first_px, second_px)], axis=1)
+    moves = np.zeros((9, 2, 2))
+    for k, (which, axis) in enumerate(((0, 0), (0, 1), (1, 0), (1, 1))):
+        moves[1 + 2 * k, which, axis], moves[2 + 2 * k, which, axis] = -_STEP_PX, _STEP_PX
+    road = _road_points(pose, (clicks[:, None] + moves).reshape(-1, 2)).reshape(-1, 9, 2, 2)
+    step = road[:, :, 1] - road[:, :, 0]
+    sign = np.where(step[:, :1, 0] >= 0, 1.0, -1.0)
+    angle = np.arctan2(sign * step[:, :, 1], sign * step[:, :, 0])
+    base = np.hypot(step[:, 0, 0], step[:, 0, 1])
+    u = sigma_px * np.linalg.norm((angle[:, 2::2] - angle[:, 1::2]) / (2.0 * _STEP_PX), axis=1)
+    return [
+        _why_none(pose, pair, float(b), float(w)) or Heading(float(a), float(w), float(b))
+        for pair, a, w, b in zip(clicks, angle[:, 0], u, base, strict=True)
+    ]
+
+
+def heading_of_pair(
+    pose: RoadPose, first_px: ArrayLike, second_px: ArrayLike, sigma_px: float = 1.0
+) -> Heading | str:
+    """As `headings_of_pairs`, of one vehicle: contacts (2,)."""
+    return headings_of_pairs(pose, first_px, second_px, sigma_px)[0]
+
+
+def _road_points(pose: RoadPose, clicks: Floats) -> Floats:
+    """X and Y (N, 2) on the road under clicks (N, 2), NaN where `road_point` has a reason."""
+    seen = undistort(pose.camera, clicks)
+    direction = np.column_stack([seen.points, np.ones(len(clicks))]) @ pose.rotation
+    centre = pose.centre_m
+    with np.errstate(all="ignore"):
+        below = direction[:, 2] < -MIN_DEPRESSION * np.linalg.norm(direction, axis=1)
+        out = centre[:2] - direction[:, :2] * (centre[2] / direction[:, 2:])
+    out[~(below & seen.ok & pose.camera.inside(clicks))] = np.nan
+    return np.asarray(out, dtype=np.float64)
+
+
+def _why_none(pose: RoadPose, pair: Floats, base_m: float, u_rad: float) -> str | None:
+    """Why a pair of contacts (2, 2) gives no heading, or None."""
+    for word, click in zip(("first", "second"), pair, strict=True):
+        point = road_point(pose, click) if np.isnan(base_m) else None
+        if isinstance(point, str):
+            return f"The {word} tyre contact: {point[:1].lower()}{point[1:]}"
+    if base_m < LEAST_BASE_M:
+        return (
+            f"The two tyre contacts are only {base_m:.2f} m apart on the road; click the front and the rear "
+            "tyre of the same side."
+        )
+    if base_m > MOST_BASE_M:
+        return f"The two tyre contacts are {base_m:.0f} m apart on the road; click both tyres of one vehicle."
+    if not np.isfinite(u_rad):
+        return "A tyre contact lies at the edge of what the picture shows of the road; take another frame."
+    return None
+
+
+def summary_of_headings(heading_rad: ArrayLike, u_rad: ArrayLike) -> Headings | str:
+    """Mean of headings (N,) with their own uncertainties (N,), NaN where there is none; or why there is none.
+
+    Vehicles that stray from the others beyond four times their own u and the robust scatter (a click on
+    another vehicle's tyre, a change of lane) are left out.
+    """
+    values, u = np.asarray(heading_rad, dtype=np.float64), np.asarray(u_rad, dtype=np.float64)
+    used = np.isfinite(values) & np.isfinite(u)
+    if used.any():
+        used[used] = ~strays(values[used], u[used], least=_LEAST_SCALE_RAD)
+    if used.sum() < LEAST_VEHICLES:
+        return (
+            f"Both tyre contacts of at least {LEAST_VEHICLES} vehicles are needed; {used.sum()} can be used."
+        )
+    found = mean_and_spread(values[used], u[used])
+    away = abs(found.mean) / found.u_mean
+    proposed = bool(away > student.ppf(0.975, found.count - 1))
+    return Headings(frozen(values), used, found.mean, found.u_mean, found.between, proposed)
+
+
+def headings(
+    pose: RoadPose, first_px: ArrayLike, second_px: ArrayLike, sigma_px: float = 1.0
+) -> Headings | str:
+    """Self-check of a pose: both tyre contacts (N, 2) of N vehicles give their directions of travel.
+
+    Or the reason why there is none. Vehicles whose contacts lie less than a metre apart are not used.
+    """
+    found = headings_of_pairs(pose, first_px, second_px, sigma_px)
+    heading = [np.nan if isinstance(one, str) else one.heading_rad for one in found]
+    u = [np.nan if isinstance(one, str) else one.u_heading_rad for one in found]
+    return summary_of_headings(heading, u)
+
+
+def turned(pose: RoadPose, heading_rad: float, u_heading_rad: float = 0.0) -> RoadPose:
+    """The pose with the road's X axis turned about Z to a heading found in the traffic.
+
+    The road's origin, its plane and the camera's height stay. Increments of a pose act in the camera frame,
+    x_cam = Exp(r) (R x + t) + t', which the turn leaves alone, so the covariance stays and what the
+    traffic's mean is uncertain by comes to it: a turn about Z through the origin, r = R e_z e and
+    t' = -r x t. (The board's own heading error stays in as well, so the sum is on the safe side.)
+    """
+    c, s = float(np.cos(heading_rad)), float(np.sin(heading_rad))
+    axes = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+    rotation = pose.rotation @ axes
+    covariance = pose.covariance
+    if covariance is not None:
+        up = rotation[:, 2]
+        turn = u_heading_rad * np.concatenate([up, -np.cross(up, pose.translation_m)])
+        covariance = np.array(covariance)
+        covariance[-6:, -6:] += np.outer(turn, turn)
+    told = f"Turned by {np.rad2deg(heading_rad):+.2f} degrees to the direction of the traffic."
+    return replace(pose, rotation=rotation, covariance=covariance, warnings=(*pose.warnings, told))

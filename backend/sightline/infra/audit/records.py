@@ -1,0 +1,50 @@
+"""Audit events, the head of their chain, and what a verification found."""
+
+from dataclasses import dataclass
+from datetime import datetime
+
+from sightline.enums import (
+    JsonObject,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Who:
+    """A person as others see them."""
+
+    id: int
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class AuditEvent:
+    id: int
+    at: datetime
+    actor: Who | None
+    action: str
+    entity: str
+    entity_id: int | None
+    survey_id: int | None
+    before: JsonObject | None
+    after: JsonObject | None
+    hash: str
+    previous_hash: str
+    content_sha256: str
+
+
+@dataclass(frozen=True, slots=True)
+class AuditHead:
+    """How many events the chain has and the hash of the last; kept outside, it proves nothing was cut off."""
+
+    count: int
+    hash: str
+
+
+@dataclass(frozen=True, slots=True)
+class Verification:
+    """The answer of an audit check; `problem` is one sentence, None when all is well."""
+
+    ok: bool
+    checked: int
+    head_hash: str
+    problem: str | None

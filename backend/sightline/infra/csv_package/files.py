@@ -1,0 +1,315 @@
+"""A package on its way to the disk and back: written file by file, zipped, put in place whole, read again.
+
+No file is ever in memory whole but the small ones that are handed over so; a million rows pass through.
+"""
+
+from __future__ import annotations
+
+import csv
+import hashlib
+import io
+import os
+import shutil
+import tempfile
+import zipfile
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import AbstractContextManager, contextmanager
+from pathlib import Path
+from typing import BinaryIO, Protocol, cast
+
+from sightline.errors import BadInput, Damaged
+from sightline.infra.csv_package.schema import (
+    CHECKSUMS,
+    Row,
+    Table,
+    Written,
+    cell_text,
+    safe_text,
+    sha256_hex,
+)
+from sightline.media.store.local import no_room_told
+
+CHUNK_BYTES = 1 << 20
+_PACKED = (".jpg", ".png", ".pdf")  # packing them again costs time and gains nothing
+
+Tick = Callable[[float], None]
+
+
+def no_tick(_fraction: float) -> None:
+    """Progress that nobody follows."""
+
+
+class TableWriter:
+    """Rows into one CSV file (UTF-8, comma, line feed, RFC 4180), hashed and counted on the way."""
+
+    def __init__(self, file: BinaryIO, table: Table) -> None:
+        self._file, self._columns = file, [(column, column.name) for column in table.columns]
+        self._hash, self._size, self.rows = hashlib.sha256(), 0, 0
+        self._csv = csv.writer(self, lineterminator="\n")
+        self._csv.writerow(table.header)
+
+    def write(self, text: str) -> int:
+        """What csv hands over."""
+        content = text.encode()
+        self._hash.update(content)
+        self._size += len(content)
+        return self._file.write(content)
+
+    def add(self, row: Row) -> None:
+        """One row; columns that it does not name stay empty."""
+        found = row.get
+        self._csv.writerow(
+            [
+                "" if (value := found(name)) is None else cell_text(column, value)
+                for column, name in self._columns
+            ]
+        )
+        self.rows += 1
+
+    def written(self) -> Written:
+        return Written(self._hash.hexdigest(), self._size)
+
+
+class Staging:
+    """A package being written into a folder of its own; `written` holds each file's hash and size by path."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.written: dict[str, Written] = {}
+
+    def add(self, path: str, content: bytes) -> None:
+        """One small file. Raises NoRoom."""
+        with no_room_told("this export"):
+            self._place(path).write_bytes(content)
+        self.written[path] = Written(sha256_hex(content), len(content))
+
+    @contextmanager
+    def table(self, table: Table, path: str | None = None) -> Iterator[TableWriter]:
+        """A CSV file to be filled row by row, at the table's path or at another. Raises NoRoom."""
+        where = path or table.path
+        with no_room_told("this export"), self._place(where).open("wb", CHUNK_BYTES) as file:
+            writer = TableWriter(file, table)
+            yield writer
+        self.written[where] = writer.written()
+
+    def fill(self, table: Table, rows: Iterable[Row]) -> int:
+        """A whole table; how many rows it has."""
+        with self.table(table) as writer:
+            for row in rows:
+                writer.add(row)
+        return writer.rows
+
+    def seal(self) -> None:
+        """Write the list of all files' sums (the format of sha256sum): the last file of the package."""
+        self.add(CHECKSUMS, checksum_lines(self.written))
+
+    def files(self) -> Files:
+        """What was written, to be read."""
+        return FolderFiles(self.folder)
+
+    def _place(self, path: str) -> Path:
+        place = self.folder / path
+        place.parent.mkdir(parents=True, exist_ok=True)
+        return place
+
+
+def checksum_lines(written: dict[str, Written]) -> bytes:
+    """SHA256SUMS of these files, in the order of their paths."""
+    return "".join(f"{written[path].sha256}  {path}\n" for path in sorted(written)).encode()
+
+
+def zip_folder(staging: Staging, target: Path, tick: Tick = no_tick) -> None:
+    """The package as a ZIP whose bytes depend on nothing but its content (fixed order, times and modes).
+
+    Raises NoRoom; whatever `tick` raises stops it.
+    """
+    total = max(sum(one.size for one in staging.written.values()), 1)
+    done = 0
+    with no_room_told("this export"), zipfile.ZipFile(target, "w", allowZip64=True) as archive:
+        for path in [*sorted(set(staging.written) - {CHECKSUMS}), CHECKSUMS]:
+            entry = zipfile.ZipInfo(path, date_time=(1980, 1, 1, 0, 0, 0))
+            entry.compress_type = zipfile.ZIP_STORED if path.endswith(_PACKED) else zipfile.ZIP_DEFLATED
+            entry.external_attr = 0o644 << 16
+            entry.create_system = 3
+            entry.file_size = staging.written[path].size
+            with (staging.folder / path).open("rb") as source, archive.open(entry, "w") as out:
+                while chunk := source.read(CHUNK_BYTES):
+                    out.write(chunk)
+                    done += len(chunk)
+                    tick(done / total)
+
+
+@contextmanager
+def fresh_folder(target: Path) -> Iterator[Path]:
+    """A new folder that takes the place of `target`, an earlier export or nothing, when the block ends well.
+
+    Raises BadInput where the place is taken by something else; whatever goes wrong, nothing is left behind.
+    """
+    _refuse_strangers(target)
+    target.parent.mkdir(parents=True, exist_ok=True)
+    fresh = Path(tempfile.mkdtemp(prefix=f".{target.name}-", dir=target.parent))
+    try:
+        yield fresh
+        fresh.chmod(0o755)
+        _put_in_place(fresh, target)
+    finally:
+        shutil.rmtree(fresh, ignore_errors=True)
+
+
+def _refuse_strangers(target: Path) -> None:
+    if target.is_symlink() or (target.exists() and not target.is_dir()):
+        raise BadInput(f"{target} is a file; name a folder for the export that does not exist yet.")
+    if target.is_dir() and any(target.iterdir()) and not (target / CHECKSUMS).is_file():
+        raise BadInput(f"{target} holds other files; name a folder that is empty or does not exist yet.")
+
+
+def _put_in_place(fresh: Path, target: Path) -> None:
+    if not target.exists():
+        os.rename(fresh, target)
+        return
+    old = Path(tempfile.mkdtemp(prefix=f".{target.name}-old-", dir=target.parent))
+    os.rename(target, old / "export")
+    os.rename(fresh, target)
+    shutil.rmtree(old, ignore_errors=True)
+
+
+class Files(Protocol):
+    """The files of a package, read in pieces."""
+
+    @property
+    def paths(self) -> frozenset[str]: ...
+
+    def open(self, path: str) -> AbstractContextManager[BinaryIO]:
+        """One file's bytes from the start. Raises Damaged where it is missing."""
+
+
+class FolderFiles:
+    """The files of a folder."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+
+    @property
+    def paths(self) -> frozenset[str]:
+        found = (path for path in self._folder.rglob("*") if path.is_file() and not path.is_symlink())
+        return frozenset(path.relative_to(self._folder).as_posix() for path in found)
+
+    @contextmanager
+    def open(self, path: str) -> Iterator[BinaryIO]:
+        try:
+            file = (self._folder / path).open("rb")
+        except OSError as error:
+            raise missing(path) from error
+        with file:
+            yield file
+
+
+class ZipFiles:
+    """The files of a ZIP, read where it lies."""
+
+    def __init__(self, place: Path) -> None:
+        self._archive = zipfile.ZipFile(place)
+        names = [name for name in self._archive.namelist() if not name.endswith("/")]
+        self.paths = frozenset(names)
+        if len(self.paths) < len(names):
+            raise BadInput(f"{place} holds a file twice, so it is no export; take the export again.")
+
+    @contextmanager
+    def open(self, path: str) -> Iterator[BinaryIO]:
+        if path not in self.paths:
+            raise missing(path)
+        try:
+            with self._archive.open(path) as file:
+                yield cast(BinaryIO, file)
+        except zipfile.BadZipFile as error:
+            raise Damaged(f"{path} cannot be unpacked; take the whole export again.") from error
+
+
+class MemoryFiles(dict[str, bytes]):
+    """A package in memory, by path; for small ones."""
+
+    @property
+    def paths(self) -> frozenset[str]:
+        return frozenset(self)
+
+    @contextmanager
+    def open(self, path: str) -> Iterator[BinaryIO]:
+        if path not in self:
+            raise missing(path)
+        yield io.BytesIO(self[path])
+
+
+def missing(path: str) -> Damaged:
+    return Damaged(f"{path} is missing; take the whole export again.")
+
+
+def open_package(place: Path) -> Files:
+    """The files of an exported folder or ZIP. Raises BadInput for anything else."""
+    try:
+        return FolderFiles(place) if place.is_dir() else ZipFiles(place)
+    except (OSError, zipfile.BadZipFile, RuntimeError) as error:
+        raise BadInput(f"{place} cannot be read as an export; name its folder or ZIP.") from error
+
+
+def sum_of(files: Files, path: str) -> Written:
+    """Hash and size of one file."""
+    digest, size = hashlib.sha256(), 0
+    with files.open(path) as file:
+        while chunk := file.read(CHUNK_BYTES):
+            digest.update(chunk)
+            size += len(chunk)
+    return Written(digest.hexdigest(), size)
+
+
+def read_whole(files: Files, path: str) -> bytes:
+    """One small file's bytes. Raises Damaged where it is missing."""
+    with files.open(path) as file:
+        return file.read()
+
+
+def read_rows(files: Files, path: str) -> Iterator[dict[str, str]]:
+    """The rows of one CSV, by column. Raises Damaged where it is missing or no CSV."""
+    with files.open(path) as file:
+        text = io.TextIOWrapper(file, encoding="utf-8", newline="")
+        try:
+            for row in csv.DictReader(text, strict=True):
+                if None in row or None in row.values():
+                    raise Damaged(f"{path} has a row that is too long or too short; it was changed.")
+                yield row
+        except (UnicodeDecodeError, csv.Error) as error:
+            raise Damaged(f"{path} cannot be read as CSV; take the whole export again.") from error
+        finally:
+            text.detach()
+
+
+def read_columns(files: Files, path: str, names: tuple[str, ...]) -> Iterator[list[str]]:
+    """Some columns of one CSV, row by row: several times as quick as `read_rows`. Raises Damaged."""
+    with files.open(path) as file:
+        text = io.TextIOWrapper(file, encoding="utf-8", newline="")
+        try:
+            reader = csv.reader(text, strict=True)
+            header = next(reader, [])
+            places = [header.index(name) for name in names]
+            for row in reader:
+                yield [row[place] for place in places]
+        except (UnicodeDecodeError, csv.Error, ValueError, IndexError) as error:
+            raise Damaged(
+                f"{path} cannot be read as it was described; take the whole export again."
+            ) from error
+        finally:
+            text.detach()
+
+
+def unsafe(text: str) -> str:
+    """A cell's text without the apostrophe that keeps a spreadsheet from running it."""
+    return text[1:] if text.startswith("'") and safe_text(text[1:]) == text else text
+
+
+def number(text: str) -> float | None:
+    """A number, None for an empty cell."""
+    return float(text) if text else None
+
+
+def whole(text: str) -> int | None:
+    """An integer, None for an empty cell."""
+    return int(text) if text else None

@@ -1,0 +1,209 @@
+"""Engines, migrations and the two kinds of transaction: reading and writing.
+
+SQLite runs in WAL mode with foreign keys and a busy timeout; a writing transaction begins IMMEDIATE under
+one process-wide lock, so writers queue up in order instead of failing (feasibility.md 3). PostgreSQL takes
+one advisory lock instead, which also serialises the audit chain.
+"""
+
+import os
+import re
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from sqlalchemy import Connection, Engine, create_engine, event, make_url, text
+from sqlalchemy.exc import ArgumentError, DatabaseError, OperationalError
+from sqlalchemy.orm import Session, sessionmaker
+
+from sightline.errors import BadInput, NoRoom, SightlineError
+
+AUDIT_LOCK = 7_419_001
+_USE = "use sqlite:///FILE or postgresql+psycopg://USER@HOST/NAME."
+_WRITING = "sightline_writing"
+_sqlite_writer = threading.RLock()
+_REVISION = re.compile(r'^revision\b[^=\n]*= *"([^"]+)"', re.MULTILINE)
+_FOLLOWS = re.compile(r'^down_revision\b[^=\n]*= *"([^"]+)"', re.MULTILINE)
+
+SessionFactory = sessionmaker[Session]
+
+
+class DatabaseAway(SightlineError):
+    """The database does not answer."""
+
+    status = 503
+    code = "database_away"
+
+
+def make_engine(url: str, *, must_exist: bool = False) -> Engine:
+    """An engine for `sqlite:///path` or `postgresql+psycopg://...`. Raises BadInput for any other URL.
+
+    `must_exist` refuses to make a SQLite file that is not there.
+    """
+    try:
+        parsed = make_url(url)
+    except ArgumentError:
+        raise BadInput(
+            "The database address cannot be read; use sqlite:///FILE or postgresql+psycopg://."
+        ) from None
+    if parsed.drivername in ("postgresql", "postgres"):
+        parsed = parsed.set(drivername="postgresql+psycopg")
+    backend = parsed.get_backend_name()
+    if backend == "sqlite":
+        path = str(parsed.database or "")
+        if must_exist and not Path(path).is_file():
+            raise BadInput(f"There is no database {path}; check its name.")
+        return _sqlite_engine(path, parsed.render_as_string(hide_password=False))
+    if backend == "postgresql":
+        return create_engine(parsed, pool_pre_ping=True, pool_size=10, max_overflow=20)
+    raise BadInput(f"A {backend} database is not supported; {_USE}")
+
+
+def _sqlite_engine(path: str, url: str) -> Engine:
+    if path in ("", ":memory:"):
+        raise BadInput("An in-memory database would be lost; name a file, as in sqlite:///sightline.db.")
+    Path(path).absolute().parent.mkdir(parents=True, exist_ok=True)
+    engine = create_engine(url, connect_args={"timeout": 10, "check_same_thread": False})
+    event.listen(engine, "connect", _prepare_sqlite)
+    event.listen(engine, "begin", _begin_sqlite)
+    return engine
+
+
+def _prepare_sqlite(connection: Any, _record: Any) -> None:
+    connection.isolation_level = None  # this module begins transactions itself
+    cursor = connection.cursor()
+    for pragma in ("journal_mode=WAL", "foreign_keys=ON", "busy_timeout=10000", "synchronous=FULL"):
+        cursor.execute(f"PRAGMA {pragma}")
+    cursor.close()
+
+
+def _begin_sqlite(connection: Any) -> None:
+    writing = connection.get_execution_options().get(_WRITING, False)
+    connection.exec_driver_sql("BEGIN IMMEDIATE" if writing else "BEGIN")
+
+
+def migrations_folder() -> Path:
+    """Where the migrations are: SIGHTLINE_MIGRATIONS, else `migrations/` beside the package."""
+    named = os.environ.get("SIGHTLINE_MIGRATIONS")
+    return Path(named) if named else Path(__file__).resolve().parents[4] / "migrations"
+
+
+def newest_revision() -> str | None:
+    """The revision that no migration follows, read off the files; None unless there is just one.
+
+    A start with nothing to migrate needs no more than this: Alembic's import alone takes half as long as
+    the rest of the start.
+    """
+    files = [path.read_text() for path in sorted((migrations_folder() / "versions").glob("*.py"))]
+    made = {name for text_ in files for name in _REVISION.findall(text_)}
+    heads = made - {name for text_ in files for name in _FOLLOWS.findall(text_)}
+    return heads.pop() if len(heads) == 1 else None
+
+
+def stored_revision(connection: Connection) -> str | None:
+    """The revision that a database is at; None for an empty one."""
+    if not connection.dialect.has_table(connection, "alembic_version"):
+        return None
+    return connection.execute(text("SELECT version_num FROM alembic_version")).scalar_one_or_none()
+
+
+def migrate(engine: Engine) -> None:
+    """Bring the database to the newest schema, one process at a time. Raises BadInput if it is newer."""
+    with explained(), _sqlite_writer, engine.connect() as connection:
+        current = stored_revision(connection)
+        if current is not None and current == newest_revision():
+            return
+        connection.rollback()
+        from sightline.infra.database.migrations import upgrade
+
+        writer = connection.execution_options(**{_WRITING: True})
+        with writer.begin():
+            if engine.dialect.name == "postgresql":
+                writer.execute(text("SELECT pg_advisory_xact_lock(:key)"), {"key": AUDIT_LOCK})
+            upgrade(writer)
+
+
+def session_factory(engine: Engine) -> SessionFactory:
+    """The maker of sessions on this engine; hand it to `reading` and `writing`."""
+    return sessionmaker(engine, expire_on_commit=False, autoflush=False)
+
+
+@contextmanager
+def reading(factory: SessionFactory) -> Iterator[Session]:
+    """A session that only reads one state of the database; whatever it did is rolled back at the end."""
+    session = factory()
+    try:
+        with explained():
+            if engine_of(factory).dialect.name == "postgresql":
+                # SQLite's transactions see one state anyway; here each statement would see another one.
+                session.connection(execution_options={"isolation_level": "REPEATABLE READ"})
+            yield session
+    finally:
+        session.rollback()
+        session.close()
+
+
+@contextmanager
+def writing(factory: SessionFactory) -> Iterator[Session]:
+    """A session that holds the only write transaction; commits at the end, rolls back on any error."""
+    if engine_of(factory).dialect.name == "sqlite":
+        with _sqlite_writer, _write(factory) as session:
+            yield session
+    else:
+        with _write(factory) as session:
+            yield session
+
+
+@contextmanager
+def _write(factory: SessionFactory) -> Iterator[Session]:
+    session = factory()
+    try:
+        with explained():
+            session.connection(execution_options={_WRITING: True})
+            lock_chain(session)
+            yield session
+            session.commit()
+    except BaseException:
+        session.rollback()
+        raise
+    finally:
+        session.close()
+
+
+def lock_chain(session: Session) -> None:
+    """Wait for the turn to write, on PostgreSQL; SQLite's BEGIN IMMEDIATE has done it already."""
+    if session.get_bind().dialect.name == "postgresql":
+        session.execute(text("SELECT pg_advisory_xact_lock(:key)"), {"key": AUDIT_LOCK})
+
+
+def engine_of(factory: SessionFactory) -> Engine:
+    """The engine behind a session factory."""
+    engine = factory.kw["bind"]
+    assert isinstance(engine, Engine)
+    return engine
+
+
+@contextmanager
+def explained() -> Iterator[None]:
+    """Turn the database's operational errors into one sentence: full disk, locked, away."""
+    try:
+        yield
+    except OperationalError as error:
+        raise explanation(error) from error
+    except DatabaseError as error:
+        if "not a database" in str(error.orig):
+            raise BadInput("This file is not a database of this program; give the right one.") from error
+        raise
+
+
+def explanation(error: OperationalError) -> SightlineError:
+    """What an operational error means to the person in front."""
+    words = str(error.orig).lower()
+    if "full" in words or "no space" in words:
+        return NoRoom("The disk is full, so nothing was saved; make room and try again.")
+    if "locked" in words:
+        return DatabaseAway("The database is busy with another writer; try again in a moment.")
+    if "unable to open" in words or "readonly" in words:
+        return DatabaseAway("The database file cannot be opened for writing; check the folder's permissions.")
+    return DatabaseAway("The database does not answer; check that it runs and that its address is right.")

@@ -1,0 +1,35 @@
+"""Migrations by Alembic; imported only where the database is not at the newest revision."""
+
+from alembic import command
+from alembic.config import Config
+from alembic.script import ScriptDirectory
+from sqlalchemy import Connection
+
+from sightline.errors import BadInput
+from sightline.infra.database.engine import migrations_folder, stored_revision
+
+
+def alembic_config() -> Config:
+    """Alembic's configuration, without any ini file."""
+    folder = migrations_folder()
+    if not (folder / "env.py").is_file():
+        raise BadInput(
+            f"There are no migrations in {folder}; set SIGHTLINE_MIGRATIONS to the folder that has them."
+        )
+    config = Config()
+    config.set_main_option("script_location", str(folder).replace("%", "%%"))
+    return config
+
+
+def upgrade(connection: Connection) -> None:
+    """Migrate to the newest revision in the connection's transaction. Raises BadInput if it is newer still.
+
+    What the database is at is asked again here: whoever held the lock before may have migrated.
+    """
+    config = alembic_config()
+    known = {script.revision for script in ScriptDirectory.from_config(config).walk_revisions()}
+    current = stored_revision(connection)
+    if current is not None and current not in known:
+        raise BadInput("The database was made by a newer version; update this one before opening it.")
+    config.attributes["connection"] = connection
+    command.upgrade(config, "head")

@@ -1,0 +1,45 @@
+"""The accounts: who did what is kept by id everywhere, so these two tables lie below every other."""
+
+from sqlalchemy import (
+    Boolean,
+    Column,
+    ForeignKey,
+    Integer,
+    String,
+    Table,
+    Text,
+    UniqueConstraint,
+    true,
+)
+
+from sightline.enums import Role
+from sightline.infra.database.types import Moment, identity, metadata, one_of
+
+people = Table(
+    "people",
+    metadata,
+    identity(),
+    Column("name", String(200), nullable=False),
+    Column("email", String(320), nullable=False),
+    Column("role", String(20), nullable=False),
+    Column("active", Boolean, nullable=False, server_default=true()),
+    Column("password_hash", Text),
+    Column("session_key", Integer, nullable=False, server_default="1"),
+    Column("created_at", Moment, nullable=False),
+    Column("last_seen_at", Moment),
+    UniqueConstraint("email"),
+    one_of("role", Role),
+)
+
+
+sign_in_links = Table(
+    "sign_in_links",
+    metadata,
+    identity(),
+    Column("person_id", ForeignKey("people.id"), nullable=False, index=True),
+    Column("token_hash", String(64), nullable=False),
+    Column("created_at", Moment, nullable=False),
+    Column("expires_at", Moment, nullable=False),
+    Column("used_at", Moment),
+    UniqueConstraint("token_hash"),
+)

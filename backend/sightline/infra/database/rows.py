@@ -1,0 +1,104 @@
+"""Small helpers that every aggregate uses."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from functools import lru_cache
+from typing import Any
+
+from sqlalchemy import ColumnElement, Table, insert, select, update
+from sqlalchemy.orm import Session
+
+from sightline.errors import NotFound
+from sightline.infra.audit.hashing import content_hash
+from sightline.infra.audit.records import Who
+from sightline.infra.database.people import people
+
+_CAME_LATER: Mapping[str, Any] = {
+    "more_frames": [],
+    "solved_inset_m": None,
+    "u_solved_inset_m": None,
+    "turned_from": None,
+    "turned_by_rad": None,
+}
+
+
+def add_row(session: Session, table: Table, values: Mapping[str, Any]) -> int:
+    """Insert one row and return its id."""
+    return int(session.execute(insert(table).returning(table.c.id), dict(values)).scalar_one())
+
+
+def add_rows(session: Session, table: Table, rows: Sequence[Mapping[str, Any]]) -> list[int]:
+    """Insert rows that have the same columns and return their ids, in their order; a few statements."""
+    if not rows:
+        return []
+    made = insert(table).returning(table.c.id, sort_by_parameter_order=True)
+    return [int(row_id) for row_id in session.execute(made, [dict(row) for row in rows]).scalars()]
+
+
+def change_row(session: Session, table: Table, row_id: int, values: Mapping[str, Any]) -> None:
+    """Update one row by its id."""
+    session.execute(update(table).where(table.c.id == row_id).values(dict(values)))
+
+
+def get_row(
+    session: Session, table: Table, row_id: int, word: str, *also: ColumnElement[bool]
+) -> dict[str, Any]:
+    """One row as a dict. Raises NotFound in words ("There is no camera 7 ...")."""
+    row = session.execute(select(table).where(table.c.id == row_id, *also)).mappings().one_or_none()
+    if row is None:
+        raise missing(word, row_id)
+    return dict(row)
+
+
+def missing(word: str, row_id: int | None = None) -> NotFound:
+    """The error for a thing that is not there."""
+    number = "" if row_id is None else f" {row_id}"
+    return NotFound(f"There is no {word}{number}; it may have been removed, so go back and choose another.")
+
+
+@lru_cache(maxsize=1024)
+def who(person_id: int | None, name: str | None) -> Who | None:
+    """A person's id and name, where there is one."""
+    return None if person_id is None else Who(person_id, name or "")
+
+
+def names(session: Session, ids: Iterable[int | None]) -> dict[int, str]:
+    """The names of some people, in one query."""
+    wanted = {one for one in ids if one is not None}
+    if not wanted:
+        return {}
+    found = session.execute(select(people.c.id, people.c.name).where(people.c.id.in_(wanted)))
+    return {row.id: row.name for row in found}
+
+
+def name_of(session: Session, person_id: int | None) -> str:
+    """A person's name for a sentence, "the system" for nobody."""
+    return names(session, [person_id]).get(person_id or 0, "the system")
+
+
+def stored_hash(session: Session, table: Table, row_id: int) -> str:
+    """The hash of a row's content as the database gives it back; kept in the audit event that made it."""
+    row = session.execute(select(table).where(table.c.id == row_id)).mappings().one()
+    return row_hash(row)
+
+
+def stored_hashes(session: Session, table: Table, row_ids: Sequence[int]) -> dict[int, str]:
+    """`stored_hash` of some hundred rows, by id."""
+    rows = session.execute(select(table).where(table.c.id.in_(row_ids))).mappings()
+    return {row["id"]: row_hash(row) for row in rows}
+
+
+def row_hash(row: Mapping[Any, Any]) -> str:
+    """The hash of a row's content."""
+    return content_hash(row_content(row))
+
+
+def row_content(row: Mapping[Any, Any]) -> dict[str, Any]:
+    """What is hashed of a row: all but its id.
+
+    Columns that came later are part of it only where they hold something: rows from before keep their hash.
+    """
+    content = {str(key): value for key, value in row.items() if key != "id"}
+    for name, nothing in _CAME_LATER.items():
+        if name in content and content[name] == nothing:
+            del content[name]
+    return content

@@ -1,0 +1,34 @@
+"""A job."""
+
+from dataclasses import dataclass
+from datetime import datetime
+
+from sightline.enums import (
+    JobState,
+    JsonObject,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Job:
+    """A piece of long work; the job table owns the truth about it."""
+
+    id: int
+    kind: str
+    state: JobState
+    payload: JsonObject
+    progress: float
+    message: str
+    error: str | None
+    result: JsonObject | None
+    survey_id: int | None
+    recording_id: int | None
+    created_by: int | None
+    created_at: datetime
+    started_at: datetime | None
+    finished_at: datetime | None
+    attempts: int
+    worker: str | None
+    lease_until: datetime | None
+    cancel_requested: bool
+    scan_id: int | None = None

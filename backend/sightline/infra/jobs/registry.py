@@ -1,0 +1,109 @@
+"""Long work: enqueue it, register who does it, run it under a lease (`runner`, `worker` do the rest).
+
+A handler is a function of a `JobContext` and gives back the job's result, or a function of a session that
+writes what was made and gives back the result: that one runs in the same transaction as the job's end, so
+that a job that was run twice leaves its outcome once.
+
+    @jobs.handler("ingest", failed=mark_recording_failed)
+    def ingest(context: JobContext) -> Outcome: ...
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from sqlalchemy.orm import Session
+
+from sightline.enums import JsonObject
+from sightline.errors import SightlineError
+from sightline.infra.database.engine import SessionFactory
+from sightline.infra.jobs.queue import push_after_commit
+from sightline.infra.jobs.records import Job
+from sightline.infra.jobs.store import create_job
+from sightline.settings import Settings
+
+Finish = Callable[[Session], Mapping[str, Any]]
+Outcome = Mapping[str, Any] | Finish
+Failed = Callable[[Session, Job, str], None]
+
+
+class Cancelled(SightlineError):
+    """The job was asked to stop, and did."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class JobContext:
+    """What a handler works with."""
+
+    job: Job
+    settings: Settings
+    factory: SessionFactory
+    report: Callable[[float, str], None]
+    cancelled: Callable[[], bool]
+
+    @property
+    def payload(self) -> JsonObject:
+        """What was asked for."""
+        return self.job.payload
+
+    @property
+    def actor(self) -> int | None:
+        """Who asked for it; pass it on as the actor of every write."""
+        return self.job.created_by
+
+    def progress(self, fraction: float, message: str = "") -> None:
+        """Say how far the job is (0 to 1). Raises Cancelled if it is to stop, LeaseLost if another has it."""
+        self.report(fraction, message)
+
+    def is_cancelled(self) -> bool:
+        """Whether the job is to stop (or was lost); for inner loops that call no progress."""
+        return self.cancelled()
+
+
+Handler = Callable[[JobContext], Outcome]
+
+
+@dataclass(frozen=True, slots=True)
+class Registered:
+    """A handler, and what to write in the same transaction when its job fails or is cancelled."""
+
+    run: Handler
+    failed: Failed | None
+
+
+_handlers: dict[str, Registered] = {}
+
+
+def handler(kind: str, *, failed: Failed | None = None) -> Callable[[Handler], Handler]:
+    """Register the function that does jobs of this kind; `failed(session, job, sentence)` cleans up."""
+
+    def register(function: Handler) -> Handler:
+        known = _handlers.get(kind)
+        if known is not None and known.run.__qualname__ != function.__qualname__:
+            raise ValueError(f"two handlers for jobs of kind {kind}")
+        _handlers[kind] = Registered(function, failed)
+        return function
+
+    return register
+
+
+def registered(kind: str) -> Registered | None:
+    """Who does jobs of this kind."""
+    return _handlers.get(kind)
+
+
+def enqueue(
+    session: Session,
+    kind: str,
+    payload: Mapping[str, Any],
+    *,
+    survey_id: int | None,
+    recording_id: int | None = None,
+    scan_id: int | None = None,
+    actor: int | None,
+) -> Job:
+    """A new job in the caller's transaction; the workers hear of it when that commits."""
+    place = {"survey_id": survey_id, "recording_id": recording_id, "scan_id": scan_id}
+    job = create_job(session, kind, payload, **place, actor=actor)
+    push_after_commit(session, job.id)
+    return job

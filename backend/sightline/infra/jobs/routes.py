@@ -1,0 +1,45 @@
+"""Long work: how far it is, and stopping it."""
+
+from typing import Annotated
+
+from fastapi import APIRouter, Query
+
+from sightline.errors import NotAllowed
+from sightline.infra.jobs import store
+from sightline.infra.web.bodies import Id, JobBody, JobState
+from sightline.infra.web.deps import RANK, PathId, Reading, Viewer, Wired
+from sightline.recordings.ingest_job import cancel_job
+from sightline.scans import read_job
+from sightline.scans.service import READ
+
+router = APIRouter()
+
+
+@router.get("/jobs")
+def list_jobs(
+    who: Viewer,
+    session: Reading,
+    survey_id: Annotated[Id | None, Query()] = None,
+    state: Annotated[JobState | None, Query()] = None,
+) -> list[JobBody]:
+    """The newest hundred jobs."""
+    return [JobBody.model_validate(one) for one in store.list_jobs(session, survey_id=survey_id, state=state)]
+
+
+@router.get("/jobs/{job_id}")
+def get_job(job_id: PathId, who: Viewer, session: Reading) -> JobBody:
+    """One job."""
+    return JobBody.model_validate(store.get_job(session, job_id))
+
+
+@router.post("/jobs/{job_id}/cancel")
+def cancel(job_id: PathId, who: Viewer, services: Wired) -> JobBody:
+    """Stop a queued job at once, a running one when it next looks. A viewer may stop only their own."""
+    with services.writing() as session:
+        job = store.get_job(session, job_id)
+        if job.created_by != who.id and RANK[who.role] < RANK["operator"]:
+            raise NotAllowed("Somebody else started this job; ask them or an operator to cancel it.")
+        stopped = cancel_job(session, job, who.id)
+        if stopped.state == "cancelled" and stopped.kind == READ:
+            read_job.mark_failed(session, stopped, read_job.STOPPED)
+        return JobBody.model_validate(stopped)

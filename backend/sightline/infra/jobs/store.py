@@ -1,0 +1,219 @@
+"""The job table: it owns the truth about long work, whatever happens to the queue or to a worker.
+
+A worker claims a job for a lease and renews it; a lease that ran out means that the worker died, and the job
+is given to another one. Every change by a worker is guarded by (worker, attempts), so a worker that was
+thought dead and comes back changes nothing. Creating, cancelling and ending a job are audited; leases and
+progress are not.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from datetime import datetime, timedelta
+from typing import Any
+
+from sqlalchemy import func, select, update
+from sqlalchemy.orm import Session
+
+from sightline.enums import JobState, JsonObject
+from sightline.errors import Conflict, SightlineError
+from sightline.infra.audit import trail
+from sightline.infra.database.rows import add_row, change_row, get_row
+from sightline.infra.database.types import now
+from sightline.infra.jobs.records import Job
+from sightline.infra.jobs.tables import jobs
+
+MAX_ATTEMPTS = 3
+
+
+class LeaseLost(SightlineError):
+    """Another worker has this job now, or it is over; the one who asks must stop without a trace."""
+
+
+@dataclass(frozen=True, slots=True)
+class Heartbeat:
+    """What a worker learns when it renews: does it still hold the job, and is it to stop?"""
+
+    held: bool
+    cancel_requested: bool
+
+
+def create_job(
+    session: Session,
+    kind: str,
+    payload: Mapping[str, Any],
+    *,
+    survey_id: int | None,
+    recording_id: int | None = None,
+    scan_id: int | None = None,
+    actor: int | None,
+) -> Job:
+    """A queued job. Use `sightline.infra.jobs.registry.enqueue`, which also tells the queue."""
+    content = {"kind": kind, "payload": dict(payload), "survey_id": survey_id, "recording_id": recording_id}
+    if scan_id is not None:
+        content["scan_id"] = scan_id
+    stamps = {"state": "queued", "progress": 0.0, "message": "", "attempts": 0}
+    job_id = add_row(session, jobs, {**content, **stamps, "created_at": now(), "created_by": actor})
+    trail.record(session, actor, "create", "job", job_id, survey_id, None, content)
+    return get_job(session, job_id)
+
+
+def get_job(session: Session, job_id: int) -> Job:
+    """One job. Raises NotFound."""
+    return _job(get_row(session, jobs, job_id, "job"))
+
+
+def list_jobs(
+    session: Session, *, survey_id: int | None = None, state: JobState | None = None, limit: int = 100
+) -> tuple[Job, ...]:
+    """Jobs, newest first."""
+    query = select(jobs).order_by(jobs.c.id.desc()).limit(limit)
+    if survey_id is not None:
+        query = query.where(jobs.c.survey_id == survey_id)
+    if state is not None:
+        query = query.where(jobs.c.state == state)
+    return tuple(_job(row) for row in session.execute(query).mappings())
+
+
+def latest_jobs_of_recordings(session: Session, recording_ids: Sequence[int]) -> dict[int, Job]:
+    """The newest job of each recording, by recording."""
+    newest = select(func.max(jobs.c.id)).where(jobs.c.recording_id.in_(recording_ids))
+    query = select(jobs).where(jobs.c.id.in_(newest.group_by(jobs.c.recording_id)))
+    found = [_job(row) for row in session.execute(query).mappings()] if recording_ids else []
+    return {job.recording_id: job for job in found if job.recording_id is not None}
+
+
+def latest_jobs_of_scans(session: Session, scan_ids: Sequence[int]) -> dict[int, Job]:
+    """The newest job of each line-scan recording, by its id."""
+    newest = select(func.max(jobs.c.id)).where(jobs.c.scan_id.in_(scan_ids))
+    query = select(jobs).where(jobs.c.id.in_(newest.group_by(jobs.c.scan_id)))
+    found = [_job(row) for row in session.execute(query).mappings()] if scan_ids else []
+    return {job.scan_id: job for job in found if job.scan_id is not None}
+
+
+def request_job_cancel(session: Session, job_id: int, *, actor: int | None) -> Job:
+    """Stop a job: a queued one at once, a running one when it next looks. Raises Conflict if it is over."""
+    before = get_job(session, job_id)
+    if before.state not in ("queued", "running"):
+        raise Conflict(f"Job {job_id} is {before.state} already, so there is nothing to cancel.")
+    if before.state == "queued":
+        change: dict[str, Any] = {"state": "cancelled", "finished_at": now(), "message": "Cancelled."}
+    else:
+        change = {"cancel_requested": True}
+    change_row(session, jobs, job_id, change)
+    then = {"state": before.state, "cancel_requested": before.cancel_requested}
+    after = {**then, **{key: change[key] for key in then if key in change}}
+    trail.record(session, actor, "cancel", "job", job_id, before.survey_id, then, after)
+    return get_job(session, job_id)
+
+
+def claim_job(session: Session, job_id: int, *, worker: str, lease_s: float) -> Job | None:
+    """Take a queued job for `lease_s` seconds; None if somebody else has it or it is over."""
+    moment = _database_now(session)
+    done = session.execute(
+        update(jobs)
+        .where(jobs.c.id == job_id, jobs.c.state == "queued", jobs.c.attempts < MAX_ATTEMPTS)
+        .values(
+            state="running",
+            worker=worker,
+            attempts=jobs.c.attempts + 1,
+            started_at=func.coalesce(jobs.c.started_at, moment),
+            lease_until=moment + timedelta(seconds=lease_s),
+        )
+        .returning(jobs.c.id)
+    )
+    return None if done.first() is None else get_job(session, job_id)
+
+
+def renew_lease(
+    session: Session, job: Job, *, lease_s: float, progress: float | None = None, message: str | None = None
+) -> Heartbeat:
+    """Hold the job for `lease_s` more seconds and note how far it is."""
+    change: dict[str, Any] = {"lease_until": _database_now(session) + timedelta(seconds=lease_s)}
+    if progress is not None:
+        change["progress"] = min(max(progress, 0.0), 1.0)
+    if message is not None:
+        change["message"] = message
+    held = update(jobs).where(*_held(job)).values(change).returning(jobs.c.cancel_requested)
+    row = session.execute(held).first()
+    return Heartbeat(row is not None, row is not None and bool(row[0]))
+
+
+def finish_job(session: Session, job: Job, result: Mapping[str, Any]) -> Job:
+    """The job is done. Raises LeaseLost, which undoes the whole write, if another has it."""
+    return _end(session, job, "done", {"result": dict(result), "progress": 1.0})
+
+
+def fail_job(session: Session, job: Job, error: str) -> Job:
+    """The job cannot be done; `error` is the sentence that says why. Raises LeaseLost."""
+    return _end(session, job, "failed", {"error": error})
+
+
+def job_cancelled(session: Session, job: Job) -> Job:
+    """The worker stopped because it was asked to. Raises LeaseLost."""
+    return _end(session, job, "cancelled", {"message": "Cancelled."})
+
+
+def expired_jobs(session: Session) -> tuple[Job, ...]:
+    """Running jobs whose lease ran out: their worker is dead or cut off."""
+    query = select(jobs).where(jobs.c.state == "running", jobs.c.lease_until < _database_now(session))
+    return tuple(_job(row) for row in session.execute(query.order_by(jobs.c.id)).mappings())
+
+
+def queued_jobs(session: Session) -> tuple[int, ...]:
+    """The ids of the jobs that wait, oldest first."""
+    return tuple(
+        session.execute(select(jobs.c.id).where(jobs.c.state == "queued").order_by(jobs.c.id)).scalars()
+    )
+
+
+def requeue_job(session: Session, job: Job) -> Job:
+    """Give an expired job to the next worker. Raises LeaseLost if it moved on meanwhile."""
+    change: dict[str, Any] = {"state": "queued", "worker": None, "lease_until": None, "progress": 0.0}
+    change["message"] = "A worker stopped in the middle; this is tried again."
+    return _back(session, job, change, "requeue")
+
+
+def release_job(session: Session, job: Job) -> Job:
+    """Put a job back because its worker shuts down; that attempt does not count. Raises LeaseLost."""
+    change: dict[str, Any] = {"state": "queued", "worker": None, "lease_until": None, "progress": 0.0}
+    change |= {"attempts": job.attempts - 1, "message": "Waits for the next worker."}
+    return _back(session, job, change, "release")
+
+
+def _back(session: Session, job: Job, change: Mapping[str, Any], action: str) -> Job:
+    done = session.execute(update(jobs).where(*_held(job)).values(change).returning(jobs.c.id))
+    if done.first() is None:
+        raise LeaseLost(f"Job {job.id} moved on meanwhile; nothing to do.")
+    after = {"state": "queued", "attempts": job.attempts}
+    trail.record(session, None, action, "job", job.id, job.survey_id, {"state": "running"}, after)
+    return get_job(session, job.id)
+
+
+def _held(job: Job) -> tuple[Any, ...]:
+    same = (jobs.c.worker == job.worker, jobs.c.attempts == job.attempts)
+    return (jobs.c.id == job.id, jobs.c.state == "running", *same)
+
+
+def _end(session: Session, job: Job, state: JobState, change: Mapping[str, Any]) -> Job:
+    values = {**change, "state": state, "lease_until": None, "finished_at": now()}
+    done = session.execute(update(jobs).where(*_held(job)).values(values).returning(jobs.c.id))
+    if done.first() is None:
+        raise LeaseLost(f"Job {job.id} was given to another worker; this one stops.")
+    told = {key: change[key] for key in ("result", "error") if key in change}
+    after = {"state": state, "attempts": job.attempts, **told}
+    trail.record(session, job.created_by, state, "job", job.id, job.survey_id, {"state": "running"}, after)
+    return get_job(session, job.id)
+
+
+def _database_now(session: Session) -> datetime:
+    """The database's clock where several machines share it, ours where there is one machine."""
+    if session.get_bind().dialect.name != "postgresql":
+        return now()
+    moment = session.execute(select(func.clock_timestamp())).scalar_one()
+    assert isinstance(moment, datetime)
+    return moment
+
+
+def _job(row: Mapping[Any, Any]) -> Job:
+    values: JsonObject = {name: row[name] for name in Job.__slots__}
+    return Job(**values)

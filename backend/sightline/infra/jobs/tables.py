@@ -1,0 +1,49 @@
+"""The table of jobs."""
+
+from sqlalchemy import (
+    Boolean,
+    CheckConstraint,
+    Column,
+    Float,
+    ForeignKey,
+    Index,
+    Integer,
+    String,
+    Table,
+    Text,
+    false,
+)
+
+from sightline.enums import JobState
+from sightline.infra.database.types import Document, Moment, identity, metadata, one_of
+
+jobs = Table(
+    "jobs",
+    metadata,
+    identity(),
+    Column("kind", String(60), nullable=False),
+    Column("state", String(20), nullable=False),
+    Column("payload", Document, nullable=False),
+    Column("progress", Float, nullable=False),
+    Column("message", Text, nullable=False),
+    Column("error", Text),
+    Column("result", Document),
+    Column("survey_id", ForeignKey("surveys.id"), index=True),
+    Column("recording_id", ForeignKey("recordings.id"), index=True),
+    Column("scan_id", Integer, ForeignKey("scans.id", use_alter=True), index=True),
+    Column("attempts", Integer, nullable=False),
+    Column("worker", String(200)),
+    Column("lease_until", Moment),
+    Column("cancel_requested", Boolean, nullable=False, server_default=false()),
+    Column("created_at", Moment, nullable=False),
+    Column("created_by", ForeignKey("people.id")),
+    Column("started_at", Moment),
+    Column("finished_at", Moment),
+    one_of("state", JobState),
+    CheckConstraint("progress >= 0 AND progress <= 1", name="progress_fraction"),
+    CheckConstraint("state <> 'failed' OR error IS NOT NULL", name="failed_has_error"),
+    CheckConstraint("state <> 'running' OR lease_until IS NOT NULL", name="running_has_lease"),
+)
+
+
+Index("ix_jobs_state_lease_until", jobs.c.state, jobs.c.lease_until)

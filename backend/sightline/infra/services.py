@@ -1,0 +1,107 @@
+"""What every shell needs: settings, database, queue, media store and frame server, opened once a process."""
+
+from contextlib import AbstractContextManager
+from dataclasses import dataclass
+from pathlib import Path
+from threading import Lock
+from weakref import WeakKeyDictionary
+
+from sqlalchemy import Engine
+from sqlalchemy.orm import Session
+
+from sightline.infra.database.engine import (
+    SessionFactory,
+    engine_of,
+    make_engine,
+    reading,
+    session_factory,
+    writing,
+)
+from sightline.infra.jobs.queue import JobQueue, attach, open_queue
+from sightline.infra.jobs.registry import JobContext
+from sightline.media.store.local import MediaStore, open_store
+from sightline.media.video.decode_host import DecodeHost
+from sightline.media.video.frames import FrameServer
+from sightline.recordings.frames.prefetch import Ahead
+from sightline.recordings.frames.stills import Stills
+from sightline.settings import Settings
+
+FRAME_MEMORY_BYTES = 256 * 1024**2
+FRAME_DISK_BYTES = 2 * 1024**3
+
+_of_workers: WeakKeyDictionary[SessionFactory, "Services"] = WeakKeyDictionary()
+_opening = Lock()
+
+
+@dataclass(frozen=True, eq=False)
+class Services:
+    """One process's open doors. Shared by threads; every part of it is safe for that."""
+
+    settings: Settings
+    engine: Engine
+    sessions: SessionFactory
+    queue: JobQueue | None
+    media: MediaStore
+    frames: FrameServer
+    stills: Stills
+    ahead: Ahead
+
+    def reading(self) -> AbstractContextManager[Session]:
+        """A session that sees one state of the database and never commits."""
+        return reading(self.sessions)
+
+    def writing(self) -> AbstractContextManager[Session]:
+        """The write transaction of this thread; committed when the block ends, rolled back on any error."""
+        return writing(self.sessions)
+
+    @property
+    def scratch(self) -> Path:
+        """A folder for files on their way to somewhere else, on the disk of the data folder."""
+        folder = self.settings.data_dir / "scratch"
+        folder.mkdir(parents=True, exist_ok=True)
+        return folder
+
+    def close(self) -> None:
+        """Give files and connections back."""
+        self.ahead.close()
+        self.frames.close()
+        if self.queue is not None:
+            self.queue.close()
+        self.engine.dispose()
+
+
+def open_services(settings: Settings) -> Services:
+    """Open database, queue and media store. Migrates nothing and starts nothing."""
+    engine = make_engine(settings.database_url)
+    sessions = session_factory(engine)
+    queue = open_queue(settings)
+    attach(sessions, queue)
+    # A hostile file may end the child in which stills are decoded, never the server.
+    return _services(settings, engine, sessions, queue, DecodeHost(FRAME_MEMORY_BYTES * 3 // 4))
+
+
+def services_of(context: JobContext) -> Services:
+    """The services of a worker, on the sessions that it has; opened once for all its jobs."""
+    with _opening:
+        known = _of_workers.get(context.factory)
+        if known is None:
+            engine = engine_of(context.factory)
+            # A worker's process is itself the one that a hostile file may end.
+            known = _services(context.settings, engine, context.factory, None, None)
+            _of_workers[context.factory] = known
+        return known
+
+
+def _services(
+    settings: Settings,
+    engine: Engine,
+    sessions: SessionFactory,
+    queue: JobQueue | None,
+    pictures: DecodeHost | None,
+) -> Services:
+    cache = settings.data_dir / "cache"
+    store = open_store(settings.media_url, cache / "media")
+    server = FrameServer(cache, FRAME_MEMORY_BYTES, FRAME_DISK_BYTES, pictures=pictures)
+    stills = Stills(sessions, store, server)
+    ahead = Ahead(sessions, stills, server)
+    return Services(settings, engine, sessions, queue, store, server, stills, ahead)

@@ -1,0 +1,96 @@
+"""What routes depend on: the services of the app, a database session, and who is asking with which role.
+
+    @router.get("/surveys")
+    def list_surveys(who: Viewer, session: Reading) -> list[SurveyBody]: ...
+
+    @router.post("/surveys", status_code=201)
+    def add_survey(body: NewSurvey, who: Operator, session: Writing) -> SurveyBody: ...
+
+Put the person before the session: nobody who may not write ever waits for the write lock. A route that works
+long before it writes (corner detection in an image, say) takes `Wired` and opens `services.writing()` itself,
+at the end. Every route declares a role (`Viewer`, `Operator`, `Reviewer`, `Admin`) or is `OPEN`; a test walks
+all of them.
+"""
+
+from collections.abc import AsyncIterator, Iterator
+from typing import Annotated
+
+from fastapi import Depends, Path, Request
+from sqlalchemy.orm import Session
+
+from sightline.enums import Role
+from sightline.errors import NotAllowed, NotSignedIn
+from sightline.infra.services import Services
+from sightline.infra.web.person import Person
+from sightline.infra.web.write_gate import WriteGate
+
+RANK: dict[Role, int] = {"viewer": 0, "operator": 1, "reviewer": 2, "admin": 3}
+
+
+async def services_of(request: Request) -> Services:
+    """The services that `create_app` put on the app."""
+    services: Services = request.app.state.services
+    return services
+
+
+Wired = Annotated[Services, Depends(services_of)]
+
+
+def reading_session(services: Wired) -> Iterator[Session]:
+    with services.reading() as session:
+        yield session
+
+
+async def writing_session(request: Request, services: Wired) -> AsyncIterator[Session]:
+    gate: WriteGate = request.app.state.write_gate
+    async with gate.unit(services.writing()) as session:
+        yield session
+
+
+# scope="function": the commit happens before the answer is sent, so a failed one is never answered with 200.
+Reading = Annotated[Session, Depends(reading_session, scope="function")]
+Writing = Annotated[Session, Depends(writing_session, scope="function")]
+
+
+def current_person(request: Request) -> Person:
+    """The signed-in person.
+
+    Raises:
+        NotSignedIn: no cookie, a forged or old one, or an account that is switched off.
+    """
+    person: Person | None = request.app.state.sign_in.person_of(request)
+    if person is None:
+        raise NotSignedIn("You are not signed in; sign in and try again.")
+    return person
+
+
+SignedIn = Annotated[Person, Depends(current_person)]
+
+
+class require:
+    """A dependency that lets only people of this role, or of one above it, through."""
+
+    def __init__(self, role: Role) -> None:
+        self.role: Role = role
+
+    def __call__(self, person: SignedIn) -> Person:
+        if RANK[person.role] < RANK[self.role]:
+            raise NotAllowed(
+                f"This needs the role {self.role}, and you are {person.role}; ask an admin for it."
+            )
+        return person
+
+
+def anybody() -> None:
+    """Declares a route that needs no sign-in."""
+
+
+OPEN = Depends(anybody)
+Viewer = Annotated[Person, Depends(require("viewer"))]
+Operator = Annotated[Person, Depends(require("operator"))]
+Reviewer = Annotated[Person, Depends(require("reviewer"))]
+Admin = Annotated[Person, Depends(require("admin"))]
+
+# Ids are 32-bit in PostgreSQL; a larger number is a malformed id and not a database error.
+PathId = Annotated[int, Path(ge=1, le=2**31 - 1)]
+PathFrame = Annotated[int, Path(ge=0, le=2**31 - 1)]

@@ -1,0 +1,86 @@
+"""The built front end: its pages, its hashed assets, and the API's pages without any foreign address."""
+
+import re
+from pathlib import Path
+
+from fastapi import FastAPI, Request
+from fastapi.responses import FileResponse, HTMLResponse, Response
+from starlette.exceptions import HTTPException
+
+from sightline.settings import Settings
+
+# the addresses of frontend/src/router.ts
+FRONT_END_ROUTE = re.compile(
+    r"^(sign-in|account|people|audit|statistics|surveys/\d+"
+    r"(/(planning|camera|recordings|pose|measure|review|checks|repeats|repeats/click|export"
+    r"|scans|scans/results|scan))?)?/?$"
+)
+HASHED = re.compile(r"-[A-Za-z0-9_-]{8}\.\w+$")
+IMMUTABLE = "public, max-age=31536000, immutable"
+NOT_BUILT = (
+    "<!doctype html><html lang=en><meta charset=utf-8><title>Sightline</title>"
+    "<p>Sightline's pages are not built yet; run <code>make setup</code> and load this page again."
+)
+DOCS = (
+    "<!doctype html><html lang=en><meta charset=utf-8><title>Sightline API</title>"
+    '<link rel=stylesheet href="/swagger/swagger-ui.css"><div id=swagger-ui></div>'
+    '<script src="/swagger/swagger-ui-bundle.js"></script><script src="/docs/start.js"></script>'
+)
+# try-it-out needs the header that every change carries.
+START = """SwaggerUIBundle({
+  url: "/openapi.json", dom_id: "#swagger-ui", deepLinking: true,
+  requestInterceptor: (request) => { request.headers["X-Sightline"] = "1"; return request; },
+});
+"""
+
+
+def install(app: FastAPI, settings: Settings) -> None:
+    """Add the pages, after the API; a path that is none of them is a 404, for a browser with our pages."""
+    folder = settings.frontend_dir
+
+    def docs() -> Response:
+        if not (folder / "swagger" / "swagger-ui-bundle.js").is_file():
+            return HTMLResponse(NOT_BUILT, status_code=503)
+        return HTMLResponse(DOCS)
+
+    def start() -> Response:
+        return Response(START, media_type="text/javascript")
+
+    def page(path: str, request: Request) -> Response:
+        try:
+            return answer_page(folder, path)
+        except HTTPException:
+            if not _asked_by_a_browser(request) or path.split("/")[0] == "api":
+                raise
+            return _index(folder, 404)
+
+    app.add_api_route("/docs", docs, include_in_schema=False)
+    app.add_api_route("/docs/start.js", start, include_in_schema=False)
+    app.add_api_route("/{path:path}", page, methods=["GET", "HEAD"], include_in_schema=False)
+
+
+def answer_page(folder: Path, path: str) -> Response:
+    """A file of the build, or index.html for one of the front end's own routes.
+
+    Raises:
+        HTTPException: 404 for anything else (also for every unknown path under /api).
+    """
+    if FRONT_END_ROUTE.match(path):
+        return _index(folder)
+    file = (folder / path).resolve()
+    if path.startswith("api/") or not file.is_relative_to(folder.resolve()) or not file.is_file():
+        raise HTTPException(404)
+    caching = IMMUTABLE if HASHED.search(file.name) else "no-cache"
+    return FileResponse(file, headers={"Cache-Control": caching})
+
+
+def _asked_by_a_browser(request: Request) -> bool:
+    """Whether a person opened this address: the front end then says, in its own clothes, that it is none."""
+    return "text/html" in request.headers.get("accept", "")
+
+
+def _index(folder: Path, status: int = 200) -> Response:
+    index = folder / "index.html"
+    if not index.is_file():
+        return HTMLResponse(NOT_BUILT, status_code=503)
+    return FileResponse(index, status, headers={"Cache-Control": "no-cache"})

@@ -1,0 +1,21 @@
+"""A person who signs in."""
+
+from dataclasses import dataclass
+from datetime import datetime
+
+from sightline.enums import Role
+
+
+@dataclass(frozen=True, slots=True)
+class Person:
+    """An account. `session_key` changes when every signed-in session of theirs must end."""
+
+    id: int
+    name: str
+    email: str
+    role: Role
+    active: bool
+    created_at: datetime
+    last_seen_at: datetime | None
+    has_password: bool
+    session_key: int

@@ -1,0 +1,30 @@
+"""The secret that signs session cookies: from the settings, else made once and kept in the data folder."""
+
+import os
+import secrets
+
+from sightline.settings import Settings
+
+FILE = "secret.key"
+BYTES = 32
+
+
+def signing_secret(settings: Settings) -> bytes:
+    """SIGHTLINE_SECRET where it is set (several machines share it), else the data folder's own file."""
+    if settings.secret is not None:
+        return settings.secret.get_secret_value().encode()
+    path = settings.data_dir / FILE
+    settings.data_dir.mkdir(parents=True, exist_ok=True)
+    if not path.exists():
+        # Written aside and linked into place: two processes that start together end up with one secret.
+        fresh = path.with_name(f"{FILE}.{os.getpid()}")
+        handle = os.open(fresh, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
+        with os.fdopen(handle, "wb") as file:
+            file.write(secrets.token_hex(BYTES).encode())
+        try:
+            os.link(fresh, path)
+        except FileExistsError:
+            pass
+        finally:
+            fresh.unlink()
+    return path.read_bytes()

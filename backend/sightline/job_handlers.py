@@ -1,0 +1,23 @@
+"""Every kind of background work: importing a module registers its handler."""
+
+import sightline.cameras.calibrations.calibrate_job
+import sightline.demo.build
+import sightline.export.export_job
+import sightline.poses.pose_job
+import sightline.quality.drift.drift_job
+import sightline.recordings.ingest_job
+import sightline.scans.read_job
+import sightline.scans.vehicles.find_job
+import sightline.vehicles.passes.find_job
+
+MODULES = (
+    sightline.cameras.calibrations.calibrate_job,
+    sightline.demo.build,
+    sightline.export.export_job,
+    sightline.poses.pose_job,
+    sightline.quality.drift.drift_job,
+    sightline.recordings.ingest_job,
+    sightline.scans.read_job,
+    sightline.scans.vehicles.find_job,
+    sightline.vehicles.passes.find_job,
+)

@@ -1,0 +1,148 @@
+"""The empty road as one line per camera: first found, then refreshed; and how restless it is.
+
+Pictures are looked at through a coarse grid of bands (rows) and steps (lines), whose means hide the noise.
+"""
+
+from dataclasses import dataclass
+from typing import cast
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from sightline.linescan.parts import Pixels
+
+Floats = NDArray[np.float32]
+ENOUGH_LINES = 100
+# a slower camera, such as a video's columns, would wait too long for so many
+ENOUGH_S, FEWEST_LINES = 0.3, 12
+# the lowest part of the picture shows the road and the vehicle's shadow on it
+UPPER_PART = 0.85
+SIGMAS = 6.0
+LEAST_CONTRAST = 0.035
+
+
+@dataclass(frozen=True)
+class Grid:
+    """Pools `step` lines by `band` rows to one cell; rows left over are not looked at."""
+
+    rows: int
+    step: int
+    band: int
+
+    @property
+    def bands(self) -> int:
+        return self.rows // self.band
+
+    def pooled(self, block: Pixels) -> Floats:
+        """Cell means (lines // step, bands) of a block (lines, rows); lines left over are not looked at."""
+        steps = len(block) // self.step
+        cut = cast(Pixels, np.ascontiguousarray(block[: steps * self.step, : self.bands * self.band]))
+        if not steps:
+            return np.empty((0, self.bands), np.float32)
+        if self.band % 2 == 0 and self.step % 2 == 0:
+            # halving first is twice as quick as one long mean
+            half = (cut.shape[1] // 2, len(cut) // 2)
+            cut = cast(Pixels, cv2.resize(cut, half, interpolation=cv2.INTER_AREA))
+        small = cv2.resize(cut, (self.bands, steps), interpolation=cv2.INTER_AREA)
+        return np.asarray(small, np.float32)
+
+
+@dataclass(frozen=True, eq=False)
+class Road:
+    """One camera's empty road: line (rows,), pooled line (bands,), scatter of a cell (bands,) and of a pixel.
+
+    `common_dn`: scatter of whole lines, far above the cells' own where lamps flicker.
+    """
+
+    line: Floats
+    pooled: Floats
+    cell_dn: Floats
+    noise_dn: float
+    common_dn: float
+
+    @property
+    def threshold_dn(self) -> Floats:
+        """A cell that differs by more is no road: it follows the noise, and never asks for too little."""
+        floor = LEAST_CONTRAST * float(np.median(self.pooled))
+        return np.asarray(np.maximum(SIGMAS * self.cell_dn, floor), np.float32)
+
+
+def enough_lines(line_rate_hz: float) -> int:
+    """Lines that show the empty road: about 100 as in the paper, of a slow camera those of ENOUGH_S."""
+    return min(ENOUGH_LINES, max(FEWEST_LINES, round(ENOUGH_S * line_rate_hz)))
+
+
+def pixel_noise(block: Pixels) -> float:
+    """Standard deviation of a pixel of a block (lines, rows), slow change left out."""
+    few = block[: min(len(block), 66), :: max(1, block.shape[1] // 256)].astype(np.float32)
+    if len(few) < 3:
+        return 1.0
+    # the second difference also hides a slope; its variance is six times a pixel's
+    bend = few[2:] - 2 * few[1:-1] + few[:-2]
+    return float(max(np.sqrt(np.mean(bend**2) / 6), 0.3))
+
+
+def road_from(block: Pixels, grid: Grid) -> Road:
+    """The road seen in a block (lines, rows) that holds nothing else."""
+    cells = grid.pooled(block)
+    line = np.asarray(cv2.reduce(block, 0, cv2.REDUCE_AVG, dtype=cv2.CV_32F), np.float32)[0]
+    spread = cells.std(0) if len(cells) > 3 else np.zeros(grid.bands)
+    noise = pixel_noise(block)
+    # rounding to whole grey values hides part of the noise of a cell
+    least = np.hypot(noise / np.sqrt(grid.step * grid.band), 0.35)
+    common = float(cells.mean(1).std()) if len(cells) > 3 else 0.0
+    return Road(
+        line,
+        line[: grid.bands * grid.band].reshape(grid.bands, -1).mean(1),
+        np.maximum(spread, least).astype(np.float32),
+        noise,
+        common,
+    )
+
+
+def blended(old: Road, new: Road, weight: float) -> Road:
+    """The old road moved towards the new one; scatter follows more slowly, upwards as downwards."""
+    slow = 0.2 * weight
+
+    def towards(before: Floats, after: Floats, share: float) -> Floats:
+        return np.asarray(before + np.float32(share) * (after - before), np.float32)
+
+    return Road(
+        towards(old.line, new.line, weight),
+        towards(old.pooled, new.pooled, weight),
+        towards(old.cell_dn, new.cell_dn, slow),
+        old.noise_dn + slow * (new.noise_dn - old.noise_dn),
+        old.common_dn + slow * (new.common_dn - old.common_dn),
+    )
+
+
+def first_road(block: Pixels, grid: Grid, window: int = ENOUGH_LINES) -> Road:
+    """The road of a recording's first part (lines, rows), in which vehicles may already be passing.
+
+    Of all windows of so many lines, the quietest are taken, and of these the median line: a vehicle is
+    rarely as still as the road, and rarely there for most of the time.
+    """
+    size = min(window, len(block))
+    starts = range(0, len(block) - size + 1, size)
+    windows = [road_from(block[start : start + size], grid) for start in starts]
+    unrest = np.array([float(np.mean(window.cell_dn**2)) for window in windows])
+    quiet = [window for window, value in zip(windows, unrest, strict=True) if value <= 1.6 * unrest.min()]
+    middle = np.median([window.pooled for window in quiet], axis=0)
+    away = [float(np.mean(np.abs(window.pooled - middle))) for window in quiet]
+    return quiet[int(np.argmin(away))]
+
+
+def same_but_for_light(seen: Floats, road: Road) -> bool:
+    """Whether a pooled line (bands,) is the road under another light: gain and offset explain it."""
+    upper = max(1, int(len(seen) * UPPER_PART))
+    x, y = road.pooled.astype(float), seen.astype(float)
+    design = np.stack([x, np.ones_like(x)], -1)
+    for _ in range(3):
+        answer = np.linalg.lstsq(design, y, rcond=None)[0]
+        away = np.abs(design @ answer - y)
+        limit = np.maximum(1.5 * road.threshold_dn, 2.5 * np.median(away))
+        weight = np.sqrt(np.where(away < limit, 1.0, 0.0))
+        design, y = np.stack([x, np.ones_like(x)], -1) * weight[:, None], seen * weight
+    left = np.abs(x * answer[0] + answer[1] - seen)
+    return bool(0.4 < answer[0] < 2.5 and np.mean((left < 1.5 * road.threshold_dn)[:upper]) > 0.88)

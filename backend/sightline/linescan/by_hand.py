@@ -1,0 +1,95 @@
+"""A vehicle that a person marked: its pictures cut out, the empty road beside it, its place in strip 2."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import cast
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from sightline.linescan.background import Road, first_road
+from sightline.linescan.finding import SPEEDS_MPS, Finder
+from sightline.linescan.parts import Crossings, Passage, Pixels, Rig
+
+Read = Callable[[int, int], Pixels]
+BESIDE_S = 1.0
+SEARCH_S = 6.0
+LEAST_LIKENESS = 0.6
+
+
+def passage_at(crossings: Crossings, rig: Rig, rows: int, reads: tuple[Read, Read]) -> Passage:
+    """The pictures of a vehicle between these crossings, with a margin and the road as seen beside it.
+
+    reads: for each strip the function that gives its lines start..stop as (n, rows), cut to what there is.
+    """
+    finder = Finder(rows, rig)
+    one = _cut(finder, crossings.front_line_1, crossings.rear_line_1, reads[0])
+    two = _cut(finder, crossings.front_line_2, crossings.rear_line_2, reads[1])
+    noise_dn = max(one.road.noise_dn, two.road.noise_dn)
+    return Passage(
+        crossings,
+        one.picture,
+        two.picture,
+        one.start,
+        two.start,
+        one.road.line,
+        two.road.line,
+        noise_dn,
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class _Cut:
+    picture: Pixels
+    start: int
+    road: Road
+
+
+def _cut(finder: Finder, front: float, rear: float, read: Read) -> _Cut:
+    start = max(0, int(front) - finder.margin)
+    picture = read(start, int(rear) + finder.margin + 1)
+    return _Cut(picture, start, road_beside(finder, front, rear, read))
+
+
+def road_beside(finder: Finder, front: float, rear: float, read: Read) -> Road:
+    """The empty road of the second before a vehicle and the second after it."""
+    lines = max(32, round(BESIDE_S * finder.rig.line_rate_hz))
+    away = 2 * finder.margin
+    before = read(max(0, int(front) - away - lines), max(0, int(front) - away))
+    after = read(int(rear) + away, int(rear) + away + lines)
+    beside = cast(Pixels, np.concatenate([before, after]))
+    if len(beside) < 8:
+        beside = read(max(0, int(front) - 16), int(rear) + 16)
+    return first_road(beside, finder.grid, finder.spans.road)
+
+
+def seen_by_camera_2(
+    front_1: float, rear_1: float, rig: Rig, rows: int, reads: tuple[Read, Read]
+) -> Crossings:
+    """Where a vehicle marked in strip 1 alone crosses camera 2, by the likeness of both pictures in time.
+
+    Raises LookupError where nothing in strip 2 looks like it.
+    """
+    finder = Finder(rows, rig)
+    pace = rig.baseline_m * rig.line_rate_hz
+    nearest = int(pace / SPEEDS_MPS[1])
+    farthest = int(min(pace / SPEEDS_MPS[0], SEARCH_S * rig.line_rate_hz)) + 2
+    start, stop = max(0, int(front_1)), int(rear_1) + 1
+    roads = [road_beside(finder, front_1, rear_1, read) for read in reads]
+    first = _unlike(reads[0](start, stop), roads[0], finder)
+    second = _unlike(reads[1](start + nearest, stop + farthest), roads[1], finder)
+    if len(first) < 4 or len(second) < len(first):
+        raise LookupError
+    likeness = cv2.matchTemplate(second, first, cv2.TM_CCOEFF_NORMED)[:, 0]
+    at = int(np.argmax(likeness))
+    if not likeness[at] >= LEAST_LIKENESS:
+        raise LookupError
+    shift = nearest + at * finder.grid.step
+    return Crossings(front_1, rear_1, front_1 + shift, rear_1 + shift)
+
+
+def _unlike(picture: Pixels, road: Road, finder: Finder) -> NDArray[np.float32]:
+    """How a picture differs from the road, cell by cell (steps, bands)."""
+    cells = finder.grid.pooled(picture)
+    return np.asarray(np.abs(cells - road.pooled), np.float32)

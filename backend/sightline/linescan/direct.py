@@ -1,0 +1,282 @@
+"""The direct chain: a vehicle's motion from the grey values of both strips, with its budget."""
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from sightline.linescan.budget import MODEL, budget_of
+from sightline.linescan.masks import (
+    ROWS,
+    Points,
+    Sheet,
+    chosen,
+    coarser,
+    points_at,
+    pooled,
+    silhouette,
+    softened_noise,
+    softness,
+)
+from sightline.linescan.parts import Crossings, Motion, Passage, Pixels, Profile, Rig
+from sightline.linescan.registration import Clock, Fit, Prior, State, register
+from sightline.linescan.spread import covariance, second_slopes
+from sightline.linescan.warp import solved_by_boundaries
+
+Array = NDArray[np.float64]
+# a sample along the vehicle after pooling, metres; finer says nothing new, the optics blur it
+SAMPLE_M = 0.0028
+MOST_POINTS = 12000
+SHIFT_POINTS = 5000
+COARSE, COARSE_POINTS = 4, 2500
+FEWEST_POINTS = 150
+BLOCK_M = 0.10
+BLOCK_ROWS = 12
+CELL_M = 0.18
+CLUSTER_M = 0.30
+PROFILE_M = 0.15
+UNLIKE_M = 0.05
+MOST_SATURATED = 0.03
+NO_TEXTURE = "Too little of the vehicle stands out clearly enough to be followed from one strip to the other."
+NO_MATCH = (
+    "The two pictures of the vehicle do not fit one motion: two vehicles side by side, "
+    "a vehicle that stopped, or lost lines."
+)
+NO_ORDER = (
+    "The boundaries are not in order: the front must come before the rear, and camera 1 before camera 2."
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """What the registration works on: both sheets, the points, the clock, and what the points fall into.
+
+    `block`: trusted or not as a whole; `cell`: has a gain and an offset of its own; `cluster`: its errors
+    go together. (n,) numbers each.
+    """
+
+    first: Sheet
+    second: Sheet
+    points: Points
+    block: NDArray[np.intp]
+    cell: NDArray[np.intp]
+    cluster: NDArray[np.intp]
+    clock: Clock
+    lines_per_m: float
+    noise_dn: float
+
+
+def baseline_of(rig: Rig) -> tuple[float, float]:
+    """Baseline at the vehicle and its standard uncertainty, divergence of the planes included."""
+    away = rig.distance_m or 0.0
+    u = float(np.hypot(rig.u_baseline_m, rig.u_divergence_rad * away))
+    return rig.baseline_m + rig.divergence_rad * away, u
+
+
+def measure_direct(passage: Passage, rig: Rig) -> Motion:
+    """Motion of one vehicle by registering its two pictures (Gauss-Newton on grey values).
+
+    Standard uncertainties are those of the budget's root sum of squares. Left out: motion other than along
+    the road (pitch, lane change), acceleration that changes while the vehicle passes.
+    """
+    crossings = passage.crossings
+    if passage.reason:
+        return _none(crossings, passage.reason)
+    ordered = (
+        crossings.front_line_1 < crossings.rear_line_1 and crossings.front_line_2 < crossings.rear_line_2
+    )
+    later = crossings.front_line_2 + crossings.rear_line_2 > crossings.front_line_1 + crossings.rear_line_1
+    if not (ordered and later):
+        return _none(crossings, NO_ORDER)
+    scene, start, prior = _prepared(passage, rig)
+    if len(scene.points) < FEWEST_POINTS:
+        return _none(crossings, NO_TEXTURE)
+    whole, fit = _coarse_to_fine(scene, start, prior)
+    reason = _distrusted(fit, scene, start)
+    if reason:
+        return _none(crossings, reason)
+    return _answer(passage, rig, scene, prior, whole, fit)
+
+
+def _none(crossings: Crossings, reason: str) -> Motion:
+    return Motion("direct", crossings, "not_measurable", reason)
+
+
+def _prepared(passage: Passage, rig: Rig) -> tuple[Scene, State, Prior]:
+    c = passage.crossings
+    baseline, _ = baseline_of(rig)
+    clock = Clock(c.front_line_1, rig.line_rate_hz)
+    crossed = clock.seconds(np.array([c.front_line_1, c.rear_line_1, c.front_line_2, c.rear_line_2]))
+    course = solved_by_boundaries(crossed, baseline)
+    lines_per_m = rig.line_rate_hz / course.speed_mps
+    step = max(1, round(SAMPLE_M * lines_per_m))
+    band = max(1, passage.first.shape[1] // ROWS)
+    noise = passage.noise_dn / float(np.sqrt(step * band))
+    soft = softness(noise)
+    first = pooled(passage.first, passage.start_1, step, band, soft)
+    second = pooled(passage.second, passage.start_2, step, band, soft)
+    inside = silhouette(first, passage.background_1, passage.noise_dn)
+    span = first.place(np.array([c.front_line_1, c.rear_line_1]))
+    inside[: max(round(span[0]) - 4, 0)] = False
+    inside[max(round(span[1]) + 5, 0) :] = False
+    points = chosen(first, inside, MOST_POINTS, noise)
+    per_m = lines_per_m / step
+    block = _blocks(points, BLOCK_M * per_m, BLOCK_ROWS)
+    cell = _blocks(points, CELL_M * per_m, int(np.clip(round(noise / 2.5), 1, 4)))
+    cluster = _blocks(points, CLUSTER_M * per_m, ROWS + 1)
+    prior = Prior()
+    if rig.misalignment_px is not None:
+        prior = Prior(rig.misalignment_px / band, max(rig.u_misalignment_px, 0.005) / band)
+    scene = Scene(first, second, points, block, cell, cluster, clock, lines_per_m, noise)
+    return scene, State(course, prior.shift), prior
+
+
+def _blocks(points: Points, size: float, rows: int) -> NDArray[np.intp]:
+    """Numbers of the cells of size x rows in which the points lie; some numbers stay without a point."""
+    if not len(points):
+        return np.empty(0, np.intp)
+    column = points.place.astype(np.intp) // max(2, round(size))
+    number = (column - column.min()) * (ROWS * 2 // rows + 2) + points.row.astype(np.intp) // rows
+    return np.asarray(number, np.intp)
+
+
+def _coarse_to_fine(scene: Scene, start: State, prior: Prior) -> tuple[Fit, Fit]:
+    """On sheets pooled COARSE times along time, then on the full ones, whose two fits are returned.
+
+    The first of them solves for all five unknowns, the second for the motion alone, with a gain and an
+    offset for every small piece of every row.
+    """
+    state, free = start, (True, True, False, True, True)
+    if len(scene.first.values) >= 40 * COARSE:
+        first, second = coarser(scene.first, COARSE), coarser(scene.second, COARSE)
+        few = max(1, len(scene.points) // COARSE_POINTS)
+        points = points_at(first, scene.points.place[::few] / COARSE, scene.points.row[::few])
+        block = _blocks(points, 8, BLOCK_ROWS)
+        state = register(first, second, points, scene.clock, state, prior, block, free, None, 3).state
+    args = scene.first, scene.second, scene.points, scene.clock
+    few = max(1, len(scene.points) // SHIFT_POINTS)
+    block = scene.block[::few]
+    whole = register(*args[:2], scene.points.every(few), scene.clock, state, prior, block)
+    return whole, register(*args, whole.state, prior, scene.block, free, scene.cell)
+
+
+def _distrusted(fit: Fit, scene: Scene, start: State) -> str | None:
+    """Why the registration's end is not to be believed, or None."""
+    used = fit.weight > 0.05
+    if used.sum() < FEWEST_POINTS:
+        return NO_TEXTURE
+    told, began = fit.state.course, start.course
+    moved = abs(told.speed_mps / began.speed_mps - 1)
+    # so much of its speed has the vehicle's rear gained otherwise than the boundaries say
+    seconds = float(np.ptp(fit.look.first_s[used]))
+    bent = abs(told.acceleration_mps2 - began.acceleration_mps2) * seconds / began.speed_mps
+    # by how many samples the pictures typically miss each other, noise taken off
+    noise = 1.5 * softened_noise(scene.noise_dn)
+    left = np.sqrt(max(fit.scale_dn**2 - noise**2, 0.0))
+    missed = left / max(1.4826 * float(np.median(np.abs(fit.look.along))), 1e-6)
+    # away from what the boundaries say, by pictures that miss each other: both limits on simulated vehicles
+    # side by side or stopping; single ones miss each other by up to 0.34 samples at 2 DN, 0.47 at 8 DN
+    apart = (moved > 0.05 and missed > 0.25) or (max(moved, bent) > 0.02 and missed > 0.6)
+    return NO_MATCH if moved > 0.25 or apart or abs(told.acceleration_mps2) > 11.5 else None
+
+
+def _answer(passage: Passage, rig: Rig, scene: Scene, prior: Prior, whole: Fit, fit: Fit) -> Motion:
+    c, course = passage.crossings, fit.state.course
+    shift, u_shift = whole.state.shift, _u_shift(scene, prior, whole)
+    slopes = second_slopes(scene.first, scene.second, scene.points, scene.clock, fit, scene.cell)
+    spread = covariance(fit, slopes, scene.cluster, 2, prior)
+    budget = budget_of(passage, rig, scene.clock, fit, spread, u_shift, baseline_of(rig))
+    profile = _profile(scene, fit, rig)
+    return Motion(
+        "direct",
+        c,
+        "ok",
+        None,
+        course.speed_mps,
+        budget.u_speed_mps,
+        course.acceleration_mps2,
+        budget.u_acceleration_mps2,
+        budget.length_m,
+        budget.u_length_m,
+        _fit_error(profile),
+        shift * scene.first.band,
+        u_shift * scene.first.band,
+        fit.state.gain,
+        budget.entries,
+        profile,
+        _warnings(passage, scene, fit, budget.apart_m),
+        budget.correlation,
+    )
+
+
+def _u_shift(scene: Scene, prior: Prior, whole: Fit) -> float:
+    """Standard uncertainty of the row shift, rows of the sheets.
+
+    A row's own gain errs alike all along the vehicle, so rows are clusters too, and both variances add up
+    (Cameron, Gelbach and Miller 2011; what both count is small and left in).
+    """
+    few = round(len(scene.cluster) / len(whole.weight))
+    points = scene.points.every(few)
+    slopes = second_slopes(scene.first, scene.second, points, scene.clock, whole)
+    clusters = scene.cluster[::few], points.row.astype(np.intp)
+    variance = sum(covariance(whole, slopes, cluster, 5, prior)[2, 2] for cluster in clusters)
+    return MODEL * float(np.sqrt(variance))
+
+
+def _warnings(passage: Passage, scene: Scene, fit: Fit, apart_m: float) -> tuple[str, ...]:
+    """What a person should look at before believing the numbers."""
+    said = []
+    if not fit.settled:
+        said.append("The registration did not settle completely.")
+    if apart_m > UNLIKE_M:
+        said.append(
+            f"The cameras disagree by {100 * apart_m:.0f} cm about the front or the rear: look at the "
+            "boundaries, and whether two vehicles pass side by side."
+        )
+    if max(_saturated(passage.first), _saturated(passage.second)) > MOST_SATURATED:
+        said.append("Part of the picture is saturated: open the exposure less.")
+    return tuple(said)
+
+
+def _saturated(picture: Pixels) -> float:
+    """The share of a picture's pixels that are as bright as they can be."""
+    top = 255 if picture.dtype == np.uint8 else 65535
+    return float(cv2.countNonZero(cv2.inRange(picture, top, top)) / max(picture.size, 1))
+
+
+def _profile(scene: Scene, fit: Fit, rig: Rig) -> Profile:
+    """What the points of each piece of the vehicle say alone, beside the fitted motion."""
+    seen = fit.look
+    size = max(2, round(PROFILE_M * scene.lines_per_m / scene.first.step))
+    piece = scene.points.place.astype(int) // size
+    piece -= piece.min()
+    count = int(piece.max()) + 1
+
+    def total(values: Array) -> Array:
+        return np.asarray(np.bincount(piece, weights=values, minlength=count))
+
+    weight = fit.weight * seen.inside
+    told = total(weight * seen.along**2)
+    # residual = -gradient * error: the lines of the second sheet by which each piece strays
+    stray = -total(weight * seen.along * seen.residual) / np.maximum(told, 1e-9) * scene.second.step
+    share = np.maximum(total(weight), 1e-9)
+    first_s, second_s = total(weight * seen.first_s) / share, total(weight * seen.second_s) / share
+    baseline, _ = baseline_of(rig)
+    fitted = baseline / np.maximum(second_s - first_s, 1e-9)
+    own = baseline / np.maximum(second_s + stray / rig.line_rate_hz - first_s, 1e-9)
+    clear = told > 0.1 * np.median(told[told > 0]) if (told > 0).any() else told > 0
+    kept = told > 0
+    away = np.abs(own / fitted - 1)
+    spread = 1.4826 * float(np.median(away[clear])) if clear.any() else 0.0
+    used = clear & (away <= 4 * spread + 1e-12)
+    line = scene.clock.lines(first_s)
+    return Profile(line[kept], own[kept], fitted[kept], used[kept])
+
+
+def _fit_error(profile: Profile) -> float | None:
+    """Root mean square of profile against fit, per cent of the speed."""
+    used = profile.used
+    if not used.any():
+        return None
+    return float(100 * np.sqrt(np.mean((profile.speed_mps[used] / profile.fitted_mps[used] - 1) ** 2)))

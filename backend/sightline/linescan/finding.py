@@ -1,0 +1,255 @@
+"""Finds vehicles in a pair of strips that come in pieces: watches both, pairs what is alike, cuts it out.
+
+Memory is bounded: lines are kept only as long as an event under way or waiting for its partner needs them.
+"""
+
+from collections import deque
+from dataclasses import dataclass, replace
+from typing import cast
+
+import numpy as np
+
+from sightline.errors import BadInput
+from sightline.linescan.background import Grid, enough_lines
+from sightline.linescan.boundaries import refined
+from sightline.linescan.parts import Crossings, Passage, Pixels, Rig
+from sightline.linescan.watching import Event, Spans, Watcher
+
+BANDS = 64
+STEPS_HZ = 1220.0
+BLOCK_S = 0.2
+BEGIN_S = 1.0
+TILE = 1024
+KEPT_BYTES = 48 << 20
+# what a vehicle may be: from a motorcycle to a road train, from walking pace to 300 km/h
+LENGTHS_M = (1.0, 32.0)
+SPEEDS_MPS = (1.0, 85.0)
+
+STOPPED = "The vehicle stopped or nearly stopped in view; mark another vehicle, or measure it by hand."
+TOO_LONG = (
+    "Something stood in view for longer than a vehicle takes to pass; it stopped, or the light changed."
+)
+CUT = "The vehicle is cut off by the beginning or the end of the recording."
+OTHER_WAY = (
+    "The vehicle reached camera 2 first: it drives the other way (alone or beside another), or the two "
+    "strips are swapped; if most vehicles say so, exchange the strips."
+)
+TWO_AT_ONCE = (
+    "The two cameras saw it for different lengths of time: two vehicles pass side by side, or it stopped."
+)
+
+
+@dataclass(eq=False)
+class Reel:
+    """The last lines of one strip."""
+
+    blocks: deque[tuple[int, Pixels]]
+    stop: int = 0
+
+    def add(self, block: Pixels) -> None:
+        self.blocks.append((self.stop, block))
+        self.stop += len(block)
+
+    def forget(self, before: int) -> None:
+        while self.blocks and self.blocks[0][0] + len(self.blocks[0][1]) <= before:
+            self.blocks.popleft()
+
+    def cut(self, start: int, stop: int) -> tuple[Pixels, int]:
+        """Lines start to stop, as far as they are kept, and the first line's number."""
+        parts = [
+            (begin + max(start - begin, 0), block[max(start - begin, 0) : max(stop - begin, 0)])
+            for begin, block in self.blocks
+            if begin < stop and begin + len(block) > start
+        ]
+        if not parts:
+            return self.blocks[-1][1][-1:], self.stop - 1
+        return cast(Pixels, np.concatenate([part for _, part in parts])), parts[0][0]
+
+
+class Finder:
+    """Vehicles of a pair of strips, pushed in pieces of any size; `notes` tells what else was seen.
+
+    rows: height of both strips; rig: baseline and line rate tell how far apart the crossings may be.
+    """
+
+    def __init__(self, rows: int, rig: Rig) -> None:
+        if rows < 8:
+            raise BadInput(f"The strips are {rows} rows high; at least 8 are needed to find a vehicle.")
+        rate = rig.line_rate_hz
+        step = max(1, round(rate / STEPS_HZ))
+        self.rig, self.rows = rig, rows
+        self.grid = Grid(rows, step, max(1, rows // BANDS))
+        lines = max(16 * step, round(BLOCK_S * rate))
+        # whole tiles of the stored form where that comes near
+        self.block = (
+            round(lines / TILE) * TILE if lines > 0.9 * TILE and TILE % step == 0 else lines // step * step
+        )
+        self.spans = Spans(
+            close=max(step, round(0.004 * rate)),
+            least=max(2 * step, round(0.012 * rate)),
+            guard=round(0.05 * rate),
+            still=round(1.0 * rate),
+            stuck=round(3.0 * rate),
+            longest=KEPT_BYTES // rows,
+            road=enough_lines(rate),
+        )
+        self.margin = max(2 * step, round(0.02 * rate))
+        self.watchers = (Watcher(self.grid, self.spans), Watcher(self.grid, self.spans))
+        self.found = 0
+        self.reversed = 0
+        self.alone = 0
+        self._reels = (Reel(deque()), Reel(deque()))
+        self._waiting: tuple[deque[Event], deque[Event]] = (deque(), deque())
+        self._held: tuple[list[Pixels], list[Pixels]] = ([], [])
+
+    def push(self, first: Pixels, second: Pixels) -> list[Passage]:
+        """Takes the next lines (n, rows) of both strips; returns the vehicles that are now complete."""
+        if first.shape != second.shape or first.ndim != 2 or first.shape[1] != self.rows:
+            raise BadInput(
+                f"The strips differ: {first.shape} and {second.shape} lines by rows, "
+                f"{self.rows} rows expected; "
+                "both cameras must record the same lines."
+            )
+        for held, piece in zip(self._held, (first, second), strict=True):
+            held.append(piece)
+        return self._work(False)
+
+    def finish(self) -> list[Passage]:
+        """The recording ends here: returns what is left."""
+        out = self._work(True)
+        for watcher, waiting in zip(self.watchers, self._waiting, strict=True):
+            waiting.extend(watcher.finish())
+        out += self._paired(True)
+        self.alone += sum(len(waiting) for waiting in self._waiting)
+        return out
+
+    def _work(self, last: bool) -> list[Passage]:
+        held = sum(len(piece) for piece in self._held[0])
+        begun = self.watchers[0].road is not None
+        if not last and held < (self.block if begun else self._begin_lines):
+            return []
+        if not held:
+            return []
+        pieces = [cast(Pixels, held[0] if len(held) == 1 else np.concatenate(held)) for held in self._held]
+        if not begun:
+            # of 16 bits, half as many lines are kept
+            self.spans = replace(self.spans, longest=KEPT_BYTES // (self.rows * pieces[0].itemsize))
+            for watcher, piece in zip(self.watchers, pieces, strict=True):
+                watcher.spans = self.spans
+                watcher.begin(piece[: self._begin_lines])
+        out: list[Passage] = []
+        whole = held if last else held // self.block * self.block
+        for start in range(0, whole, self.block):
+            for k in (0, 1):
+                block = pieces[k][start : min(start + self.block, whole)]
+                if len(block) < len(pieces[k]) or pieces[k].base is not None:
+                    # a slice would keep the whole piece alive
+                    block = block.copy()
+                self._reels[k].add(block)
+                self._waiting[k].extend(self.watchers[k].see(block))
+            out += self._paired(False)
+            self._forget()
+        for k in (0, 1):
+            self._held[k][:] = [pieces[k][whole:].copy()] if whole < held else []
+        return out
+
+    @property
+    def kept_bytes(self) -> int:
+        """What is kept of both strips' lines at the moment."""
+        return sum(block.nbytes for reel in self._reels for _, block in reel.blocks)
+
+    @property
+    def _begin_lines(self) -> int:
+        return self.block * max(1, round(BEGIN_S / BLOCK_S))
+
+    def _forget(self) -> None:
+        for reel, watcher, waiting in zip(self._reels, self.watchers, self._waiting, strict=True):
+            needed = min([watcher.busy_since, *(event.front for event in waiting)])
+            reel.forget(max(int(needed) - 2 * self.margin, reel.stop - self.spans.longest * 5 // 4))
+
+    def _paired(self, last: bool) -> list[Passage]:
+        """Takes pairs off both queues; an event that its partner's camera can no longer see stays alone."""
+        out: list[Passage] = []
+        one, two = self._waiting
+        while one and two:
+            way = self._direction(one[0], two[0])
+            if way is None:
+                (one if one[0].rear < two[0].rear else two).popleft()
+                self.alone += 1
+                continue
+            if not last and min(reel.stop for reel in self._reels) < self._needed_to(one[0], two[0]):
+                break
+            out.append(self._passage(one.popleft(), two.popleft(), way))
+        self._drop_late()
+        return out
+
+    def _drop_late(self) -> None:
+        slowest = self.rig.baseline_m / SPEEDS_MPS[0] * self.rig.line_rate_hz
+        for waiting, other in ((self._waiting[0], 1), (self._waiting[1], 0)):
+            while waiting and not self._waiting[other]:
+                if self.watchers[other].busy_since < waiting[0].rear + slowest + self.margin:
+                    break
+                waiting.popleft()
+                self.alone += 1
+
+    def _needed_to(self, one: Event, two: Event) -> float:
+        return max(one.rear, two.rear) + 2 * self.margin
+
+    def _direction(self, one: Event, two: Event) -> int | None:
+        """1: camera 1 came first; -1: camera 2 did; None: not the same vehicle."""
+        delay = two.front - one.front
+        if one.still or two.still or one.cut or two.cut:
+            overlap = min(one.rear, two.rear) - max(one.front, two.front)
+            return 1 if overlap > -self.spans.guard else None
+        shift = abs(delay + two.rear - one.rear) / 2
+        lines = self.rig.baseline_m * self.rig.line_rate_hz
+        # a step of uncertainty in the delay matters where it is only a few steps long
+        slowest = lines / max(shift - 2 * self.grid.step, 0.5)
+        fastest = lines / (shift + 2 * self.grid.step)
+        duration = (one.rear - one.front + two.rear - two.front) / 2 / self.rig.line_rate_hz
+        speed_ok = slowest >= SPEEDS_MPS[0] and fastest <= SPEEDS_MPS[1]
+        if not speed_ok or slowest * duration < LENGTHS_M[0] or fastest * duration > LENGTHS_M[1]:
+            return None
+        return 1 if delay + two.rear - one.rear > 0 else -1
+
+    def _reason(self, one: Event, two: Event, way: int) -> str | None:
+        if one.still or two.still:
+            return STOPPED
+        if one.cut or two.cut:
+            ended = min(reel.stop for reel in self._reels) - max(one.rear, two.rear) < 2 * self.margin
+            started = min(one.front, two.front) < self.margin
+            return CUT if ended or started else TOO_LONG
+        if way < 0:
+            return OTHER_WAY
+        if min(one.front, two.front) < self.margin:
+            return CUT
+        first, second = one.rear - one.front, two.rear - two.front
+        uneven = abs(first - second) - 6 * self.grid.step
+        return TWO_AT_ONCE if uneven > 0.12 * max(first, second) else None
+
+    def _passage(self, one: Event, two: Event, way: int) -> Passage:
+        reason = self._reason(one, two, way)
+        self.found += 1
+        self.reversed += reason == OTHER_WAY
+        cuts = []
+        for event, reel in zip((one, two), self._reels, strict=True):
+            stop = int(event.rear) + self.margin + 1
+            if reason in (STOPPED, TOO_LONG):
+                stop = min(stop, int(event.front) + self.spans.longest // 4)
+            cuts.append(reel.cut(int(event.front) - self.margin, stop))
+        (first, start_1), (second, start_2) = cuts
+        passage = Passage(
+            Crossings(one.front, one.rear, two.front, two.rear),
+            first,
+            second,
+            start_1,
+            start_2,
+            one.road.line,
+            two.road.line,
+            max(one.road.noise_dn, two.road.noise_dn),
+            reason,
+        )
+        if reason:
+            return passage
+        crossings, u_boundaries_m = refined(passage, self.rig)
+        return replace(passage, crossings=crossings, u_boundaries_m=u_boundaries_m)

@@ -1,0 +1,136 @@
+"""Lateral position and height from two rows of a line camera: the tyre's contact and a target.
+
+The contact stands on the road, so its slope gives its distance, D = -Hc / s_contact. The target lies `inset`
+behind it, so its height is h = Hc + s_target (D + inset). The same two clicks, inset and budget as in the
+main mode; the pose is that of `line_pose`.
+"""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from sightline.linescan.line_pose import LinePose
+from sightline.linescan.parts import K95
+
+STEP_M, MOST_LADDER_M = 0.5, 5.0
+
+
+@dataclass(frozen=True)
+class Contribution:
+    """One source of the height's uncertainty, m."""
+
+    source: str
+    u_m: float
+
+
+@dataclass(frozen=True)
+class LineHeight:
+    """Distance and height with standard uncertainties in m; or the reason why there are none."""
+
+    status: Literal["ok", "not_measurable"]
+    reason: str | None = None
+    distance_m: float | None = None
+    u_distance_m: float | None = None
+    height_m: float | None = None
+    u_height_m: float | None = None
+    U95_height_m: float | None = None
+    budget: tuple[Contribution, ...] = ()
+    warnings: tuple[str, ...] = ()
+
+
+def line_height(
+    pose: LinePose,
+    contact_row_px: float,
+    target_row_px: float,
+    *,
+    sigma_px: float = 1.0,
+    inset_m: float = 0.0,
+    u_inset_m: float = 0.0,
+) -> LineHeight:
+    """Height of a target and distance of the tyre below it; every input by first-order propagation.
+
+    Entries: click target, click contact, pose (its covariance as one), inset. Never raises for what was
+    clicked: rows that no road point has give a reason.
+    """
+    if not np.all(np.isfinite([contact_row_px, target_row_px, sigma_px, inset_m, u_inset_m])):
+        return _refused("A click is not a number.")
+    contact, target = (float(pose.slopes_of(row)) for row in (contact_row_px, target_row_px))
+    if contact >= 0:
+        return _refused(
+            "The contact is at or above the horizon, where no road is; click where the tyre stands."
+        )
+    if target_row_px >= contact_row_px:
+        return _refused("The target is not above the contact; click the contact first, then the target.")
+    distance = -pose.camera_height_m / contact
+    if distance + inset_m <= 0:
+        return _refused("The inset puts the target behind the camera.")
+    height = pose.camera_height_m + target * (distance + inset_m)
+    by_pose, by_contact, by_target = _gradients(pose, contact_row_px, target_row_px, inset_m)
+    pose_distance, pose_height = (float(np.sqrt(max(g @ pose.covariance @ g, 0.0))) for g in by_pose)
+    budget = (
+        Contribution("click, target", abs(by_target) * sigma_px),
+        Contribution("click, contact", abs(by_contact[1]) * sigma_px),
+        Contribution("pose of the line camera", pose_height),
+        Contribution("inset", abs(target) * u_inset_m),
+    )
+    u_height = float(np.sqrt(sum(one.u_m**2 for one in budget)))
+    return LineHeight(
+        status="ok",
+        distance_m=distance,
+        u_distance_m=float(np.hypot(abs(by_contact[0]) * sigma_px, pose_distance)),
+        height_m=height,
+        u_height_m=u_height,
+        U95_height_m=K95 * u_height,
+        budget=budget,
+        warnings=_warnings(pose, contact_row_px, target_row_px),
+    )
+
+
+def contact_distance(pose: LinePose, contact_row_px: float) -> float | None:
+    """Horizontal distance of the road point at a row, m; None at or above the horizon."""
+    slope = float(pose.slopes_of(contact_row_px))
+    return -pose.camera_height_m / slope if slope < 0 else None
+
+
+def ladder(pose: LinePose, distance_m: float, rows: int) -> tuple[tuple[float, float], ...]:
+    """(height m, row) every half metre above the road at a distance, as far as a strip of so many rows."""
+    heights = np.arange(0.0, MOST_LADDER_M + STEP_M / 2, STEP_M)
+    found = pose.rows_of(np.full_like(heights, distance_m), heights)
+    pairs = zip(heights.tolist(), found.tolist(), strict=True)
+    return tuple((height, row) for height, row in pairs if -0.5 <= row <= rows - 0.5)
+
+
+def _gradients(
+    pose: LinePose, contact_row: float, target_row: float, inset_m: float
+) -> tuple[tuple[np.ndarray, np.ndarray], tuple[float, float], float]:
+    """Of (distance, height) by (p0, p1, p2, Hc) and the contact row; of the height by the target row."""
+    height_m = pose.camera_height_m
+    s_c, s_t = (float(pose.slopes_of(row)) for row in (contact_row, target_row))
+    contact, target = _slope_gradient(pose, contact_row), _slope_gradient(pose, target_row)
+    distance = -height_m / s_c
+    distance_by_slope = height_m / s_c**2
+    of_distance = np.append(distance_by_slope * contact[:3], -1 / s_c)
+    of_height = s_t * of_distance + np.append((distance + inset_m) * target[:3], 1.0)
+    by_contact = distance_by_slope * contact[3]
+    return (of_distance, of_height), (by_contact, s_t * by_contact), (distance + inset_m) * target[3]
+
+
+def _slope_gradient(pose: LinePose, row: float) -> np.ndarray:
+    """Derivatives of s = (row - p0) / (p1 - p2 row) by p0, p1, p2 and row: (4,)."""
+    p0, p1, p2, _ = pose.parameters
+    below = p1 - p2 * row
+    slope = (row - p0) / below
+    return np.array([-1 / below, -slope / below, slope * row / below, (1 + slope * p2) / below])
+
+
+def _warnings(pose: LinePose, *rows: float) -> tuple[str, ...]:
+    low, high = pose.row_span
+    margin = 0.1 * (high - low)
+    if all(low - margin <= row <= high + margin for row in rows):
+        return ()
+    return ("A click lies outside the rows that the marks covered, so the pose is extrapolated.",)
+
+
+def _refused(reason: str) -> LineHeight:
+    return LineHeight("not_measurable", reason)

@@ -1,0 +1,200 @@
+"""Which pixels of strip 1 tell the motion: clear changes along time, inside the vehicle, spread over it."""
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from sightline.linescan.parts import Pixels
+
+Floats = NDArray[np.float32]
+ROWS = 256
+
+
+@dataclass(frozen=True, eq=False)
+class Sheet:
+    """A picture pooled for matching: values (n, rows), softened; `step` lines by `band` rows a value.
+
+    `start_line`: strip line at the centre of row 0 of `values`.
+    """
+
+    values: Floats
+    start_line: float
+    step: int
+    band: int
+
+    def place(self, line: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Strip lines to places in `values`."""
+        return np.asarray((line - self.start_line) / self.step)
+
+    def line(self, place: NDArray[np.float64]) -> NDArray[np.float64]:
+        return np.asarray(self.start_line + place * self.step)
+
+
+def softness(noise_dn: float) -> tuple[float, float]:
+    """Standard deviations (samples, rows) of the softening before matching: wider where noise is high."""
+    return float(np.clip(0.25 * noise_dn, 0.7, 1.4)), float(np.clip(0.35 * noise_dn, 1.0, 2.2))
+
+
+def softened_noise(noise_dn: float) -> float:
+    """What softening leaves of a pixel's noise: a Gaussian of s samples averages 2 s sqrt(pi) of them."""
+    along, across = softness(noise_dn)
+    return noise_dn / float(np.sqrt(4 * np.pi * along * across))
+
+
+def pooled(picture: Pixels, start: int, step: int, band: int, soft: tuple[float, float]) -> Sheet:
+    """Means over step x band pixels of a picture (lines, rows) that begins at line `start`, then softened.
+
+    Softening keeps the error of interpolating between coarse samples small; both strips get the same.
+    """
+    lines, rows = len(picture) // step * step, picture.shape[1] // band * band
+    means = _means_of_rows(np.ascontiguousarray(picture[:lines, :rows]), band)
+    if step > 1:
+        means = _means_of_lines(means, step)
+    size = (2 * round(3 * soft[1]) + 1, 2 * round(3 * soft[0]) + 1)
+    values = cv2.GaussianBlur(means, size, sigmaX=soft[1], sigmaY=soft[0])
+    return Sheet(np.asarray(values, np.float32), start + (step - 1) / 2, step, band)
+
+
+def _means_of_rows(picture: NDArray[np.unsignedinteger], band: int) -> Floats:
+    """(lines, rows / band) means of `band` neighbours, not rounded.
+
+    Two neighbours of n bits are one number of 2 n bits: halves added so are ten times as fast as a mean.
+    """
+    left, sums = band, picture
+    while left % 2 == 0 and sums.itemsize < 8:
+        bits = 8 * sums.itemsize
+        both = sums.view(np.dtype(f"u{2 * sums.itemsize}"))
+        sums, left = (both & ((1 << bits) - 1)) + (both >> bits), left // 2
+    means = sums.astype(np.float32)
+    if band > 1:
+        means *= np.float32(left / band)
+    if left > 1:
+        size = (picture.shape[1] // band, len(picture))
+        means = np.asarray(cv2.resize(means, size, interpolation=cv2.INTER_AREA), np.float32)
+    return means
+
+
+def _means_of_lines(values: Floats, times: int) -> Floats:
+    """(n // times, rows) means of `times` neighbouring lines; lines left over are left out."""
+    count = len(values) // times
+    return np.asarray(values[: count * times].reshape(count, times, -1).mean(axis=1), np.float32)
+
+
+def coarser(sheet: Sheet, times: int) -> Sheet:
+    """The same, `times` lines pooled to one."""
+    small = _means_of_lines(sheet.values, times)
+    start = sheet.start_line + (times - 1) / 2 * sheet.step
+    values = cv2.GaussianBlur(small, (0, 0), sigmaX=0.01, sigmaY=0.8)
+    return Sheet(np.asarray(values, np.float32), start, sheet.step * times, sheet.band)
+
+
+def silhouette(sheet: Sheet, road: NDArray[np.float32], noise_dn: float) -> NDArray[np.bool_]:
+    """(n, rows) whether a pixel lies well inside the vehicle: from its upper edge down, the rim left out."""
+    line = road[: sheet.values.shape[1] * sheet.band].reshape(sheet.values.shape[1], sheet.band).mean(1)
+    away = np.abs(sheet.values - line)
+    limit = max(4 * noise_dn / np.sqrt(sheet.step * sheet.band * 5), 0.04 * float(np.median(line)))
+    there = (away > limit).astype(np.uint8)
+    there = cv2.morphologyEx(there, cv2.MORPH_OPEN, np.ones((3, 3), np.uint8))
+    # from the first row that differs down; where none does, from below the last
+    top = np.where(there.any(axis=1), there.argmax(axis=1), there.shape[1])
+    filled = (np.arange(there.shape[1]) >= top[:, None]).astype(np.uint8)
+    return np.asarray(cv2.erode(filled, np.ones((7, 5), np.uint8)) > 0)
+
+
+@dataclass(frozen=True, eq=False)
+class Points:
+    """Chosen pixels (n,): place along time and row in the sheet, value, change along time and across."""
+
+    place: NDArray[np.float64]
+    row: NDArray[np.float64]
+    value: NDArray[np.float64]
+    along: NDArray[np.float64]
+    across: NDArray[np.float64]
+
+    def __len__(self) -> int:
+        return len(self.place)
+
+    def every(self, nth: int) -> "Points":
+        """Each nth of them."""
+        parts = (self.place, self.row, self.value, self.along, self.across)
+        return Points(*(part[::nth] for part in parts))
+
+
+def chosen(sheet: Sheet, inside: NDArray[np.bool_], most: int, noise_dn: float) -> Points:
+    """The `most` pixels with the clearest change along time, every part of the vehicle getting its share.
+
+    noise_dn: of a pixel of the sheet before softening.
+    """
+    values = sheet.values
+    along = np.zeros_like(values)
+    np.subtract(values[2:], values[:-2], out=along[1:-1])
+    along *= 0.5
+    least = max(2.0 * softened_noise(noise_dn), 0.4)
+    good = inside & (np.abs(along) > least)
+    good[:3], good[-3:] = False, False
+    good[:, :2], good[:, -2:] = False, False
+    where = np.flatnonzero(good)
+    if len(where) > most:
+        strength = np.abs(along.ravel()[where])
+        # the clearest half outright, the other half spread evenly over what is left
+        order = np.argpartition(-strength, most // 2)
+        rest = order[most // 2 :]
+        where = where[np.concatenate([order[: most // 2], rest[:: max(1, len(rest) // (most // 2))]])]
+    return points_at(sheet, *np.unravel_index(where, good.shape))
+
+
+def points_at(sheet: Sheet, place: NDArray[np.generic], row: NDArray[np.generic]) -> Points:
+    """The pixels at these places and rows, rounded down, away from the rim."""
+    values = sheet.values
+    n = np.clip(place.astype(np.intp), 1, len(values) - 2)
+    r = np.clip(row.astype(np.intp), 1, values.shape[1] - 2)
+    return Points(
+        n.astype(float),
+        r.astype(float),
+        values[n, r].astype(float),
+        (values[n + 1, r] - values[n - 1, r]).astype(float) / 2,
+        (values[n, r + 1] - values[n, r - 1]).astype(float) / 2,
+    )
+
+
+def _cubic(part: Floats) -> tuple[NDArray[np.floating], ...]:
+    """Catmull-Rom's four weights for fractions in 0..1."""
+    t, t2, t3 = part, part * part, part * part * part
+    return (
+        (-t3 + 2 * t2 - t) / 2,
+        (3 * t3 - 5 * t2 + 2) / 2,
+        (-3 * t3 + 4 * t2 + t) / 2,
+        (t3 - t2) / 2,
+    )
+
+
+def sampled(values: Floats, place: NDArray[np.float64], row: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Values (n,) of a picture between its lines, at whole rows; cubic (Catmull-Rom); outside, the rim's.
+
+    OpenCV's remap rounds places to 1/32 of a pixel, which is too much here.
+    """
+    lines, rows = values.shape
+    place = np.clip(place, 1, lines - 2.001)
+    at = place.astype(np.intp)
+    flat = values.ravel()
+    base = (at - 1) * rows + row.astype(np.intp)
+    total = np.zeros(len(place), np.float32)
+    for by_line in _cubic((place - at).astype(np.float32)):
+        total += by_line * flat.take(base)
+        base += rows
+    return total.astype(np.float64)
+
+
+def shifted(sheet: Sheet, shift: float) -> Sheet:
+    """The sheet whose row r shows what the given one shows at row r + shift; cubic, the rim repeated."""
+    if shift == 0.0:
+        return sheet
+    whole = int(np.floor(shift))
+    kernel = np.zeros((1, 2 * abs(whole) + 5), np.float32)
+    middle = kernel.shape[1] // 2
+    weights = _cubic(np.array(shift - whole, np.float32))
+    kernel[0, middle + whole - 1 : middle + whole + 3] = weights
+    values = cv2.filter2D(sheet.values, -1, kernel, borderType=cv2.BORDER_REPLICATE)
+    return Sheet(np.asarray(values, np.float32), sheet.start_line, sheet.step, sheet.band)

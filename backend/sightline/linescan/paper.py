@@ -1,0 +1,140 @@
+"""The paper's chain: block matching, speed profile, linear regression; Douxchamps, Macq, Chihara, section IV.
+
+Kept as a method of its own to compare with, as it was published but for what metrology forces: the mean speed
+over the baseline holds at the mean of a point's two crossing times, and the length is that of the fitted
+motion (acceleration compensated) between front and rear at camera 1. A vertical misalignment is searched for
+by whole rows only and is not cured by that; the default method solves for it.
+"""
+
+from dataclasses import replace
+from math import hypot
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sightline.linescan.equations import exact, travelled_m
+from sightline.linescan.matching import BLOCK_LINES, STEP_LINES, Matches, match_blocks
+from sightline.linescan.parts import Crossings, Entry, Motion, Passage, Profile, Rig
+
+LEAST_BLOCKS = 6
+# The search covers this share of the delay beyond what the four crossings say, and no less than these lines.
+MARGIN_SHARE, MARGIN_LINES = 0.05, 8
+U_CROSSING_LINES = 2.0
+# The gate looks at changes over this length of the vehicle: over one line of a slow one, noise hides them.
+GATE_M = 0.006
+
+Floats = NDArray[np.float64]
+
+
+def measure_paper(passage: Passage, rig: Rig) -> Motion:
+    """Motion of a vehicle by the paper's method; never raises for pictures: a reason instead.
+
+    Standard uncertainties: of the regression (blocks overlap, so only every sixth counts as independent),
+    baseline, clock; for the length the crossings besides.
+    """
+    if passage.reason:
+        return _refused(passage.crossings, passage.reason)
+    baseline_m = rig.baseline_m + rig.divergence_rad * (rig.distance_m or 0.0)
+    try:
+        exact(passage.crossings, baseline_m, rig.line_rate_hz)
+    except ValueError:
+        return _refused(passage.crossings, "Front and rear do not cross the two cameras in order.")
+    matches = _match(passage, baseline_m)
+    seconds, speeds = _speeds(matches, passage, baseline_m, rig.line_rate_hz)
+    used = matches.used
+    if np.count_nonzero(used) < LEAST_BLOCKS:
+        return _refused(passage.crossings, "Too few blocks of the vehicle show enough to be matched.")
+    return _regression(passage, rig, baseline_m, matches, seconds, speeds)
+
+
+def _match(passage: Passage, baseline_m: float) -> Matches:
+    seen = passage.crossings
+    front, rear = seen.front_line_2 - seen.front_line_1, seen.rear_line_2 - seen.rear_line_1
+    margin = max(MARGIN_SHARE * max(front, rear), MARGIN_LINES)
+    apart = passage.start_2 - passage.start_1
+    low = int(np.floor(min(front, rear) - margin)) - apart
+    high = int(np.ceil(max(front, rear) + margin)) - apart
+    at = max(0, int(np.ceil(seen.front_line_1)) - passage.start_1)
+    until = min(len(passage.first), int(seen.rear_line_1) + 1 - passage.start_1)
+    low += at
+    high += at
+    second = passage.second
+    if low < 0:  # the margin reaches before the second picture: search less far
+        low = 0
+    shifts = range(low, max(high + 1, low))
+    lag = int(np.clip(round(GATE_M / baseline_m * (front + rear) / 2), 1, BLOCK_LINES // 4))
+    found = match_blocks(passage.first[at:until], second, shifts, passage.noise_dn, lag=lag)
+    return replace(found, middle=found.middle + at + passage.start_1, shift=found.shift - at + apart)
+
+
+def _speeds(
+    matches: Matches, passage: Passage, baseline_m: float, line_rate_hz: float
+) -> tuple[Floats, Floats]:
+    """Time after the front's crossing of camera 1 at which each block's mean speed holds, and that speed."""
+    with np.errstate(divide="ignore"):
+        speeds = baseline_m * line_rate_hz / matches.shift
+    middle = matches.middle + matches.shift / 2 - passage.crossings.front_line_1
+    return middle / line_rate_hz, speeds
+
+
+def _regression(
+    passage: Passage, rig: Rig, baseline_m: float, matches: Matches, seconds: Floats, speeds: Floats
+) -> Motion:
+    """The paper's plain linear regression of the speed over the time, and what follows from it."""
+    used = matches.used
+    design = np.column_stack([np.ones(np.count_nonzero(used)), seconds[used]])
+    normal = np.linalg.inv(design.T @ design)
+    speed, acceleration = normal @ design.T @ speeds[used]
+    residuals = speeds[used] - design @ (speed, acceleration)
+    variance = float(residuals @ residuals) / (len(residuals) - 2)
+    covariance = variance * normal * (BLOCK_LINES / STEP_LINES)
+    seen = passage.crossings
+    rear_s = (seen.rear_line_1 - seen.front_line_1) / rig.line_rate_hz
+    length = float(travelled_m(speed, acceleration, rear_s))
+    budget = _budget(rig, baseline_m, (float(speed), float(acceleration), length), covariance, rear_s)
+    u_speed, u_acceleration, u_length = (
+        hypot(*(getattr(one, name) for one in budget))
+        for name in ("u_speed_mps", "u_acceleration_mps2", "u_length_m")
+    )
+    return Motion(
+        method="paper",
+        crossings=seen,
+        status="ok",
+        speed_mps=float(speed),
+        u_speed_mps=u_speed,
+        acceleration_mps2=float(acceleration),
+        u_acceleration_mps2=u_acceleration,
+        length_m=length,
+        u_length_m=u_length,
+        fit_error_percent=100 * float(np.std(residuals)) / float(np.mean(speeds[used])),
+        budget=budget,
+        profile=Profile(matches.middle, speeds, speed + acceleration * seconds, used),
+        correlation=float(covariance[0, 1] / np.sqrt(covariance[0, 0] * covariance[1, 1])),
+    )
+
+
+def _budget(
+    rig: Rig, baseline_m: float, motion: tuple[float, float, float], covariance: Floats, rear_s: float
+) -> tuple[Entry, ...]:
+    """Of speed, acceleration and length; the clock shortens a time and leaves the length alone."""
+    speed, acceleration, length = motion
+    of_baseline = hypot(rig.u_baseline_m, (rig.distance_m or 0.0) * rig.u_divergence_rad) / baseline_m
+    of_length = np.array([rear_s, rear_s**2 / 2])
+    of_clock = rig.u_line_rate_ratio
+    leaving = speed + acceleration * rear_s
+    of_crossings = hypot(speed, leaving) * U_CROSSING_LINES / rig.line_rate_hz
+    return (
+        Entry("baseline", speed * of_baseline, abs(acceleration) * of_baseline, length * of_baseline),
+        Entry("clock", speed * of_clock, 2 * abs(acceleration) * of_clock, 0.0),
+        Entry(
+            "regression",
+            float(np.sqrt(covariance[0, 0])),
+            float(np.sqrt(covariance[1, 1])),
+            float(np.sqrt(of_length @ covariance @ of_length)),
+        ),
+        Entry("front and rear", 0.0, 0.0, of_crossings),
+    )
+
+
+def _refused(crossings: Crossings, reason: str) -> Motion:
+    return Motion("paper", crossings, "not_measurable", reason)

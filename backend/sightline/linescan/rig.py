@@ -1,0 +1,162 @@
+"""What the traffic says of the rig: misalignment, gain, and the baseline by known lengths; and wheelbases.
+
+The residual divergence of the scanning planes cannot be told from the traffic: it acts as a longer baseline
+at a farther vehicle, which looks like a faster one. It takes vehicles of known length at several distances,
+or a plumb line at two.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import hypot, sqrt
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy import stats
+
+from sightline.linescan.equations import travelled_m
+from sightline.linescan.parts import Motion, Rig
+
+LEAST_VEHICLES = 5
+LEAST_U_M = 1e-3
+# A median's standard deviation over a mean's, for normal errors.
+_MEDIAN = sqrt(np.pi / 2)
+_MAD = 1.4826
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A rig's constant from n vehicles: value, standard uncertainty, spread of one vehicle; or a reason."""
+
+    value: float | None
+    u: float | None
+    spread: float | None
+    n: int
+    reason: str | None = None
+    warning: str | None = None
+
+
+class Registered(Protocol):
+    """What a vehicle's registration found of the rig: a `Motion`, or a stored one."""
+
+    @property
+    def status(self) -> str: ...
+    @property
+    def misalignment_px(self) -> float | None: ...
+    @property
+    def u_misalignment_px(self) -> float | None: ...
+    @property
+    def gain(self) -> float | None: ...
+
+
+@dataclass(frozen=True)
+class Wheelbase:
+    """Distance between two clicked axles, m, with its standard uncertainty; or a reason."""
+
+    wheelbase_m: float | None
+    u_wheelbase_m: float | None
+    reason: str | None = None
+
+
+def misalignment(motions: Sequence[Registered]) -> Estimate:
+    """Row in strip 2 minus row in strip 1, px: the median of what each vehicle's registration found.
+
+    A warning where vehicles differ by much more than their own uncertainties: then it is no constant of the
+    rig (a camera moved, or it changes along the rows).
+    """
+    found = [
+        (one.misalignment_px, one.u_misalignment_px or 0.0)
+        for one in motions
+        if one.status == "ok" and one.misalignment_px is not None
+    ]
+    estimate = _median([value for value, _ in found], "a misalignment")
+    if estimate.spread is None:
+        return estimate
+    claimed = float(np.median([u for _, u in found]))
+    if estimate.spread > max(3 * claimed, 0.1):
+        warning = (
+            f"The vehicles' misalignments scatter by {estimate.spread:.2f} px, so it is no constant: "
+            "look whether a camera moved."
+        )
+        return Estimate(estimate.value, estimate.u, estimate.spread, estimate.n, None, warning)
+    return estimate
+
+
+def gain(motions: Sequence[Registered]) -> Estimate:
+    """Grey of strip 2 over grey of strip 1, the median over the vehicles."""
+    return _median([one.gain for one in motions if one.status == "ok" and one.gain is not None], "a gain")
+
+
+def alone(size_m: float, u_m: float | None, baseline_m: float, u_baseline_m: float) -> float:
+    """The uncertainty of a length or wheelbase without the baseline's part, which all vehicles share, m; at
+    least LEAST_U_M, for a size without any would outweigh all others.
+    """
+    common = size_m * u_baseline_m / baseline_m
+    return hypot(max((u_m or 0.0) ** 2 - common**2, 0.0) ** 0.5, LEAST_U_M)
+
+
+def baseline_ratio(
+    measured_m: ArrayLike, u_measured_m: ArrayLike, true_m: ArrayLike, u_true_m: ArrayLike
+) -> Estimate:
+    """Measured over true lengths (n,) or wheelbases, by weighted mean: 1.01 says the baseline is 1 % long.
+
+    The uncertainties are those of single vehicles (boundaries, fit), without the baseline's. A warning where
+    the ratio is off 1 by more than twice its uncertainty; whole lengths carry shadows, wheelbases do not.
+    """
+    values, u_values, truth, u_truth = (
+        np.atleast_1d(np.asarray(one, dtype=np.float64))
+        for one in (measured_m, u_measured_m, true_m, u_true_m)
+    )
+    n = len(values)
+    if n < LEAST_VEHICLES:
+        return Estimate(None, None, None, n, f"{n} known vehicles are too few; {LEAST_VEHICLES} are needed.")
+    ratios = values / truth
+    u_ratios = np.hypot(u_values, ratios * u_truth) / truth
+    weights = 1 / np.maximum(u_ratios, 1e-9) ** 2
+    mean = float(np.sum(weights * ratios) / np.sum(weights))
+    # where vehicles scatter by more than claimed, the claim is not believed
+    excess = max(1.0, float(np.sum(weights * (ratios - mean) ** 2) / (n - 1)))
+    u = sqrt(excess / float(np.sum(weights)))
+    spread = float(np.std(ratios, ddof=1))
+    if abs(mean - 1) <= 2 * u:
+        return Estimate(mean, u, spread, n)
+    share = f"{abs(mean - 1) * 100:.2f} % {'longer' if mean > 1 else 'shorter'}"
+    warning = f"Vehicles come out {share} than they are; measure the baseline again (a shadow lengthens too)."
+    return Estimate(mean, u, spread, n, None, warning)
+
+
+def wheelbase(motion: Motion, rig: Rig, line_a: float, line_b: float, *, u_line: float = 2.0) -> Wheelbase:
+    """Distance between the axles clicked at two lines of strip 1, in either order.
+
+    u_line: standard uncertainty of a click, lines. Entries: clicks, the fitted motion (with its correlation);
+    the baseline is part of the motion's.
+    """
+    if motion.speed_mps is None or motion.acceleration_mps2 is None:
+        return Wheelbase(None, None, motion.reason or "The vehicle has no measured motion.")
+    lines = np.sort(np.array([line_a, line_b], dtype=np.float64))
+    if not np.all(np.isfinite(lines)) or lines[0] == lines[1]:
+        return Wheelbase(None, None, "Click the hubs of two different wheels.")
+    seconds = (lines - motion.crossings.front_line_1) / rig.line_rate_hz
+    speed, acceleration = motion.speed_mps, motion.acceleration_mps2
+    leaving = speed + acceleration * seconds
+    if leaving.min() <= 0:
+        return Wheelbase(None, None, "By its fitted motion the vehicle stood at one of the clicks.")
+    first, second = np.asarray(travelled_m(speed, acceleration, seconds))
+    u_clicks = float(np.hypot(*leaving)) * u_line / rig.line_rate_hz
+    of_speed = float(seconds[1] - seconds[0]) * (motion.u_speed_mps or 0.0)
+    of_acceleration = float(seconds[1] ** 2 - seconds[0] ** 2) / 2 * (motion.u_acceleration_mps2 or 0.0)
+    together = 2 * (motion.correlation or 0.0) * of_speed * of_acceleration
+    u_motion = sqrt(max(of_speed**2 + of_acceleration**2 + together, 0.0))
+    return Wheelbase(float(second - first), hypot(u_clicks, u_motion))
+
+
+def _median(values: Sequence[float], what: str) -> Estimate:
+    n = len(values)
+    if n < LEAST_VEHICLES:
+        return Estimate(None, None, None, n, f"{n} vehicles gave {what}; {LEAST_VEHICLES} are needed.")
+    array: NDArray[np.float64] = np.asarray(values, dtype=np.float64)
+    middle = float(np.median(array))
+    spread = _MAD * float(np.median(np.abs(array - middle)))
+    # few vehicles: the spread itself is uncertain, as Student's t widens it
+    widened = float(stats.t.ppf(0.975, n - 1) / stats.norm.ppf(0.975))
+    return Estimate(middle, widened * _MEDIAN * spread / sqrt(n), spread, n)

@@ -1,0 +1,191 @@
+"""Watches one strip: from blocks of lines to events, the spans in which something hid the road."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sightline.linescan.background import (
+    UPPER_PART,
+    Grid,
+    Road,
+    blended,
+    first_road,
+    road_from,
+    same_but_for_light,
+)
+from sightline.linescan.middle import median
+from sightline.linescan.parts import Pixels
+
+LEAST_PART = 0.04
+LIGHT = 0.1
+
+
+@dataclass(frozen=True)
+class Spans:
+    """Lengths in lines: a hole that is bridged, the shortest vehicle, standing still; `road`: those that show
+    the empty road.
+    """
+
+    close: int
+    least: int
+    guard: int
+    still: int
+    stuck: int
+    longest: int
+    road: int
+
+
+@dataclass(frozen=True, eq=False)
+class Event:
+    """Lines `front` to `rear` (of whole steps) in which something stood before the road."""
+
+    front: float
+    rear: float
+    road: Road
+    still: bool = False
+    cut: bool = False
+
+
+@dataclass(eq=False)
+class _Open:
+    front: int
+    last: int
+    road: Road
+    still: bool = False
+
+
+@dataclass(eq=False)
+class Watcher:
+    """One camera's state between blocks; `see` takes blocks in order and returns the events that ended."""
+
+    grid: Grid
+    spans: Spans
+    road: Road | None = None
+    blips: int = 0
+    jumps: int = 0
+    lines: int = 0
+    saturated_lines: float = 0.0
+    _open: _Open | None = None
+    _still: int = 0
+    _mean: NDArray[np.float32] | None = None
+    _remembered: list[Road] = field(default_factory=list)
+
+    @property
+    def busy_since(self) -> float:
+        """First line that is still needed for an event under way."""
+        return self._open.front if self._open else self.lines
+
+    def begin(self, block: Pixels) -> None:
+        """Finds the road in the recording's first part."""
+        self.road = first_road(block, self.grid, self.spans.road)
+
+    def see(self, block: Pixels) -> list[Event]:
+        """Takes the next block (lines, rows)."""
+        if self.road is None:
+            self.begin(block)
+        assert self.road is not None
+        cells = self.grid.pooled(block)
+        there = self._present(cells, self.road)
+        events = self._follow(there)
+        events += self._watch_stillness(cells, there, block)
+        if self._open and self.lines + len(block) - self._open.front > self.spans.longest:
+            events += self._end(self._open.last, cut=True)
+        self._refresh(block, there)
+        top = 255 if block.dtype == np.uint8 else 65535
+        self.saturated_lines += len(block) * float(np.mean(block[::32] >= top))
+        self.lines += len(block)
+        return events
+
+    def finish(self) -> list[Event]:
+        """Ends what is still open when the recording ends."""
+        return self._end(self._open.last, cut=True) if self._open else []
+
+    def _present(self, cells: NDArray[np.float32], road: Road) -> NDArray[np.bool_]:
+        """(steps,) whether enough cells of the upper part differ from the road under the light of the moment.
+
+        The light is the middle cell's, within LIGHT: clouds and lamps change it from line to line.
+        """
+        upper = max(1, int(self.grid.bands * UPPER_PART))
+        line = np.maximum(road.pooled[:upper], 1.0)
+        # every other cell will do for the middle one
+        light = median(cells[:, :upper:2] / line[::2]).astype(np.float32)
+        expected = np.clip(light, 1 - LIGHT, 1 + LIGHT) * line
+        differs = np.abs(cells[:, :upper] - expected) > road.threshold_dn[:upper]
+        return np.asarray(differs.sum(1) >= max(2, LEAST_PART * upper))
+
+    def _follow(self, there: NDArray[np.bool_]) -> list[Event]:
+        """Runs of presence become events; holes shorter than `close` are bridged."""
+        events: list[Event] = []
+        step, base = self.grid.step, self.lines
+        edges = np.flatnonzero(np.diff(np.concatenate([[0], there.astype(np.int8), [0]])))
+        for start, stop in edges.reshape(-1, 2):
+            front, rear = base + int(start) * step, base + int(stop) * step
+            if self._open and front - self._open.last > self.spans.close:
+                events += self._end(self._open.last)
+            if self._open is None:
+                assert self.road is not None
+                self._open = _Open(front, rear, self.road)
+            self._open.last = rear
+        if self._open and base + len(there) * step - self._open.last > self.spans.close:
+            events += self._end(self._open.last)
+        return events
+
+    def _end(self, rear: int, cut: bool = False) -> list[Event]:
+        was, self._open = self._open, None
+        assert was is not None
+        if rear - was.front < self.spans.least:
+            self.blips += 1
+            return []
+        return [Event(was.front - 0.5, rear - 0.5, was.road, was.still, cut)]
+
+    def _watch_stillness(
+        self, cells: NDArray[np.float32], there: NDArray[np.bool_], block: Pixels
+    ) -> list[Event]:
+        """An event whose picture does not change: a vehicle that stopped, or a road under another light."""
+        assert self.road is not None
+        if self._open is None or not len(cells) or not there.all():
+            self._still, self._mean = 0, None
+            return []
+        mean = np.asarray(cells.mean(0), np.float32)
+        loose = 2.0 * self.road.cell_dn + 0.02 * mean
+        calm = float(np.mean(cells.std(0) < loose)) > 0.97
+        alike = self._mean is None or float(np.mean(np.abs(mean - self._mean) < loose)) > 0.97
+        self._still = self._still + len(block) if calm and alike else 0
+        self._mean = mean if calm else None
+        if not self._still:
+            return []
+        known = any(same_but_for_light(mean, road) for road in self._remembered)
+        if known or same_but_for_light(mean, self.road):
+            # no vehicle, or the rest of one that is answered for: it stopped and has gone
+            self.jumps += not known
+            self._take(block)
+            return []
+        self._open.still |= self._still >= self.spans.still
+        if self._still < self.spans.stuck:
+            return []
+        self._remembered = [*self._remembered[-3:], self.road]
+        events = self._end(self._open.last, cut=True)
+        self._take(block)
+        return events
+
+    def _take(self, block: Pixels) -> None:
+        """What is seen now is the background from here on."""
+        self.road = road_from(block, self.grid)
+        self._open, self._still, self._mean = None, 0, None
+
+    def _refresh(self, block: Pixels, there: NDArray[np.bool_]) -> None:
+        """Moves the road towards what the longest empty run of this block shows, shadows left out."""
+        assert self.road is not None
+        step, guard = self.grid.step, self.spans.guard
+        edges = np.flatnonzero(np.diff(np.concatenate([[0], (~there).astype(np.int8), [0]])))
+        best = (0, 0)
+        for start, stop in edges.reshape(-1, 2):
+            first = int(start) * step + (guard if start > 0 else 0)
+            last = int(stop) * step - (guard if stop < len(there) else 0)
+            best = max(best, (first, last), key=lambda run: run[1] - run[0])
+        count = best[1] - best[0]
+        enough = self.spans.road
+        if count >= enough // 4:
+            seen = road_from(block[best[1] - min(count, 2 * enough) : best[1]], self.grid)
+            self.road = blended(self.road, seen, min(1.0, count / enough))

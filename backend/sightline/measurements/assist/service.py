@@ -1,0 +1,51 @@
+"""The contact assistant: where a wheel near the pointer seems to stand. Nothing is stored here."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from sightline.geometry.contact import propose
+from sightline.infra.services import Services
+from sightline.measurements.click_context_query import click_context
+from sightline.measurements.service import Point, pose_in_force
+
+PERSON_PX = 1.0  # what a careful click is worth
+
+
+@dataclass(frozen=True)
+class ContactProposal:
+    """A proposal with the wheel that speaks for it, or why there is none (then the rest is None)."""
+
+    contact: list[float] | None
+    outline: list[list[float]]
+    radius_m: float | None
+    expected_px: float | None
+    words: str
+    reason: str | None
+
+
+def contact_near(services: Services, recording_id: int, n: int, pointer: Point) -> ContactProposal:
+    """Raises NotFound, Conflict without a road pose, Damaged for a frame that fails its checksum."""
+    with services.reading() as session:
+        context = click_context(session, recording_id, None)
+        pose, _, _ = pose_in_force(session, context)
+    found = propose(services.stills.gray(recording_id, n), pose, pointer)
+    if isinstance(found, str):
+        words = f"No proposal: {found[:1].lower()}{found[1:]} Click the contact yourself."
+        return ContactProposal(None, [], None, None, words, found)
+    return ContactProposal(
+        [round(value, 2) for value in found.contact_px],
+        np.round(found.outline_px, 2).tolist(),
+        found.radius_m,
+        found.expected_px,
+        words_of(found.expected_px),
+        None,
+    )
+
+
+def words_of(expected_px: float) -> str:
+    """What to expect of it, beside the proposal."""
+    worse = ", worse than a careful click" if expected_px > PERSON_PX else ""
+    return f"proposal: expect about {expected_px:.1f} px{worse}"

@@ -1,0 +1,158 @@
+"""What measurements take and answer."""
+
+from datetime import datetime
+from typing import Annotated, Any, Literal
+from uuid import UUID
+
+from pydantic import AliasChoices, Field
+
+from sightline.enums import (
+    MeasurementStatus,
+    Target,
+    Verdict,
+)
+from sightline.infra.web.bodies import FrameNumber, Id, In, Out, Point, WhoBody
+from sightline.infra.web.quantities import InsetM, Revision, SigmaPx, UInsetM
+from sightline.vehicles.bodies import VehicleAlone
+
+
+class ReviewBody(Out):
+    verdict: Verdict
+    reason: str | None
+    reviewer: WhoBody | None
+    at: datetime | None
+
+
+class FurtherFrameBody(Out):
+    """The same two points on another frame of the pass."""
+
+    frame: int
+    pts: int
+    time_s: float
+    frame_crc: int
+    contact: list[float]
+    point: list[float]
+
+
+class MeasurementBody(Out):
+    """The current revision of a measurement."""
+
+    id: int = Field(description="The measurement (a series of revisions).")
+    revision: int
+    revision_id: int
+    vehicle_id: int
+    recording_id: int
+    repeat_of: int | None = Field(description="The measurement that this one repeats.")
+    target: Target
+    frame: int
+    pts: int
+    time_s: float
+    frame_crc: int
+    contact: list[float]
+    point: list[float]
+    sigma_px: float
+    pose_id: int
+    calibration_id: int
+    inset_m: float
+    u_inset_m: float
+    more_frames: list[FurtherFrameBody] = Field(
+        description="With any, the inset is solved for; `inset_m` is what one frame would assume."
+    )
+    solved_inset_m: float | None
+    u_solved_inset_m: float | None
+    height_m: float | None
+    uncorrected_height_m: float | None
+    u_height_m: float | None
+    U95_height_m: float | None
+    distance_m: float | None
+    status: MeasurementStatus
+    reason: str | None
+    flags: list[str] = Field(
+        validation_alias=AliasChoices("all_flags", "flags"),
+        description="As stored, and, derived when read, that the camera had moved on this frame.",
+    )
+    budget: list[dict[str, Any]]
+    code_version: str
+    created_by: WhoBody | None
+    created_at: datetime
+    withdrawn: bool
+    review: ReviewBody
+
+
+class ClickedFrame(In):
+    """The same two points, clicked on another frame of the pass."""
+
+    frame: FrameNumber
+    contact: Point
+    point: Point
+
+
+MoreFrames = Annotated[
+    list[ClickedFrame],
+    Field(max_length=7, description="The same two points on further frames: then the inset is solved for."),
+]
+
+
+class Clicked(In):
+    """Two points on one frame, and on further ones."""
+
+    frame: FrameNumber
+    contact: Point
+    point: Point
+    sigma_px: SigmaPx | None = None
+    inset_m: InsetM | None = None
+    u_inset_m: UInsetM | None = None
+    more_frames: MoreFrames = Field(default_factory=list)
+
+
+class SecondFrameWanted(Clicked):
+    """What is clicked so far; the best frame to click next is looked for in the vehicle's pass."""
+
+    target: Target
+    vehicle_id: Id
+
+
+class SpotBody(Out):
+    """Where both points are expected on one frame, and what clicking them there would give."""
+
+    frame: int
+    travel_m: float
+    contact: list[float]
+    point: list[float]
+    u_height_m: float
+    U95_height_m: float
+    u_solved_inset_m: float
+    assumed_kmh: float | None
+
+
+class SecondFrameAnswer(Out):
+    """The frame proposed with what it would gain; where none would help, why."""
+
+    ok: bool
+    reason: str | None
+    frame: int | None
+    source: Literal["followed", "measured", "assumed"] | None
+    words: str
+    u_now_m: float | None
+    U95_now_m: float | None
+    u_then_m: float | None
+    U95_then_m: float | None
+    u_solved_inset_m: float | None
+    spots: list[SpotBody]
+
+
+class NewMeasurement(Clicked):
+    client_key: UUID = Field(description="Made by the client; sending it twice stores it once.")
+    target: Target
+    repeat_of: Annotated[int, Field(ge=1, le=2**31 - 1)] | None = Field(
+        default=None, description="The measurement that these clicks repeat: it stands in no list or result."
+    )
+
+
+class ChangedMeasurement(Clicked):
+    revision: Revision
+    target: Target | None = None
+
+
+class VehicleBody(VehicleAlone):
+    measurements: list[MeasurementBody]

@@ -1,0 +1,221 @@
+"""Heights and overlays for a click: the one way from points to numbers.
+
+What is shown while the pointer moves, what is stored, what an export contains and what a check recomputes
+all come from `answer`, so they cannot differ. Nothing here reads or writes.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from sightline.enums import Target
+from sightline.geometry.documents import pose_from_dict
+from sightline.geometry.height import Height, height_both
+from sightline.geometry.insets import DEFAULT_INSETS
+from sightline.geometry.multiframe import MultiHeight, measure_frames
+from sightline.geometry.road import Overlay, axes_at_contact, ladder_at_contact
+from sightline.geometry.road_pose import RoadPose
+from sightline.surveys.records import Inset
+
+DEFAULT_SIGMA_PX = 1.0
+# Insets are kept to the micrometre: that is what the CSV carries, so an export recomputes to the same figure.
+_INSET_DECIMALS = 6
+_MOST_POSES = 32
+
+
+@dataclass(frozen=True)
+class Clicks:
+    """What one height is computed from: two points in pixels, their sigma, and the inset of the target.
+
+    `more`: (contact, target) of the same two points on further frames; with any, the inset is solved for.
+    """
+
+    target: Target
+    contact: tuple[float, float]
+    point: tuple[float, float]
+    sigma_px: float
+    inset_m: float
+    u_inset_m: float
+    more: tuple[tuple[tuple[float, float], tuple[float, float]], ...] = ()
+
+
+@dataclass(frozen=True)
+class SingleFrame:
+    """What the first frame alone would give, with the inset assumed: shown beside a several-frame height."""
+
+    height_m: float | None
+    u_height_m: float | None
+    U95_height_m: float | None
+
+
+@dataclass(frozen=True)
+class Answer:
+    """One height with its uncertainty and budget, or why there is none (then every number is None).
+
+    `inset_m` is the inset assumed for one frame; `solved_inset_m` the one found from several. The heading is
+    that of the vehicle's travel against the road's X axis.
+    """
+
+    status: str
+    reason: str | None
+    height_m: float | None
+    u_height_m: float | None
+    U95_height_m: float | None
+    uncorrected_height_m: float | None
+    inset_m: float
+    u_inset_m: float
+    x_m: float | None
+    y_m: float | None
+    distance_m: float | None
+    budget: list[dict[str, Any]]
+    flags: list[str]
+    frames: int = 1
+    solved_inset_m: float | None = None
+    u_solved_inset_m: float | None = None
+    heading_rad: float | None = None
+    u_heading_rad: float | None = None
+    travel_m: float | None = None
+    single: SingleFrame | None = None
+
+
+@dataclass(frozen=True)
+class Ruler:
+    """The axes and the ladder through a contact click, as pixel polylines; or why there are none."""
+
+    ok: bool
+    reason: str | None
+    axes: dict[str, Any] | None
+    ladder: list[dict[str, Any]]
+    x_m: float | None
+    y_m: float | None
+    distance_m: float | None
+
+
+class PoseShelf:
+    """Parsed poses by id. A stored pose never changes, so what was parsed once holds. Thread-safe."""
+
+    def __init__(self, most: int = _MOST_POSES) -> None:
+        self._most = most
+        self._poses: dict[int, RoadPose] = {}
+        self._lock = threading.Lock()
+
+    def get(self, pose_id: int) -> RoadPose | None:
+        return self._poses.get(pose_id)
+
+    def put(self, pose_id: int, document: Mapping[str, Any]) -> RoadPose:
+        """Parse a pose.json document and keep it. Raises BadInput naming a key that is wrong."""
+        pose = pose_from_dict(document, f"road pose {pose_id}")
+        with self._lock:
+            if len(self._poses) >= self._most:
+                self._poses.pop(next(iter(self._poses)))
+            self._poses[pose_id] = pose
+        return pose
+
+
+def clicks_of(
+    target: Target,
+    contact: tuple[float, float],
+    point: tuple[float, float],
+    insets: Mapping[str, Inset],
+    *,
+    sigma_px: float | None = None,
+    inset_m: float | None = None,
+    u_inset_m: float | None = None,
+    more: tuple[tuple[tuple[float, float], tuple[float, float]], ...] = (),
+) -> Clicks:
+    """The clicks, with what was left out filled in: sigma 1 px, the survey's inset for this target."""
+    usual = inset_for(target, insets)
+    return Clicks(
+        target=target,
+        contact=contact,
+        point=point,
+        sigma_px=DEFAULT_SIGMA_PX if sigma_px is None else sigma_px,
+        inset_m=round(usual.inset_m if inset_m is None else inset_m, _INSET_DECIMALS),
+        u_inset_m=round(usual.u_inset_m if u_inset_m is None else u_inset_m, _INSET_DECIMALS),
+        more=more,
+    )
+
+
+def inset_for(target: Target, insets: Mapping[str, Inset]) -> Inset:
+    """The survey's inset of a target, else the default (an estimate, metrology 2.2)."""
+    return insets[target] if target in insets else Inset(*DEFAULT_INSETS[target])
+
+
+def answer(pose: RoadPose, clicks: Clicks) -> Answer:
+    """The height of the target with its uncertainty, corrected for its inset and not.
+
+    One frame assumes the inset; several solve for it. Where several frames give no height, none is given: the
+    reason says why, and what the first frame alone would give stands in `single`. The uncorrected height is
+    always the first frame's.
+    """
+    height, uncorrected = height_both(
+        pose, clicks.contact, clicks.point, clicks.sigma_px, clicks.inset_m, clicks.u_inset_m
+    )
+    if not clicks.more:
+        return _answered(clicks, height, uncorrected)
+    found = measured_frames(pose, clicks)
+    alone = SingleFrame(height.height_m, height.u_height_m, height.U95_height_m)
+    return replace(
+        _answered(clicks, found.height, uncorrected),
+        frames=1 + len(clicks.more),
+        solved_inset_m=found.solved_inset_m,
+        u_solved_inset_m=found.u_solved_inset_m,
+        heading_rad=found.heading_rad,
+        u_heading_rad=found.u_heading_rad,
+        travel_m=found.travel_m,
+        single=alone,
+    )
+
+
+def measured_frames(pose: RoadPose, clicks: Clicks) -> MultiHeight:
+    """The height from all frames of the clicks, the first one first."""
+    contacts = [clicks.contact, *(contact for contact, _ in clicks.more)]
+    targets = [clicks.point, *(point for _, point in clicks.more)]
+    return measure_frames(pose, contacts, targets, clicks.sigma_px)
+
+
+def _answered(clicks: Clicks, height: Height, uncorrected: Height) -> Answer:
+    return Answer(
+        status=height.status,
+        reason=height.reason,
+        height_m=height.height_m,
+        u_height_m=height.u_height_m,
+        U95_height_m=height.U95_height_m,
+        uncorrected_height_m=uncorrected.height_m,
+        inset_m=clicks.inset_m,
+        u_inset_m=clicks.u_inset_m,
+        x_m=height.x_m,
+        y_m=height.y_m,
+        distance_m=height.distance_m,
+        budget=[{"source": entry.source, "u_m": entry.u_m} for entry in height.budget],
+        flags=list(height.flags),
+    )
+
+
+def ruler(pose: RoadPose, contact: tuple[float, float], inset_m: float) -> Ruler:
+    """The road's axes through a contact click and the ladder of heights `inset_m` behind it."""
+    axes = axes_at_contact(pose, contact)
+    rungs = ladder_at_contact(pose, contact, inset_m)
+    if isinstance(axes, str) or isinstance(rungs, str):
+        return Ruler(False, axes if isinstance(axes, str) else str(rungs), None, [], None, None, None)
+    ladder = [
+        {"height_m": rung.height_m, "points": rung.polyline_px.tolist(), "label": rung.label}
+        for rung in rungs
+    ]
+    at = axes.contact_m
+    away = at - pose.centre_m
+    distance_m = float((away @ away) ** 0.5)
+    return Ruler(True, None, drawn_axes(axes), ladder, float(at[0]), float(at[1]), distance_m)
+
+
+def drawn_axes(axes: Overlay) -> dict[str, Any]:
+    """An overlay as plain lists, for JSON."""
+    return {
+        "longitudinal": axes.longitudinal.tolist(),
+        "vertical": axes.vertical.tolist(),
+        "transversal": axes.transversal.tolist(),
+        "origin_px": axes.origin_px.tolist(),
+    }

@@ -1,0 +1,165 @@
+"""Measurements, their values and further frames, and the sheet of a vehicle that carries them."""
+
+from dataclasses import dataclass
+from datetime import datetime
+
+from sightline.enums import (
+    Category,
+    Direction,
+    JsonObject,
+    Lighting,
+    MeasurementStatus,
+    Point,
+    Target,
+    VehicleOrigin,
+    VehicleState,
+    Verdict,
+)
+from sightline.infra.audit.records import Who
+
+
+@dataclass(frozen=True, slots=True)
+class FurtherFrame:
+    """The same two points, clicked on another frame of the pass."""
+
+    frame: int
+    pts: int
+    time_s: float
+    frame_crc: int
+    contact: Point
+    point: Point
+
+
+@dataclass(frozen=True, slots=True)
+class MeasurementValues:
+    """The content of one revision: what was clicked, on what, and the height computed from it."""
+
+    target: Target
+    frame: int
+    pts: int
+    time_s: float
+    frame_crc: int
+    contact: Point
+    point: Point
+    sigma_px: float
+    pose_id: int
+    calibration_id: int
+    inset_m: float
+    u_inset_m: float
+    height_m: float | None
+    uncorrected_height_m: float | None
+    u_height_m: float | None
+    U95_height_m: float | None
+    distance_m: float | None
+    status: MeasurementStatus
+    reason: str | None
+    flags: list[str]
+    budget: list[JsonObject]
+    code_version: str
+    more_frames: tuple[FurtherFrame, ...] = ()
+    solved_inset_m: float | None = None
+    u_solved_inset_m: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class ReviewState:
+    """The verdict on a revision; `to_review` while nobody has looked."""
+
+    verdict: Verdict
+    reason: str | None = None
+    reviewer: Who | None = None
+    at: datetime | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Measurement:
+    """One revision of a measurement (`id` is the series); lists and lookups give the current one.
+
+    `repeat_of`: the measurement that this one repeats, which then stands in no list and counts for no result.
+    """
+
+    id: int
+    revision: int
+    revision_id: int
+    survey_id: int
+    vehicle_id: int
+    recording_id: int
+    repeat_of: int | None
+    target: Target
+    frame: int
+    pts: int
+    time_s: float
+    frame_crc: int
+    contact: Point
+    point: Point
+    sigma_px: float
+    pose_id: int
+    calibration_id: int
+    inset_m: float
+    u_inset_m: float
+    height_m: float | None
+    uncorrected_height_m: float | None
+    u_height_m: float | None
+    U95_height_m: float | None
+    distance_m: float | None
+    status: MeasurementStatus
+    reason: str | None
+    flags: list[str]
+    budget: list[JsonObject]
+    code_version: str
+    more_frames: tuple[FurtherFrame, ...]
+    solved_inset_m: float | None
+    u_solved_inset_m: float | None
+    created_by: Who | None
+    created_at: datetime
+    withdrawn: bool
+    review: ReviewState
+    #: Derived when read, never stored: the camera had moved on this frame.
+    drift_flag: str | None = None
+
+    @property
+    def all_flags(self) -> list[str]:
+        """What was stored, and what was found out since about the camera."""
+        return self.flags if self.drift_flag is None else [*self.flags, self.drift_flag]
+
+
+@dataclass(frozen=True, slots=True)
+class ClickSigma:
+    """A person's own click sigma in a survey, from `pairs` repeats; None: the usual one."""
+
+    id: int
+    survey_id: int
+    person: Who | None
+    sigma_px: float | None
+    pairs: int
+    created_by: Who | None
+    created_at: datetime
+
+
+@dataclass(frozen=True, slots=True)
+class Vehicle:
+    id: int
+    survey_id: int
+    recording_id: int
+    number: int
+    first_frame: int
+    last_frame: int
+    best_frame: int | None
+    make: str | None
+    model: str | None
+    year: int | None
+    category: Category | None
+    manufacturer_height_m: float | None
+    u_manufacturer_height_m: float | None
+    height_source: str | None
+    lighting: Lighting | None
+    notes: str
+    origin: VehicleOrigin
+    direction: Direction | None
+    detection: JsonObject | None
+    version: int
+    updated_by: Who | None
+    updated_at: datetime
+    deleted: bool
+    state: VehicleState
+    measurements: tuple[Measurement, ...]

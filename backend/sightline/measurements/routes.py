@@ -1,0 +1,107 @@
+"""Measurements: each click pair is stored at once; a correction is a new revision."""
+
+from typing import Annotated
+
+from fastapi import APIRouter, Query
+
+from sightline.enums import Target
+from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
+from sightline.infra.web.quantities import AtRevision
+from sightline.measurements import service, store
+from sightline.measurements.bodies import (
+    ChangedMeasurement,
+    Clicked,
+    ClickedFrame,
+    MeasurementBody,
+    NewMeasurement,
+)
+from sightline.reviews.bodies import HistoryBody
+
+router = APIRouter()
+
+
+def frames_of(more: list[ClickedFrame]) -> tuple[service.ClickedFrame, ...]:
+    return tuple(
+        service.ClickedFrame(one.frame, (one.contact[0], one.contact[1]), (one.point[0], one.point[1]))
+        for one in more
+    )
+
+
+def clicked_of(body: Clicked, target: Target) -> service.Clicked:
+    return service.Clicked(
+        target=target,
+        contact=(body.contact[0], body.contact[1]),
+        point=(body.point[0], body.point[1]),
+        sigma_px=body.sigma_px,
+        inset_m=body.inset_m,
+        u_inset_m=body.u_inset_m,
+        more_frames=frames_of(body.more_frames),
+    )
+
+
+@router.post("/vehicles/{vehicle_id}/measurements", status_code=201)
+def add_measurement(
+    vehicle_id: PathId, body: NewMeasurement, who: Operator, session: Writing
+) -> MeasurementBody:
+    """Store one height; sending the same `client_key` again gives back the one that is stored.
+
+    A height that cannot be had is stored too, with its reason. Without a road pose this is a conflict.
+    """
+    stored = service.store_measurement(
+        session,
+        vehicle_id,
+        str(body.client_key),
+        body.frame,
+        clicked_of(body, body.target),
+        repeat_of=body.repeat_of,
+        actor=who.id,
+    )
+    return MeasurementBody.model_validate(stored)
+
+
+@router.get("/measurements/{measurement_id}")
+def get_measurement(measurement_id: PathId, who: Viewer, session: Reading) -> MeasurementBody:
+    """The current revision, withdrawn or not."""
+    return MeasurementBody.model_validate(store.get_measurement(session, measurement_id))
+
+
+@router.put("/measurements/{measurement_id}")
+def revise_measurement(
+    measurement_id: PathId, body: ChangedMeasurement, who: Operator, session: Writing
+) -> MeasurementBody:
+    """A new revision; sigma and inset left out are the survey's, as while clicking.
+
+    Further frames left out are taken away: what is sent is what the revision stands on.
+    """
+    target = body.target or store.get_measurement(session, measurement_id).target
+    changed = service.store_revision(
+        session, measurement_id, body.revision, body.frame, clicked_of(body, target), actor=who.id
+    )
+    return MeasurementBody.model_validate(changed)
+
+
+@router.delete("/measurements/{measurement_id}")
+def withdraw_measurement(
+    measurement_id: PathId,
+    revision: Annotated[int, Query(ge=1, le=2**31 - 1, description="The revision that you saw.")],
+    who: Operator,
+    session: Writing,
+) -> MeasurementBody:
+    """A new revision that takes the measurement out of lists and counts; nothing is erased."""
+    gone = store.withdraw_measurement(session, measurement_id, seen_revision=revision, actor=who.id)
+    return MeasurementBody.model_validate(gone)
+
+
+@router.post("/measurements/{measurement_id}/restore")
+def restore_measurement(
+    measurement_id: PathId, body: AtRevision, who: Operator, session: Writing
+) -> MeasurementBody:
+    """A new revision that brings a withdrawn measurement back."""
+    back = store.restore_measurement(session, measurement_id, seen_revision=body.revision, actor=who.id)
+    return MeasurementBody.model_validate(back)
+
+
+@router.get("/measurements/{measurement_id}/history")
+def measurement_history(measurement_id: PathId, who: Viewer, session: Reading) -> HistoryBody:
+    """Every revision and every verdict, oldest first."""
+    return HistoryBody.model_validate(store.measurement_revisions(session, measurement_id))

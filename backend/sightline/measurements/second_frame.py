@@ -1,0 +1,344 @@
+"""Which second frame would say most of a height, and where its two points are to be looked for there.
+
+How far the vehicle has come on each frame is seen by following it through its pass; where it cannot be
+followed, another measurement of it on two frames gives its speed, and failing that the speeds of usual
+traffic are assumed, and said to be. Nothing here is stored: the operator clicks both points.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+import numpy.typing as npt
+from sqlalchemy.orm import Session
+
+from sightline.errors import BadInput
+from sightline.geometry.follow import textured
+from sightline.geometry.gain import second_frame_gain
+from sightline.geometry.height import COVERAGE_95, measure_height
+from sightline.geometry.road import road_point
+from sightline.geometry.road_pose import RoadPose
+from sightline.geometry.travel import Chase, body_of, further_gain
+from sightline.infra.services import Services
+from sightline.measurements.click_context_query import click_context
+from sightline.measurements.height_of_clicks import Clicks, measured_frames
+from sightline.measurements.records import Measurement, Vehicle
+from sightline.measurements.service import Clicked, Point, filled_in, pose_in_force
+from sightline.recordings.frames.stills import OpenRecording
+from sightline.vehicles.store import get_vehicle
+
+Source = Literal["followed", "measured", "assumed"]
+
+# Following is for a proposal that is waited for: what is not seen by then goes on at the speed found.
+PATIENCE_S = 0.25
+ASSUMED_KMH = (30.0, 50.0, 80.0)
+_MOST_FRAMES = 60
+_MOST_SPOTS = 24
+_LEAST_LOOKS = 3  # frames that are followed however long it takes
+_EDGE_SHARE = 0.02  # points this close to the border are hard to click
+_WORTH = 0.95  # a second frame that leaves more of the uncertainty than this helps nobody
+_AS_GOOD = 1.03  # of frames this much alike, the one with the shorter way is the safer
+
+
+@dataclass(frozen=True)
+class Spot:
+    """Where both points are expected on one frame, and what clicking them there would give."""
+
+    frame: int
+    travel_m: float
+    contact: Point
+    point: Point
+    u_height_m: float
+    U95_height_m: float
+    u_solved_inset_m: float
+    assumed_kmh: float | None = None
+
+
+@dataclass(frozen=True)
+class Proposal:
+    """The frame proposed, or why none would help; `spots` are all frames that could be used, by number."""
+
+    ok: bool
+    reason: str | None
+    frame: int | None
+    source: Source | None
+    words: str
+    u_now_m: float | None
+    U95_now_m: float | None
+    u_then_m: float | None
+    U95_then_m: float | None
+    u_solved_inset_m: float | None
+    spots: tuple[Spot, ...] = ()
+
+
+@dataclass(frozen=True)
+class Travels:
+    """How far the vehicle has come, m, on frames of its pass; `kmh` where the speed is assumed."""
+
+    by_frame: dict[int, float]
+    source: Source
+    kmh: float | None = None
+
+
+def proposal(
+    services: Services,
+    session: Session,
+    recording_id: int,
+    n: int,
+    clicked: Clicked,
+    *,
+    vehicle_id: int,
+    actor: int | None,
+) -> Proposal:
+    """The frame that would gain most beside those clicked, of the vehicle's pass.
+
+    Raises NotFound, Conflict without a road pose, BadInput for a vehicle of another recording.
+    """
+    context = click_context(session, recording_id, actor)
+    pose, _, _ = pose_in_force(session, context)
+    clicks = filled_in(clicked, context)
+    vehicle = get_vehicle(session, vehicle_id)
+    if vehicle.recording_id != recording_id:
+        raise BadInput("The vehicle is not of this recording; choose one of its passes.")
+    u_now, reason = _now(pose, clicks)
+    if u_now is None:
+        return refused(reason or "There is no height yet; click contact and target first.")
+    opened = services.stills.open(recording_id)
+    taken = {n, *(one.frame for one in clicked.more_frames)}
+    span = _span(vehicle, n, len(opened.media))
+    known = _known_travels(services, opened, pose, clicks, clicked, vehicle, n, span)
+    spots = [
+        spot
+        for travels in known
+        for frame, travel in _in_sight(pose, clicks, travels.by_frame, taken)
+        if (spot := _spot(pose, clicks, frame, travel, travels.kmh)) is not None
+    ]
+    return _chosen(u_now, known[0].source, sorted(spots, key=lambda spot: spot.frame), len(span) > len(taken))
+
+
+def refused(reason: str, u_now_m: float | None = None) -> Proposal:
+    """No frame, and why."""
+    U95 = None if u_now_m is None else COVERAGE_95 * u_now_m
+    return Proposal(False, reason, None, None, "", u_now_m, U95, None, None, None)
+
+
+def _now(pose: RoadPose, clicks: Clicks) -> tuple[float | None, str | None]:
+    """The uncertainty of what is clicked so far, or why there is none."""
+    if clicks.more:
+        height = measured_frames(pose, clicks).height
+    else:
+        height = measure_height(
+            pose, clicks.contact, clicks.point, clicks.sigma_px, clicks.inset_m, clicks.u_inset_m
+        )
+    return height.u_height_m, height.reason
+
+
+def _span(vehicle: Vehicle, n: int, frames: int) -> range:
+    """The frames of the pass round the one clicked, as many as are worth looking at."""
+    first = max(min(vehicle.first_frame, n), n - _MOST_FRAMES, 0)
+    last = min(max(vehicle.last_frame, n), n + _MOST_FRAMES, frames - 1)
+    return range(first, last + 1)
+
+
+def _known_travels(
+    services: Services,
+    opened: OpenRecording,
+    pose: RoadPose,
+    clicks: Clicks,
+    clicked: Clicked,
+    vehicle: Vehicle,
+    n: int,
+    span: range,
+) -> list[Travels]:
+    """The best that is known of the vehicle's travel: one answer, or one for each speed assumed."""
+    times = opened.time_s
+    own = [(n, clicked.contact), *((one.frame, one.contact) for one in clicked.more_frames)]
+    speed = _speed(pose, times, own)
+    if speed is None:
+        seen = follow(services, opened, pose, clicks, n, span)
+        if seen:
+            return [Travels(seen, "followed")]
+        others = (_clicked_on(one) for one in vehicle.measurements if one.more_frames)
+        speed = next((v for other in others if (v := _speed(pose, times, other)) is not None), None)
+    if speed is not None:
+        return [Travels(_at_speed(times, n, span, speed), "measured")]
+    signs = (
+        (-1.0,) if vehicle.direction == "left" else (1.0,) if vehicle.direction == "right" else (1.0, -1.0)
+    )
+    speeds = ASSUMED_KMH if len(signs) == 1 else ASSUMED_KMH[1:2]
+    return [
+        Travels(_at_speed(times, n, span, sign * kmh / 3.6), "assumed", kmh)
+        for sign in signs
+        for kmh in speeds
+    ]
+
+
+def _clicked_on(one: Measurement) -> list[tuple[int, Point]]:
+    return [(one.frame, one.contact), *((other.frame, other.contact) for other in one.more_frames)]
+
+
+def _speed(
+    pose: RoadPose, times: npt.NDArray[np.float64], clicked_on: Sequence[tuple[int, Point]]
+) -> float | None:
+    """Along the road's X, from the contacts on the first and the last frame; None where one says nothing."""
+    (n, first), (m, last) = min(clicked_on), max(clicked_on)
+    a, b = road_point(pose, first), road_point(pose, last)
+    if n == m or isinstance(a, str) or isinstance(b, str) or times[m] <= times[n]:
+        return None
+    return float((b[0] - a[0]) / (times[m] - times[n]))
+
+
+def _at_speed(times: npt.NDArray[np.float64], n: int, span: range, speed_mps: float) -> dict[int, float]:
+    return {frame: speed_mps * float(times[frame] - times[n]) for frame in span if frame != n}
+
+
+def follow(
+    services: Services, opened: OpenRecording, pose: RoadPose, clicks: Clicks, n: int, span: range
+) -> dict[int, float]:
+    """How far the vehicle has come on each frame of the span, seen in the pictures; empty where not seen.
+
+    Frames that could not be looked at in time, or on which it was lost, go on at the speed seen last.
+    """
+    recording_id = opened.recording.id
+    until = time.monotonic() + PATIENCE_S
+    gray = services.stills.gray(recording_id, n)
+    spots = textured(gray, _box(clicks, gray.shape))
+    body = body_of(pose, clicks.contact, clicks.point, clicks.inset_m, spots)
+    if isinstance(body, str) or len(body.points_m) < 5:
+        return {}
+    pixels = np.concatenate([[clicks.contact, clicks.point], spots])
+    found: dict[int, float] = {}
+    speed: float | None = None
+    for way in _ways(n, span):
+        chase, before = Chase(pose, body, pixels, gray, speed), n
+        for frame in way:
+            dt_s = float(opened.time_s[frame] - opened.time_s[before])
+            travel = None
+            if time.monotonic() < until or len(found) < _LEAST_LOOKS:
+                travel = chase.step(services.stills.gray(recording_id, frame), dt_s)
+            if travel is None:
+                break
+            found[frame], before, speed = travel, frame, chase.speed_mps
+    return _completed(found, opened.time_s, n, span)
+
+
+def _ways(n: int, span: range) -> Iterator[range]:
+    """From the frame clicked on to both ends of the span, the longer way first: it shows the speed best."""
+    ways = [range(n + 1, span.stop), range(n - 1, span.start - 1, -1)]
+    yield from sorted(ways, key=len, reverse=True)
+
+
+def _completed(
+    found: dict[int, float], times: npt.NDArray[np.float64], n: int, span: range
+) -> dict[int, float]:
+    """The frames in between and beyond, at the speed of what was seen."""
+    if not found:
+        return {}
+    known = sorted({n: 0.0, **found}.items())
+    t = np.array([times[frame] for frame, _ in known])
+    x = np.array([travel for _, travel in known])
+    speed = float((x[-1] - x[0]) / (t[-1] - t[0]))
+    out = {}
+    for frame in span:
+        at = float(times[frame])
+        inside = float(np.interp(at, t, x))
+        beyond = at - float(np.clip(at, t[0], t[-1]))
+        if frame != n:
+            out[frame] = inside + speed * beyond
+    return out
+
+
+def _box(clicks: Clicks, shape: tuple[int, ...]) -> tuple[float, float, float, float]:
+    """Where the vehicle's side is, round contact and target: left, top, right, bottom."""
+    (cx, cy), (tx, ty) = clicks.contact, clicks.point
+    tall = max(abs(cy - ty), 0.05 * shape[0])
+    return (
+        min(cx, tx) - 0.6 * tall,
+        min(cy, ty) + 0.15 * tall,
+        max(cx, tx) + 0.6 * tall,
+        max(cy, ty) - 0.12 * tall,
+    )
+
+
+def _in_sight(
+    pose: RoadPose, clicks: Clicks, travels: dict[int, float], taken: set[int]
+) -> list[tuple[int, float]]:
+    """(frame, travel) of frames that may show both points: a first look, without any uncertainty."""
+    body = body_of(pose, clicks.contact, clicks.point, clicks.inset_m, np.empty((0, 2)))
+    if isinstance(body, str):
+        return []
+    out = []
+    for frame, travel in travels.items():
+        there = body.pixels(pose, travel)
+        if frame not in taken and np.isfinite(there).all() and pose.camera.inside(there).all():
+            out.append((frame, travel))
+    # enough to choose from, spread over the way
+    return out[:: max(1, -(-len(out) // _MOST_SPOTS))]
+
+
+def _spot(pose: RoadPose, clicks: Clicks, frame: int, travel_m: float, kmh: float | None) -> Spot | None:
+    """The points on that frame and what they would give; None where it does not show them both well."""
+    if clicks.more:
+        contacts = np.array([clicks.contact, *(contact for contact, _ in clicks.more)])
+        targets = np.array([clicks.point, *(point for _, point in clicks.more)])
+        further = further_gain(pose, contacts, targets, travel_m, clicks.sigma_px)
+        if further is None:
+            return None
+        contact, point = further.contact_px, further.target_px
+        u, u_inset = further.u_height_m, further.u_inset_m
+    else:
+        gain = second_frame_gain(
+            pose, clicks.contact, clicks.point, travel_m, clicks.sigma_px, clicks.inset_m, clicks.u_inset_m
+        )
+        if gain is None:
+            return None
+        contact, point, u, u_inset = gain.contact_px, gain.target_px, gain.u_double_m, gain.u_inset_m
+    edge = _EDGE_SHARE * pose.camera.width_px
+    for x, y in (contact, point):
+        if not (
+            edge <= x <= pose.camera.width_px - 1 - edge and edge <= y <= pose.camera.height_px - 1 - edge
+        ):
+            return None
+    return Spot(frame, travel_m, contact, point, u, COVERAGE_95 * u, u_inset, kmh)
+
+
+def _chosen(u_now: float, source: Source, spots: list[Spot], more_frames: bool) -> Proposal:
+    """The best of the frames, and in words what it rests on."""
+    if not more_frames:
+        return refused("The pass has no other frame; widen it by its first or last frame.", u_now)
+    if not spots:
+        return refused(
+            "On no other frame of the pass are both points in the picture; one frame it is.", u_now
+        )
+    usual = [spot for spot in spots if spot.assumed_kmh in (None, ASSUMED_KMH[1])] or spots
+    least = min(spot.u_height_m for spot in usual)
+    best = min(
+        (spot for spot in usual if spot.u_height_m <= _AS_GOOD * least), key=lambda spot: abs(spot.travel_m)
+    )
+    if best.u_height_m > _WORTH * u_now:
+        now, then = (1000 * COVERAGE_95 * u for u in (u_now, best.u_height_m))
+        return refused(f"Another frame would not help here: {now:.0f} mm now, {then:.0f} mm with it.", u_now)
+    return Proposal(
+        True,
+        None,
+        best.frame,
+        source,
+        _WORDS[source],
+        u_now,
+        COVERAGE_95 * u_now,
+        best.u_height_m,
+        best.U95_height_m,
+        best.u_solved_inset_m,
+        tuple(spots),
+    )
+
+
+_WORDS: dict[Source, str] = {
+    "followed": "The vehicle was followed through its pass.",
+    "measured": "Its speed is that of the points clicked on two frames.",
+    "assumed": "The vehicle could not be followed; its speed is an assumption, so look for it.",
+}

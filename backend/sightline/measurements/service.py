@@ -1,0 +1,238 @@
+"""Measurements: from clicks on a stored recording to a stored height, and what is shown before the click.
+
+The preview and the stored number come from the same function (`answering.answer`) with the same pose, sigma
+and inset, so for the same points they are the same number.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any, cast
+from weakref import WeakKeyDictionary
+
+from sqlalchemy.orm import Session
+
+from sightline.enums import MeasurementStatus, Target
+from sightline.errors import BadInput, Conflict
+from sightline.geometry.road_pose import RoadPose
+from sightline.infra.version import code_version
+from sightline.measurements.click_context_query import ClickContext, click_context
+from sightline.measurements.height_of_clicks import (
+    Answer,
+    Clicks,
+    PoseShelf,
+    Ruler,
+    answer,
+    clicks_of,
+    inset_for,
+    ruler,
+)
+from sightline.measurements.records import FurtherFrame, Measurement, MeasurementValues
+from sightline.measurements.store import (
+    add_measurement,
+    get_measurement,
+    require_measurement_revision,
+    revise_measurement,
+)
+from sightline.poses.store import get_pose
+from sightline.recordings.frames.store import get_frame
+from sightline.vehicles.store import get_vehicle
+
+Point = tuple[float, float]
+
+# One shelf a database: pose 1 of one is not pose 1 of another.
+_shelves: WeakKeyDictionary[Any, PoseShelf] = WeakKeyDictionary()
+
+
+@dataclass(frozen=True)
+class ClickedFrame:
+    """The same two points of the vehicle on a further frame of its pass."""
+
+    frame: int
+    contact: Point
+    point: Point
+
+
+@dataclass(frozen=True)
+class Clicked:
+    """What a person clicked; None is filled in: their own sigma (else 1 px), the survey's inset."""
+
+    target: Target
+    contact: Point
+    point: Point
+    sigma_px: float | None = None
+    inset_m: float | None = None
+    u_inset_m: float | None = None
+    more_frames: tuple[ClickedFrame, ...] = ()
+
+
+def road_pose(session: Session, pose_id: int) -> RoadPose:
+    """A stored road pose, parsed once. Raises NotFound."""
+    shelf = _shelves.setdefault(session.get_bind(), PoseShelf())
+    return shelf.get(pose_id) or shelf.put(pose_id, get_pose(session, pose_id).document)
+
+
+def height_at(session: Session, recording_id: int, clicked: Clicked, *, actor: int | None = None) -> Answer:
+    """The height that these clicks of `actor` would be stored with. Raises Conflict without a road pose."""
+    context = click_context(session, recording_id, actor)
+    pose, _, _ = pose_in_force(session, context)
+    return answer(pose, filled_in(clicked, context))
+
+
+def ruler_at(
+    session: Session, recording_id: int, contact: Point, target: Target, inset_m: float | None
+) -> Ruler:
+    """Axes and ladder through a contact click. Raises Conflict without a road pose."""
+    context = click_context(session, recording_id, None)
+    pose, _, _ = pose_in_force(session, context)
+    usual = inset_for(target, context.insets).inset_m
+    return ruler(pose, contact, usual if inset_m is None else inset_m)
+
+
+def store_measurement(
+    session: Session,
+    vehicle_id: int,
+    client_key: str,
+    frame: int,
+    clicked: Clicked,
+    *,
+    repeat_of: int | None = None,
+    actor: int,
+) -> Measurement:
+    """Measure and store; the same `client_key` again gives back what was stored the first time.
+
+    `repeat_of`: the measurement that these clicks repeat; its inset is theirs unless they bring one, so that
+    the heights differ by the clicks alone. Raises NotFound, Conflict without a road pose, BadInput for a
+    frame outside the recording or a repeat of another target's or vehicle's.
+    """
+    vehicle = get_vehicle(session, vehicle_id)
+    if repeat_of is not None and clicked.inset_m is None:
+        first = get_measurement(session, repeat_of)
+        clicked = replace(clicked, inset_m=first.inset_m, u_inset_m=first.u_inset_m)
+    values = values_at(session, vehicle.recording_id, frame, clicked, actor=actor)
+    return add_measurement(
+        session, vehicle_id, client_key=client_key, values=values, repeat_of=repeat_of, actor=actor
+    )
+
+
+def store_revision(
+    session: Session, series_id: int, revision: int, frame: int, clicked: Clicked, *, actor: int
+) -> Measurement:
+    """Measure again and store a new revision. Raises Conflict if `revision` is not the current one."""
+    before = require_measurement_revision(session, series_id, revision)
+    values = values_at(session, before.recording_id, frame, clicked, actor=actor)
+    return revise_measurement(session, series_id, seen_revision=revision, values=values, actor=actor)
+
+
+def values_at(
+    session: Session, recording_id: int, n: int, clicked: Clicked, *, actor: int | None
+) -> MeasurementValues:
+    """Everything that is stored of a measurement, so that anybody can compute it again."""
+    context = click_context(session, recording_id, actor)
+    pose, pose_id, calibration_id = pose_in_force(session, context)
+    clicks = filled_in(clicked, context)
+    _check_frames(n, clicked.more_frames)
+    found = answer(pose, clicks)
+    frame = get_frame(session, recording_id, n)
+    return MeasurementValues(
+        target=clicks.target,
+        frame=n,
+        pts=frame.pts,
+        time_s=frame.time_s,
+        frame_crc=frame.crc32,
+        contact=clicks.contact,
+        point=clicks.point,
+        sigma_px=clicks.sigma_px,
+        pose_id=pose_id,
+        calibration_id=calibration_id,
+        inset_m=clicks.inset_m,
+        u_inset_m=clicks.u_inset_m,
+        height_m=found.height_m,
+        uncorrected_height_m=found.uncorrected_height_m,
+        u_height_m=found.u_height_m,
+        U95_height_m=found.U95_height_m,
+        distance_m=found.distance_m,
+        status=cast(MeasurementStatus, found.status),
+        reason=found.reason,
+        flags=found.flags,
+        budget=found.budget,
+        code_version=code_version(),
+        more_frames=tuple(_further(session, recording_id, one) for one in clicked.more_frames),
+        solved_inset_m=found.solved_inset_m,
+        u_solved_inset_m=found.u_solved_inset_m,
+    )
+
+
+def _further(session: Session, recording_id: int, one: ClickedFrame) -> FurtherFrame:
+    frame = get_frame(session, recording_id, one.frame)
+    return FurtherFrame(one.frame, frame.pts, frame.time_s, frame.crc32, one.contact, one.point)
+
+
+def _check_frames(n: int, more: tuple[ClickedFrame, ...]) -> None:
+    """Raises BadInput where a frame is there twice: the vehicle has not moved between a frame and itself."""
+    numbers = [n, *(one.frame for one in more)]
+    twice = next((number for number in numbers if numbers.count(number) > 1), None)
+    if twice is not None:
+        raise BadInput(f"Frame {twice} is clicked twice; click the two points on another frame of the pass.")
+
+
+def filled_in(clicked: Clicked, context: ClickContext) -> Clicks:
+    """The clicks with sigma and inset; what was left out comes from the person's repeats and the survey."""
+    _check_point("contact", clicked.contact)
+    _check_point("target", clicked.point)
+    for one in clicked.more_frames:
+        _check_point(f"contact (frame {one.frame})", one.contact)
+        _check_point(f"target (frame {one.frame})", one.point)
+    return clicks_of(
+        clicked.target,
+        clicked.contact,
+        clicked.point,
+        context.insets,
+        sigma_px=context.own_sigma_px if clicked.sigma_px is None else clicked.sigma_px,
+        inset_m=clicked.inset_m,
+        u_inset_m=clicked.u_inset_m,
+        more=tuple((one.contact, one.point) for one in clicked.more_frames),
+    )
+
+
+def _check_point(word: str, point: Point) -> None:
+    """Far outside any picture a number is a slip, not a click."""
+    if not all(abs(value) < 1e6 for value in point):
+        raise BadInput(f"The {word} point {point[0]:g}, {point[1]:g} is not in any picture; click again.")
+
+
+def pose_in_force(session: Session, context: ClickContext) -> tuple[RoadPose, int, int]:
+    """(pose, pose id, calibration id) of the recording.
+
+    Raises Conflict with what to do where it has none, or one for pictures of another size: then every click
+    would be a wrong number that looks right.
+    """
+    if context.pose_id is None or context.calibration_id is None:
+        raise Conflict(
+            f"{context.name} has no road pose yet; make or choose one on the road pose page first."
+        )
+    pose = road_pose(session, context.pose_id)
+    size_px = (pose.camera.width_px, pose.camera.height_px)
+    if None not in context.size_px and context.size_px != size_px:
+        raise Conflict(
+            f"The road pose of {context.name} is for pictures of {size_px[0]} x {size_px[1]} px, not for its "
+            "own size; make or choose another one on the road pose page."
+        )
+    return pose, context.pose_id, context.calibration_id
+
+
+def as_clicked(one: Measurement, n: int, contact: Point, point: Point) -> Clicked:
+    """Other points on frame n with everything else as in a stored revision.
+
+    On another frame the further frames fall away: they were clicked to go with the frame before.
+    """
+    more = tuple(ClickedFrame(other.frame, other.contact, other.point) for other in one.more_frames)
+    return Clicked(
+        one.target,
+        contact,
+        point,
+        one.sigma_px,
+        one.inset_m,
+        one.u_inset_m,
+        more if n == one.frame else (),
+    )

@@ -1,0 +1,82 @@
+"""Vehicle records of a survey."""
+
+from typing import Annotated, cast
+
+from fastapi import APIRouter, Query
+
+from sightline.infra.web.bodies import Id
+from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
+from sightline.measurements.bodies import VehicleBody
+from sightline.surveys.store import get_survey
+from sightline.vehicles import service, store
+from sightline.vehicles.bodies import ChangedVehicle, NewVehicle, VehicleFields
+from sightline.vehicles.records import VehicleChanges
+from sightline.vehicles.service import Overtaken
+
+router = APIRouter()
+
+
+def changes_of(body: VehicleFields) -> VehicleChanges:
+    """What the body says; keys left out stay as they are, null clears."""
+    given = body.model_dump(exclude_unset=True, exclude={"version"})
+    for needed, empty in (("first_frame", None), ("last_frame", None), ("notes", "")):
+        if needed in given and given[needed] is None:
+            given.pop(needed) if empty is None else given.update({needed: empty})
+    return cast(VehicleChanges, given)
+
+
+@router.get("/surveys/{survey_id}/vehicles")
+def list_vehicles(
+    survey_id: PathId,
+    who: Viewer,
+    session: Reading,
+    recording_id: Annotated[Id | None, Query(description="Only the passes of this recording.")] = None,
+) -> list[VehicleBody]:
+    """The vehicles of a survey by number, with their standing measurements."""
+    get_survey(session, survey_id)
+    found = store.list_vehicles(session, survey_id, recording_id=recording_id)
+    return [VehicleBody.model_validate(one) for one in found]
+
+
+@router.post("/recordings/{recording_id}/vehicles", status_code=201)
+def add_vehicle(recording_id: PathId, body: NewVehicle, who: Operator, session: Writing) -> VehicleBody:
+    """A pass in a recording; its number counts up in the survey."""
+    return VehicleBody.model_validate(
+        store.create_vehicle(session, recording_id, changes_of(body), actor=who.id)
+    )
+
+
+@router.get("/vehicles/{vehicle_id}")
+def get_vehicle(vehicle_id: PathId, who: Viewer, session: Reading) -> VehicleBody:
+    """One vehicle with its standing measurements."""
+    return VehicleBody.model_validate(store.get_vehicle(session, vehicle_id))
+
+
+@router.put("/vehicles/{vehicle_id}")
+def change_vehicle(vehicle_id: PathId, body: ChangedVehicle, who: Operator, session: Writing) -> VehicleBody:
+    """Change a record. If somebody was quicker, the conflict says who and when and carries the record."""
+    try:
+        changed = service.change_vehicle(
+            session, vehicle_id, changes_of(body), version=body.version, actor=who.id
+        )
+    except Overtaken as error:
+        error.current = VehicleBody.model_validate(error.current).model_dump(mode="json")
+        raise
+    return VehicleBody.model_validate(changed)
+
+
+@router.delete("/vehicles/{vehicle_id}", status_code=204)
+def remove_vehicle(
+    vehicle_id: PathId,
+    who: Operator,
+    session: Writing,
+    version: Annotated[int | None, Query(ge=1, le=2**31 - 1)] = None,
+) -> None:
+    """Take a record out of all lists; nothing of it is erased."""
+    store.remove_vehicle(session, vehicle_id, version=version, actor=who.id)
+
+
+@router.post("/vehicles/{vehicle_id}/restore")
+def restore_vehicle(vehicle_id: PathId, who: Operator, session: Writing) -> VehicleBody:
+    """Bring a record back that was taken out."""
+    return VehicleBody.model_validate(store.restore_vehicle(session, vehicle_id, actor=who.id))

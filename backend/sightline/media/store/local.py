@@ -1,0 +1,194 @@
+"""Where media files are kept: a local folder or S3-compatible storage, behind one small interface."""
+
+from __future__ import annotations
+
+import errno
+import hashlib
+import os
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from typing import BinaryIO, Protocol
+from urllib.parse import urlsplit
+from urllib.request import url2pathname
+from uuid import uuid4
+
+from sightline.errors import BadInput, NoRoom, NotFound
+
+CHUNK_BYTES = 1 << 20
+RESERVE_BYTES = 64 << 20
+
+
+class MediaStore(Protocol):
+    """Files by key; keys are made by `key_of`, so the same content has the same key and is stored once."""
+
+    def put_file(self, key: str, path: Path, *, link: bool = False) -> None:
+        """Store the file's content; nothing is written if the key is there. Raises NoRoom.
+
+        With `link` the store may share the bytes on disk with the given file instead of copying them: no time
+        and no room are needed, but the given file must never be changed in place (deleting it is fine).
+        """
+
+    def local_path(self, key: str) -> Path:
+        """A local file with the content, for reading only. Raises NotFound, NoRoom."""
+
+    def exists(self, key: str) -> bool: ...
+
+    def delete(self, key: str) -> None:
+        """Remove the file; nothing happens if it is not there."""
+
+    def open(self, key: str) -> BinaryIO:
+        """The content from its start, for reading; the caller closes it. Raises NotFound."""
+
+    def free_bytes(self) -> int | None:
+        """Room that is left, None if the store does not know a bound."""
+
+
+def open_store(media_url: str, cache_dir: Path | None = None, cache_bytes: int = 20 << 30) -> MediaStore:
+    """The store that an address names: a folder (path or file:///path) or s3://bucket/prefix.
+
+    S3: `?endpoint=https://host:port&region=name` choose another server than Amazon's; credentials come from
+    the usual AWS_ variables or files. `cache_dir` is needed for S3 and holds at most `cache_bytes`.
+    Raises BadInput.
+    """
+    parts = urlsplit(media_url)
+    if parts.scheme == "s3":
+        from sightline.media.store.s3 import S3Store
+
+        if cache_dir is None:
+            raise BadInput("Storage on S3 needs a local cache folder; name one beside the media address.")
+        return S3Store(media_url, cache_dir, cache_bytes)
+    if parts.scheme == "file":
+        return LocalStore(Path(url2pathname(parts.path)))
+    if "://" in media_url or not media_url:
+        raise BadInput(f"{media_url!r} is no media address; use a folder, file:///folder or s3://bucket.")
+    return LocalStore(Path(media_url))
+
+
+def key_of(sha256: str, suffix: str = "") -> str:
+    """The key of content by its SHA-256 (hex): two levels of folders, the hash, a suffix like ".mp4"."""
+    return f"{sha256[:2]}/{sha256[2:4]}/{sha256}{suffix}"
+
+
+def sha256_of(path: Path) -> str:
+    """SHA-256 of a file's content in hex, read in pieces."""
+    with path.open("rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+def check_room(folder: Path, size: int, what: str = "this file") -> None:
+    """Raise NoRoom, before anything is written, if `size` more bytes would use up the disk's reserve."""
+    free = shutil.disk_usage(folder).free
+    if size + RESERVE_BYTES > free:
+        raise NoRoom(
+            f"There is no room for {what} ({_mb(size)} needed, {_mb(max(0, free - RESERVE_BYTES))} free); "
+            "delete recordings that are no longer needed or add disk space, then try again."
+        )
+
+
+@contextmanager
+def no_room_told(what: str = "this file") -> Iterator[None]:
+    """Turn the system's "no space left" and "quota exceeded" into NoRoom."""
+    try:
+        yield
+    except OSError as error:
+        if error.errno not in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG):
+            raise
+        raise NoRoom(
+            f"The disk is full, {what} was not stored; delete recordings that are no longer needed or add "
+            "disk space, then try again."
+        ) from error
+
+
+def _mb(size: int) -> str:
+    return f"{size / 1e6:.0f} MB"
+
+
+class LocalStore:
+    """A folder. Files appear whole (written aside, synced, renamed) or not at all."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder.resolve()
+        self._folder.mkdir(parents=True, exist_ok=True)
+
+    def put_file(self, key: str, path: Path, *, link: bool = False) -> None:
+        target = self._path(key)
+        if target.exists() or (link and link_whole(path, target)):
+            return
+        check_room(self._folder, path.stat().st_size)
+        with no_room_told():
+            copy_whole(path, target)
+
+    def local_path(self, key: str) -> Path:
+        path = self._path(key)
+        if not path.is_file():
+            raise NotFound(f"The media file {key} is missing from the store; restore it from a backup.")
+        return path
+
+    def exists(self, key: str) -> bool:
+        return self._path(key).is_file()
+
+    def delete(self, key: str) -> None:
+        self._path(key).unlink(missing_ok=True)
+
+    def open(self, key: str) -> BinaryIO:
+        return self.local_path(key).open("rb")
+
+    def free_bytes(self) -> int | None:
+        return max(0, shutil.disk_usage(self._folder).free - RESERVE_BYTES)
+
+    def _path(self, key: str) -> Path:
+        return safe_path(self._folder, key)
+
+
+def safe_path(folder: Path, key: str) -> Path:
+    """The key as a path inside `folder`. Raises NotFound for one that would lead out of it."""
+    parts = key.split("/")
+    if not key or any(part in ("", ".", "..") or "\\" in part or "\x00" in part for part in parts):
+        raise NotFound(f"There is no media file {key!r}.")
+    return folder.joinpath(*parts)
+
+
+def copy_whole(source: Path, target: Path) -> None:
+    """Copy a file so that `target` is whole on disk or not there; a killed copy leaves only a .part."""
+    target.parent.mkdir(parents=True, exist_ok=True)
+    part = target.with_name(f".{uuid4().hex}.part")
+    try:
+        with source.open("rb") as read, part.open("xb") as write:
+            shutil.copyfileobj(read, write, CHUNK_BYTES)
+            write.flush()
+            os.fsync(write.fileno())
+        os.replace(part, target)
+        sync_folder(target.parent)
+    finally:
+        with suppress(OSError):
+            part.unlink()
+
+
+def link_whole(source: Path, target: Path) -> bool:
+    """Give the file a second name, whole or not at all; False where disks or file system say no."""
+    target.parent.mkdir(parents=True, exist_ok=True)
+    part = target.with_name(f".{uuid4().hex}.part")
+    with source.open("rb") as file:
+        os.fsync(file.fileno())
+    try:
+        os.link(source, part)
+    except OSError:
+        return False
+    try:
+        os.replace(part, target)
+        sync_folder(target.parent)
+    finally:
+        with suppress(OSError):
+            part.unlink()
+    return True
+
+
+def sync_folder(folder: Path) -> None:
+    """Make a rename in `folder` survive a power cut."""
+    handle = os.open(folder, os.O_RDONLY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)

@@ -1,0 +1,154 @@
+"""Media in S3-compatible storage, with a local cache bounded in bytes for what needs a file."""
+
+from __future__ import annotations
+
+import os
+import threading
+from contextlib import suppress
+from pathlib import Path
+from typing import Any, BinaryIO, cast
+from urllib.parse import parse_qs, urlsplit
+from uuid import uuid4
+
+import boto3
+from botocore.config import Config
+from botocore.exceptions import BotoCoreError, ClientError
+
+from sightline.errors import BadInput, NotFound, SightlineError
+from sightline.media.store.local import check_room, no_room_told, safe_path
+
+
+class S3Store:
+    """s3://bucket/prefix?endpoint=https://host:port&region=name; the bucket is made if it is not there.
+
+    Uploads above 8 MB go in parts; S3 shows an object whole or not at all. `local_path` fetches into
+    `cache_dir`, from which the least recently used files go when the bound is passed.
+    """
+
+    def __init__(self, url: str, cache_dir: Path, cache_bytes: int) -> None:
+        parts = urlsplit(url)
+        query = parse_qs(parts.query)
+        if not parts.netloc:
+            raise BadInput(f"{url!r} names no bucket; write s3://bucket/prefix.")
+        self._bucket = parts.netloc
+        self._prefix = parts.path.strip("/")
+        self._cache = cache_dir
+        self._cache_bytes = cache_bytes
+        self._lock = threading.Lock()
+        cache_dir.mkdir(parents=True, exist_ok=True)
+        config = Config(retries={"max_attempts": 4}, connect_timeout=5, read_timeout=60)
+        self._client: Any = boto3.client(
+            "s3",
+            endpoint_url=query.get("endpoint", [None])[0],
+            region_name=query.get("region", [os.environ.get("AWS_DEFAULT_REGION", "us-east-1")])[0],
+            config=config,
+        )
+        self._make_bucket()
+
+    def put_file(self, key: str, path: Path, *, link: bool = False) -> None:
+        if self.exists(key):
+            return
+        with _told(key):
+            self._client.upload_file(str(path), self._bucket, self._name(key))
+
+    def local_path(self, key: str) -> Path:
+        path = safe_path(self._cache, key)
+        with self._lock:
+            if path.is_file():
+                os.utime(path)
+                return path
+            size = self._size(key)
+            if size is None:
+                raise NotFound(f"The media file {key} is missing from the store; restore it from a backup.")
+            self._evict(keep_free=size)
+            check_room(self._cache, size, f"a local copy of {key}")
+            with _told(key), no_room_told(f"a local copy of {key}"):
+                self._fetch(key, path)
+            return path
+
+    def exists(self, key: str) -> bool:
+        return self._size(key) is not None
+
+    def delete(self, key: str) -> None:
+        safe_path(self._cache, key).unlink(missing_ok=True)
+        with _told(key):
+            self._client.delete_object(Bucket=self._bucket, Key=self._name(key))
+
+    def open(self, key: str) -> BinaryIO:
+        try:
+            return cast(BinaryIO, self._client.get_object(Bucket=self._bucket, Key=self._name(key))["Body"])
+        except ClientError as error:
+            if _code(error) in ("NoSuchKey", "404"):
+                raise NotFound(f"The media file {key} is missing from the store.") from error
+            raise _failed(key, error) from error
+        except BotoCoreError as error:
+            raise _failed(key, error) from error
+
+    def free_bytes(self) -> int | None:
+        return None
+
+    def _name(self, key: str) -> str:
+        return f"{self._prefix}/{key}" if self._prefix else key
+
+    def _make_bucket(self) -> None:
+        with _told(self._bucket):
+            try:
+                self._client.head_bucket(Bucket=self._bucket)
+            except ClientError as error:
+                if _code(error) not in ("404", "NoSuchBucket"):
+                    raise
+                self._client.create_bucket(Bucket=self._bucket)
+
+    def _size(self, key: str) -> int | None:
+        with _told(key):
+            try:
+                head = self._client.head_object(Bucket=self._bucket, Key=self._name(key))
+            except ClientError as error:
+                if _code(error) in ("404", "NoSuchKey"):
+                    return None
+                raise
+            return int(head["ContentLength"])
+
+    def _fetch(self, key: str, path: Path) -> None:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        part = path.with_name(f".{uuid4().hex}.part")
+        try:
+            self._client.download_file(self._bucket, self._name(key), str(part))
+            os.replace(part, path)
+        finally:
+            with suppress(OSError):
+                part.unlink()
+
+    def _evict(self, keep_free: int) -> None:
+        files = [(p.stat().st_atime, p.stat().st_size, p) for p in self._cache.rglob("*") if p.is_file()]
+        held = sum(size for _, size, _ in files)
+        for _, size, path in sorted(files):
+            if held + keep_free <= self._cache_bytes:
+                break
+            path.unlink(missing_ok=True)
+            held -= size
+
+
+class _told:
+    """Turn what the S3 library raises into one sentence."""
+
+    def __init__(self, key: str) -> None:
+        self._key = key
+
+    def __enter__(self) -> None:
+        return None
+
+    def __exit__(self, kind: object, error: BaseException | None, trace: object) -> None:
+        if isinstance(error, ClientError | BotoCoreError | boto3.exceptions.Boto3Error):
+            raise _failed(self._key, error) from error
+
+
+def _failed(key: str, error: Exception) -> SightlineError:
+    return SightlineError(
+        f"The media storage did not answer for {key} ({type(error).__name__}); check its address, its "
+        "credentials and that it is running."
+    )
+
+
+def _code(error: ClientError) -> str:
+    return str(error.response.get("Error", {}).get("Code", ""))

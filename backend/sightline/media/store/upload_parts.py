@@ -1,0 +1,166 @@
+"""Parts of resumable uploads (tus 1.0) on disk: what has arrived is kept, whatever breaks.
+
+An upload is two files in the upload folder: `ID.json` with its size, `ID.part` with the bytes that have
+arrived. The length of the part is the offset; there is no other record that could disagree with it.
+"""
+
+from __future__ import annotations
+
+import fcntl
+import json
+import os
+import re
+import time
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+from sightline.errors import BadInput, Conflict, NotFound
+from sightline.media.store.local import check_room, no_room_told, sha256_of, sync_folder
+
+SYNC_EVERY_BYTES = 64 << 20
+_ID = re.compile(r"[A-Za-z0-9_-]{1,64}")
+
+
+@dataclass(frozen=True)
+class FinishedUpload:
+    """A whole upload: where it lies until it is moved or discarded, and its content's SHA-256 in hex."""
+
+    path: Path
+    sha256: str
+    size: int
+
+
+def create(upload_dir: Path, upload_id: str, size: int) -> None:
+    """Begin an upload of `size` bytes.
+
+    Raises BadInput (nothing to send), NoRoom (before a byte is sent) and Conflict (id taken).
+    """
+    if size < 1:
+        raise BadInput("The file is empty; choose a video file.")
+    upload_dir.mkdir(parents=True, exist_ok=True)
+    check_room(upload_dir, size, "this upload")
+    info, part = _paths(upload_dir, upload_id)
+    temporary = info.with_suffix(".new")
+    with no_room_told("this upload"):
+        try:
+            part.touch(exist_ok=False)
+        except FileExistsError as error:
+            raise Conflict("An upload with this name is already under way; start a new one.") from error
+        temporary.write_text(json.dumps({"size": size}))
+        os.replace(temporary, info)
+        sync_folder(upload_dir)
+
+
+def offset(upload_dir: Path, upload_id: str) -> int:
+    """How many bytes have arrived. Raises NotFound for one that is not there (finished, discarded, never)."""
+    return _part(upload_dir, upload_id).stat().st_size
+
+
+def size(upload_dir: Path, upload_id: str) -> int:
+    """How many bytes there will be. Raises NotFound."""
+    info, _ = _paths(upload_dir, upload_id)
+    try:
+        return int(json.loads(info.read_text())["size"])
+    except (OSError, ValueError, KeyError) as error:
+        raise _not_there() from error
+
+
+def append(upload_dir: Path, upload_id: str, at: int, chunks: Iterable[bytes]) -> int:
+    """Write the chunks behind byte `at` and return the new offset; what arrived is on disk when this
+    returns.
+
+    Raises Conflict if `at` is not the offset or somebody else is writing, BadInput if more comes than
+    was announced (nothing of the chunk that overflows is kept), NoRoom on a full disk. Whatever arrived
+    before stays, also if `chunks` itself raises: ask for the offset and go on from there.
+    """
+    whole = size(upload_dir, upload_id)
+    with _locked(_part(upload_dir, upload_id)) as handle:
+        have = os.fstat(handle).st_size
+        if at != have:
+            raise Conflict(f"The upload stands at byte {have}, not {at}; continue from there.")
+        os.lseek(handle, have, os.SEEK_SET)
+        synced = have
+        try:
+            for chunk in chunks:
+                if have + len(chunk) > whole:
+                    raise BadInput(f"More bytes came than the {whole} announced; start the upload again.")
+                with no_room_told("the rest of this upload"):
+                    _write_all(handle, chunk)
+                have += len(chunk)
+                if have - synced >= SYNC_EVERY_BYTES:
+                    os.fsync(handle)
+                    synced = have
+        finally:
+            os.fsync(handle)
+    return have
+
+
+def _write_all(handle: int, chunk: bytes) -> None:
+    view = memoryview(chunk)
+    while view:
+        view = view[os.write(handle, view) :]
+
+
+def finish(upload_dir: Path, upload_id: str, expected_sha256: str | None = None) -> FinishedUpload:
+    """The whole file and its SHA-256; the part stays until `discard`, so a killed server can finish again.
+
+    Raises Conflict while bytes are missing and BadInput if the content is not what `expected_sha256` says.
+    """
+    path, whole = _part(upload_dir, upload_id), size(upload_dir, upload_id)
+    have = path.stat().st_size
+    if have != whole:
+        raise Conflict(f"The upload is not complete: {have} of {whole} bytes have arrived; continue it.")
+    found = sha256_of(path)
+    if expected_sha256 is not None and found != expected_sha256.lower():
+        raise BadInput("The file was changed on its way (its SHA-256 differs); upload it again.")
+    return FinishedUpload(path, found, whole)
+
+
+def discard(upload_dir: Path, upload_id: str) -> None:
+    """Remove an upload and what has arrived of it; nothing happens if it is not there."""
+    for path in reversed(_paths(upload_dir, upload_id)):
+        path.unlink(missing_ok=True)
+
+
+def sweep(upload_dir: Path, older_than_s: float) -> list[str]:
+    """Discard uploads to which nothing was added for `older_than_s` seconds; their ids are returned."""
+    before = time.time() - older_than_s
+    gone = []
+    for path in sorted(upload_dir.glob("*.part")) if upload_dir.is_dir() else []:
+        if path.stat().st_mtime < before:
+            discard(upload_dir, path.stem)
+            gone.append(path.stem)
+    return gone
+
+
+def _paths(upload_dir: Path, upload_id: str) -> tuple[Path, Path]:
+    if not _ID.fullmatch(upload_id):
+        raise _not_there()
+    return upload_dir / f"{upload_id}.json", upload_dir / f"{upload_id}.part"
+
+
+def _part(upload_dir: Path, upload_id: str) -> Path:
+    info, part = _paths(upload_dir, upload_id)
+    if not (info.is_file() and part.is_file()):
+        raise _not_there()
+    return part
+
+
+def _not_there() -> NotFound:
+    return NotFound("There is no such upload; it was finished or given up, start it again.")
+
+
+@contextmanager
+def _locked(part: Path) -> Iterator[int]:
+    """The part opened for writing by one process and thread at a time; the lock dies with its holder."""
+    handle = os.open(part, os.O_WRONLY)
+    try:
+        try:
+            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError as error:
+            raise Conflict("This upload is being written by another connection; try again.") from error
+        yield handle
+    finally:
+        os.close(handle)

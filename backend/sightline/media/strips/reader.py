@@ -1,0 +1,214 @@
+"""Line-scan files: one long grey picture each, read in order as (lines, rows) whatever its length.
+
+A strip is line-major: one line a row of memory, time downwards, row 0 the top of the picture. In files time
+runs along the width (the scan line stands upright) or along the height (each row of the file is a line, its
+left end the top). What is read is PNG, TIFF and BigTIFF, 8 or 16 bit grey; a file is told by its first bytes.
+
+Lines that the recorder says it lost are put back as copies of the line before, so that line n was always
+taken at n / line rate (`strips_notes`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any, Literal, Protocol
+
+import cv2
+import numpy as np
+
+from sightline.errors import BadInput
+from sightline.media.strips import png, tiff
+from sightline.media.strips.notes import Dropped, StripNotes, read_notes, with_gaps
+from sightline.media.strips.sheet import Pixels, Sheet, unpacked
+from sightline.media.video.sniff import why_not_video
+
+TimeAxis = Literal["width", "height"]
+CHUNK_BYTES = 4 << 20
+LEAST_ROWS = 8
+MOST_ROWS = 16_384
+MOST_LINES = 1_000_000_000
+_CHOOSE = "give a PNG or TIFF of the line-scan camera"
+
+
+class Strip(Protocol):
+    """One camera's lines. `name` is what people call it; `chunks` may be called again. Close it after use."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def lines(self) -> int: ...
+    @property
+    def rows(self) -> int: ...
+    @property
+    def dtype(self) -> np.dtype[Any]: ...
+    @property
+    def notes(self) -> StripNotes: ...
+
+    def chunks(self, lines: int | None = None) -> Iterator[Pixels]:
+        """All lines in order, (n, rows) each with n = `lines` (default 1024 or 4 MB) but for the last.
+
+        Raises BadInput where the file is damaged or cut off.
+        """
+
+    def close(self) -> None: ...
+
+
+def open_strip(
+    path: Path, time_axis: TimeAxis = "width", *, name: str | None = None, work_dir: Path | None = None
+) -> Strip:
+    """Open a strip; its header is checked, no pixel is read. `work_dir` is for the temporary file that some
+    packed files with time along their width need (as large as the pixels).
+
+    Raises BadInput with one sentence for whatever is no grey picture of 8 to 16,384 pixels a line.
+    """
+    name = name or path.name
+    sheet, said = _sheet(path, name)
+    try:
+        return strip_of(sheet, time_axis, read_notes(name, said, path), work_dir)
+    except BaseException:
+        sheet.close()
+        raise
+
+
+def strip_of(sheet: Sheet, time_axis: TimeAxis, notes: StripNotes, work_dir: Path | None = None) -> Strip:
+    """The strip that a picture is; it owns the picture from now on. Raises BadInput as `open_strip` does."""
+    lines, rows = _shape(sheet, time_axis)
+    _check_shape(sheet.name, lines, rows, time_axis)
+    _check_gaps(sheet.name, lines, notes.dropped)
+    return _SheetStrip(sheet, time_axis, notes, work_dir)
+
+
+def check_pair(first: Strip, second: Strip) -> None:
+    """Refuse two strips that cannot be of one recording. Raises BadInput."""
+    if first.rows != second.rows:
+        raise BadInput(
+            f"{first.name} has {first.rows} pixels a line and {second.name} {second.rows}; give two strips "
+            "of equal height, or cut them to the part of the scene that both show."
+        )
+    if first.dtype != second.dtype:
+        raise BadInput(
+            f"{first.name} has {8 * first.dtype.itemsize} bits a pixel and {second.name} "
+            f"{8 * second.dtype.itemsize}; save both alike."
+        )
+    if first.lines != second.lines:
+        raise BadInput(
+            f"{first.name} has {first.lines} lines and {second.name} {second.lines}; both begin and end "
+            "together, so give the two strips of one recording, or cut them to the same time."
+        )
+
+
+def chunk_lines(rows: int, item_bytes: int) -> int:
+    """How many lines make a chunk: 1024, as in a tile of the stored form, or fewer to stay within 4 MB."""
+    return max(16, min(1024, CHUNK_BYTES // (rows * item_bytes)))
+
+
+def _sheet(path: Path, name: str) -> tuple[Sheet, str]:
+    if not path.is_file():
+        raise BadInput(f"{name} is not a file; {_CHOOSE}.")
+    try:
+        with path.open("rb") as file:
+            head = file.read(16)
+    except OSError as error:
+        raise BadInput(f"{name} cannot be read ({error.strerror}); {_CHOOSE}.") from None
+    if head.startswith(png.MAGIC):
+        return png.PngSheet(path, name), ""
+    if head[:4] in tiff.MAGICS:
+        return tiff.tiff_sheet(path, name)
+    if head.startswith(b"\xff\xd8\xff"):
+        raise BadInput(f"{name} is a JPEG, which changes the pixels; save it as PNG or TIFF in the recorder.")
+    what = (why_not_video(path) or "is not a picture that is read here").removesuffix(", not a video")
+    raise BadInput(f"{name} {what}; {_CHOOSE}.")
+
+
+def _check_shape(name: str, lines: int, rows: int, time_axis: TimeAxis) -> None:
+    if rows > MOST_ROWS:
+        other = "height" if time_axis == "width" else "width"
+        hint = f"if time runs along its {other}, say so" if lines <= MOST_ROWS else "give one camera's strip"
+        raise BadInput(
+            f"{name} would have {rows} pixels a line with time along its {time_axis}, more than "
+            f"{MOST_ROWS}; {hint}."
+        )
+    if rows < LEAST_ROWS or lines < 2:
+        raise BadInput(
+            f"{name} has {lines} lines of {rows} pixels with time along its {time_axis}, which shows no "
+            f"vehicle; {_CHOOSE}."
+        )
+    if lines > MOST_LINES:
+        raise BadInput(
+            f"{name} has more than {MOST_LINES // 10**9} thousand million lines; cut it into parts."
+        )
+
+
+def _check_gaps(name: str, lines: int, dropped: Sequence[Dropped]) -> None:
+    lost = sum(gap.count for gap in dropped)
+    if lost > lines // 2:
+        raise BadInput(
+            f"{name}: its notes say that {lost} lines were lost of {lines + lost}; record it again."
+        )
+    if dropped and dropped[-1].line >= lines:
+        raise BadInput(
+            f"{name}: its notes name lost lines at {dropped[-1].line}, but it ends at {lines}; correct them."
+        )
+
+
+def _shape(sheet: Sheet, time_axis: TimeAxis) -> tuple[int, int]:
+    """(lines, rows) of a picture."""
+    upright = (sheet.height_px, sheet.width_px)
+    return upright if time_axis == "height" else (upright[1], upright[0])
+
+
+class _SheetStrip:
+    """A strip out of a picture."""
+
+    def __init__(self, sheet: Sheet, time_axis: TimeAxis, notes: StripNotes, work_dir: Path | None) -> None:
+        self.name, self.dtype, self.notes = sheet.name, sheet.dtype, notes
+        self.lines, self.rows = _shape(sheet, time_axis)
+        self.lines += sum(gap.count for gap in notes.dropped)
+        self._sheet, self._axis, self._work_dir = sheet, time_axis, work_dir
+
+    def chunks(self, lines: int | None = None) -> Iterator[Pixels]:
+        lines = lines or chunk_lines(self.rows, self.dtype.itemsize)
+        at_once = max(lines, CHUNK_BYTES // (self.rows * self.dtype.itemsize))
+        pieces = with_gaps(self._pieces(at_once), self.notes.dropped, lines)
+        return rebatched(pieces, lines)
+
+    def close(self) -> None:
+        self._sheet.close()
+
+    def _pieces(self, lines: int) -> Iterator[Pixels]:
+        if self._axis == "height":
+            yield from self._sheet.bands()
+            return
+        slabs = self._sheet.slabs(lines)
+        if slabs is not None:
+            yield from (_turned(slab) for slab in slabs)
+            return
+        turned = unpacked(self._sheet, self._work_dir)
+        try:
+            slabs = turned.slabs(lines)
+            assert slabs is not None
+            yield from (_turned(slab) for slab in slabs)
+        finally:
+            turned.close()
+
+
+def _turned(slab: Pixels) -> Pixels:
+    return np.asarray(cv2.transpose(slab), slab.dtype)
+
+
+def rebatched(pieces: Iterator[Pixels], lines: int) -> Iterator[Pixels]:
+    """The same lines in blocks of `lines`, the last one shorter; copied only where blocks straddle pieces."""
+    held: list[Pixels] = []
+    count = 0
+    for piece in pieces:
+        while count + len(piece) >= lines:
+            held.append(piece[: lines - count])
+            piece = piece[lines - count :]
+            yield held[0] if len(held) == 1 else np.concatenate(held)
+            held, count = [], 0
+        if len(piece):
+            held.append(piece)
+            count += len(piece)
+    if held:
+        yield held[0] if len(held) == 1 else np.concatenate(held)

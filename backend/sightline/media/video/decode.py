@@ -1,0 +1,277 @@
+"""Opening and decoding a recording: whitelists, facts, and one sequential decode that skips damage."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import closing
+from dataclasses import dataclass, field
+from fractions import Fraction
+from pathlib import Path
+
+import av
+from av.container import InputContainer
+from av.video.stream import VideoStream
+
+from sightline.errors import BadInput
+from sightline.media.video.picture import Gray, Layout, layout_of, upright_gray
+from sightline.media.video.sniff import why_not_video
+
+FORMATS = "mov,mp4,m4a,3gp,3g2,mj2,matroska,webm,avi,mpegts,mpeg,h264,hevc"
+MAX_SIDE_PX = 16_384
+MAX_PIXELS = 100_000_000
+MAX_ASPECT = 4
+DECODER_THREADS = 4
+NO_PTS = -(2**63)
+_READ_FAILURES = 8
+_WAY_OUT = "convert it to MP4 with H.264 or choose another file"
+
+
+@dataclass(frozen=True)
+class VideoFacts:
+    """What a container says of its picture; sizes are upright and in square pixels, counts are only claims.
+
+    `rotation_deg` is the clockwise turn applied to the decoded frame, `sample_aspect` the width of a
+    coded pixel over its height. `rate_hz`, `duration_s` and `reported_frames` are the header's and None
+    where it is silent.
+    """
+
+    container: str
+    codec: str
+    width_px: int
+    height_px: int
+    rotation_deg: int
+    mirrored: bool
+    sample_aspect: Fraction
+    coded_width_px: int
+    coded_height_px: int
+    rate_hz: float | None
+    time_base: Fraction
+    reported_frames: int | None
+    duration_s: float | None
+    pixel_format: str
+    full_range: bool
+    interlaced: bool
+
+    @property
+    def layout_note(self) -> str | None:
+        """In words, what was done to the decoded picture to show it upright; None if nothing."""
+        done = []
+        if self.sample_aspect != 1:
+            done.append(f"stretched for pixels of {self.sample_aspect}")
+        if self.rotation_deg:
+            done.append(f"turned by {self.rotation_deg} degrees clockwise")
+        if self.mirrored:
+            done.append("mirrored")
+        return " and ".join(done) or None
+
+
+@dataclass
+class Damage:
+    """What a sequential decode had to skip, and the byte it has come to; filled while it runs.
+
+    `patched`: numbers of the frames that the decoder itself calls damaged and has filled up with guesses.
+    """
+
+    packets: int = 0
+    reads: int = 0
+    other_size: int = 0
+    patched: list[int] = field(default_factory=list)
+    position: int | None = None
+    kinds: set[str] = field(default_factory=set)
+
+    @property
+    def any(self) -> bool:
+        return bool(self.packets or self.reads or self.other_size or self.patched)
+
+
+def open_container(path: Path, name: str | None = None) -> InputContainer:
+    """Open a recording for reading, with format and protocol whitelists: a playlist is never followed.
+
+    `name` is what people call the file (it is named so in errors). The caller closes what it gets.
+    Raises BadInput with one sentence if this is no video that can be read.
+    """
+    name = name or path.name
+    if not path.is_file():
+        raise BadInput(f"{name} is not a file; choose a video file.")
+    reason = why_not_video(path)
+    if reason:
+        raise BadInput(f"{name} {reason}; {_way_out(reason)}.")
+    options = {"format_whitelist": FORMATS, "protocol_whitelist": "file", "max_pixels": str(MAX_PIXELS)}
+    try:
+        return av.open(f"file:{path}", options=options)
+    except (av.error.FFmpegError, ValueError, UnicodeError) as error:
+        raise BadInput(f"{name} is not a video that can be read here; {_WAY_OUT}.") from error
+
+
+def _way_out(reason: str) -> str:
+    if "cut off" in reason:
+        return "copy it again from the recorder, or repair it there"
+    return "choose a video file"
+
+
+def video_stream(container: InputContainer, name: str, threads: int = DECODER_THREADS) -> VideoStream:
+    """The stream that holds the picture, checked before anything is decoded.
+
+    How a decoder fills up damaged pictures depends on the race of its threads; with `threads` = 1 it is the
+    same every time. Sound pictures never differ.
+
+
+    Raises BadInput for sound without a picture, a codec nobody here can decode, and dimensions out of
+    bounds.
+    """
+    streams = [s for s in container.streams.video if not _is_cover(s)]
+    if not streams:
+        raise BadInput(f"{name} holds no moving picture, only sound or data; choose a video file.")
+    stream = streams[0]
+    context = stream.codec_context
+    if context is None:
+        raise BadInput(f"{name} uses a video codec that cannot be decoded here; {_WAY_OUT}.")
+    _check_size(name, context.width, context.height, stream.sample_aspect_ratio)
+    context.thread_type = "AUTO"
+    context.thread_count = threads
+    context.options = {"max_pixels": str(MAX_PIXELS)}
+    return stream
+
+
+def _is_cover(stream: VideoStream) -> bool:
+    """A cover picture in a sound file counts as a video stream in FFmpeg."""
+    return bool(stream.disposition & av.stream.Disposition.attached_pic)
+
+
+def _check_size(name: str, width: int, height: int, aspect: Fraction | None) -> None:
+    if width <= 0 or height <= 0:
+        raise BadInput(f"{name} does not say how large its picture is, or says it absurdly; {_WAY_OUT}.")
+    if width > MAX_SIDE_PX or height > MAX_SIDE_PX or width * height > MAX_PIXELS:
+        raise BadInput(
+            f"{name} claims a picture of {width} x {height} pixels, more than {MAX_SIDE_PX} on a side or "
+            f"{MAX_PIXELS // 1_000_000} million in all; {_WAY_OUT}."
+        )
+    if aspect and not Fraction(1, MAX_ASPECT) <= aspect <= MAX_ASPECT:
+        raise BadInput(
+            f"{name} claims pixels of {aspect} width to height, which is not believable; {_WAY_OUT}."
+        )
+
+
+def decoded(
+    container: InputContainer,
+    stream: VideoStream,
+    damage: Damage | None = None,
+    look: Callable[[av.Packet[VideoStream]], None] = lambda packet: None,
+) -> Iterator[av.VideoFrame]:
+    """Every frame from where the container stands, in the decoder's order; damaged packets are skipped
+    and counted.
+
+    `look` sees each packet before it is decoded. The end of a cut-off file is an end like any other. After a
+    seek, call this again.
+    """
+    damage = damage if damage is not None else Damage()
+    failures = 0
+    while failures < _READ_FAILURES:
+        try:
+            for packet in container.demux(stream):
+                failures = 0
+                damage.position = packet.pos if packet.pos is not None else damage.position
+                look(packet)
+                yield from frames_of_packet(stream, packet, damage)
+            return
+        except av.error.FFmpegError as error:
+            failures += 1
+            damage.reads += 1
+            damage.kinds.add(type(error).__name__)
+    yield from frames_of_packet(stream, None, damage)
+
+
+def frames_of_packet(
+    stream: VideoStream, packet: av.Packet[VideoStream] | None, damage: Damage
+) -> list[av.VideoFrame]:
+    """The frames that come out of the decoder for one packet (None: the last ones); damage is counted."""
+    try:
+        return stream.codec_context.decode(packet)
+    except EOFError:
+        return []
+    except (av.error.FFmpegError, MemoryError) as error:
+        damage.packets += 1
+        damage.kinds.add(type(error).__name__)
+        return []
+
+
+def frame_pts(frame: av.VideoFrame) -> int:
+    """The frame's time stamp in the stream's time base: presentation, else decoding time, else `NO_PTS`."""
+    if frame.pts is not None:
+        return frame.pts
+    return frame.dts if frame.dts is not None else NO_PTS
+
+
+def same_size(frame: av.VideoFrame, layout: Layout) -> bool:
+    """Whether a frame is of the recording's own size; those of another size do not count as its frames."""
+    return frame.width == layout.coded_width_px and frame.height == layout.coded_height_px
+
+
+def probe(path: Path, name: str | None = None) -> VideoFacts:
+    """Open the file, check it, decode its first frame and say what it is.
+
+    Raises BadInput with one sentence that names the file for everything that is not a video: empty,
+    text, sound alone, a still picture or a playlist under a video's name, cut off before its index,
+    absurd dimensions.
+    """
+    name = name or path.name
+    with closing(open_container(path, name)) as container:
+        stream = video_stream(container, name)
+        first = next(decoded(container, stream), None)
+        if first is None:
+            codec = stream.codec_context.name
+            raise BadInput(f"{name} holds no picture that can be decoded (codec {codec}); {_WAY_OUT}.")
+        return facts_of(container, stream, first)
+
+
+def facts_of(container: InputContainer, stream: VideoStream, first: av.VideoFrame) -> VideoFacts:
+    """The facts of an open stream and its first decoded frame."""
+    layout = layout_of(first, stream.sample_aspect_ratio)
+    rate = stream.average_rate
+    return VideoFacts(
+        container=container.format.name,
+        codec=stream.codec_context.name,
+        width_px=layout.width_px,
+        height_px=layout.height_px,
+        rotation_deg=layout.rotation_deg,
+        mirrored=layout.mirrored,
+        sample_aspect=layout.sample_aspect,
+        coded_width_px=layout.coded_width_px,
+        coded_height_px=layout.coded_height_px,
+        rate_hz=float(rate) if rate else None,
+        time_base=Fraction(stream.time_base or Fraction(1, 1)),
+        reported_frames=stream.frames if stream.frames > 0 else None,
+        duration_s=_duration_s(container, stream),
+        pixel_format=first.format.name,
+        full_range=int(first.color_range) == 2 or first.format.name.startswith("yuvj") or first.format.is_rgb,
+        interlaced=bool(first.interlaced_frame),
+    )
+
+
+def _duration_s(container: InputContainer, stream: VideoStream) -> float | None:
+    if stream.duration and stream.time_base and stream.duration > 0:
+        return float(stream.duration * stream.time_base)
+    if container.duration and container.duration > 0:
+        return container.duration / av.time_base
+    return None
+
+
+def frames_of(path: Path, name: str | None = None) -> Iterator[tuple[int, int, Gray]]:
+    """Frame by frame (n, pts, gray) from the first to the last, upright; for command-line clips.
+
+    Where the stream holds no time stamps, pts is n. Raises BadInput like `probe`.
+    """
+    name = name or path.name
+    with closing(open_container(path, name)) as container:
+        stream = video_stream(container, name)
+        layout: Layout | None = None
+        n = 0
+        for frame in decoded(container, stream):
+            layout = layout or layout_of(frame, stream.sample_aspect_ratio)
+            if not same_size(frame, layout):
+                continue
+            pts = frame_pts(frame)
+            yield n, n if pts == NO_PTS else pts, upright_gray(frame, layout)
+            n += 1
+        if n == 0:
+            raise BadInput(f"{name} holds no picture that can be decoded; {_WAY_OUT}.")

@@ -1,0 +1,330 @@
+"""The server's side of decoding in a child process: asks, waits, and outlives whatever the child dies of.
+
+One child holds the warm decoders of all open recordings, in threads. When it crashes, hangs or takes too much
+memory it is ended; what it was decoding then is refused in one sentence, everything else is asked again of a
+new child, and a recording that does so repeatedly is set aside.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import itertools
+import logging
+import os
+import signal
+import socket
+import subprocess
+import sys
+import threading
+import time
+from collections import OrderedDict
+from collections.abc import Set
+from concurrent.futures import Future
+from contextlib import suppress
+from dataclasses import dataclass, field
+from multiprocessing.connection import Connection
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sightline.errors import SightlineError
+from sightline.media.video.decode_child import TOO_MUCH_MEMORY
+from sightline.media.video.decode_crashes import Blame, CannotDecode, sentence
+from sightline.media.video.decode_wire import Header, Limits, Link, error_of, packed
+from sightline.media.video.display import Display
+from sightline.media.video.picture import Bgr, Gray
+from sightline.media.video.seeker import RecordingMedia
+from sightline.media.video.window import NotWanted, Rectangle, Wanted, always
+
+log = logging.getLogger("sightline.decode")
+
+ENTRY = "sightline.media.video.decode_child"
+MOST_KNOWN = 32
+TRIES = 4
+START_S = 60.0
+_LOOK_S = 0.05
+_GIGABYTE = 1024**3
+Reply = tuple[Header, bytes]
+
+
+class _Died(Exception):
+    """The child ended in the middle; `guilty` are the recordings that are blamed for it."""
+
+    def __init__(self, why: str, guilty: Set[str]) -> None:
+        super().__init__(why)
+        self.why, self.guilty = why, guilty
+
+
+@dataclass(frozen=True, eq=False)
+class Question:
+    """What is asked about a recording, or (without `media`) about the file that is the body."""
+
+    header: Header
+    recording: str
+    media: RecordingMedia | None = None
+    body: bytes = b""
+
+    def refusal(self, why: str) -> CannotDecode:
+        n = self.header.get("n")
+        if self.media is None or n is None:
+            return CannotDecode(
+                f"{self.header.get('name', 'This recording')} cannot be decoded: the decoder {why}; "
+                "save it in another format and try again."
+            )
+        return CannotDecode(sentence(int(n), why))
+
+
+@dataclass(eq=False)
+class _Call:
+    recording: str
+    answer: Future[Reply] = field(default_factory=Future)
+
+
+class _Child:
+    """One run of the decoding process. The first thread that finds it dead starts the next one."""
+
+    def __init__(self, entry: str, window_bytes: int, limits: Limits, blame: Blame) -> None:
+        ours, theirs = socket.socketpair()
+        arguments = [str(theirs.fileno()), str(window_bytes), str(limits.memory_bytes)]
+        with theirs:
+            self.process = subprocess.Popen(
+                [sys.executable, "-m", entry, *arguments],
+                pass_fds=[theirs.fileno()],
+                stdin=subprocess.DEVNULL,
+                env=_environment(),
+            )
+        self._link = Link(Connection(ours.detach()))
+        self._limits, self._blame = limits, blame
+        self._known: OrderedDict[str, None] = OrderedDict()
+        self._calls: dict[int, _Call] = {}
+        self._heard: dict[str, float] = {}
+        self._lock = threading.Lock()
+        self._why: str | None = None
+        self._ready = False
+        self._end: _Died | None = None
+        self._is_closed = False
+        self._reader = threading.Thread(target=self._read, name="decode-reader", daemon=True)
+        self._reader.start()
+
+    @property
+    def is_over(self) -> bool:
+        return self._end is not None
+
+    def ask(self, call_id: int, question: Question, wanted: Wanted) -> Reply:
+        """Send a question and wait. Raises what the child raised, NotWanted, or _Died."""
+        call = _Call(question.recording)
+        with self._lock:
+            if self._end is not None:
+                raise _Died("ended", frozenset())
+            self._calls[call_id] = call
+            self._heard[call.recording] = time.monotonic()
+            with suppress(OSError):  # the reader finds out why
+                if question.media is not None:
+                    self._introduce(question.media)
+                self._link.send({**question.header, "id": call_id, "media": call.recording}, question.body)
+        dropped = False
+        while True:
+            try:
+                return call.answer.result(_LOOK_S)
+            except TimeoutError:
+                if not dropped and not wanted():
+                    dropped = True
+                    self._drop(call_id)
+                self._check_silence(call.recording)
+
+    def end(self) -> None:
+        """Kill it and wait for its end; nobody is blamed for that."""
+        self._is_closed = True
+        self.process.kill()
+        self._reader.join(5)
+
+    def _introduce(self, media: RecordingMedia) -> None:
+        """Under the lock: make sure that the child has the recording's frame table."""
+        if media.identity in self._known:
+            self._known.move_to_end(media.identity)
+            return
+        self._link.send(*packed(media))
+        self._known[media.identity] = None
+        if len(self._known) > MOST_KNOWN:
+            self._link.send({"do": "forget", "media": self._known.popitem(last=False)[0]})
+
+    def _drop(self, call_id: int) -> None:
+        with self._lock, suppress(OSError):
+            self._link.send({"do": "drop", "id": call_id})
+
+    def _check_silence(self, recording: str) -> None:
+        """A recording of which nothing is heard hangs: requests of one recording wait for one another."""
+        silent = time.monotonic() - self._heard[recording]
+        if silent <= (self._limits.silence_s if self._ready else START_S):
+            return
+        with self._lock:
+            if self._why is not None:
+                return
+            self._why = f"made no progress for {self._limits.silence_s:.0f} s"
+            for call_id, call in list(self._calls.items()):
+                if call.recording != recording:
+                    del self._calls[call_id]
+                    call.answer.set_exception(_Died(self._why, frozenset()))
+        self.process.kill()
+
+    def _read(self) -> None:
+        try:
+            while True:
+                header, body = self._link.receive()
+                if "id" in header:
+                    self._take(header, body)
+                else:
+                    self._is_ready()
+        except (EOFError, OSError, ValueError, KeyError):
+            self.process.kill()
+        self._bury()
+
+    def _is_ready(self) -> None:
+        """Python has started there: from now on silence is the decoder's."""
+        with self._lock:
+            self._heard = dict.fromkeys(self._heard, time.monotonic())
+            self._ready = True
+
+    def _take(self, header: Header, body: bytes) -> None:
+        with self._lock:
+            call = self._calls.get(int(header["id"]))
+            if call is None:
+                return
+            self._heard[call.recording] = time.monotonic()
+            if header.get("tick"):
+                return
+            del self._calls[int(header["id"])]
+        if "error" in header:
+            call.answer.set_exception(error_of(header))
+        else:
+            call.answer.set_result((header, body))
+
+    def _bury(self) -> None:
+        """After its end: no zombie, and an answer for everybody who waits."""
+        status = self.process.wait()
+        with self._lock:
+            calls = list(self._calls.values())
+            self._calls.clear()
+            blamed = self._ready and not self._is_closed
+            decoding = frozenset(call.recording for call in calls) if blamed else frozenset()
+            why = self._why or _why(status, self._limits)
+            self._end = _Died(why, self._blame.died(decoding))
+            self._link.close()
+        if calls and not self._is_closed:
+            log.warning("the decoding process %s (status %s) and is started anew", why, status)
+        for call in calls:
+            call.answer.set_exception(self._end)
+
+
+class DecodeHost:
+    """Pictures of frame n, decoded in a child process. Thread-safe; the child starts when it is needed.
+
+    Raises CannotDecode where the decoder dies of a frame, SightlineError where no decoder can be started.
+    """
+
+    def __init__(self, window_bytes: int, limits: Limits | None = None, *, entry: str = ENTRY) -> None:
+        self._limits = limits or Limits()
+        self._window_bytes = window_bytes
+        self._entry = entry
+        self._blame = Blame(self._limits)
+        self._numbers = itertools.count(1)
+        self._lock = threading.Lock()
+        self._child: _Child | None = None
+
+    def still(
+        self, media: RecordingMedia, n: int, wanted: Wanted, display: Display, *, ahead: bool = False
+    ) -> bytes:
+        """Frame n as JPEG."""
+        return self._ask({"do": "still", "n": n, "display": display, "ahead": ahead}, media, wanted)[1]
+
+    def crop_png(
+        self, media: RecordingMedia, n: int, rectangle: Rectangle, wanted: Wanted, display: Display
+    ) -> bytes:
+        """A rectangle of frame n, lossless."""
+        header = {"do": "crop", "n": n, "rectangle": rectangle, "display": display}
+        return self._ask(header, media, wanted)[1]
+
+    def bgr(self, media: RecordingMedia, n: int, wanted: Wanted) -> Bgr:
+        """Frame n, (height_px, width_px, 3) BGR."""
+        header, body = self._ask({"do": "bgr", "n": n}, media, wanted)
+        return np.frombuffer(body, np.uint8).reshape(header["shape"]).copy()
+
+    def gray(self, media: RecordingMedia, n: int, wanted: Wanted) -> Gray:
+        """Frame n, (height_px, width_px) luminance."""
+        header, body = self._ask({"do": "gray", "n": n}, media, wanted)
+        return np.frombuffer(body, np.uint8).reshape(header["shape"]).copy()
+
+    def image(self, data: bytes, name: str, *, colour: bool, most_px: int | None = None) -> NDArray[np.uint8]:
+        """A still picture's file, BGR or luminance. Raises BadInput, naming it."""
+        digest = hashlib.sha256(data).hexdigest()
+        asked: Header = {"do": "image", "name": name, "colour": colour, "most_px": most_px}
+        question = Question(asked, digest, None, data)
+        header, body = self._answer(question, always)
+        return np.frombuffer(body, np.uint8).reshape(header["shape"]).copy()
+
+    def warm(self, media: RecordingMedia) -> list[int]:
+        """The frames that the child has decoded; none while there is no child."""
+        child = self._child
+        if child is None or child.is_over:
+            return []
+        return [int(n) for n in self._ask({"do": "warm"}, media, always)[0]["frames"]]
+
+    @property
+    def memory_bytes(self) -> int:
+        """Nothing in this process; the child bounds its own."""
+        return 0
+
+    @property
+    def process_id(self) -> int | None:
+        """Of the child that runs now."""
+        child = self._child
+        return child.process.pid if child and not child.is_over else None
+
+    def start(self) -> None:
+        """Have a child ready before the first frame is asked for."""
+        self._running()
+
+    def close(self) -> None:
+        """End the child. Another is started when something is asked again."""
+        with self._lock:
+            child, self._child = self._child, None
+        if child is not None:
+            child.end()
+
+    def _ask(self, header: Header, media: RecordingMedia, wanted: Wanted) -> Reply:
+        return self._answer(Question(header, media.identity, media), wanted)
+
+    def _answer(self, question: Question, wanted: Wanted) -> Reply:
+        for _ in range(TRIES):
+            self._blame.check(question.recording)
+            if not wanted():
+                raise NotWanted("This frame was no longer wanted.")
+            try:
+                with self._blame.turn(question.recording):
+                    return self._running().ask(next(self._numbers), question, wanted)
+            except _Died as died:
+                if question.recording in died.guilty:
+                    raise question.refusal(died.why) from died
+        raise SightlineError("The decoder ended again and again; look at the memory of this machine.")
+
+    def _running(self) -> _Child:
+        with self._lock:
+            if self._child is None or self._child.is_over:
+                self._child = _Child(self._entry, self._window_bytes, self._limits, self._blame)
+            return self._child
+
+
+def _why(status: int, limits: Limits) -> str:
+    if status == TOO_MUCH_MEMORY:
+        return f"took more than {limits.memory_bytes / _GIGABYTE:.1f} GB of memory"
+    if status == -signal.SIGALRM:
+        return "hung"
+    return "crashed"
+
+
+def _environment() -> dict[str, str]:
+    """Ours, so that the child finds this very package, without thread pools that decoding has no use for."""
+    package = str(Path(__file__).resolve().parents[3])
+    paths = os.pathsep.join(path for path in (package, os.environ.get("PYTHONPATH", "")) if path)
+    return {**os.environ, "PYTHONPATH": paths, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}

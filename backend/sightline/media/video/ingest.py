@@ -1,0 +1,206 @@
+"""Ingest: one sequential decode of a recording that fixes what "frame n" means from then on."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from contextlib import closing
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from av.container import InputContainer
+from av.video.stream import VideoStream
+from numpy.typing import NDArray
+
+from sightline.errors import BadInput
+from sightline.media.cancelling import Cancelled, IngestCancelled, check_cancelled
+from sightline.media.store.local import check_room, no_room_told
+from sightline.media.video.decode import (
+    NO_PTS,
+    Damage,
+    VideoFacts,
+    decoded,
+    facts_of,
+    frame_pts,
+    open_container,
+    same_size,
+    video_stream,
+)
+from sightline.media.video.picture import Layout, layout_of, luma_crc
+from sightline.media.video.remux import WorkingCopy, make_copy, needs_copy
+from sightline.media.video.report import IngestReport, report_of
+from sightline.media.video.thumbnails import ROOM_BYTES, Thumbnail, ThumbnailWriter
+
+PROGRESS_EVERY_S = 0.25
+OTHER_SIZE_SHARE = 0.05
+Progress = Callable[[float], None]
+__all__ = ["FrameTable", "IngestCancelled", "Ingested", "ingest"]
+
+
+@dataclass(frozen=True, eq=False)
+class FrameTable:
+    """Frame n is row n. `pts` in the stream's time base, `time_s` from the first frame, `crc32` of the
+    luma.
+
+    `pts` is what the file says. Decoders show frames in order, so where the file's time stamps are not in
+    order (AVI writes those of the packets), `time_s` holds the same times, sorted. Shapes (N,), dtypes int64,
+    float64, bool and uint32; not writeable.
+    """
+
+    pts: NDArray[np.int64]
+    time_s: NDArray[np.float64]
+    key: NDArray[np.bool_]
+    crc32: NDArray[np.uint32]
+
+    def __post_init__(self) -> None:
+        for array in (self.pts, self.time_s, self.key, self.crc32):
+            array.setflags(write=False)
+
+    def __len__(self) -> int:
+        return len(self.pts)
+
+
+@dataclass(frozen=True, eq=False)
+class Ingested:
+    """What an ingest found. `media_path` is the file that the frame table numbers: the original, or for
+    streams without an index the working copy written beside it (`is_working_copy`), which has to be kept
+    with it.
+    """
+
+    facts: VideoFacts
+    frames: FrameTable
+    report: IngestReport
+    thumbnails: tuple[Thumbnail, ...]
+    media_path: Path
+    is_working_copy: bool
+
+
+@dataclass
+class _Rows:
+    pts: list[int]
+    key: list[bool]
+    crc: list[int]
+
+
+def ingest(
+    path: Path,
+    on_progress: Progress,
+    is_cancelled: Cancelled,
+    thumb_dir: Path,
+    *,
+    work_dir: Path | None = None,
+    name: str | None = None,
+) -> Ingested:
+    """Decode the recording once, from the first frame to the last, and write down what it is.
+
+    `on_progress` gets a fraction 0..1 a few times a second; `is_cancelled` is asked at every frame.
+    Thumbnails are written to `thumb_dir` (emptied of older ones first), a working copy if one is needed
+    to `work_dir` (default: beside the file). `name` is what people call the file. May be called again
+    after being killed at any moment.
+
+    Raises BadInput (not a video, or nothing in it can be decoded), NoRoom and IngestCancelled.
+    """
+    name = name or path.name
+    folder = work_dir or path.parent
+    copy: WorkingCopy | None = None
+    container = open_container(path, name)
+    if needs_copy(container.format.name):
+        container.close()
+        copy = make_copy(path, folder, name, is_cancelled, keep_times=True)
+        container = open_container(copy.path, name)
+    watch = _Watch(on_progress, is_cancelled, name)
+    result = _ingest_open(container, path, copy, watch, thumb_dir)
+    if copy is None and bool(np.any(result.frames.pts == NO_PTS)):
+        copy = make_copy(path, folder, name, is_cancelled, keep_times=False)
+        result = _ingest_open(open_container(copy.path, name), path, copy, watch, thumb_dir)
+    on_progress(1.0)
+    return result
+
+
+def _ingest_open(
+    container: InputContainer, path: Path, copy: WorkingCopy | None, watch: _Watch, thumb_dir: Path
+) -> Ingested:
+    """Decode an open container to its end and close it; a damaged one again, so that it can be repeated."""
+    damage = Damage()
+    media_path = copy.path if copy else path
+    watch.size = media_path.stat().st_size
+    with no_room_told(f"what {watch.name} needs"):
+        with closing(container):
+            thumb_dir.mkdir(parents=True, exist_ok=True)
+            check_room(thumb_dir, ROOM_BYTES, f"the thumbnails of {watch.name}")
+            stream = video_stream(container, watch.name)
+            facts, rows, thumbs = _decode_all(container, stream, damage, watch, thumb_dir)
+        if damage.any:
+            damage = Damage()
+            with closing(open_container(media_path, watch.name)) as again:
+                stream = video_stream(again, watch.name, threads=1)
+                facts, rows, thumbs = _decode_all(again, stream, damage, watch, thumb_dir)
+    table = _table(rows, float(facts.time_base))
+    return Ingested(
+        facts=facts,
+        frames=table,
+        report=report_of(facts, table.pts, table.time_s, table.crc32, damage, copy),
+        thumbnails=thumbs.finish(),
+        media_path=media_path,
+        is_working_copy=copy is not None,
+    )
+
+
+@dataclass
+class _Watch:
+    """Progress and cancelling, by the share of the file's bytes that were read."""
+
+    on_progress: Progress
+    is_cancelled: Cancelled
+    name: str
+    size: int = 0
+    next_s: float = 0.0
+
+    def look(self, position: int | None) -> None:
+        check_cancelled(self.is_cancelled, self.name)
+        now = time.monotonic()
+        if position is not None and now >= self.next_s:
+            self.next_s = now + PROGRESS_EVERY_S
+            self.on_progress(min(0.99, position / max(self.size, 1)))
+
+
+def _decode_all(
+    container: InputContainer,
+    stream: VideoStream,
+    damage: Damage,
+    watch: _Watch,
+    thumb_dir: Path,
+) -> tuple[VideoFacts, _Rows, ThumbnailWriter]:
+    layout: Layout | None = None
+    rows = _Rows([], [], [])
+    for frame in decoded(container, stream, damage):
+        if layout is None:
+            layout = layout_of(frame, stream.sample_aspect_ratio)
+            facts = facts_of(container, stream, frame)
+            thumbs = ThumbnailWriter(thumb_dir, layout, facts.duration_s)
+        watch.look(damage.position)
+        if not same_size(frame, layout):
+            damage.other_size += 1
+            continue
+        if frame.is_corrupt:
+            damage.patched.append(len(rows.pts))
+        rows.pts.append(frame_pts(frame))
+        rows.key.append(bool(frame.key_frame))
+        rows.crc.append(luma_crc(frame))
+        thumbs.offer(len(rows.pts) - 1, frame)
+    if layout is None:
+        raise BadInput(
+            f"{watch.name} holds no picture that can be decoded; copy it again or convert it to MP4."
+        )
+    if damage.other_size > OTHER_SIZE_SHARE * (len(rows.pts) + damage.other_size):
+        raise BadInput(f"{watch.name} changes its picture size on the way; split it where the size changes.")
+    return facts, rows, thumbs
+
+
+def _table(rows: _Rows, tick_s: float) -> FrameTable:
+    pts = np.array(rows.pts, np.int64)
+    stamped = pts != NO_PTS
+    ordered = np.sort(pts) if stamped.all() else np.arange(len(pts))
+    time_s = (ordered - ordered[0]) * tick_s
+    return FrameTable(pts, time_s, np.array(rows.key, np.bool_), np.array(rows.crc, np.uint32))

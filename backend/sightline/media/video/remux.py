@@ -1,0 +1,169 @@
+"""Working copies: the same packets in a container that can be addressed exactly.
+
+Transport streams have no index and raw streams no time stamps; seeking in them gave wrong frames without
+an error in every reader tried. Nothing is encoded anew, so the pictures are the original's bit for bit.
+"""
+
+from __future__ import annotations
+
+import errno
+import itertools
+import os
+from collections.abc import Callable, Iterator
+from contextlib import closing, suppress
+from dataclasses import dataclass
+from fractions import Fraction
+from pathlib import Path
+from typing import TYPE_CHECKING, TypeAlias
+
+import av
+from av.container import InputContainer
+from av.video.stream import VideoStream
+
+from sightline.errors import BadInput, NoRoom
+from sightline.media.cancelling import Cancelled, check_cancelled
+from sightline.media.store.local import check_room
+from sightline.media.video.decode import Damage, frame_pts, frames_of_packet, open_container, video_stream
+
+TICKS_HZ = 90_000
+_NO_INDEX = {"mpegts", "mpeg", "h264", "hevc"}
+_IN_MP4 = {"h264", "hevc", "mpeg4", "mpeg1video", "mpeg2video"}
+if TYPE_CHECKING:
+    _VideoPacket: TypeAlias = av.Packet[VideoStream]
+
+
+@dataclass(frozen=True)
+class WorkingCopy:
+    """Where the copy is, and whether its time stamps had to be made from an assumed rate."""
+
+    path: Path
+    assumed_rate_hz: float | None
+
+
+def needs_copy(container_name: str) -> bool:
+    """Whether files of this container are addressed through a working copy."""
+    return container_name in _NO_INDEX
+
+
+def make_copy(
+    path: Path, folder: Path, name: str, is_cancelled: Cancelled, *, keep_times: bool
+) -> WorkingCopy:
+    """Write the working copy of `path` into `folder`; whole or not at all.
+
+    With `keep_times`, time stamps are taken over where they are complete and in order; otherwise they
+    are made from the frame rate of the header and the order in which a decoder shows the packets. Raises
+    BadInput.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    check_room(folder, path.stat().st_size, f"the working copy of {name}")
+    if keep_times and (copy := _try_with_times(path, folder, name, is_cancelled)):
+        return copy
+    order, rate = _display_order(path, name, is_cancelled)
+    ranks = _ranks(order)
+    delay = max((i - rank for i, rank in enumerate(ranks)), default=0)
+
+    def number(i: int, packet: _VideoPacket) -> bool:
+        packet.pts, packet.dts, packet.duration = ranks[i] + delay, i, 1
+        packet.time_base = 1 / rate
+        return True
+
+    try:
+        return WorkingCopy(_write(path, folder, name, number, is_cancelled), float(rate))
+    except (av.error.FFmpegError, ValueError) as error:
+        if isinstance(error, OSError) and error.errno == errno.ENOSPC:
+            raise NoRoom(f"The disk is full, {name} was not taken in; make room and try again.") from error
+        raise BadInput(
+            f"{name} cannot be made addressable frame by frame; convert it to MP4 with H.264 and try again."
+        ) from error
+
+
+def _try_with_times(path: Path, folder: Path, name: str, is_cancelled: Cancelled) -> WorkingCopy | None:
+    last_dts: int | None = None
+
+    def check(_: int, packet: _VideoPacket) -> bool:
+        nonlocal last_dts
+        if packet.pts is None or packet.dts is None or (last_dts is not None and packet.dts <= last_dts):
+            return False
+        last_dts = packet.dts
+        return True
+
+    try:
+        return WorkingCopy(_write(path, folder, name, check, is_cancelled), None)
+    except (av.error.FFmpegError, ValueError):
+        return None
+
+
+def _write(
+    path: Path,
+    folder: Path,
+    name: str,
+    prepare: Callable[[int, _VideoPacket], bool],
+    is_cancelled: Cancelled,
+) -> Path:
+    """Copy packets; ValueError if `prepare` says no to one."""
+    with closing(open_container(path, name)) as source:
+        stream = video_stream(source, name)
+        suffix = "mp4" if stream.codec_context.name in _IN_MP4 else "mkv"
+        target = folder / f"{path.stem}.work.{suffix}"
+        part = target.with_suffix(f".{os.getpid()}.part")
+        try:
+            container = av.open(str(part), "w", format="mp4" if suffix == "mp4" else "matroska")
+            with closing(container):
+                out = container.add_stream_from_template(stream)
+                out.time_base = Fraction(1, TICKS_HZ)
+                for i, packet in enumerate(_packets(source, stream)):
+                    check_cancelled(is_cancelled, name)
+                    if not prepare(i, packet):
+                        raise ValueError("time stamps are not in order")
+                    packet.stream = out
+                    container.mux(packet)
+            os.replace(part, target)
+        finally:
+            with suppress(OSError):
+                part.unlink()
+    return target
+
+
+def _packets(source: InputContainer, stream: VideoStream) -> Iterator[_VideoPacket]:
+    """The stream's packets up to where the file ends or can no longer be read."""
+    with suppress(av.error.FFmpegError):
+        for packet in source.demux(stream):
+            if packet.size:
+                yield packet
+
+
+def _display_order(path: Path, name: str, is_cancelled: Cancelled) -> tuple[list[int | None], Fraction]:
+    """For each packet the place of its frame in the decoder's order (None: no frame), and the rate in Hz.
+
+    Each packet carries its own number through the decoder as its time stamp; the decoder hands it on
+    with the frame, so the order is the decoder's own and not an estimate.
+    """
+    with closing(open_container(path, name)) as source:
+        stream = video_stream(source, name)
+        rate = Fraction(stream.average_rate or stream.guessed_rate or 25)
+        order: list[int | None] = []
+        shown = 0
+        for packet in itertools.chain(_packets(source, stream), [None]):
+            if packet is not None:
+                packet.pts, packet.dts = len(order), None
+                order.append(None)
+            for frame in frames_of_packet(stream, packet, Damage()):
+                index = frame_pts(frame)
+                if 0 <= index < len(order):
+                    order[index] = shown
+                    shown += 1
+            check_cancelled(is_cancelled, name)
+    return order, rate
+
+
+def _ranks(order: list[int | None]) -> list[int]:
+    """A place for every packet: those without a frame come right after the packet before them."""
+    places: list[tuple[int, int]] = []
+    last = -1
+    for i, place in enumerate(order):
+        last = place if place is not None else last
+        places.append((last, 0 if place is not None else i + 1))
+    ranks = [0] * len(order)
+    for rank, i in enumerate(sorted(range(len(order)), key=lambda j: places[j])):
+        ranks[i] = rank
+    return ranks

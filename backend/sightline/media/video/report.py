@@ -1,0 +1,179 @@
+"""What an ingest noticed about a recording, as counts and in words that an operator reads."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sightline.media.video.decode import Damage, VideoFacts
+from sightline.media.video.remux import WorkingCopy
+
+RATE_TOLERANCE = 0.02
+ROUNDING = 1.001
+JITTER = 0.05
+# Containers that write down how long they are but not how many frames; other durations may be estimates.
+DURATION_IN_HEADER = ("matroska,webm",)
+
+
+@dataclass(frozen=True)
+class IngestReport:
+    """`vfr`: the time between frames varies. `duplicates`: frames whose picture equals the one before.
+
+    `unordered`: frames whose time stamp is not later than the one before. `damaged`: something could not
+    be read. `rate_hz` is measured from the time stamps (None for fewer than two frames). `notes`:
+    sentences for people.
+    """
+
+    vfr: bool
+    duplicates: int
+    unordered: int
+    damaged: bool
+    rate_hz: float | None
+    notes: tuple[str, ...]
+
+
+def report_of(
+    facts: VideoFacts,
+    pts: NDArray[np.int64],
+    time_s: NDArray[np.float64],
+    crc32: NDArray[np.uint32],
+    damage: Damage,
+    copy: WorkingCopy | None,
+) -> IngestReport:
+    """The report of a finished decode; arrays are those of the frame table, shape (N,)."""
+    vfr = _varies(np.sort(pts))
+    duplicates = int(np.count_nonzero(crc32[1:] == crc32[:-1]))
+    unordered = int(np.count_nonzero(np.diff(pts) <= 0))
+    rate = _rate_hz(time_s)
+    notes = [
+        *_shape_notes(facts),
+        *_time_notes(facts, time_s, rate, vfr, copy),
+        *_order_notes(duplicates, unordered),
+        *_damage_notes(facts, len(pts), damage),
+        *_duration_notes(facts, pts, time_s),
+    ]
+    damaged = damage.any or _cut_short(facts, pts, time_s)
+    return IngestReport(vfr, duplicates, unordered, damaged, rate, tuple(notes))
+
+
+def _varies(pts: NDArray[np.int64]) -> bool:
+    """Whether time stamps leave the line through the first and the last by more than rounding.
+
+    Containers round to their tick, so a constant rate stays within one tick of that line; five per cent
+    of a frame more is granted to recorders with fine ticks and a slightly trembling clock.
+    """
+    if len(pts) < 3:
+        return False
+    line = np.linspace(float(pts[0]), float(pts[-1]), len(pts))
+    step = float(pts[-1] - pts[0]) / (len(pts) - 1)
+    return bool(np.max(np.abs(pts - line)) > max(ROUNDING, JITTER * step))
+
+
+def _rate_hz(time_s: NDArray[np.float64]) -> float | None:
+    span_s = float(time_s.max() - time_s.min()) if len(time_s) > 1 else 0.0
+    return (len(time_s) - 1) / span_s if span_s > 0 else None
+
+
+def _shape_notes(facts: VideoFacts) -> list[str]:
+    notes = []
+    if facts.layout_note:
+        notes.append(f"The picture was {facts.layout_note}, as its header asks.")
+    if facts.interlaced:
+        notes.append("The recording is interlaced: moving edges are combed, prefer a progressive recording.")
+    return notes
+
+
+def _time_notes(
+    facts: VideoFacts,
+    time_s: NDArray[np.float64],
+    rate: float | None,
+    vfr: bool,
+    copy: WorkingCopy | None,
+) -> list[str]:
+    notes = []
+    if copy is not None and copy.assumed_rate_hz is None:
+        notes.append("Frames are served from a working copy with an index; its pictures are the original's.")
+    if copy is not None and copy.assumed_rate_hz is not None:
+        notes.append(
+            "The stream holds no usable time stamps: "
+            f"{copy.assumed_rate_hz:.6g} frames per second are assumed, so do not trust its times."
+        )
+    if vfr:
+        steps = np.diff(np.sort(time_s))
+        notes.append(
+            f"The frame rate varies: {steps.min():.4f} to {steps.max():.4f} s between frames; "
+            "times come from the time stamps."
+        )
+    if rate and facts.rate_hz and not vfr and abs(facts.rate_hz / rate - 1) > RATE_TOLERANCE:
+        notes.append(
+            f"The header says {facts.rate_hz:.4g} frames per second, the time stamps say {rate:.4g}; "
+            "the time stamps are used."
+        )
+    return notes
+
+
+def _order_notes(duplicates: int, unordered: int) -> list[str]:
+    notes = []
+    if duplicates:
+        notes.append(f"{duplicates} {_frames(duplicates)} the same picture as the one before.")
+    if unordered:
+        notes.append(
+            f"{unordered} {_frames(unordered)} a time stamp not later than the one before; "
+            "the times were sorted."
+        )
+    return notes
+
+
+def _frames(count: int) -> str:
+    return "frame has" if count == 1 else "frames have"
+
+
+def _damage_notes(facts: VideoFacts, count: int, damage: Damage) -> list[str]:
+    notes = []
+    claimed = facts.reported_frames
+    if damage.reads:
+        notes.append(f"The file could not be read to its end; {count} frames were found before that.")
+    if damage.packets:
+        packets = "damaged packet was" if damage.packets == 1 else "damaged packets were"
+        notes.append(f"{damage.packets} {packets} skipped; frames are missing there.")
+    if damage.patched:
+        pictures = "picture is" if len(damage.patched) == 1 else "pictures are"
+        notes.append(
+            f"{len(damage.patched)} {pictures} damaged and filled up by the decoder, the first at frame "
+            f"{damage.patched[0]}; do not measure there."
+        )
+    if damage.other_size:
+        notes.append(f"{damage.other_size} frames of another picture size were left out.")
+    if claimed is not None and claimed != count:
+        notes.append(
+            f"The header speaks of {claimed} frames, {count} could be decoded; frame numbers follow these."
+        )
+    return notes
+
+
+def _duration_notes(facts: VideoFacts, pts: NDArray[np.int64], time_s: NDArray[np.float64]) -> list[str]:
+    """Where the header counts no frames, its duration alone tells that some are gone."""
+    if facts.reported_frames is not None or not _cut_short(facts, pts, time_s):
+        return []
+    end_s = _end_s(facts, pts, time_s)
+    return [
+        f"The header speaks of {facts.duration_s:.1f} s, the pictures end after {end_s:.1f} s; the file may "
+        "have been cut off."
+    ]
+
+
+def _cut_short(facts: VideoFacts, pts: NDArray[np.int64], time_s: NDArray[np.float64]) -> bool:
+    """Whether the recording ends long before its header says (an edit list or empty chunks do not count)."""
+    claimed, count = facts.reported_frames, len(pts)
+    if facts.duration_s is None or count == 0:
+        return False
+    if count >= claimed if claimed is not None else facts.container not in DURATION_IN_HEADER:
+        return False
+    return bool(_end_s(facts, pts, time_s) < 0.95 * facts.duration_s - 1.0)
+
+
+def _end_s(facts: VideoFacts, pts: NDArray[np.int64], time_s: NDArray[np.float64]) -> float:
+    """When the last picture is shown; by its stamp where that is later (durations may count from 0)."""
+    return max(float(time_s.max()), float(pts.max()) * float(facts.time_base))

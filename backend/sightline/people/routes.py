@@ -1,0 +1,83 @@
+"""Accounts, for admins."""
+
+from datetime import datetime
+from typing import Annotated, Literal
+
+from fastapi import APIRouter, Request
+from pydantic import Field
+
+from sightline.infra.web.bodies import In, Name, Out
+from sightline.infra.web.deps import Admin, PathId, Reading, Wired
+from sightline.people import store
+from sightline.people.service import link_path
+
+router = APIRouter()
+
+RoleName = Literal["admin", "operator", "reviewer", "viewer"]
+
+
+class PersonBody(Out):
+    id: int
+    name: str
+    email: str
+    role: RoleName
+    active: bool
+    created_at: datetime
+    last_seen_at: datetime | None
+    has_password: bool
+
+
+class NewPerson(In):
+    name: Name
+    email: Annotated[str, Field(min_length=3, max_length=320)]
+    role: RoleName
+
+
+class PersonChange(In):
+    name: Name
+    role: RoleName
+    active: bool
+
+
+class Link(Out):
+    link: str = Field(description="Path of the one-time sign-in page, valid 7 days; shown only now.")
+
+
+class Invited(Link):
+    person: PersonBody
+
+
+@router.get("/people")
+def list_people(who: Admin, session: Reading) -> list[PersonBody]:
+    """Everybody who has an account."""
+    return [PersonBody.model_validate(one) for one in store.list_people(session)]
+
+
+@router.post("/people", status_code=201)
+def add_person(body: NewPerson, who: Admin, services: Wired) -> Invited:
+    """A new account, and the one-time link with which the person signs in first."""
+    with services.writing() as session:
+        person = store.create_person(session, name=body.name, email=body.email, role=body.role, actor=who.id)
+        token = store.create_sign_in_link(session, person.id, actor=who.id)
+    return Invited(person=PersonBody.model_validate(person), link=link_path(token))
+
+
+@router.put("/people/{person_id}")
+def change_person(
+    person_id: PathId, body: PersonChange, who: Admin, request: Request, services: Wired
+) -> PersonBody:
+    """Change name, role or access; the last admin stays one."""
+    with services.writing() as session:
+        person = store.update_person(
+            session, person_id, name=body.name, role=body.role, active=body.active, actor=who.id
+        )
+    request.app.state.sign_in.forget()
+    return PersonBody.model_validate(person)
+
+
+@router.post("/people/{person_id}/link", status_code=201)
+def new_link(person_id: PathId, who: Admin, services: Wired) -> Link:
+    """A fresh one-time link for somebody who lost the first or the password; older ones end."""
+    with services.writing() as session:
+        token = store.create_sign_in_link(session, person_id, actor=who.id)
+    return Link(link=link_path(token))

@@ -1,0 +1,175 @@
+"""Accounts at work: signing in with a password or a one-time link, passwords (Argon2), the first admin."""
+
+from functools import cache
+from threading import Lock
+from typing import TYPE_CHECKING
+
+from argon2 import PasswordHasher
+from argon2.exceptions import InvalidHashError, VerifyMismatchError
+
+from sightline.errors import BadInput, NotAllowed, NotSignedIn, TooMany
+from sightline.infra.services import Services
+from sightline.infra.web.person import Person
+from sightline.people.store import (
+    create_person,
+    create_sign_in_link,
+    get_person,
+    list_people,
+    note_person_seen,
+    password_hash_of,
+    person_by_email,
+    rehash_password,
+    set_password,
+    use_sign_in_link,
+)
+
+if TYPE_CHECKING:
+    from limits import RateLimitItem
+    from limits.strategies import MovingWindowRateLimiter
+
+MIN_PASSWORD = 10
+MAX_PASSWORD = 1000
+FIRST_ADMIN = ("Admin", "admin@sightline.local")
+PER_ACCOUNT = "5 per 5 minutes"
+# One address may serve a whole office, so it gets more; not enough to try a list on everybody.
+PER_ADDRESS = "50 per 5 minutes"
+
+_hasher = PasswordHasher()
+
+
+@cache
+def _nobodys_hash() -> str:
+    """Verified against when the address is unknown: the time taken must not tell who has an account."""
+    return _hasher.hash("nobody has this password")
+
+
+class Attempts:
+    """Counts failed sign-ins per account and address, and per address alone, in this process."""
+
+    def __init__(self) -> None:
+        self._opening = Lock()
+        self._made: MovingWindowRateLimiter | None = None
+
+    def begin(self, email: str, address: str) -> None:
+        """Count an attempt before it is tried, so that many at once do not slip through. Raises TooMany."""
+        limiter = self._limiter()
+        for limit, key in self._keys(email, address):
+            if not limiter.hit(limit, *key):
+                raise TooMany("Too many failed sign-ins; wait five minutes and try again.")
+
+    def succeeded(self, email: str, address: str) -> None:
+        """Forget the failures of this account from this address."""
+        limit, key = self._keys(email, address)[0]
+        self._limiter().clear(limit, *key)
+
+    def _limiter(self) -> "MovingWindowRateLimiter":
+        """Made at the first attempt: a starting server has no use for what it imports."""
+        with self._opening:
+            if self._made is None:
+                from limits.storage import MemoryStorage
+                from limits.strategies import MovingWindowRateLimiter
+
+                self._made = MovingWindowRateLimiter(MemoryStorage())
+            return self._made
+
+    @staticmethod
+    def _keys(email: str, address: str) -> "list[tuple[RateLimitItem, tuple[str, ...]]]":
+        from limits import parse
+
+        return [
+            (parse(PER_ACCOUNT), ("account", email.strip().lower(), address)),
+            (parse(PER_ADDRESS), ("address", address)),
+        ]
+
+
+def sign_in(services: Services, attempts: Attempts, email: str, password: str, address: str) -> Person:
+    """Whose email and password these are.
+
+    Raises:
+        NotSignedIn: they do not fit, or the account is switched off (which of the two is not said).
+        TooMany: five failures within five minutes.
+    """
+    attempts.begin(email, address)
+    with services.reading() as session:
+        person = person_by_email(session, email)
+        stored = password_hash_of(session, person.id) if person and person.active else None
+    if not matches(stored, password) or person is None:
+        raise NotSignedIn("This email and password do not fit together; check both and try again.")
+    attempts.succeeded(email, address)
+    with services.writing() as session:
+        if stored is not None and _hasher.check_needs_rehash(stored):
+            rehash_password(session, person.id, _hasher.hash(password))
+        note_person_seen(session, person.id)
+        return get_person(session, person.id)
+
+
+def sign_in_by_link(services: Services, token: str) -> Person:
+    """Whose one-time link this is; it works once. Raises NotSignedIn for a used, old or unknown one."""
+    with services.writing() as session:
+        person = use_sign_in_link(session, token)
+        note_person_seen(session, person.id)
+        return get_person(session, person.id)
+
+
+def matches(stored: str | None, password: str) -> bool:
+    """Whether the password is the one behind the stored hash; takes as long when there is none."""
+    try:
+        return _hasher.verify(stored or _nobodys_hash(), password) and stored is not None
+    except (VerifyMismatchError, InvalidHashError):
+        return False
+
+
+def change_password(
+    services: Services, person: Person, current: str | None, new: str, by_link: bool
+) -> Person:
+    """Set a password and end all other sessions. Whoever came by a one-time link need not know the old one.
+
+    Raises:
+        BadInput: the new one is too short or too long.
+        NotAllowed: the current one is missing or wrong.
+    """
+    if not MIN_PASSWORD <= len(new) <= MAX_PASSWORD:
+        raise BadInput(f"A password has {MIN_PASSWORD} to {MAX_PASSWORD} characters; choose another.")
+    with services.reading() as session:
+        stored = password_hash_of(session, person.id)
+    if stored is not None and not by_link and not matches(stored, current or ""):
+        raise NotAllowed("The current password is not right; type it again.")
+    hashed = _hasher.hash(new)
+    with services.writing() as session:
+        return set_password(session, person.id, hashed, actor=person.id)
+
+
+def link_path(token: str) -> str:
+    """The page that a one-time token opens."""
+    return f"/sign-in?token={token}"
+
+
+def first_sign_in_link(services: Services) -> str | None:
+    """The path of a fresh one-time link for an admin who never signed in; None otherwise.
+
+    Makes that admin where there is no account at all. Each call ends the link made by the call before.
+    """
+    with services.writing() as session:
+        everybody = list_people(session)
+        if not everybody:
+            name, email = FIRST_ADMIN
+            first = create_person(session, name=name, email=email, role="admin", actor=None)
+        else:
+            admins = [one for one in everybody if one.role == "admin" and one.active]
+            if len(admins) != 1 or admins[0].has_password or admins[0].last_seen_at is not None:
+                return None
+            first = admins[0]
+        return link_path(create_sign_in_link(session, first.id, actor=None))
+
+
+def new_sign_in_link(services: Services, email: str) -> str:
+    """The path of a fresh one-time link for the account with this address, for whoever has lost their way in.
+
+    Raises:
+        BadInput: no active account has this address.
+    """
+    with services.writing() as session:
+        person = person_by_email(session, email)
+        if person is None or not person.active:
+            raise BadInput(f"There is no active account for {email}; check the address.")
+        return link_path(create_sign_in_link(session, person.id, actor=None))

@@ -1,0 +1,117 @@
+"""Signing in and out, and who am I."""
+
+from datetime import UTC, datetime, timedelta
+from typing import Annotated
+
+from fastapi import APIRouter, Request, Response
+from pydantic import Field
+
+from sightline.infra.services import Services
+from sightline.infra.version import code_version
+from sightline.infra.web.bodies import In, Out
+from sightline.infra.web.cookie import SignIn
+from sightline.infra.web.deps import OPEN, Viewer, Wired
+from sightline.infra.web.person import Person
+from sightline.people import service, store
+from sightline.people.routes import PersonBody
+from sightline.surveys.store import demo_survey_id
+
+router = APIRouter()
+
+SEEN_EVERY = timedelta(minutes=10)
+Secret = Annotated[str, Field(max_length=1000)]
+
+
+class Credentials(In):
+    email: Annotated[str, Field(max_length=320)]
+    password: Secret
+
+
+class LinkToken(In):
+    token: Secret
+
+
+class NewPassword(In):
+    current: Secret | None = None
+    new: Annotated[str, Field(min_length=service.MIN_PASSWORD, max_length=service.MAX_PASSWORD)]
+
+
+class Me(Out):
+    person: PersonBody
+    version: str
+    needs_password: bool = Field(
+        description="No password yet, or here by a one-time link: the current one is not asked."
+    )
+    demo_survey_id: int | None
+
+
+@router.post("/session", dependencies=[OPEN])
+def sign_in(body: Credentials, request: Request, response: Response, services: Wired) -> Me:
+    """Sign in with email and password; five failures within five minutes make you wait."""
+    attempts: service.Attempts = request.app.state.attempts
+    address = request.client.host if request.client else ""
+    person = service.sign_in(services, attempts, body.email, body.password, address)
+    return _welcome(request, response, services, person, by_link=False)
+
+
+@router.post("/session/link", dependencies=[OPEN])
+def sign_in_by_link(body: LinkToken, request: Request, response: Response, services: Wired) -> Me:
+    """Sign in with the token of a one-time link."""
+    person = service.sign_in_by_link(services, body.token)
+    return _welcome(request, response, services, person, by_link=True)
+
+
+@router.get("/session")
+def who_am_i(who: Viewer, request: Request, services: Wired) -> Me:
+    """The signed-in person and what the front end needs to begin."""
+    if who.last_seen_at is None or datetime.now(UTC) - who.last_seen_at > SEEN_EVERY:
+        with services.writing() as session:
+            store.note_person_seen(session, who.id)
+    return _me(services, who, _cookies(request).by_link(request))
+
+
+@router.delete("/session", status_code=204, dependencies=[OPEN])
+def sign_out(request: Request, response: Response, services: Wired) -> None:
+    """Sign out, everywhere: a copy of the cookie is worth nothing afterwards. Done also without a session."""
+    cookies = _cookies(request)
+    person = cookies.person_of(request)
+    if person is not None:
+        with services.writing() as session:
+            store.end_sessions(session, person.id, actor=person.id)
+        cookies.forget()
+    cookies.end(response)
+
+
+@router.put("/session/password")
+def change_password(
+    body: NewPassword, who: Viewer, request: Request, response: Response, services: Wired
+) -> Me:
+    """Set the password; every other session of the person ends."""
+    cookies = _cookies(request)
+    person = service.change_password(services, who, body.current, body.new, cookies.by_link(request))
+    return _welcome(request, response, services, person, by_link=False)
+
+
+def _cookies(request: Request) -> SignIn:
+    cookies: SignIn = request.app.state.sign_in
+    return cookies
+
+
+def _welcome(
+    request: Request, response: Response, services: Services, person: Person, *, by_link: bool
+) -> Me:
+    cookies = _cookies(request)
+    cookies.forget()
+    cookies.remember(response, person, by_link=by_link)
+    return _me(services, person, by_link)
+
+
+def _me(services: Services, person: Person, by_link: bool) -> Me:
+    with services.reading() as session:
+        demonstration = demo_survey_id(session)
+    return Me(
+        person=PersonBody.model_validate(person),
+        version=code_version(),
+        needs_password=by_link or not person.has_password,
+        demo_survey_id=demonstration,
+    )

@@ -1,0 +1,174 @@
+"""People: accounts, roles, passwords (as hashes made elsewhere) and one-time sign-in links."""
+
+import hashlib
+import secrets
+from collections.abc import Mapping
+from datetime import timedelta
+from typing import Any, get_args
+
+from sqlalchemy import func, select
+from sqlalchemy import update as sql_update
+from sqlalchemy.orm import Session
+
+from sightline.enums import Role
+from sightline.errors import BadInput, Conflict, NotSignedIn
+from sightline.infra.audit import trail
+from sightline.infra.audit.hashing import plain
+from sightline.infra.database.people import people, sign_in_links
+from sightline.infra.database.rows import add_row, change_row, get_row
+from sightline.infra.database.types import now
+from sightline.infra.web.person import Person
+
+LINK_LIFETIME = timedelta(days=7)
+
+
+def anybody(session: Session) -> bool:
+    """Whether there is an account at all (first start: no)."""
+    return session.execute(select(people.c.id).limit(1)).first() is not None
+
+
+def get_person(session: Session, person_id: int) -> Person:
+    """One person. Raises NotFound."""
+    return _person(get_row(session, people, person_id, "person"))
+
+
+def person_by_email(session: Session, email: str) -> Person | None:
+    """The account with this address, whatever its case."""
+    query = select(people).where(people.c.email == email.strip().lower())
+    row = session.execute(query).mappings().one_or_none()
+    return None if row is None else _person(row)
+
+
+def list_people(session: Session) -> tuple[Person, ...]:
+    """Everybody, by name."""
+    rows = session.execute(select(people).order_by(func.lower(people.c.name), people.c.id)).mappings()
+    return tuple(_person(row) for row in rows)
+
+
+def create_person(session: Session, *, name: str, email: str, role: Role, actor: int | None) -> Person:
+    """A new account without a password; give them a link. Raises Conflict if the address is taken."""
+    name, email = _checked(name, role), email.strip().lower()
+    if "@" not in email:
+        raise BadInput(f"“{email}” is not an email address; write it as name@place.")
+    if person_by_email(session, email) is not None:
+        raise Conflict(f"There is already an account for {email}; change that one instead.")
+    values = {"name": name, "email": email, "role": role, "active": True, "created_at": now()}
+    person_id = add_row(session, people, values)
+    after = {"name": name, "email": email, "role": role, "active": True}
+    trail.record(session, actor, "create", "person", person_id, None, None, after)
+    return get_person(session, person_id)
+
+
+def update_person(
+    session: Session, person_id: int, *, name: str, role: Role, active: bool, actor: int | None
+) -> Person:
+    """Change name, role or access. Raises Conflict for the last admin; switching off ends sessions."""
+    before = get_person(session, person_id)
+    name = _checked(name, role)
+    if before.role == "admin" and before.active and not (role == "admin" and active):
+        _keep_an_admin(session, person_id)
+    change: dict[str, Any] = {"name": name, "role": role, "active": active}
+    if before.active and not active:
+        change["session_key"] = before.session_key + 1
+    change_row(session, people, person_id, change)
+    after = get_person(session, person_id)
+    what = trail.changed(plain(before), plain(after), ("name", "role", "active"))
+    trail.record(session, actor, "update", "person", person_id, None, *what)
+    return after
+
+
+def _keep_an_admin(session: Session, person_id: int) -> None:
+    others = select(people.c.id).where(people.c.role == "admin", people.c.active, people.c.id != person_id)
+    if session.execute(others).first() is None:
+        raise Conflict("This is the last admin; make somebody else admin first.")
+
+
+def password_hash_of(session: Session, person_id: int) -> str | None:
+    """The stored hash of the password, None where none was set."""
+    found = get_row(session, people, person_id, "person")["password_hash"]
+    return None if found is None else str(found)
+
+
+def set_password(session: Session, person_id: int, hashed: str, *, actor: int | None) -> Person:
+    """Store a new hash and end all their other sessions (a new session_key)."""
+    before = get_person(session, person_id)
+    change_row(session, people, person_id, {"password_hash": hashed, "session_key": before.session_key + 1})
+    trail.record(session, actor, "set_password", "person", person_id, None)
+    return get_person(session, person_id)
+
+
+def end_sessions(session: Session, person_id: int, *, actor: int | None) -> Person:
+    """End every session of a person, on all their devices (a new session_key): signing out."""
+    before = get_person(session, person_id)
+    change_row(session, people, person_id, {"session_key": before.session_key + 1})
+    trail.record(session, actor, "sign_out", "person", person_id, None)
+    return get_person(session, person_id)
+
+
+def rehash_password(session: Session, person_id: int, hashed: str) -> None:
+    """The same password under newer hash parameters; not a change, so not an event."""
+    change_row(session, people, person_id, {"password_hash": hashed})
+
+
+def note_person_seen(session: Session, person_id: int) -> None:
+    """Note that they were here now; not an event."""
+    change_row(session, people, person_id, {"last_seen_at": now()})
+
+
+def create_sign_in_link(
+    session: Session, person_id: int, *, actor: int | None, valid_for: timedelta = LINK_LIFETIME
+) -> str:
+    """Make a one-time sign-in link and return its token; only the token's hash is stored. Older ones end."""
+    person = get_person(session, person_id)
+    token, moment = secrets.token_urlsafe(32), now()
+    session.execute(
+        sql_update(sign_in_links)
+        .where(sign_in_links.c.person_id == person_id, sign_in_links.c.used_at.is_(None))
+        .values(expires_at=moment)
+    )
+    values = {"person_id": person_id, "created_at": moment, "expires_at": moment + valid_for}
+    link_id = add_row(session, sign_in_links, {**values, "token_hash": _token_hash(token)})
+    after = {"person_id": person_id, "email": person.email, "expires_at": moment + valid_for}
+    trail.record(session, actor, "create", "sign_in_link", link_id, None, None, after)
+    return token
+
+
+def use_sign_in_link(session: Session, token: str) -> Person:
+    """Whose link this is; it works once. Raises NotSignedIn for a used, old or unknown one."""
+    refused = NotSignedIn("This sign-in link was used already or is too old; ask an admin for a new one.")
+    query = select(sign_in_links).where(sign_in_links.c.token_hash == _token_hash(token))
+    link = session.execute(query).mappings().one_or_none()
+    if link is None or link["used_at"] is not None or link["expires_at"] <= now():
+        raise refused
+    person = get_person(session, link["person_id"])
+    if not person.active:
+        raise refused
+    change_row(session, sign_in_links, link["id"], {"used_at": now()})
+    trail.record(session, person.id, "use", "sign_in_link", link["id"], None)
+    return person
+
+
+def _token_hash(token: str) -> str:
+    return hashlib.sha256(token.encode()).hexdigest()
+
+
+def _checked(name: str, role: str) -> str:
+    if not name.strip():
+        raise BadInput("A person needs a name; fill it in.")
+    if role not in get_args(Role):
+        raise BadInput(f"There is no role “{role}”; use one of {', '.join(get_args(Role))}.")
+    return name.strip()
+
+
+def _person(row: Mapping[Any, Any]) -> Person:
+    return Person(
+        id=row["id"],
+        name=row["name"],
+        email=row["email"],
+        role=row["role"],
+        active=row["active"],
+        created_at=row["created_at"],
+        last_seen_at=row["last_seen_at"],
+        has_password=row["password_hash"] is not None,
+        session_key=row["session_key"],
+    )

@@ -1,0 +1,102 @@
+"""What road poses take and answer."""
+
+from datetime import datetime
+from typing import Annotated, Any, Literal
+
+from pydantic import Field
+
+from sightline.cameras.board_bodies import Markers, SquareM
+from sightline.infra.web.bodies import Finite, FrameNumber, Id, Out
+
+Polyline = list[list[float]]
+
+
+Corners = Annotated[int, Field(ge=2, le=60, description="Inner corners: where four squares meet.")]
+
+
+HeightAboveRoad = Annotated[Finite, Field(ge=-1, le=10)]
+
+
+class BoardWanted(Markers):
+    frame: FrameNumber
+    columns: Corners
+    rows: Corners
+    square_m: SquareM = None
+    calibration_id: Id | None = None
+
+
+class BoardBody(Out):
+    """The board on one frame; where it was not found, why."""
+
+    found: bool
+    reason: str | None
+    columns: int
+    rows: int
+    corners_px: Polyline
+    outline_px: Polyline
+    ids: list[int] | None = Field(
+        description="Which corners were seen, counted row by row; null for all of them."
+    )
+    order_note: str
+
+
+class PoseWanted(Markers):
+    calibration_id: Id
+    first_frame: FrameNumber
+    last_frame: FrameNumber
+    columns: Corners
+    rows: Corners
+    square_m: Annotated[Finite, Field(gt=0, le=5)]
+    reference: Literal["top", "bottom"]
+    reference_height_m: HeightAboveRoad
+    u_reference_height_m: Annotated[Finite, Field(ge=0, le=1)] = 0.003
+    u_lean_rad: Annotated[Finite, Field(ge=0, le=1)] = 0.005
+    u_square_m: Annotated[
+        Finite | None, Field(ge=0, le=1, description="Of a square's side; null: 0.1 % of it, an estimate.")
+    ] = None
+    u_bow_m: Annotated[Finite, Field(ge=0, le=1, description="Middle of the board out of plane.")] = 0.0005
+
+
+class PoseSummaryBody(Out):
+    id: int
+    recording_id: int
+    calibration_id: int
+    created_at: datetime
+    first_frame: int
+    last_frame: int
+    rms_px: float | None
+    distance_m: float | None
+    summary: str
+
+
+class AxesBody(Out):
+    longitudinal: Polyline
+    vertical: Polyline
+    transversal: Polyline
+    origin_px: list[float]
+
+
+class IsoHeight(Out):
+    height_m: float
+    points: Polyline
+
+
+class PoseOverlay(Out):
+    grid: list[Polyline]
+    iso_heights: list[IsoHeight]
+    axes: AxesBody | None
+    corners_px: Polyline
+
+
+class ExpectedHeight(Out):
+    distance_m: float
+    u_height_m: float | None
+    U95_height_m: float | None
+    reason: str | None
+
+
+class PoseBody(PoseSummaryBody):
+    document: dict[str, Any] = Field(description="The pose as pose.json.")
+    warnings: list[str]
+    expected: list[ExpectedHeight]
+    overlay: PoseOverlay

@@ -1,0 +1,150 @@
+"""Road poses of stored recordings: what is refused at once, and the job that looks at the frames."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import asdict, dataclass
+from typing import Any, Literal
+
+from sqlalchemy.orm import Session
+
+from sightline.cameras.boards import BoardKind, board_told
+from sightline.cameras.calibrations.store import get_calibration
+from sightline.errors import BadInput
+from sightline.geometry.board import Board, require_board
+from sightline.geometry.camera import Camera
+from sightline.geometry.documents import camera_from_dict
+from sightline.geometry.road_pose import DEFAULT_U_BOW_M, Reference
+from sightline.infra.jobs import registry
+from sightline.infra.jobs.records import Job
+from sightline.infra.services import Services, services_of
+from sightline.poses.service import BoardView, Solved, board_in_span, board_view, check_fits, solve
+from sightline.poses.store import add_pose
+from sightline.quality.drift.drift_job import request_if_posed
+from sightline.recordings.records import Recording
+from sightline.recordings.store import get_recording, update_recording
+
+KIND = "pose"
+
+
+@dataclass(frozen=True)
+class PoseRequest:
+    """A span of frames, the board that stood in it, and the tape's measure."""
+
+    recording_id: int
+    calibration_id: int
+    first_frame: int
+    last_frame: int
+    columns: int
+    rows: int
+    square_m: float
+    reference: Literal["top", "bottom"]
+    reference_height_m: float
+    u_reference_height_m: float
+    u_lean_rad: float
+    u_square_m: float | None = None
+    u_bow_m: float = DEFAULT_U_BOW_M
+    board_kind: BoardKind = "checkerboard"
+    dictionary: str | None = None
+    marker_m: float | None = None
+
+    @property
+    def board(self) -> Board:
+        markers = self.dictionary, self.marker_m
+        return board_told(self.columns, self.rows, self.square_m, self.board_kind, *markers)
+
+    @property
+    def tape(self) -> Reference:
+        height_m, u_height_m = self.reference_height_m, self.u_reference_height_m
+        return Reference(self.reference, height_m, u_height_m, self.u_lean_rad, self.u_square_m, self.u_bow_m)
+
+
+def look_for_board(
+    services: Services, recording_id: int, frame: int, board: Board, calibration_id: int | None
+) -> BoardView:
+    """The board on one frame. Raises NotFound, BadInput (not ready, calibration of another size)."""
+    if calibration_id is not None:
+        with services.reading() as session:
+            fitting_camera(session, get_recording(session, recording_id), calibration_id)
+    return board_view(services.stills.gray(recording_id, frame), board)
+
+
+def request_pose(session: Session, wanted: PoseRequest, *, actor: int) -> Job:
+    """Queue the solution. Raises at once for what can be seen to be wrong without looking at a frame."""
+    recording = get_recording(session, wanted.recording_id)
+    if recording.state != "ready" or recording.frame_count is None:
+        raise BadInput(f"{recording.name} has no frames yet; wait until it is ready.")
+    if not wanted.first_frame <= wanted.last_frame < recording.frame_count:
+        raise BadInput(
+            f"Frames {wanted.first_frame} to {wanted.last_frame} are no span of {recording.name}; it has "
+            f"frames 0 to {recording.frame_count - 1}."
+        )
+    require_board(wanted.board)
+    fitting_camera(session, recording, wanted.calibration_id)
+    return registry.enqueue(
+        session,
+        KIND,
+        asdict(wanted),
+        survey_id=recording.survey_id,
+        recording_id=recording.id,
+        actor=actor,
+    )
+
+
+def fitting_camera(session: Session, recording: Recording, calibration_id: int) -> Camera:
+    """The calibration as a camera. Raises BadInput if it is for pictures of another size."""
+    camera = camera_from_dict(
+        get_calibration(session, calibration_id).document, f"calibration {calibration_id}"
+    )
+    if recording.width_px is not None and recording.height_px is not None:
+        check_fits(camera, recording.width_px, recording.height_px, recording.name)
+    return camera
+
+
+@registry.handler(KIND)
+def solve_pose(context: registry.JobContext) -> registry.Outcome:
+    """Detect the board in frames of the span, solve, and make the result the recording's pose."""
+    wanted = PoseRequest(**context.payload)
+    services = services_of(context)
+    with services.reading() as session:
+        recording = get_recording(session, wanted.recording_id)
+        camera = fitting_camera(session, recording, wanted.calibration_id)
+    seen = board_in_span(
+        lambda n: services.stills.gray(wanted.recording_id, n),
+        wanted.first_frame,
+        wanted.last_frame,
+        wanted.board,
+        context.progress,
+    )
+    context.progress(0.85, "Solving for the camera's place.")
+    solved = solve(camera, seen, wanted.board, wanted.tape)
+    return storing(wanted, solved, context.actor)
+
+
+def storing(wanted: PoseRequest, solved: Solved, actor: int | None) -> Callable[[Session], Mapping[str, Any]]:
+    """The write that ends the job: the pose, in force for its recording, and the camera that filmed it."""
+
+    def store(session: Session) -> Mapping[str, Any]:
+        pose = add_pose(
+            session,
+            wanted.recording_id,
+            calibration_id=wanted.calibration_id,
+            first_frame=wanted.first_frame,
+            last_frame=wanted.last_frame,
+            rms_px=solved.pose.rms_px,
+            distance_m=solved.distance_m,
+            summary=solved.summary,
+            document=solved.document,
+            warnings=solved.warnings,
+            expected=solved.expected,
+            overlay=solved.overlay,
+            actor=actor,
+        )
+        recording = get_recording(session, wanted.recording_id)
+        camera_id = get_calibration(session, wanted.calibration_id).camera_id
+        if recording.camera_id is None:
+            update_recording(session, recording.id, {"camera_id": camera_id}, actor=actor)
+        request_if_posed(session, recording.id, actor=actor)
+        return {"pose_id": pose.id}
+
+    return store

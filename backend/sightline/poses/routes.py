@@ -1,0 +1,43 @@
+"""Road poses: the board on a frame, a pose from a span of frames, and the poses of a survey."""
+
+from fastapi import APIRouter
+
+from sightline.cameras.boards import board_told
+from sightline.infra.web.bodies import JobBody
+from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired, Writing
+from sightline.poses import pose_job, store
+from sightline.poses.bodies import BoardBody, BoardWanted, PoseBody, PoseSummaryBody, PoseWanted
+from sightline.poses.pose_job import PoseRequest
+from sightline.surveys.store import get_survey
+
+router = APIRouter()
+
+
+@router.post("/recordings/{recording_id}/board")
+def find_board(recording_id: PathId, body: BoardWanted, who: Operator, services: Wired) -> BoardBody:
+    """Look for the board on one frame; where it is not found, the answer says why."""
+    board = board_told(
+        body.columns, body.rows, body.square_m, body.board_kind, body.dictionary, body.marker_m
+    )
+    found = pose_job.look_for_board(services, recording_id, body.frame, board, body.calibration_id)
+    return BoardBody.model_validate(found)
+
+
+@router.post("/recordings/{recording_id}/poses", status_code=202)
+def make_pose(recording_id: PathId, body: PoseWanted, who: Operator, session: Writing) -> JobBody:
+    """Solve for the road pose in the background; it becomes the recording's pose when it succeeds."""
+    wanted = PoseRequest(recording_id=recording_id, **body.model_dump())
+    return JobBody.model_validate(pose_job.request_pose(session, wanted, actor=who.id))
+
+
+@router.get("/surveys/{survey_id}/poses")
+def list_poses(survey_id: PathId, who: Viewer, session: Reading) -> list[PoseSummaryBody]:
+    """The poses of a survey, newest first."""
+    get_survey(session, survey_id)
+    return [PoseSummaryBody.model_validate(one) for one in store.list_poses(session, survey_id)]
+
+
+@router.get("/poses/{pose_id}")
+def get_pose(pose_id: PathId, who: Viewer, session: Reading) -> PoseBody:
+    """One pose with its document, what heights will be worth, and what to draw over the frame."""
+    return PoseBody.model_validate(store.get_pose(session, pose_id))

@@ -1,0 +1,210 @@
+"""Road poses: the board on one frame, the pose from a span of frames, and what is drawn and said about it."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from scipy.spatial import ConvexHull
+
+from sightline.errors import BadInput
+from sightline.geometry.arrays import Floats
+from sightline.geometry.board import Board
+from sightline.geometry.camera import Camera, project
+from sightline.geometry.corners import Corners, Gray, detect
+from sightline.geometry.documents import pose_to_dict
+from sightline.geometry.height import COVERAGE_95
+from sightline.geometry.mean_picture import MeanPicture
+from sightline.geometry.pose import expected_u, pose_from_corners
+from sightline.geometry.road import axes_at_contact, iso_heights, road_grid
+from sightline.geometry.road_pose import Reference, RoadPose
+from sightline.measurements.height_of_clicks import drawn_axes
+
+# Corner errors of neighbouring frames are correlated (metrology 0.3): more frames add time, not accuracy.
+MOST_FRAMES = 15
+EXPECTED_AT_M = (2.0, 3.0, 5.0)
+_ORDER_NOTE = "Corners are numbered from the top left as seen, along the rows to the right and then down."
+_PART = (
+    "{seen} of its {all} corners are seen; that will do for a calibration, and a road pose needs them all. "
+)
+_TRANSPOSED = " The board stands the other way up than given: {columns} columns by {rows} rows as seen."
+
+Progress = Callable[[float, str], None]
+
+
+@dataclass(frozen=True)
+class BoardView:
+    """What one frame shows of the board, in plain lists."""
+
+    found: bool
+    reason: str | None
+    columns: int
+    rows: int
+    corners_px: list[list[float]]
+    outline_px: list[list[float]]
+    ids: list[int] | None
+    order_note: str
+
+
+@dataclass(frozen=True, eq=False)
+class BoardSeen:
+    """The board in frames of a span: its corners in each, and the mean picture of the still ones."""
+
+    corners: tuple[Corners, ...]
+    mean_picture: Floats | None
+
+
+def preview_board(pictures: Iterable[Gray], board: Board) -> BoardSeen:
+    """Detect the board in grey pictures in time order; where it is not found, the reason stays."""
+    mean, found = MeanPicture(), []
+    for gray in pictures:
+        corners = detect(gray, board)
+        found.append(corners)
+        if corners.found and corners.ids is None:
+            mean.add(gray, corners)
+    return BoardSeen(tuple(found), mean.result())
+
+
+@dataclass(frozen=True, eq=False)
+class Solved:
+    """A road pose with everything that is stored beside it."""
+
+    pose: RoadPose
+    document: dict[str, Any]
+    warnings: list[str]
+    expected: list[dict[str, Any]]
+    overlay: dict[str, Any]
+    distance_m: float | None
+    summary: str
+
+
+def board_view(gray: Gray, board: Board) -> BoardView:
+    """Look for the board in one grey picture (H, W). Raises BadInput for an impossible board."""
+    corners = detect(gray, board)
+    if not corners.found:
+        return BoardView(False, corners.reason, board.columns, board.rows, [], [], None, _ORDER_NOTE)
+    seen = corners.board_as_seen
+    turned = (seen.columns, seen.rows) != (board.columns, board.rows)
+    note = _ORDER_NOTE + (_TRANSPOSED.format(columns=seen.columns, rows=seen.rows) if turned else "")
+    ids: list[int] | None = None
+    if corners.ids is not None:
+        ids = corners.ids.tolist()
+        note = _PART.format(seen=len(corners.ids), all=seen.corners) + note
+    flat = corners.points_px.reshape(-1, 2).tolist()
+    return BoardView(True, None, seen.columns, seen.rows, flat, outline(corners), ids, note)
+
+
+def outline(corners: Corners) -> list[list[float]]:
+    """The four outermost inner corners, clockwise from the top left, closed; of a board seen in part the
+    hull of what is seen.
+    """
+    grid = corners.points_px
+    if corners.ids is None:
+        ring = np.array([grid[0, 0], grid[0, -1], grid[-1, -1], grid[-1, 0]])
+    else:
+        ring = grid[ConvexHull(grid).vertices]
+    return [[float(x), float(y)] for x, y in [*ring, ring[0]]]
+
+
+def frames_to_try(first: int, last: int, most: int = MOST_FRAMES) -> list[int]:
+    """Frame numbers spread evenly over the span, both ends included."""
+    count = min(most, last - first + 1)
+    return sorted({round(float(n)) for n in np.linspace(first, last, count)})
+
+
+def board_in_span(
+    gray_of: Callable[[int], Gray], first: int, last: int, board: Board, progress: Progress
+) -> BoardSeen:
+    """The board in frames of the span. Raises BadInput, saying why, where no frame shows it."""
+    wanted = frames_to_try(first, last)
+
+    def pictures() -> Iterator[Gray]:
+        for index, n in enumerate(wanted):
+            progress(0.05 + 0.75 * index / len(wanted), f"Looking for the board in frame {n}.")
+            yield gray_of(n)
+
+    seen = preview_board(pictures(), board)
+    if not any(corners.found for corners in seen.corners):
+        reasons = Counter(corners.reason or "the board was not found" for corners in seen.corners)
+        reason = reasons.most_common(1)[0][0].rstrip(".")
+        raise BadInput(f"No frame from {first} to {last} shows the board: {reason[:1].lower()}{reason[1:]}.")
+    return seen
+
+
+def solve(camera: Camera, seen: BoardSeen, board: Board, reference: Reference) -> Solved:
+    """The road pose from the board as seen, with its verdict and drawing.
+
+    Raises BadInput with the reason (board or camera moved, board seen edge-on, height that cannot be).
+    """
+    pose = pose_from_corners(camera, list(seen.corners), board, reference, seen.mean_picture)
+    found = [corners for corners in seen.corners if corners.found and corners.ids is None]
+    return described(pose, found[len(found) // 2].points_px.reshape(-1, 2))
+
+
+def described(pose: RoadPose, corners_px: Floats) -> Solved:
+    """A pose with its verdict and drawing; corners_px (N, 2): the board on the frame that is drawn over."""
+    expected = [_expected(*at) for at in expected_u(pose, EXPECTED_AT_M)]
+    distance_m = None if pose.board is None else pose.board.distance_m
+    return Solved(
+        pose=pose,
+        document=pose_to_dict(pose),
+        warnings=list(pose.warnings),
+        expected=expected,
+        overlay=overlay(pose, corners_px),
+        distance_m=distance_m,
+        summary=verdict(expected, distance_m, float(pose.centre_m[2])),
+    )
+
+
+def _expected(distance_m: float, u_m: float | None) -> dict[str, Any]:
+    reason = None if u_m is not None else "The picture does not show the road at this distance."
+    u95_m = None if u_m is None else COVERAGE_95 * u_m
+    return {"distance_m": distance_m, "u_height_m": u_m, "U95_height_m": u95_m, "reason": reason}
+
+
+def verdict(expected: Sequence[dict[str, Any]], distance_m: float | None, camera_height_m: float) -> str:
+    """In plain words: where the board stood, how high the camera is, how well heights will be known."""
+    board = "" if distance_m is None else f"The board stood {distance_m:.2f} m from the camera. "
+    known = [one for one in expected if one["U95_height_m"] is not None]
+    figures = ", ".join(f"±{1000 * e['U95_height_m']:.0f} mm at {e['distance_m']:.0f} m" for e in known)
+    heights = (
+        f" A height of 1.2 m clicked to 1 px is expected to be known (95 %) to {figures}." if known else ""
+    )
+    return f"{board}The camera is {camera_height_m:.2f} m above the road.{heights}"
+
+
+def overlay(pose: RoadPose, corners_px: Floats) -> dict[str, Any]:
+    """Road grid, axes below the board and lines of equal height, as pixel polylines for the browser."""
+    across_m = -float(pose.centre_m[1])
+    lines = iso_heights(pose, across_m, iso_steps(float(pose.centre_m[2])))
+    return {
+        "grid": [line.tolist() for line in road_grid(pose)],
+        "iso_heights": [{"height_m": height_m, "points": line.tolist()} for height_m, line in lines],
+        "axes": _axes_of_board(pose),
+        "corners_px": corners_px.tolist(),
+    }
+
+
+def iso_steps(camera_height_m: float) -> tuple[float, ...]:
+    """Four heights to draw lines at: half metres beside a road, less where a camera stands lower."""
+    step = 0.5 if camera_height_m > 0.6 else 0.1 if camera_height_m > 0.1 else 0.02
+    return tuple(round(step * count, 3) for count in range(1, 5))
+
+
+def _axes_of_board(pose: RoadPose) -> dict[str, Any] | None:
+    """The axes through the road's origin (below the board), None where it is out of sight."""
+    origin_px = project(pose.camera, pose.translation_m.reshape(1, 3))[0]
+    axes = axes_at_contact(pose, origin_px, length_m=1.0, height_m=1.5)
+    return None if isinstance(axes, str) else drawn_axes(axes)
+
+
+def check_fits(camera: Camera, width_px: int, height_px: int, name: str) -> None:
+    """Refuse a calibration of another picture size: its pixels mean something else."""
+    if (camera.width_px, camera.height_px) != (width_px, height_px):
+        raise BadInput(
+            f"The calibration is for pictures of {camera.width_px} x {camera.height_px} px and {name} has "
+            f"{width_px} x {height_px} px; choose a calibration made at the recording's size."
+        )

@@ -1,0 +1,37 @@
+"""The table of road poses."""
+
+from sqlalchemy import (
+    CheckConstraint,
+    Column,
+    Float,
+    ForeignKey,
+    Integer,
+    Table,
+    Text,
+)
+
+from sightline.infra.database.types import Document, Moment, identity, metadata
+
+road_poses = Table(
+    "road_poses",
+    metadata,
+    identity(),
+    Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
+    Column("recording_id", ForeignKey("recordings.id"), nullable=False),
+    Column("calibration_id", ForeignKey("calibrations.id"), nullable=False),
+    Column("first_frame", Integer, nullable=False),
+    Column("last_frame", Integer, nullable=False),
+    Column("rms_px", Float),
+    Column("distance_m", Float),
+    Column("summary", Text, nullable=False),
+    Column("document", Document, nullable=False),
+    Column("warnings", Document, nullable=False),
+    Column("expected", Document, nullable=False),
+    Column("overlay", Document, nullable=False),
+    # a pose turned about the road's normal after the traffic's own direction
+    Column("turned_from", ForeignKey("road_poses.id")),
+    Column("turned_by_rad", Float),
+    Column("created_at", Moment, nullable=False),
+    Column("created_by", ForeignKey("people.id")),
+    CheckConstraint("first_frame >= 0 AND last_frame >= first_frame", name="span_forward"),
+)

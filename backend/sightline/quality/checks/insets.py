@@ -1,0 +1,291 @@
+"""What a survey says of its own insets: from manufacturers' heights, the trend with distance, two frames."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import groupby
+from typing import Literal, get_args
+
+import numpy as np
+from sqlalchemy.orm import Session
+
+from sightline.enums import Target
+from sightline.geometry.inset_trend import (
+    InsetEstimate,
+    Sightings,
+    inset_from_known_heights,
+    inset_from_solved,
+    inset_from_trend,
+    sightings,
+    together,
+)
+from sightline.geometry.insets import DEFAULT_INSETS, INSET_CHOICES, bias_m
+from sightline.measurements.records import Measurement, Vehicle
+from sightline.measurements.service import road_pose
+from sightline.measurements.store import list_measurements
+from sightline.recordings.store import list_recordings
+from sightline.statistics.agreement import U_MANUFACTURER_M
+from sightline.surveys.records import Inset, Survey
+from sightline.surveys.store import get_survey
+from sightline.vehicles.store import list_vehicles
+
+Method = Literal["known_heights", "trend", "two_frames"]
+
+USUAL_CAMERA_M = 1.5
+CASES_AT_M = (2.0, 3.0, 4.0, 5.0)
+# Heights for the table of typical cases (metrology 2.2); the insets are the survey's own.
+_CASES: tuple[tuple[Target, float], ...] = (
+    ("driver_eye", 1.16),
+    ("taillight", 0.87),
+    ("headlight", 0.65),
+    ("roof", 1.45),
+    ("roof", 1.90),
+)
+_OFFER_STEP_M = 0.01
+_NOTES: dict[Method, str] = {
+    "known_heights": "from the manufacturers' heights of {n} vehicles of this survey",
+    "trend": "from the trend with distance of {n} vehicles of this survey",
+    "two_frames": "from {n} vehicles of this survey measured on two frames",
+}
+
+
+@dataclass(frozen=True)
+class VehicleName:
+    """A vehicle as lists name it."""
+
+    id: int
+    number: int
+
+
+@dataclass(frozen=True)
+class Offer:
+    """What the survey's inset would become: its u holds for one vehicle, not for the mean."""
+
+    inset_m: float
+    u_inset_m: float
+    note: str
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """One way to an inset. `reason`: why there is no figure; `caution`: why it should not be used.
+
+    `difference_m`: what it would change the target's typical height by, against the inset in force.
+    """
+
+    method: Method
+    reason: str | None = None
+    inset_m: float | None = None
+    u_inset_m: float | None = None
+    spread_m: float | None = None
+    vehicles: int = 0
+    caution: str | None = None
+    left_out: tuple[VehicleName, ...] = ()
+    difference_m: float | None = None
+    offer: Offer | None = None
+
+
+@dataclass(frozen=True)
+class TargetInsets:
+    """A target's inset in force and what the survey says of it; typical: medians of what was measured."""
+
+    target: Target
+    in_force: Inset
+    is_default: bool
+    measured: int
+    other_insets: int
+    typical_height_m: float | None
+    typical_distance_m: float | None
+    estimates: tuple[Estimate, ...]
+
+
+@dataclass(frozen=True)
+class InsetCase:
+    """How much too high a target would read without its inset, at `CASES_AT_M`."""
+
+    target: Target
+    words: str
+    height_m: float
+    inset_m: float
+    bias_m: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class InsetCheck:
+    """Everything about a survey's insets; `cases` are for a camera at `camera_height_m`."""
+
+    targets: tuple[TargetInsets, ...]
+    camera_height_m: float
+    cases_at_m: tuple[float, ...]
+    cases: tuple[InsetCase, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class _Rows:
+    """The measurements of a target that can be used, in the order of `seen`."""
+
+    made: tuple[Measurement, ...]
+    seen: Sightings | None
+
+
+def check_insets(session: Session, survey_id: int) -> InsetCheck:
+    """Estimate each target's inset from the survey itself. Raises NotFound."""
+    survey = get_survey(session, survey_id)
+    known = {one.id: one for one in list_vehicles(session, survey_id)}
+    standing = [
+        one
+        for one in list_measurements(session, survey_id)
+        if one.review.verdict != "rejected" and one.vehicle_id in known
+    ]
+    found = tuple(
+        _target(session, survey, target, [one for one in standing if one.target == target], known)
+        for target in get_args(Target)
+    )
+    camera_m = _camera_height(session, survey_id)
+    return InsetCheck(found, camera_m, CASES_AT_M, cases(survey, camera_m))
+
+
+def cases(survey: Survey, camera_height_m: float) -> tuple[InsetCase, ...]:
+    """Typical heights with the survey's insets, and drivers on the far side, and roofs' crowns."""
+    rows: list[tuple[Target, str, float, float]] = []
+    for target, height_m in _CASES:
+        choices = INSET_CHOICES.get(target, ())
+        rows.append((target, choices[0][0] if choices else "", height_m, survey.insets[target].inset_m))
+        rows += [(target, words, height_m, inset_m) for words, inset_m, _ in choices[1:]]
+    return tuple(
+        InsetCase(
+            target, words, height, inset, tuple(bias_m(camera_height_m, height, inset, CASES_AT_M).tolist())
+        )
+        for target, words, height, inset in rows
+    )
+
+
+def _camera_height(session: Session, survey_id: int) -> float:
+    """The camera's height over the recordings with a road pose (median), else the usual one."""
+    posed = {one.pose_id for one in list_recordings(session, survey_id) if one.pose_id is not None}
+    found = [float(road_pose(session, pose_id).centre_m[2]) for pose_id in sorted(posed)]
+    return float(np.median(found)) if found else USUAL_CAMERA_M
+
+
+def _target(
+    session: Session,
+    survey: Survey,
+    target: Target,
+    standing: Sequence[Measurement],
+    known: dict[int, Vehicle],
+) -> TargetInsets:
+    in_force = survey.insets[target]
+    fitting = [one for one in standing if not _is_other_choice(one, in_force)]
+    rows = _rows(session, fitting)
+    estimates = [_from_known(rows, known)] if target == "roof" else []
+    estimates += [_from_trend(rows, known), _from_solved(fitting, known)]
+    default = DEFAULT_INSETS[target][:2]
+    return TargetInsets(
+        target,
+        in_force,
+        (in_force.inset_m, in_force.u_inset_m) == default,
+        len(fitting),
+        len(standing) - len(fitting),
+        _median([one.height_m for one in fitting if one.height_m is not None]),
+        None if rows.seen is None else _median(rows.seen.distance_m.tolist()),
+        tuple(_offered(one, target, in_force, rows.seen) for one in estimates),
+    )
+
+
+def _is_other_choice(one: Measurement, in_force: Inset) -> bool:
+    """Whether it was clicked as something else: a driver on the far side, a roof's crown."""
+    stored = (one.inset_m, one.u_inset_m)
+    others = {(inset, u) for _, inset, u in INSET_CHOICES.get(one.target, ())[1:]}
+    return stored in others and stored != (in_force.inset_m, in_force.u_inset_m)
+
+
+def _rows(session: Session, made: Sequence[Measurement]) -> _Rows:
+    """The uncorrected heights of measurements, each under the pose that it was measured with."""
+    parts, kept = [], []
+    for pose_id, group in groupby(sorted(made, key=lambda one: one.pose_id), key=lambda one: one.pose_id):
+        of_pose = list(group)
+        seen, fine = sightings(
+            road_pose(session, pose_id),
+            [one.contact for one in of_pose],
+            [one.point for one in of_pose],
+            [one.sigma_px for one in of_pose],
+        )
+        parts.append(seen)
+        kept += [one for one, good in zip(of_pose, fine, strict=True) if good]
+    return _Rows(tuple(kept), together(parts) if kept else None)
+
+
+def _from_known(rows: _Rows, known: dict[int, Vehicle]) -> Estimate:
+    heights = [known[one.vehicle_id].manufacturer_height_m for one in rows.made]
+    u = [known[one.vehicle_id].u_manufacturer_height_m for one in rows.made]
+    has = np.array([height is not None for height in heights], dtype=np.bool_)
+    if rows.seen is None or not has.any():
+        return Estimate(
+            "known_heights", "No roof is measured of a vehicle whose manufacturer's height is filled in."
+        )
+    found = inset_from_known_heights(
+        rows.seen.only(has),
+        [height for height in heights if height is not None],
+        [u_one or U_MANUFACTURER_M for u_one, height in zip(u, heights, strict=True) if height is not None],
+    )
+    made = [one for one, good in zip(rows.made, has, strict=True) if good]
+    return _estimate("known_heights", found, made, known)
+
+
+def _from_trend(rows: _Rows, known: dict[int, Vehicle]) -> Estimate:
+    if rows.seen is None:
+        return Estimate("trend", "Nothing is measured of this target.")
+    return _estimate("trend", inset_from_trend(rows.seen), rows.made, known)
+
+
+def _from_solved(made: Sequence[Measurement], known: dict[int, Vehicle]) -> Estimate:
+    solved = [one for one in made if one.solved_inset_m is not None and one.u_solved_inset_m is not None]
+    found = inset_from_solved(
+        [one.solved_inset_m or 0.0 for one in solved], [one.u_solved_inset_m or 0.0 for one in solved]
+    )
+    return _estimate("two_frames", found, solved, known)
+
+
+def _estimate(
+    method: Method, found: InsetEstimate | str, made: Sequence[Measurement], known: dict[int, Vehicle]
+) -> Estimate:
+    if isinstance(found, str):
+        return Estimate(method, found)
+    gone = [known[made[i].vehicle_id] for i in found.left_out]
+    return Estimate(
+        method,
+        None,
+        found.inset_m,
+        found.u_inset_m,
+        found.spread_m,
+        found.vehicles,
+        found.caution,
+        tuple(VehicleName(one.id, one.number) for one in gone),
+    )
+
+
+def _offered(one: Estimate, target: Target, in_force: Inset, seen: Sightings | None) -> Estimate:
+    """The estimate with what it would change, and as the survey's inset where it may become that."""
+    if one.inset_m is None or one.u_inset_m is None:
+        return one
+    difference = None
+    if seen is not None:
+        by_inset = (seen.measured_m - seen.camera_height_m) / seen.distance_m
+        difference = float(np.median(by_inset)) * (one.inset_m - in_force.inset_m)
+    offer = None
+    if one.caution is None:
+        between = DEFAULT_INSETS[target][1] if one.spread_m is None else one.spread_m
+        u = float(np.ceil(np.hypot(one.u_inset_m, between) / _OFFER_STEP_M - 1e-9)) * _OFFER_STEP_M
+        note = _NOTES[one.method].format(n=one.vehicles)
+        mean = f"{one.inset_m:.3f} +- {one.u_inset_m:.3f} m on average, {between:.2f} m between vehicles"
+        offer = Offer(
+            round(one.inset_m, 2),
+            round(u, 2),
+            f"{note}: {mean}{' (estimate)' if one.spread_m is None else ''}",
+        )
+    return Estimate(**{**vars(one), "difference_m": difference, "offer": offer})
+
+
+def _median(values: Sequence[float]) -> float | None:
+    return float(np.median(values)) if values else None

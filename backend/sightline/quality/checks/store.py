@@ -1,0 +1,122 @@
+"""Both tyre contacts of a vehicle on one frame. Rows are only added; the newest of a vehicle counts."""
+
+from typing import Any
+
+from sqlalchemy import exists, select
+from sqlalchemy.orm import Session
+
+from sightline.enums import Point
+from sightline.errors import Conflict
+from sightline.infra.audit import trail
+from sightline.infra.database.people import people
+from sightline.infra.database.rows import add_row, get_row, missing, stored_hash, who
+from sightline.infra.database.types import now
+from sightline.quality.checks.records import WheelPair
+from sightline.quality.checks.tables import wheel_pairs
+from sightline.recordings.frames.store import get_frame
+from sightline.recordings.tables import recordings
+from sightline.vehicles.tables import vehicles
+
+_later = wheel_pairs.alias("later")
+_is_newest = ~exists().where(_later.c.vehicle_id == wheel_pairs.c.vehicle_id, _later.c.id > wheel_pairs.c.id)
+
+
+def add_wheel_pair(
+    session: Session,
+    vehicle_id: int,
+    *,
+    frame: int,
+    frame_crc: int,
+    first: Point,
+    second: Point,
+    actor: int | None,
+) -> WheelPair:
+    """Store where both tyres of a vehicle touch the road, in place of the pair before.
+
+    Raises NotFound for a deleted vehicle or a frame that is not there, Conflict for another picture.
+    """
+    vehicle = get_row(session, vehicles, vehicle_id, "vehicle", vehicles.c.deleted_at.is_(None))
+    found = get_frame(session, vehicle["recording_id"], frame)
+    if found.crc32 != frame_crc:
+        raise Conflict(f"Frame {frame} is not the picture that was clicked on; load it again.")
+    values = {
+        "frame": frame,
+        "pts": found.pts,
+        "time_s": found.time_s,
+        "frame_crc": found.crc32,
+        "first_x_px": first[0],
+        "first_y_px": first[1],
+        "second_x_px": second[0],
+        "second_y_px": second[1],
+    }
+    return _append(session, vehicle, values, False, "create", actor)
+
+
+def withdraw_wheel_pair(session: Session, vehicle_id: int, *, actor: int | None) -> WheelPair:
+    """Take the pair of a vehicle out of the self-check. Raises NotFound where there is none."""
+    before = of_vehicle(session, vehicle_id)
+    if before is None:
+        raise missing("pair of tyre contacts of this vehicle")
+    row = get_row(session, wheel_pairs, before.id, "pair of tyre contacts")
+    vehicle = get_row(session, vehicles, vehicle_id, "vehicle")
+    kept = ("frame", "pts", "time_s", "frame_crc", "first_x_px", "first_y_px", "second_x_px", "second_y_px")
+    return _append(session, vehicle, {name: row[name] for name in kept}, True, "withdraw", actor)
+
+
+def of_vehicle(session: Session, vehicle_id: int) -> WheelPair | None:
+    """The pair that counts for a vehicle, None where there is none."""
+    found = _fetch(session, wheel_pairs.c.vehicle_id == vehicle_id, ~wheel_pairs.c.withdrawn)
+    return found[0] if found else None
+
+
+def list_wheel_pairs(session: Session, survey_id: int) -> tuple[WheelPair, ...]:
+    """The pairs that count of a survey's vehicles (deleted ones left out), by vehicle number."""
+    return _fetch(session, wheel_pairs.c.survey_id == survey_id, ~wheel_pairs.c.withdrawn)
+
+
+def _append(
+    session: Session,
+    vehicle: dict[str, Any],
+    values: dict[str, Any],
+    withdrawn: bool,
+    action: str,
+    actor: int | None,
+) -> WheelPair:
+    place = {"survey_id": vehicle["survey_id"], "recording_id": vehicle["recording_id"]}
+    content = {**place, "vehicle_id": vehicle["id"], **values, "withdrawn": withdrawn}
+    content["created_at"] = now()
+    row_id = add_row(session, wheel_pairs, {**content, "created_by": actor})
+    after = {**content, "content_sha256": stored_hash(session, wheel_pairs, row_id)}
+    trail.record(session, actor, action, "wheel_pair", row_id, vehicle["survey_id"], None, after)
+    return _fetch(session, wheel_pairs.c.id == row_id)[0]
+
+
+def _fetch(session: Session, *conditions: Any) -> tuple[WheelPair, ...]:
+    query = (
+        select(wheel_pairs, vehicles.c.number, recordings.c.pose_id, people.c.name)
+        .join(vehicles, vehicles.c.id == wheel_pairs.c.vehicle_id)
+        .join(recordings, recordings.c.id == wheel_pairs.c.recording_id)
+        .outerjoin(people, people.c.id == wheel_pairs.c.created_by)
+        .where(_is_newest, vehicles.c.deleted_at.is_(None), *conditions)
+        .order_by(vehicles.c.number)
+    )
+    return tuple(_pair(row) for row in session.execute(query))
+
+
+def _pair(row: Any) -> WheelPair:
+    return WheelPair(
+        id=row.id,
+        vehicle_id=row.vehicle_id,
+        vehicle_number=row.number,
+        recording_id=row.recording_id,
+        frame=row.frame,
+        pts=row.pts,
+        time_s=row.time_s,
+        frame_crc=row.frame_crc,
+        first=(row.first_x_px, row.first_y_px),
+        second=(row.second_x_px, row.second_y_px),
+        withdrawn=row.withdrawn,
+        pose_id=row.pose_id,
+        created_by=who(row.created_by, row.name),
+        created_at=row.created_at,
+    )

@@ -1,0 +1,257 @@
+"""Self-check of road poses: the direction of travel of a survey's vehicles, and pairs of tyre contacts."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from sqlalchemy.orm import Session
+
+from sightline.enums import Point
+from sightline.errors import BadInput, Conflict
+from sightline.geometry.multiframe import measure_frames
+from sightline.geometry.road_pose import RoadPose
+from sightline.geometry.traffic import (
+    Heading,
+    Headings,
+    heading_of_pair,
+    headings_of_pairs,
+    summary_of_headings,
+)
+from sightline.measurements.click_context_query import click_context
+from sightline.measurements.height_of_clicks import DEFAULT_SIGMA_PX
+from sightline.measurements.records import Measurement, Vehicle
+from sightline.measurements.service import pose_in_force, road_pose
+from sightline.measurements.store import list_measurements
+from sightline.poses.store import get_pose
+from sightline.quality.checks.records import WheelPair
+from sightline.quality.checks.store import add_wheel_pair, list_wheel_pairs
+from sightline.quality.checks.turning import Changes, changes_of_heights
+from sightline.recordings.frames.store import get_frame
+from sightline.recordings.records import Recording
+from sightline.recordings.store import list_recordings
+from sightline.vehicles.store import get_vehicle, list_vehicles
+
+Source = Literal["tyres", "two_frames"]
+
+_SAME_TURN_RAD = 1e-6
+
+
+@dataclass(frozen=True)
+class VehicleHeading:
+    """A vehicle's direction of travel against the road's X axis; `reason`: why it has none or is unused."""
+
+    vehicle_id: int
+    number: int
+    recording_id: int
+    frame: int
+    source: Source
+    heading_rad: float | None
+    u_heading_rad: float | None
+    base_m: float | None
+    used: bool
+    reason: str | None
+
+
+@dataclass(frozen=True)
+class PoseCheck:
+    """A pose in force against the traffic of its recordings. `mean_rad` is None where `reason` says why."""
+
+    pose_id: int
+    recordings: tuple[Recording, ...]
+    turned_from: int | None
+    turned_by_rad: float | None
+    vehicles: tuple[VehicleHeading, ...]
+    used: int
+    mean_rad: float | None
+    u_mean_rad: float | None
+    spread_rad: float | None
+    proposed: bool
+    reason: str | None
+    verdict: str
+    changes: Changes | None
+
+
+@dataclass(frozen=True)
+class _Told:
+    """One vehicle's contacts or two-frame clicks before they are computed with a pose."""
+
+    vehicle_id: int
+    number: int
+    recording_id: int
+    frame: int
+    source: Source
+    found: Heading | str
+
+
+def check_traffic(session: Session, survey_id: int) -> tuple[PoseCheck, ...]:
+    """Every pose in force of a survey's recordings, with the headings of their vehicles."""
+    ready = [one for one in list_recordings(session, survey_id) if one.state == "ready"]
+    passes = list_vehicles(session, survey_id)
+    pairs = list_wheel_pairs(session, survey_id)
+    in_force = sorted({one.pose_id for one in ready if one.pose_id is not None})
+    return tuple(check_pose(session, pose_id, ready, passes, pairs) for pose_id in in_force)
+
+
+@dataclass(frozen=True)
+class Turn:
+    """The turn that the traffic proposes for a pose, and what it would change."""
+
+    turn_rad: float
+    u_turn_rad: float
+    vehicles: int
+    recordings: tuple[Recording, ...]
+    changes: Changes
+
+
+def turn_of(session: Session, pose_id: int, seen_rad: float | None = None) -> Turn:
+    """The turn of a pose in force.
+
+    Raises NotFound, BadInput where the traffic gives none, Conflict where no recording uses the pose or the
+    turn is not the one that was seen.
+    """
+    survey_id = get_pose(session, pose_id).survey_id
+    at = next((one for one in check_traffic(session, survey_id) if one.pose_id == pose_id), None)
+    if at is None:
+        raise Conflict("No recording uses this road pose any more; look at the checks again.")
+    if at.mean_rad is None or at.u_mean_rad is None or at.changes is None:
+        raise BadInput(at.verdict)
+    if seen_rad is not None and abs(seen_rad - at.mean_rad) > _SAME_TURN_RAD:
+        raise Conflict(
+            f"The traffic's direction is now {np.rad2deg(at.mean_rad):+.2f}°, not what you saw; look again."
+        )
+    return Turn(at.mean_rad, at.u_mean_rad, at.used, at.recordings, at.changes)
+
+
+def check_pose(
+    session: Session,
+    pose_id: int,
+    ready: Sequence[Recording],
+    passes: Sequence[Vehicle],
+    pairs: Sequence[WheelPair],
+) -> PoseCheck:
+    pose = road_pose(session, pose_id)
+    users = tuple(one for one in ready if one.pose_id == pose_id)
+    ids = {one.id for one in users}
+    told = _headings(
+        pose, [v for v in passes if v.recording_id in ids], [p for p in pairs if p.recording_id in ids]
+    )
+    good = [one.found for one in told if isinstance(one.found, Heading)]
+    summary = summary_of_headings([one.heading_rad for one in good], [one.u_heading_rad for one in good])
+    used = iter(summary.used if isinstance(summary, Headings) else [True] * len(good))
+    shown = tuple(_shown(one, bool(next(used)) if isinstance(one.found, Heading) else False) for one in told)
+    stored = get_pose(session, pose_id)
+    common = (pose_id, users, stored.turned_from, stored.turned_by_rad, shown)
+    if isinstance(summary, str):
+        return PoseCheck(*common, len(good), None, None, None, False, summary, summary, None)
+    standing = list_measurements(session, stored.survey_id)
+    changes = changes_of_heights(pose, summary.mean_rad, [one for one in standing if one.recording_id in ids])
+    return PoseCheck(
+        *common,
+        int(summary.used.sum()),
+        summary.mean_rad,
+        summary.u_mean_rad,
+        summary.spread_rad,
+        summary.proposed,
+        None,
+        _verdict(summary, changes),
+        changes,
+    )
+
+
+def _headings(pose: RoadPose, passes: Sequence[Vehicle], pairs: Sequence[WheelPair]) -> list[_Told]:
+    """One heading a vehicle, by number: from its tyre contacts, else from its best two-frame measurement."""
+    found = headings_of_pairs(
+        pose, [one.first for one in pairs], [one.second for one in pairs], DEFAULT_SIGMA_PX
+    )
+    told = {
+        pair.vehicle_id: _Told(
+            pair.vehicle_id, pair.vehicle_number, pair.recording_id, pair.frame, "tyres", one
+        )
+        for pair, one in zip(pairs, found, strict=True)
+    }
+    for vehicle in passes:
+        if vehicle.id in told and isinstance(told[vehicle.id].found, Heading):
+            continue
+        best = _from_frames(pose, vehicle.measurements)
+        if best is not None:
+            frame, heading = best
+            told[vehicle.id] = _Told(
+                vehicle.id, vehicle.number, vehicle.recording_id, frame, "two_frames", heading
+            )
+    return sorted(told.values(), key=lambda one: one.number)
+
+
+def _from_frames(pose: RoadPose, made: Sequence[Measurement]) -> tuple[int, Heading] | None:
+    """The heading that two-frame clicks solve for, nothing being known of it before."""
+    best: tuple[int, Heading] | None = None
+    for one in made:
+        if not one.more_frames:
+            continue
+        contacts = [one.contact, *(more.contact for more in one.more_frames)]
+        points = [one.point, *(more.point for more in one.more_frames)]
+        solved = measure_frames(pose, contacts, points, one.sigma_px, None)
+        if solved.heading_rad is None or solved.u_heading_rad is None or solved.travel_m is None:
+            continue
+        heading = Heading(solved.heading_rad, solved.u_heading_rad, solved.travel_m)
+        if best is None or heading.u_heading_rad < best[1].u_heading_rad:
+            best = one.frame, heading
+    return best
+
+
+def _shown(one: _Told, used: bool) -> VehicleHeading:
+    place = (one.vehicle_id, one.number, one.recording_id, one.frame, one.source)
+    if isinstance(one.found, str):
+        return VehicleHeading(*place, None, None, None, False, one.found)
+    reason = None if used else "Left out: it strays far from the other vehicles; look at its clicks."
+    found = one.found
+    return VehicleHeading(*place, found.heading_rad, found.u_heading_rad, found.base_m, used, reason)
+
+
+def _verdict(found: Headings, changes: Changes) -> str:
+    """In plain words: how the axes lie against the traffic, and what it matters."""
+    mean, u = np.rad2deg(found.mean_rad), np.rad2deg(found.u_mean_rad)
+    count = int(found.used.sum())
+    figures = f"{abs(mean):.2f}° ± {u:.2f}° from {count} vehicles"
+    if found.proposed:
+        said = f"The road's X axis is turned by {figures} against the traffic."
+    else:
+        said = f"The road's X axis agrees with the traffic: it is turned by {figures}, which may be 0."
+    if not changes.count:
+        return said
+    if not found.proposed:
+        return f"{said} Turning it would move stored heights by up to {1000 * changes.largest_m:.1f} mm."
+    return f"{said} That moves {changes.count} stored heights by up to {1000 * changes.largest_m:.1f} mm."
+
+
+def store_pair(
+    session: Session,
+    vehicle_id: int,
+    *,
+    frame: int,
+    frame_crc: int | None,
+    first: Point,
+    second: Point,
+    actor: int,
+) -> WheelPair:
+    """Store both tyre contacts of a vehicle on one frame, in place of the pair before.
+
+    Raises NotFound, Conflict without a road pose or for another picture, BadInput, saying why, for clicks
+    that give no direction (the sky, contacts closer than a metre).
+    """
+    vehicle = get_vehicle(session, vehicle_id)
+    pose, _, _ = pose_in_force(session, click_context(session, vehicle.recording_id, actor))
+    found = heading_of_pair(pose, first, second)
+    if isinstance(found, str):
+        raise BadInput(found)
+    if not vehicle.first_frame <= frame <= vehicle.last_frame:
+        raise BadInput(
+            f"Frame {frame} is not of vehicle {vehicle.number}, which passes in frames {vehicle.first_frame} "
+            f"to {vehicle.last_frame}; go to one of them."
+        )
+    crc = get_frame(session, vehicle.recording_id, frame).crc32 if frame_crc is None else frame_crc
+    return add_wheel_pair(
+        session, vehicle_id, frame=frame, frame_crc=crc, first=first, second=second, actor=actor
+    )

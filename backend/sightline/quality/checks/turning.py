@@ -1,0 +1,137 @@
+"""Turning a road pose to the direction of the traffic: what it would change, and the new pose."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from sqlalchemy.orm import Session
+
+from sightline.errors import Conflict
+from sightline.geometry.arrays import Floats
+from sightline.geometry.height import measure_heights
+from sightline.geometry.multiframe import measure_frames
+from sightline.geometry.road_pose import RoadPose
+from sightline.geometry.traffic import turned
+from sightline.measurements.records import Measurement
+from sightline.measurements.service import road_pose
+from sightline.poses.records import Pose
+from sightline.poses.service import Solved, described
+from sightline.poses.store import add_pose, get_pose
+from sightline.recordings.records import Recording
+from sightline.recordings.store import update_recording
+
+_MOST_LISTED = 200
+
+
+@dataclass(frozen=True)
+class HeightChange:
+    """A stored measurement's height as it is and as the turned pose would have it."""
+
+    measurement_id: int
+    vehicle_id: int
+    target: str
+    height_m: float
+    turned_height_m: float
+    difference_m: float
+
+
+@dataclass(frozen=True)
+class Changes:
+    """Heights of stored measurements under the turned pose, the largest difference first.
+
+    `listed` is cut off at 200; `count` is not.
+    """
+
+    count: int
+    largest_m: float
+    listed: tuple[HeightChange, ...]
+
+
+def changes_of_heights(pose: RoadPose, turn_rad: float, standing: Sequence[Measurement]) -> Changes:
+    """What turning the pose would change, the clicks and insets being the same; no measurement is touched."""
+    before, after = _heights(pose, standing), _heights(turned(pose, turn_rad), standing)
+    found = [
+        HeightChange(one.id, one.vehicle_id, one.target, float(h0), float(h1), float(h1 - h0))
+        for one, h0, h1 in zip(standing, before, after, strict=True)
+        if np.isfinite(h0) and np.isfinite(h1)
+    ]
+    found.sort(key=lambda one: -abs(one.difference_m))
+    largest = abs(found[0].difference_m) if found else 0.0
+    return Changes(len(found), largest, tuple(found[:_MOST_LISTED]))
+
+
+def _heights(pose: RoadPose, standing: Sequence[Measurement]) -> Floats:
+    """Heights (N,) of stored clicks under a pose, NaN where there is none."""
+    if not standing:
+        return np.empty(0)
+    out = np.array(
+        measure_heights(
+            pose,
+            [one.contact for one in standing],
+            [one.point for one in standing],
+            inset_m=[one.inset_m for one in standing],
+            with_uncertainty=False,
+        ).height_m
+    )
+    for i, one in enumerate(standing):
+        if one.more_frames:
+            contacts = [one.contact, *(more.contact for more in one.more_frames)]
+            points = [one.point, *(more.point for more in one.more_frames)]
+            found = measure_frames(pose, contacts, points, one.sigma_px).height.height_m
+            out[i] = np.nan if found is None else found
+    return out
+
+
+def turned_pose(session: Session, pose_id: int, turn_rad: float, u_turn_rad: float, vehicles: int) -> Solved:
+    """A stored pose turned about the road's normal, with its words and drawing; nothing is stored."""
+    stored = get_pose(session, pose_id)
+    pose = turned(road_pose(session, pose_id), turn_rad, u_turn_rad)
+    corners = np.asarray(stored.overlay.get("corners_px") or [], dtype=np.float64).reshape(-1, 2)
+    told = f"Turned by {np.rad2deg(turn_rad):+.2f}° to the direction of {vehicles} vehicles."
+    solved = described(pose, corners)
+    warnings = [*stored.warnings, f"{told} The pose before it was number {pose_id}."]
+    return replace(solved, summary=f"{told} {solved.summary}", warnings=warnings)
+
+
+def store_turned(
+    session: Session,
+    pose_id: int,
+    users: Sequence[Recording],
+    turn_rad: float,
+    u_turn_rad: float,
+    vehicles: int,
+    *,
+    actor: int,
+) -> Pose:
+    """Store the turned pose, in force for the recordings that use the pose before; measurements keep theirs.
+
+    Raises Conflict where no recording uses the pose any more.
+    """
+    if not users:
+        raise Conflict("No recording uses this road pose any more; look at the checks again.")
+    before = get_pose(session, pose_id)
+    solved = turned_pose(session, pose_id, turn_rad, u_turn_rad, vehicles)
+    own = next((one for one in users if one.id == before.recording_id), users[0])
+    made = add_pose(
+        session,
+        own.id,
+        calibration_id=before.calibration_id,
+        first_frame=before.first_frame,
+        last_frame=before.last_frame,
+        rms_px=before.rms_px,
+        distance_m=before.distance_m,
+        summary=solved.summary,
+        document=solved.document,
+        warnings=solved.warnings,
+        expected=solved.expected,
+        overlay=solved.overlay,
+        turned_from=pose_id,
+        turned_by_rad=turn_rad,
+        actor=actor,
+    )
+    for one in users:
+        if one.id != own.id:
+            update_recording(session, one.id, {"pose_id": made.id}, actor=actor)
+    return made

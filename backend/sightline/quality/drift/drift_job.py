@@ -1,0 +1,215 @@
+"""Did the camera move? The background of the road pose's frames, looked for over the whole recording."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+from sqlalchemy.orm import Session
+
+from sightline.enums import JobState
+from sightline.errors import BadInput, Conflict
+from sightline.geometry.drift import TARGET_M, HeightChange, Motion, height_change
+from sightline.geometry.drift_spans import Course, Look, course
+from sightline.geometry.road_pose import RoadPose
+from sightline.infra.database.types import now
+from sightline.infra.jobs import registry
+from sightline.infra.jobs.records import Job
+from sightline.infra.jobs.store import list_jobs
+from sightline.infra.services import Services, services_of
+from sightline.infra.version import code_version
+from sightline.measurements.service import road_pose
+from sightline.media.video.drift import Background, background, mean_of, register
+from sightline.poses.records import Pose
+from sightline.poses.store import get_pose
+from sightline.recordings.records import Recording
+from sightline.recordings.store import get_recording, store_drift
+
+KIND = "drift"
+_OF_POSE = 8  # frames of the pose's span whose mean is looked for
+_EVERY_S = 1.0
+_FEWEST, _MOST = 24, 120
+UNDER_WAY: tuple[JobState, ...] = ("running", "queued")
+
+
+@dataclass(frozen=True, eq=False)
+class _Check:
+    """One recording against one pose: what `course` found, and what it is worth in millimetres."""
+
+    recording: Recording
+    pose: Pose
+    road: RoadPose
+    looks: list[Look]
+    found: Course
+    time_s: Callable[[int], float]
+
+
+def request_drift(session: Session, recording_id: int, *, actor: int | None) -> Job:
+    """Queue a look at the whole recording. Raises Conflict without a road pose, BadInput while not ready."""
+    recording = get_recording(session, recording_id)
+    if recording.state != "ready" or not recording.frame_count:
+        raise BadInput(f"{recording.name} has no frames yet; wait until it is ready.")
+    if recording.pose_id is None:
+        raise Conflict(f"{recording.name} has no road pose yet, so nothing says where its camera stood.")
+    payload = {"recording_id": recording_id, "pose_id": recording.pose_id}
+    return registry.enqueue(
+        session, KIND, payload, survey_id=recording.survey_id, recording_id=recording_id, actor=actor
+    )
+
+
+def request_if_posed(session: Session, recording_id: int, *, actor: int | None) -> None:
+    """The same after a pose was taken or chosen; nothing for a recording without pose or frames."""
+    recording = get_recording(session, recording_id)
+    if recording.state == "ready" and recording.frame_count and recording.pose_id is not None:
+        request_drift(session, recording_id, actor=actor)
+
+
+def under_way(session: Session, recording: Recording) -> Job | None:
+    """The look at a recording that waits or runs, if there is one."""
+    for state in UNDER_WAY:
+        for job in list_jobs(session, survey_id=recording.survey_id, state=state):
+            if job.kind == KIND and job.recording_id == recording.id:
+                return job
+    return None
+
+
+@registry.handler(KIND)
+def look_for_drift(context: registry.JobContext) -> registry.Outcome:
+    """Compare frames over the recording with those of the pose, and store what was found."""
+    recording_id, pose_id = int(context.payload["recording_id"]), int(context.payload["pose_id"])
+    services = services_of(context)
+    with services.reading() as session:
+        recording = get_recording(session, recording_id)
+        pose = get_pose(session, pose_id)
+        road = road_pose(session, pose_id)
+    ours = _of_pose(services, pose)
+    looks = []
+    frames = frames_to_look_at(recording.frame_count or 0, recording.duration_s or 0.0)
+    for index, n in enumerate(frames):
+        context.progress(0.9 * index / len(frames), f"Looking for the background in frame {n}.")
+        looks.append(Look(n, register(ours, services.stills.gray(recording_id, n))))
+    context.progress(0.92, "Looking for the frames on which the camera moved.")
+
+    def look_at(n: int) -> Motion | str:
+        context.progress(0.95, f"Looking for the background in frame {n}.")
+        if not 0 <= n < (recording.frame_count or 0):
+            return "The recording has no such frame."
+        return register(ours, services.stills.gray(recording_id, n))
+
+    size = (road.camera.width_px, road.camera.height_px)
+    found = course(looks, (recording.frame_count or 1) - 1, size, look_at)
+    times = services.stills.open(recording_id).time_s
+    document = document_of(_Check(recording, pose, road, looks, found, lambda n: float(times[n])))
+
+    def store(session: Session) -> Mapping[str, Any]:
+        store_drift(session, recording_id, pose_id, document, actor=context.actor)
+        return {"state": document["state"], "words": document["words"]}
+
+    return store
+
+
+def frames_to_look_at(count: int, duration_s: float) -> list[int]:
+    """The frames of the looks, one a second, 24 to 120 of them, over the whole recording."""
+    wanted = int(np.clip(duration_s / _EVERY_S, _FEWEST, _MOST))
+    return sorted({int(n) for n in np.linspace(0, max(count - 1, 0), min(wanted, max(count, 1)))})
+
+
+def _of_pose(services: Services, pose: Pose) -> Background:
+    frames = sorted({int(n) for n in np.linspace(pose.first_frame, pose.last_frame, _OF_POSE)})
+    return background(mean_of([services.stills.gray(pose.recording_id, n) for n in frames]))
+
+
+def document_of(check: _Check) -> dict[str, Any]:
+    """What is stored and shown: plain lists, every number with its unit."""
+    found = check.found
+    changes = [(look, _change(check.road, look.motion)) for look in check.looks]
+    spans = [
+        {
+            "first_frame": span.first_frame,
+            "last_frame": span.last_frame,
+            "moved": span.moved,
+            **_motion(span.motion),
+            "change_m": height_change(check.road, span.motion).change_m,
+        }
+        for span in found.spans
+    ]
+    bumps = [{**asdict(bump), "time_s": check.time_s(bump.frame)} for bump in found.bumps]
+    seen = [change for _, change in changes if change is not None and change.distance_m is not None]
+    floor = _floor(check)
+    state = "unknown" if found.reason else "moved" if any(span["moved"] for span in spans) else "still"
+    document: dict[str, Any] = {
+        "pose_id": check.pose.id,
+        "pose_recording_id": check.pose.recording_id,
+        "state": state,
+        "reason": found.reason,
+        "floor_px": found.floor_px,
+        "floor_m": floor,
+        "target_m": TARGET_M,
+        "distance_m": seen[0].distance_m if seen else None,
+        "looks": [_look_row(check, look, change) for look, change in changes],
+        "bumps": bumps,
+        "spans": spans,
+        "checked_at": now().isoformat(timespec="seconds"),
+        "code_version": code_version(),
+    }
+    return {**document, "words": words_of(document, check.time_s)}
+
+
+def _motion(motion: Motion) -> dict[str, Any]:
+    return asdict(motion)
+
+
+def _change(road: RoadPose, motion: Motion | str) -> HeightChange | None:
+    return height_change(road, motion) if isinstance(motion, Motion) else None
+
+
+def _look_row(check: _Check, look: Look, change: HeightChange | None) -> dict[str, Any]:
+    at = {"frame": look.frame, "time_s": check.time_s(look.frame)}
+    if isinstance(look.motion, str) or change is None:
+        return {**at, "reason": str(look.motion)}
+    return {**at, **_motion(look.motion), "change_m": change.change_m}
+
+
+def _floor(check: _Check) -> float | None:
+    """The floor in metres of height: a shift of that much, up or down the picture, where heights feel it."""
+    if check.found.floor_px is None:
+        return None
+    shift = Motion(0.0, check.found.floor_px, 0.0, 1.0, check.found.floor_px, 0.0, 0)
+    change = height_change(check.road, shift).change_m
+    return None if change is None else abs(change)
+
+
+def words_of(document: Mapping[str, Any], time_s: Callable[[int], float]) -> str:
+    """The verdict in one or two sentences."""
+    if document["state"] == "unknown":
+        return f"Whether the camera moved cannot be told: {document['reason']}"
+    if document["state"] == "still":
+        worth = "" if document["floor_m"] is None else f" ({document['floor_m'] * 1000:.1f} mm of height)"
+        return f"The camera stands still within {document['floor_px']:.2f} px{worth}."
+    moved = [one for one in document["spans"] if one["moved"]]
+    return " ".join(_told(one, document["bumps"], time_s) for one in moved[:3]) + (
+        f" And {len(moved) - 3} more times." if len(moved) > 3 else ""
+    )
+
+
+def _told(span: Mapping[str, Any], bumps: list[Mapping[str, Any]], time_s: Callable[[int], float]) -> str:
+    first, last = span["first_frame"], span["last_frame"]
+    bumped = any(bump["after"] < first <= bump["frame"] for bump in bumps)
+    how = (
+        "The camera moved" if bumped else "The camera had moved already" if first == 0 else "The camera crept"
+    )
+    off = (
+        ""
+        if span["change_m"] is None
+        else f": heights are off by up to {abs(span['change_m']) * 1000:.0f} mm"
+    )
+    by = f"by {span['moved_px']:.1f} px{off} on frames {first} to {last}."
+    return f"{how} at {clock(time_s(first))} (frame {first}) {by}"
+
+
+def clock(seconds: float) -> str:
+    """Minutes, seconds and tenths since the first frame."""
+    tenths = round(seconds * 10)
+    return f"{tenths // 600}:{tenths // 10 % 60:02d}.{tenths % 10}"

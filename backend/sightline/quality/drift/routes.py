@@ -1,0 +1,138 @@
+"""Did the camera move since its road pose: what was found, looking again, and what people decide."""
+
+from typing import Literal
+
+from fastapi import APIRouter
+from pydantic import Field
+
+from sightline.infra.web.bodies import In, JobBody, Out, Text
+from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
+from sightline.quality.drift import drift_job
+from sightline.recordings.drift_query import drift_check_of, open_spans
+from sightline.recordings.records import Recording
+from sightline.recordings.store import decide_drift, get_recording, take_back_drift_decision
+
+router = APIRouter()
+
+
+class LookBody(Out):
+    """One frame against the pose's: a motion in pixels with what it is worth in height, or a reason."""
+
+    frame: int
+    time_s: float
+    x_px: float | None = None
+    y_px: float | None = None
+    turn_rad: float | None = None
+    scale: float | None = None
+    moved_px: float | None = None
+    u_px: float | None = None
+    points: int | None = None
+    change_m: float | None = None
+    reason: str | None = None
+
+
+class BumpBody(Out):
+    after: int = Field(description="The last frame before it.")
+    frame: int
+    time_s: float
+    by_px: float
+
+
+class SpanBody(Out):
+    first_frame: int
+    last_frame: int
+    moved: bool
+    moved_px: float
+    u_px: float
+    change_m: float | None
+
+
+class OpenSpanBody(Out):
+    """Frames whose measurements are flagged."""
+
+    first_frame: int
+    last_frame: int
+    moved_px: float
+    change_m: float | None
+
+
+class DecisionBody(Out):
+    reason: str
+    by: str
+    at: str
+    pose_id: int
+    holds: bool = Field(description="Whether it is about the pose in force.")
+
+
+class CheckBody(Out):
+    pose_id: int
+    pose_recording_id: int
+    state: Literal["still", "moved", "unknown"]
+    words: str
+    reason: str | None
+    floor_px: float | None
+    floor_m: float | None
+    target_m: float
+    distance_m: float | None
+    looks: list[LookBody]
+    bumps: list[BumpBody]
+    spans: list[SpanBody]
+    checked_at: str
+    code_version: str
+
+
+class DriftBody(Out):
+    """`check` is None while nobody has looked since the pose in force was taken."""
+
+    recording_id: int
+    pose_id: int | None
+    check: CheckBody | None
+    decision: DecisionBody | None
+    flagged: list[OpenSpanBody]
+    job: JobBody | None = Field(default=None, description="A look that waits or is under way.")
+
+
+class Decision(In):
+    reason: Text = Field(min_length=1, description="Why the road pose is still good.")
+
+
+def drift_body(recording: Recording) -> DriftBody:
+    check, decision = drift_check_of(recording.drift, recording.pose_id), recording.drift_decision
+    told = None if decision is None else {**decision, "holds": decision["pose_id"] == recording.pose_id}
+    return DriftBody.model_validate(
+        {
+            "recording_id": recording.id,
+            "pose_id": recording.pose_id,
+            "check": check,
+            "decision": told,
+            "flagged": open_spans(recording.drift, decision, recording.pose_id),
+        }
+    )
+
+
+@router.get("/recordings/{recording_id}/drift")
+def get_drift(recording_id: PathId, who: Viewer, session: Reading) -> DriftBody:
+    """What was found of the camera since the road pose in force, and whether it is being looked at."""
+    recording = get_recording(session, recording_id)
+    job = drift_job.under_way(session, recording)
+    return drift_body(recording).model_copy(
+        update={"job": None if job is None else JobBody.model_validate(job)}
+    )
+
+
+@router.post("/recordings/{recording_id}/drift", status_code=202)
+def look_again(recording_id: PathId, who: Operator, session: Writing) -> JobBody:
+    """Look at the whole recording, in the background. A conflict without a road pose."""
+    return JobBody.model_validate(drift_job.request_drift(session, recording_id, actor=who.id))
+
+
+@router.put("/recordings/{recording_id}/drift/decision")
+def decide(recording_id: PathId, body: Decision, who: Operator, session: Writing) -> DriftBody:
+    """The road pose is still good although the camera moved: its measurements are flagged no more."""
+    return drift_body(decide_drift(session, recording_id, body.reason, actor=who.id))
+
+
+@router.delete("/recordings/{recording_id}/drift/decision")
+def take_back(recording_id: PathId, who: Operator, session: Writing) -> DriftBody:
+    """Take the decision back."""
+    return drift_body(take_back_drift_decision(session, recording_id, actor=who.id))

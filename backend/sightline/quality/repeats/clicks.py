@@ -1,0 +1,119 @@
+"""What was clicked again, as clicks that can be compared: whose, on what, the height of that one frame."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from itertools import groupby
+from math import sqrt
+
+from sqlalchemy.orm import Session
+
+from sightline.enums import Target
+from sightline.infra.audit.records import Who
+from sightline.measurements.height_of_clicks import Clicks, answer
+from sightline.measurements.records import Measurement
+from sightline.measurements.service import Point, road_pose
+from sightline.quality.repeats.query import repeats_of_survey
+
+CLICK_SOURCES = ("click, target", "click, contact")
+
+
+@dataclass(frozen=True)
+class Click:
+    """One pair of clicks that was repeated or repeats another; heights None where there is none.
+
+    u_clicks_m: the part of the budget that comes from the clicks; the other parts are the same for all clicks
+    on a frame. `first_contact`: of the measurement that was repeated; targets of a vehicle may share it.
+    """
+
+    measurement_id: int
+    first_id: int
+    first_contact: Point
+    vehicle_id: int
+    target: Target
+    frame: int
+    pose_id: int
+    inset_m: float
+    person: Who
+    contact: Point
+    point: Point
+    height_m: float | None
+    u_clicks_m: float | None
+
+    @property
+    def item(self) -> tuple[int, int, int, float]:
+        """Heights with the same item differ by their clicks alone."""
+        return self.first_id, self.frame, self.pose_id, self.inset_m
+
+    @property
+    def framed(self) -> tuple[int, int, float]:
+        """Heights with the same of these, but other frames, differ by the frame too."""
+        return self.first_id, self.pose_id, self.inset_m
+
+
+def clicks_of_survey(session: Session, survey_id: int) -> tuple[Click, ...]:
+    """The standing repeats of a survey with what they repeat before them; by repeated measurement."""
+    series = [list(found) for _, found in groupby(repeats_of_survey(session, survey_id), lambda one: one.id)]
+    by_first: dict[int, list[Measurement]] = {}
+    for revisions in series:
+        current = revisions[-1]
+        if current.repeat_of is not None and not current.withdrawn:
+            by_first.setdefault(current.repeat_of, []).append(current)
+    firsts = {revisions[-1].id: revisions for revisions in series if revisions[-1].repeat_of is None}
+    out: list[Click] = []
+    for first_id, again in by_first.items():
+        if first_id in firsts:
+            first = _standing_before(firsts[first_id], again[0])
+            person = author(firsts[first_id], first)
+            found = [(first, person), *((one, one.created_by) for one in again)]
+            out += [_click(session, one, first, who) for one, who in found if who is not None]
+    return tuple(out)
+
+
+def author(revisions: Iterable[Measurement], standing: Measurement) -> Who | None:
+    """Who clicked the points that stand: not who took them back or restored them."""
+    points = (standing.frame, standing.contact, standing.point)
+    return next((one.created_by for one in revisions if (one.frame, one.contact, one.point) == points), None)
+
+
+def alone(session: Session, one: Measurement) -> tuple[float | None, float | None]:
+    """(height, its part from the clicks) in metres of the first frame's clicks alone; None without a height.
+
+    Of a measurement on several frames too: a repeat is on one, and only like can be compared with like.
+    """
+    if not one.more_frames:
+        return one.height_m, _u_clicks(one.height_m, one.budget)
+    clicks = Clicks(one.target, one.contact, one.point, one.sigma_px, one.inset_m, one.u_inset_m)
+    found = answer(road_pose(session, one.pose_id), clicks)
+    return found.height_m, _u_clicks(found.height_m, found.budget)
+
+
+def _u_clicks(height_m: float | None, budget: Iterable[dict[str, object]]) -> float | None:
+    parts = [float(str(entry["u_m"])) for entry in budget if entry["source"] in CLICK_SOURCES]
+    return sqrt(sum(u * u for u in parts)) if parts and height_m is not None else None
+
+
+def _standing_before(revisions: list[Measurement], again: Measurement) -> Measurement:
+    """The revision that stood when it was first repeated."""
+    before = [one for one in revisions if one.created_at <= again.created_at and not one.withdrawn]
+    return before[-1] if before else revisions[0]
+
+
+def _click(session: Session, one: Measurement, first: Measurement, person: Who) -> Click:
+    height_m, u_clicks_m = alone(session, one)
+    return Click(
+        measurement_id=one.id,
+        first_id=first.id,
+        first_contact=first.contact,
+        vehicle_id=one.vehicle_id,
+        target=one.target,
+        frame=one.frame,
+        pose_id=one.pose_id,
+        inset_m=one.inset_m,
+        person=person,
+        contact=one.contact,
+        point=one.point,
+        height_m=height_m,
+        u_clicks_m=u_clicks_m,
+    )

@@ -1,0 +1,328 @@
+"""What repeats say of a survey: figures per target and person, differences, and people's own click sigma."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import groupby
+from math import dist, sqrt
+from random import Random
+from statistics import fmean
+
+from sqlalchemy.orm import Session
+
+from sightline.enums import Target
+from sightline.errors import BadInput
+from sightline.infra.audit.records import Who
+from sightline.measurements.click_sigma_store import choose_click_sigma, list_click_sigmas
+from sightline.measurements.records import ClickSigma, Measurement
+from sightline.measurements.service import Point
+from sightline.measurements.store import get_measurement
+from sightline.people.store import get_person
+from sightline.quality.repeats.clicks import Click, alone, clicks_of_survey
+from sightline.quality.repeats.query import Blind, measurements_to_click_again, repeats_of_measurement
+from sightline.statistics.repeatability import (
+    LEAST_FREEDOM,
+    Claim,
+    Gauge,
+    Spread,
+    claim,
+    codes_of,
+    gauge,
+    no_spread,
+    spread_of,
+    within_cells,
+)
+
+LEAST_PAIRS = 10
+COVERAGE = 2.0
+# A wheelbase is 60 px and more on any vehicle that can be measured; a click is off by a few.
+SAME_WHEEL_PX = 25.0
+
+
+@dataclass(frozen=True)
+class OfTarget:
+    """Figures of one target in metres; `target` None: of all (a person may lean otherwise at each target).
+
+    `another_frame`: the same person on another frame of the pass, which adds to the clicks what the place in
+    the picture does to lens, road pose and inset, and how the vehicle sways.
+    """
+
+    target: Target | None
+    gauge: Gauge
+    claim: Claim
+    another_frame: Spread
+
+
+@dataclass(frozen=True)
+class OfPerson:
+    """Figures of one person: heights (m) and clicks (px) of their own repeats; their leaning against others.
+
+    pairs: how often they clicked again what they had clicked themselves; sigma: contact and target together,
+    each coordinate; leaning_m: mean of their heights minus the others' of the same `items`, None below 5.
+    """
+
+    person: Who
+    pairs: int
+    heights: Spread
+    contact: Spread
+    point: Spread
+    sigma: Spread
+    leaning_m: float | None
+    items: int
+    chosen: ClickSigma | None
+    may_choose: bool
+
+
+@dataclass(frozen=True)
+class Difference:
+    """A repeat minus what it repeats, and their mean, metres; `expected_m`: twice the u of both clicks."""
+
+    first_id: int
+    repeat_id: int
+    vehicle_id: int
+    target: Target
+    first_person: Who
+    person: Who
+    mean_m: float
+    difference_m: float
+    expected_m: float
+
+
+@dataclass(frozen=True)
+class Findings:
+    """All that the repeats of a survey say. `not_compared`: those of another pose or inset, or no height."""
+
+    repeats: int
+    targets: tuple[OfTarget, ...]
+    people: tuple[OfPerson, ...]
+    differences: tuple[Difference, ...]
+    not_compared: int
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """A repeat beside the measurement that it repeats; or the reason why they do not compare."""
+
+    repeat: Measurement
+    first_height_m: float | None
+    difference_m: float | None
+    expected_m: float | None
+    agrees: bool | None
+    reason: str | None
+
+
+def findings(session: Session, survey_id: int) -> Findings:
+    """The figures of a survey's repeats; those that too few repeats cannot give have their reason."""
+    clicks = clicks_of_survey(session, survey_id)
+    chosen = {one.person.id: one for one in list_click_sigmas(session, survey_id) if one.person}
+    targets: list[Target | None] = [None, *sorted({one.target for one in clicks})] if clicks else []
+    repeated = [one for one in clicks if one.measurement_id != one.first_id]
+    differences = tuple(_differences(clicks))
+    return Findings(
+        repeats=len(repeated),
+        targets=tuple(_of_target(clicks, target) for target in targets),
+        people=tuple(_of_person(clicks, person, chosen.get(person.id)) for person in _persons(clicks)),
+        differences=differences,
+        not_compared=len(repeated) - len(differences) - len(_elsewhere(clicks)),
+    )
+
+
+def comparisons(session: Session, measurement_id: int) -> tuple[Comparison, ...]:
+    """The standing repeats of a measurement, each against its current revision."""
+    first = get_measurement(session, measurement_id)
+    height_m, u_m = alone(session, first)
+    return tuple(
+        _comparison(session, first, height_m, u_m, one)
+        for one in repeats_of_measurement(session, measurement_id)
+    )
+
+
+def sample(
+    session: Session, survey_id: int, *, person_id: int, count: int, only_own: bool
+) -> tuple[Blind, ...]:
+    """At most `count` measurements for a person to click again, in random order; unrepeated ones first."""
+    fresh, known = measurements_to_click_again(session, survey_id, person_id=person_id, only_own=only_own)
+    draw = Random(f"{person_id} {len(known)} {len(fresh)}")  # the same until something is clicked
+    chosen = draw.sample(fresh, min(count, len(fresh)))
+    return tuple(chosen + draw.sample(known, min(count - len(chosen), len(known))))
+
+
+def use_own_sigma(session: Session, survey_id: int, person_id: int, *, own: bool, actor: int) -> ClickSigma:
+    """From now on a person's clicks count with the sigma of their repeats, or with the usual one again.
+
+    Raises NotFound, BadInput below 10 own repeats.
+    """
+    if not own:
+        return choose_click_sigma(session, survey_id, person_id, sigma_px=None, pairs=0, actor=actor)
+    who = get_person(session, person_id)
+    found = _of_person(clicks_of_survey(session, survey_id), Who(who.id, who.name), None)
+    if not found.may_choose or found.sigma.sd is None:
+        raise BadInput(
+            f"{who.name} clicked {found.pairs} of their own measurements again; {LEAST_PAIRS} are needed "
+            "for a sigma of their own. Click more of them again."
+        )
+    sigma_px = round(found.sigma.sd, 3)
+    return choose_click_sigma(
+        session, survey_id, person_id, sigma_px=sigma_px, pairs=found.pairs, actor=actor
+    )
+
+
+def _persons(clicks: Sequence[Click]) -> list[Who]:
+    return sorted({one.person for one in clicks}, key=lambda who: (who.name, who.id))
+
+
+def _of_target(clicks: Sequence[Click], target: Target | None) -> OfTarget:
+    usable = [one for one in clicks if target in (None, one.target) and one.height_m is not None]
+    heights = [one.height_m for one in usable]
+    items = codes_of([one.item for one in usable])
+    # One person may lean up at roofs and down at eyes.
+    persons = codes_of([(one.person.id, one.target) for one in usable])
+    u_clicks = [one.u_clicks_m for one in usable]
+    found = gauge(_floats(heights), items, persons)
+    claimed = claim(_floats(heights), _floats(u_clicks), items)
+    return OfTarget(target, found, claimed, _another_frame(usable))
+
+
+def _another_frame(clicks: Sequence[Click]) -> Spread:
+    """Of one person's heights of one target, each frame's mean once."""
+    cells, heights = [], []
+    for name, found in _by(clicks, lambda one: (*one.framed, one.person.id, one.frame)):
+        cells.append(name[:-1])
+        heights.append(fmean(_floats([one.height_m for one in found])))
+    sums = within_cells(heights, codes_of(cells))
+    return spread_of(
+        *sums, f"{sums[1]} were clicked by one person on two frames; {LEAST_FREEDOM} are needed."
+    )
+
+
+def _elsewhere(clicks: Sequence[Click]) -> list[Click]:
+    """Repeats with a height on another frame than what they repeat, alike in all else."""
+    firsts = {one.first_id: one for one in clicks if one.measurement_id == one.first_id}
+    return [
+        one
+        for one in clicks
+        if (first := firsts.get(one.first_id))
+        and first.frame != one.frame
+        and first.framed == one.framed
+        and None not in (first.height_m, one.height_m)
+    ]
+
+
+def _floats(values: Sequence[float | None]) -> list[float]:
+    return [float("nan") if value is None else value for value in values]
+
+
+def _of_person(clicks: Sequence[Click], person: Who, chosen: ClickSigma | None) -> OfPerson:
+    own = [one for one in clicks if one.person.id == person.id]
+    points = within_cells([one.point for one in own], codes_of([(one.first_id, one.frame) for one in own]))
+    contacts = _contacts(own)
+    measured = [one for one in own if one.height_m is not None]
+    heights = within_cells(
+        _floats([one.height_m for one in measured]), codes_of([one.item for one in measured])
+    )
+    pairs = points[1] // 2
+    few = f"{person.name} clicked {pairs} of their own again; {LEAST_FREEDOM} are needed for a figure."
+    enough = pairs >= LEAST_FREEDOM
+    both = (points[0] + contacts[0], points[1] + contacts[1])
+    contact, point, sigma = (
+        spread_of(*one, few) if enough else no_spread(few, one[1]) for one in (contacts, points, both)
+    )
+    leaning = list(_leaning(clicks, person))
+    return OfPerson(
+        person=person,
+        pairs=pairs,
+        heights=spread_of(*heights, few),
+        contact=contact,
+        point=point,
+        sigma=sigma,
+        leaning_m=sum(leaning) / len(leaning) if len(leaning) >= LEAST_FREEDOM else None,
+        items=len(leaning),
+        chosen=chosen,
+        may_choose=pairs >= LEAST_PAIRS and bool(sigma.sd),
+    )
+
+
+def _contacts(own: Sequence[Click]) -> tuple[float, int]:
+    """(sum of squares, degrees of freedom) of the contacts; one that several targets share counts once.
+
+    Contacts too far apart for one wheel are of two (either will do for a height) and not compared.
+    """
+    clicked = sorted({((one.vehicle_id, one.frame, one.first_contact), one.contact) for one in own})
+    wheels: list[tuple[object, Point]] = []
+    cells = [_wheel(wheels, at, contact) for at, contact in clicked]
+    return within_cells([contact for _, contact in clicked], codes_of(cells))
+
+
+def _wheel(wheels: list[tuple[object, Point]], at: object, contact: Point) -> int:
+    """The number of the wheel that was clicked; a new one joins the list."""
+    for number, (where, known) in enumerate(wheels):
+        if where == at and dist(known, contact) < SAME_WHEEL_PX:
+            return number
+    wheels.append((at, contact))
+    return len(wheels) - 1
+
+
+def _leaning(clicks: Sequence[Click], person: Who) -> Iterator[float]:
+    """Mean height of the person minus that of the others, of each item that both clicked."""
+    for _, found in _by(clicks, lambda one: one.item):
+        own = [one.height_m for one in found if one.person.id == person.id and one.height_m is not None]
+        others = [one.height_m for one in found if one.person.id != person.id and one.height_m is not None]
+        if own and others:
+            yield sum(own) / len(own) - sum(others) / len(others)
+
+
+def _by(
+    clicks: Sequence[Click], key: Callable[[Click], tuple[float, ...]]
+) -> Iterator[tuple[tuple[float, ...], list[Click]]]:
+    for name, found in groupby(sorted(clicks, key=key), key):
+        yield name, list(found)
+
+
+def _differences(clicks: Sequence[Click]) -> Iterator[Difference]:
+    firsts = {one.first_id: one for one in clicks if one.measurement_id == one.first_id}
+    for one in clicks:
+        first = firsts.get(one.first_id)
+        if first is None or first is one or first.item != one.item:
+            continue
+        if None in (first.height_m, one.height_m, first.u_clicks_m, one.u_clicks_m):
+            continue
+        a, b, u_a, u_b = _floats([first.height_m, one.height_m, first.u_clicks_m, one.u_clicks_m])
+        yield Difference(
+            first_id=first.measurement_id,
+            repeat_id=one.measurement_id,
+            vehicle_id=one.vehicle_id,
+            target=one.target,
+            first_person=first.person,
+            person=one.person,
+            mean_m=(a + b) / 2,
+            difference_m=b - a,
+            expected_m=COVERAGE * sqrt(u_a**2 + u_b**2),
+        )
+
+
+def _comparison(
+    session: Session, first: Measurement, height_m: float | None, u_m: float | None, one: Measurement
+) -> Comparison:
+    again_m, u_again_m = alone(session, one)
+    reason = _not_alike(first, one, height_m, again_m)
+    if reason or height_m is None or again_m is None or u_m is None or u_again_m is None:
+        return Comparison(one, height_m, None, None, None, reason or "A height has no uncertainty.")
+    difference, expected = again_m - height_m, COVERAGE * sqrt(u_m**2 + u_again_m**2)
+    return Comparison(one, height_m, difference, expected, abs(difference) <= expected, None)
+
+
+def _not_alike(
+    first: Measurement, one: Measurement, height_m: float | None, again_m: float | None
+) -> str | None:
+    if height_m is None:
+        return f"The first clicks give no height: {first.reason}"
+    if again_m is None:
+        return f"The second clicks give no height: {one.reason}"
+    if first.frame != one.frame:
+        return "They were clicked on different frames, so more than the clicks differs."
+    if first.pose_id != one.pose_id:
+        return "The road pose is another one since, so more than the clicks differs."
+    if first.inset_m != one.inset_m:
+        return "The inset is another one, so more than the clicks differs."
+    return None

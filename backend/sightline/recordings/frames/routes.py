@@ -1,0 +1,146 @@
+"""The frame table and its pictures: stills, lossless crops, thumbnails; immutable and checked."""
+
+from collections.abc import Callable
+from typing import Annotated, Any, Literal
+
+import numpy as np
+from fastapi import APIRouter, Query, Request, Response
+
+from sightline.infra.web.bodies import Out
+from sightline.infra.web.deps import PathFrame, PathId, Viewer, Wired
+from sightline.infra.web.disconnect import Wanted, while_wanted
+from sightline.recordings.frames.stills import Still
+from sightline.recordings.ingest_job import thumbnail
+
+router = APIRouter()
+
+CACHING = "private, max-age=31536000, immutable"
+_SAME = {"description": "The picture that the browser has is the right one."}
+JPEG: dict[int | str, dict[str, Any]] = {200: {"content": {"image/jpeg": {}}}, 304: _SAME}
+PNG: dict[int | str, dict[str, Any]] = {200: {"content": {"image/png": {}}}, 304: _SAME}
+MOST_ROWS = 20_000
+Side = Annotated[int, Query(ge=1, le=4096)]
+Shown = Annotated[
+    Literal["plain", "bright"], Query(description="bright: to look at only, never measured on.")
+]
+Place = Annotated[int, Query(ge=-100_000, le=100_000)]
+
+
+class ReadyFrames(Out):
+    """Runs of frames, [first, last], that are answered without decoding."""
+
+    runs: list[tuple[int, int]]
+
+
+class FrameRows(Out):
+    """Frames `first`, `first + 1`, ...: columns of equal length."""
+
+    first: int
+    pts: list[int]
+    time_s: list[float]
+    crc: list[int]
+    key: list[bool]
+
+
+@router.get("/recordings/{recording_id}/frames")
+def frame_table(
+    recording_id: PathId,
+    who: Viewer,
+    services: Wired,
+    first: Annotated[int, Query(ge=0, le=2**31 - 1)] = 0,
+    count: Annotated[int, Query(ge=1, le=MOST_ROWS)] = 5000,
+) -> FrameRows:
+    """A piece of the frame table; empty behind its end."""
+    opened = services.stills.open(recording_id)
+    span = slice(first, first + count)
+    return FrameRows(
+        first=first,
+        pts=opened.media.pts[span].tolist(),
+        time_s=np.round(opened.time_s[span], 9).tolist(),
+        crc=opened.media.crc[span].tolist(),
+        key=opened.media.key[span].tolist(),
+    )
+
+
+@router.get("/recordings/{recording_id}/frames/ready")
+def ready_frames(recording_id: PathId, who: Viewer, services: Wired) -> ReadyFrames:
+    """What is loaded on the server, for the timeline."""
+    return ReadyFrames(runs=services.stills.ready(recording_id))
+
+
+@router.get("/recordings/{recording_id}/frames/{n}.jpg", response_class=Response, responses=JPEG)
+async def still(
+    recording_id: PathId,
+    n: PathFrame,
+    who: Viewer,
+    services: Wired,
+    request: Request,
+    display: Shown = "plain",
+) -> Response:
+    """Frame n as JPEG; `?v=` its checksum makes the address as immutable as the picture."""
+
+    def work(wanted: Wanted) -> Response:
+        kind = "" if display == "plain" else f"-{display}"
+        etag = f'"{services.stills.crc(recording_id, n):08x}{kind}"'
+        services.ahead.asked(recording_id, n)
+        if has(request, etag):
+            return unchanged(etag)
+        return picture(services.stills.still(recording_id, n, display, wanted), "image/jpeg", etag)
+
+    return await while_wanted(request, work)
+
+
+@router.get("/recordings/{recording_id}/frames/{n}/crop.png", response_class=Response, responses=PNG)
+async def crop(
+    recording_id: PathId,
+    n: PathFrame,
+    x: Place,
+    y: Place,
+    w: Side,
+    h: Side,
+    who: Viewer,
+    services: Wired,
+    request: Request,
+    display: Shown = "plain",
+) -> Response:
+    """A rectangle of frame n, lossless; black where it reaches out of the picture."""
+
+    def work(wanted: Wanted) -> Response:
+        kind = "" if display == "plain" else f"-{display}"
+        etag = f'"{services.stills.crc(recording_id, n):08x}-{x}.{y}.{w}.{h}{kind}"'
+        if has(request, etag):
+            return unchanged(etag)
+        rectangle = (x, y, w, h)
+        return picture(services.stills.crop(recording_id, n, rectangle, display, wanted), "image/png", etag)
+
+    return await while_wanted(request, work)
+
+
+@router.get("/recordings/{recording_id}/thumbs/{frame}.jpg", response_class=Response, responses=JPEG)
+def thumb(recording_id: PathId, frame: PathFrame, who: Viewer, services: Wired, request: Request) -> Response:
+    """The thumbnail of a frame that has one."""
+    etag = f'"t{services.stills.crc(recording_id, frame):08x}"'
+    return jpeg_once(request, etag, lambda: thumbnail(services, recording_id, frame))
+
+
+def has(request: Request, etag: str) -> bool:
+    """Whether the browser has this very picture already."""
+    known = request.headers.get("if-none-match", "")
+    return etag in (one.strip().removeprefix("W/") for one in known.split(","))
+
+
+def jpeg_once(request: Request, etag: str, make: Callable[[], bytes]) -> Response:
+    """The JPEG, which is made only if the browser does not have it already."""
+    if has(request, etag):
+        return unchanged(etag)
+    return Response(make(), media_type="image/jpeg", headers={"ETag": etag, "Cache-Control": CACHING})
+
+
+def unchanged(etag: str) -> Response:
+    return Response(status_code=304, headers={"ETag": etag, "Cache-Control": CACHING})
+
+
+def picture(still: Still, media_type: str, etag: str) -> Response:
+    identity = {"Sightline-Frame": str(still.n), "Sightline-Pts": str(still.pts)}
+    headers = {"ETag": etag, "Cache-Control": CACHING, **identity}
+    return Response(still.content, media_type=media_type, headers=headers)

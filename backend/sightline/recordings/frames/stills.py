@@ -1,0 +1,145 @@
+"""Frames of stored recordings without a query for each: facts and frame table are kept in memory."""
+
+import threading
+import time
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from sightline.errors import BadInput, Damaged, NotFound
+from sightline.infra.database.engine import SessionFactory, reading
+from sightline.media.store.local import MediaStore
+from sightline.media.video.display import Display
+from sightline.media.video.frames import FrameServer
+from sightline.media.video.seeker import RecordingMedia
+from sightline.media.video.window import Wanted, always
+from sightline.recordings.frames.store import get_frame_table
+from sightline.recordings.records import Recording
+from sightline.recordings.store import get_recording
+
+# After this long the row is looked at again, in case another process ingested it anew or deleted it.
+BELIEVED_S = 5.0
+MOST = 32
+
+
+@dataclass(frozen=True, eq=False)
+class OpenRecording:
+    """A ready recording with its frame table in memory. `time_s` (N,) counts from the first frame."""
+
+    recording: Recording
+    media: RecordingMedia
+    time_s: npt.NDArray[np.float64]
+    looked_at_s: float
+
+
+@dataclass(frozen=True)
+class Still:
+    """One encoded picture of frame n with the identity of the frame."""
+
+    content: bytes
+    n: int
+    pts: int
+    crc: int
+
+
+class Stills:
+    """Thread-safe. Every method raises NotFound for a recording or frame that is not there, Damaged if the
+    file does not give the frame whose checksum is in the table, BadInput while the recording is not ready.
+    """
+
+    def __init__(self, sessions: SessionFactory, store: MediaStore, server: FrameServer) -> None:
+        self._sessions = sessions
+        self._store = store
+        self._server = server
+        self._open: dict[int, OpenRecording] = {}
+        self._lock = threading.Lock()
+
+    def open(self, recording_id: int) -> OpenRecording:
+        """The recording's facts and frame table, read from the database at most every few seconds."""
+        with self._lock:
+            known = self._open.get(recording_id)
+        if known is not None and time.monotonic() - known.looked_at_s < BELIEVED_S:
+            return known
+        fresh = self._read(recording_id, known)
+        with self._lock:
+            self._open.pop(recording_id, None)
+            self._open[recording_id] = fresh
+            while len(self._open) > MOST:
+                self._open.pop(next(iter(self._open)))
+        return fresh
+
+    def still(self, recording_id: int, n: int, display: Display = "plain", wanted: Wanted = always) -> Still:
+        """Frame n as JPEG, upright; "bright" is to look at only. NotWanted once `wanted` says no."""
+        opened = self._with_frame(recording_id, n)
+        content = self._server.still(opened.media, n, wanted, display)
+        return Still(content, n, int(opened.media.pts[n]), int(opened.media.crc[n]))
+
+    def crop(
+        self,
+        recording_id: int,
+        n: int,
+        rectangle: tuple[int, int, int, int],
+        display: Display = "plain",
+        wanted: Wanted = always,
+    ) -> Still:
+        """A rectangle (x, y, w, h) of frame n as PNG; black where it reaches out of the picture."""
+        opened = self._with_frame(recording_id, n)
+        content = self._server.crop_png(opened.media, n, *rectangle, display=display, wanted=wanted)
+        return Still(content, n, int(opened.media.pts[n]), int(opened.media.crc[n]))
+
+    def gray(self, recording_id: int, n: int) -> npt.NDArray[np.uint8]:
+        """Frame n as luminance, (height_px, width_px), upright."""
+        return self._server.gray(self._with_frame(recording_id, n).media, n)
+
+    def ready(self, recording_id: int) -> list[tuple[int, int]]:
+        """Runs (first, last) of the frames that are answered without decoding."""
+        return self._server.ready(self.open(recording_id).media)
+
+    def crc(self, recording_id: int, n: int) -> int:
+        """The checksum of frame n as the table has it, for an answer without a picture."""
+        return int(self._with_frame(recording_id, n).media.crc[n])
+
+    def forget(self, recording_id: int) -> None:
+        """Read the recording afresh next time; called after an ingest or a change."""
+        with self._lock:
+            self._open.pop(recording_id, None)
+
+    def _with_frame(self, recording_id: int, n: int) -> OpenRecording:
+        opened = self.open(recording_id)
+        if not 0 <= n < len(opened.media):
+            raise NotFound(f"There is no frame {n}; this recording has frames 0 to {len(opened.media) - 1}.")
+        return opened
+
+    def _read(self, recording_id: int, known: OpenRecording | None) -> OpenRecording:
+        with reading(self._sessions) as session:
+            recording = get_recording(session, recording_id)
+            if recording.state != "ready":
+                raise _not_ready(recording)
+            if known is not None and _same_frames(known.recording, recording):
+                # A distant store may have dropped its local copy; asking for the path brings it back.
+                self._store.local_path(file_key(recording))
+                return OpenRecording(recording, known.media, known.time_s, time.monotonic())
+            table = get_frame_table(session, recording_id)
+        if len(table) != recording.frame_count:
+            raise Damaged(f"The frame table of {recording.name} is not whole; ingest the recording again.")
+        media = RecordingMedia(self._store.local_path(file_key(recording)), table.pts, table.crc32, table.key)
+        return OpenRecording(recording, media, table.time_s, time.monotonic())
+
+
+def _same_frames(then: Recording, now: Recording) -> bool:
+    """Whether the frame table in memory still holds: the same content, read with the same outcome."""
+    return (then.sha256, then.frame_count, then.report) == (now.sha256, now.frame_count, now.report)
+
+
+def file_key(recording: Recording) -> str:
+    """The stored file that the frame table numbers: the upload, or its working copy."""
+    return str(recording.report.get("working_copy") or recording.media_key)
+
+
+def _not_ready(recording: Recording) -> BadInput:
+    if recording.state == "failed":
+        return BadInput(
+            f"{recording.name} could not be ingested, so it has no frames; see its error and try again."
+        )
+    return BadInput(f"{recording.name} is still being ingested; wait until it is ready.")

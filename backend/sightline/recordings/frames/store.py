@@ -1,0 +1,91 @@
+"""The frame table of a recording, in and out as arrays."""
+
+import hashlib
+from typing import Any
+
+import numpy as np
+from sqlalchemy import delete, insert, select
+from sqlalchemy.orm import Session
+
+from sightline.errors import NotFound
+from sightline.recordings.frames.records import Frame, FrameTable
+from sightline.recordings.frames.tables import frames
+
+_SQLITE_INSERT = 'INSERT INTO frames (recording_id, n, pts, time_s, "key", crc32) VALUES (?, ?, ?, ?, ?, ?)'
+_COPY = 'COPY frames (recording_id, n, pts, time_s, "key", crc32) FROM STDIN'
+
+
+def get_frame_table(
+    session: Session, recording_id: int, first: int = 0, count: int | None = None
+) -> FrameTable:
+    """Frames `first` to `first + count - 1`, as many as there are."""
+    wanted = select(frames.c.pts, frames.c.time_s, frames.c.key, frames.c.crc32).where(
+        frames.c.recording_id == recording_id, frames.c.n >= first
+    )
+    if count is not None:
+        wanted = wanted.where(frames.c.n < first + count)
+    rows = session.execute(wanted.order_by(frames.c.n)).all()
+    pts, time_s, key, crc32 = zip(*rows, strict=True) if rows else ((), (), (), ())
+    return FrameTable(
+        first=first,
+        pts=_fixed(pts, np.int64),
+        time_s=_fixed(time_s, np.float64),
+        key=_fixed(key, np.bool_),
+        crc32=_fixed(crc32, np.uint32),
+    )
+
+
+def get_frame(session: Session, recording_id: int, n: int) -> Frame:
+    """One frame. Raises NotFound."""
+    query = select(frames).where(frames.c.recording_id == recording_id, frames.c.n == n)
+    row = session.execute(query).one_or_none()
+    if row is None:
+        raise NotFound(f"Recording {recording_id} has no frame {n}; choose one within the recording.")
+    return Frame(row.n, row.pts, row.time_s, row.key, row.crc32)
+
+
+def replace_frames(session: Session, recording_id: int, found: FrameTable) -> None:
+    """Put a recording's whole frame table in the place of the one before (one bulk statement)."""
+    remove_frames(session, recording_id)
+    columns = (found.pts.tolist(), found.time_s.tolist(), found.key.tolist(), found.crc32.tolist())
+    rows = [(recording_id, n, *values) for n, values in enumerate(zip(*columns, strict=True), found.first)]
+    if not rows:
+        return
+    connection = session.connection()
+    if connection.dialect.name == "sqlite":
+        connection.exec_driver_sql(_SQLITE_INSERT, rows)
+    elif connection.dialect.driver == "psycopg":
+        _copy(connection.connection.driver_connection, rows)
+    else:
+        session.execute(insert(frames), [dict(zip(frames.columns.keys(), row, strict=True)) for row in rows])
+
+
+def remove_frames(session: Session, recording_id: int) -> None:
+    """Take a recording's frame table out."""
+    session.execute(delete(frames).where(frames.c.recording_id == recording_id))
+
+
+def frame_table_fingerprint(found: FrameTable) -> str:
+    """sha256 over all four columns; kept in the audit event of the ingest."""
+    digest = hashlib.sha256()
+    kinds: tuple[tuple[Any, str], ...] = (
+        (found.pts, "<i8"),
+        (found.time_s, "<f8"),
+        (found.key, "?"),
+        (found.crc32, "<u4"),
+    )
+    for array, kind in kinds:
+        digest.update(np.ascontiguousarray(array, dtype=kind).tobytes())
+    return digest.hexdigest()
+
+
+def _copy(connection: Any, rows: list[tuple[Any, ...]]) -> None:
+    with connection.cursor() as cursor, cursor.copy(_COPY) as copy:
+        for row in rows:
+            copy.write_row(row)
+
+
+def _fixed(values: Any, kind: Any) -> Any:
+    array = np.array(values, dtype=kind)
+    array.flags.writeable = False
+    return array

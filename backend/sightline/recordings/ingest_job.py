@@ -1,0 +1,221 @@
+"""Ingest: the frame table, facts and thumbnails of an uploaded video, as a job; all of it or nothing."""
+
+import shutil
+import tempfile
+import zipfile
+from collections.abc import Mapping
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+from sqlalchemy.orm import Session
+
+from sightline.enums import Lighting
+from sightline.errors import Conflict, NotFound
+from sightline.infra.jobs import registry
+from sightline.infra.jobs.records import Job
+from sightline.infra.jobs.registry import Cancelled, Finish, JobContext
+from sightline.infra.jobs.runner import STOPPED as CANCELLED
+from sightline.infra.jobs.store import request_job_cancel
+from sightline.infra.services import Services, services_of
+from sightline.media.cancelling import IngestCancelled
+from sightline.media.store.local import MediaStore, key_of
+from sightline.media.video.ingest import Ingested, ingest
+from sightline.recordings import store as recordings
+from sightline.recordings.frames.records import FrameTable
+from sightline.recordings.records import Facts, Recording
+
+KIND = "ingest"
+PASSES = "passes"
+STOPPED = "The ingest was cancelled; start it again or delete the recording."
+# Mean luminance (0-255) below which low light is proposed; people decide.
+LOW_LIGHT_BELOW = 60.0
+
+
+def queue_ingest(session: Session, recording: Recording, actor: int | None) -> Job:
+    """Queue the ingest of a recording in the caller's transaction."""
+    return registry.enqueue(
+        session, KIND, {}, survey_id=recording.survey_id, recording_id=recording.id, actor=actor
+    )
+
+
+def retry_ingest(services: Services, recording_id: int, actor: int) -> Job:
+    """Read the video again. Raises NotFound, and Conflict while an ingest waits or runs."""
+    with services.writing() as session:
+        recording = recordings.get_recording(session, recording_id)
+        if recording.job and recording.job.kind == KIND and recording.job.state in ("queued", "running"):
+            raise Conflict(f"{recording.name} is being ingested already; wait for it or cancel it.")
+        recording = recordings.restart_ingest(session, recording_id, actor=actor)
+        job = queue_ingest(session, recording, actor)
+    services.stills.forget(recording_id)
+    return job
+
+
+def mark_failed(session: Session, job: Job, error: str) -> None:
+    """With the job's end: the recording is not ready, and why."""
+    if job.recording_id is None:
+        return
+    try:
+        sentence = STOPPED if error == CANCELLED else error
+        recordings.note_ingest_failed(session, job.recording_id, sentence, actor=job.created_by)
+    except NotFound:
+        return  # deleted meanwhile
+
+
+def cancel_job(session: Session, job: Job, actor: int) -> Job:
+    """Ask a job to stop; the recording of an ingest that had not begun is told at once."""
+    stopped = request_job_cancel(session, job.id, actor=actor)
+    if stopped.state == "cancelled" and stopped.kind == KIND:
+        mark_failed(session, stopped, STOPPED)
+    return stopped
+
+
+@registry.handler(KIND, failed=mark_failed)
+def run_ingest(context: JobContext) -> Finish:
+    """Decode the video once. May be killed at any moment: nothing is stored before it is whole."""
+    services = services_of(context)
+    recording_id = context.job.recording_id
+    assert recording_id is not None
+    with services.reading() as session:
+        recording = recordings.get_recording(session, recording_id)
+    folder = Path(tempfile.mkdtemp(prefix="ingest-", dir=services.scratch))
+    try:
+        found = _read(context, services.media.local_path(recording.media_key), recording, folder)
+        working_copy = _keep_working_copy(services.media, recording, found)
+        _keep_thumbnails(services.media, recording, folder / "thumbs", found)
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+    facts, table = facts_of(found, working_copy), table_of(found)
+
+    def finish(session: Session) -> Mapping[str, Any]:
+        recordings.note_ingested(session, recording_id, facts, table, actor=context.actor)
+        if context.settings.find_passes:
+            place = {"survey_id": recording.survey_id, "recording_id": recording_id}
+            registry.enqueue(session, PASSES, {}, actor=context.actor, **place)
+        return {"recording_id": recording_id, "frames": len(table)}
+
+    return finish
+
+
+def _read(context: JobContext, path: Path, recording: Recording, folder: Path) -> Ingested:
+    context.progress(0.0, "Reading the video.")
+    try:
+        return ingest(
+            path,
+            lambda fraction: context.progress(0.97 * fraction, "Reading the video."),
+            context.is_cancelled,
+            folder / "thumbs",
+            work_dir=folder,
+            name=recording.name,
+        )
+    except IngestCancelled as stopped:
+        raise Cancelled(STOPPED) from stopped
+
+
+def _keep_working_copy(store: MediaStore, recording: Recording, found: Ingested) -> str | None:
+    """Store the working copy of a stream without an index and give its key; None where there is none."""
+    if not found.is_working_copy:
+        return None
+    key = key_of(recording.sha256, f".work{found.media_path.suffix}")
+    store.delete(key)
+    store.put_file(key, found.media_path, link=True)
+    return key
+
+
+def _keep_thumbnails(store: MediaStore, recording: Recording, folder: Path, found: Ingested) -> None:
+    key = thumbnails_key(recording)
+    store.delete(key)
+    store.put_file(key, pack_thumbnails(folder, found), link=True)
+
+
+def pack_thumbnails(folder: Path, found: Ingested) -> Path:
+    """All thumbnails as one file: hundreds of small ones would be hundreds of requests to a distant store."""
+    packed = folder.with_suffix(".zip")
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_STORED) as archive:
+        for thumb in found.thumbnails:
+            archive.write(folder / thumb.name, f"{thumb.n}.jpg")
+    return packed
+
+
+def thumbnails_key(recording: Recording) -> str:
+    """Where the thumbnails of a recording's content are."""
+    return thumbnails_key_of(recording.sha256)
+
+
+def thumbnails_key_of(sha256: str) -> str:
+    """Where the thumbnails of a video with this content are."""
+    return key_of(sha256, ".thumbs.zip")
+
+
+def thumbnail(services: Services, recording_id: int, n: int) -> bytes:
+    """The thumbnail of frame n as JPEG. Raises NotFound where that frame has none."""
+    recording = services.stills.open(recording_id).recording
+    if n not in recording.thumbs:
+        raise NotFound(f"Frame {n} of {recording.name} has no thumbnail; ask for the frame itself.")
+    with zipfile.ZipFile(services.media.local_path(thumbnails_key(recording))) as archive:
+        return archive.read(f"{n}.jpg")
+
+
+def facts_of(found: Ingested, working_copy: str | None) -> Facts:
+    """What is stored of an ingest beside the frame table."""
+    facts, report = found.facts, found.report
+    times = found.frames.time_s
+    duration_s = float(times.max() - times.min()) + (1.0 / report.rate_hz if report.rate_hz else 0.0)
+    kept: dict[str, Any] = {
+        "duplicates": report.duplicates,
+        "unordered": report.unordered,
+        "damaged": report.damaged,
+        "rate_hz": report.rate_hz,
+        "time_base": str(facts.time_base),
+        "rotation_deg": facts.rotation_deg,
+        "sample_aspect": str(facts.sample_aspect),
+        "interlaced": facts.interlaced,
+        "pixel_format": facts.pixel_format,
+    }
+    if working_copy is not None:
+        kept["working_copy"] = working_copy
+    return Facts(
+        width_px=facts.width_px,
+        height_px=facts.height_px,
+        duration_s=duration_s,
+        codec=facts.codec,
+        container=facts.container,
+        vfr=report.vfr,
+        notes=list(report.notes),
+        report=kept,
+        thumbs=[thumb.n for thumb in found.thumbnails],
+        lighting_proposed=_lighting(found),
+    )
+
+
+def _lighting(found: Ingested) -> Lighting | None:
+    if not found.thumbnails:
+        return None
+    return "low_light" if median(one.luminance for one in found.thumbnails) < LOW_LIGHT_BELOW else "daytime"
+
+
+def table_of(found: Ingested) -> FrameTable:
+    """The frame table as the storage room takes it."""
+    table = found.frames
+    return FrameTable(first=0, pts=table.pts, time_s=table.time_s, key=table.key, crc32=table.crc32)
+
+
+def remove_recording(services: Services, recording_id: int, actor: int) -> None:
+    """Delete a recording without measurements, and its files if no other recording has the same content.
+
+    Raises NotFound, Conflict (measurements, or an ingest is running).
+    """
+    with services.writing() as session:
+        recording = recordings.get_recording(session, recording_id)
+        if recording.job and recording.job.kind == KIND and recording.job.state in ("queued", "running"):
+            raise Conflict(f"{recording.name} is being ingested; cancel that first.")
+        recordings.remove_recording(session, recording_id, actor=actor)
+    services.stills.forget(recording_id)
+    # Nobody can record the same content while the lock is held; what was recorded since then keeps it.
+    with services.writing() as session:
+        if not recordings.recording_media_in_use(session, recording.media_key):
+            services.media.delete(recording.media_key)
+        if not recordings.recording_content_in_use(session, recording.sha256):
+            copy = recording.report.get("working_copy")
+            for key in (thumbnails_key(recording), *([str(copy)] if copy else [])):
+                services.media.delete(key)

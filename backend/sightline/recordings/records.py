@@ -1,0 +1,69 @@
+"""A recording, what its ingest found, and what a person may change of it."""
+
+from dataclasses import dataclass, field
+from datetime import datetime
+from typing import TypedDict
+
+from sightline.enums import (
+    JsonObject,
+    Lighting,
+    RecordingState,
+)
+from sightline.infra.jobs.records import Job
+
+
+@dataclass(frozen=True, slots=True)
+class Facts:
+    """What the ingest found out about a video."""
+
+    width_px: int
+    height_px: int
+    duration_s: float
+    codec: str
+    container: str
+    vfr: bool
+    notes: list[str] = field(default_factory=list)
+    report: JsonObject = field(default_factory=dict)
+    thumbs: list[int] = field(default_factory=list)
+    lighting_proposed: Lighting | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Recording:
+    """A video. Facts are None until it is ready; `thumbs` are the frame numbers that have a thumbnail."""
+
+    id: int
+    survey_id: int
+    name: str
+    state: RecordingState
+    error: str | None
+    job: Job | None
+    media_key: str
+    sha256: str
+    size_bytes: int
+    width_px: int | None
+    height_px: int | None
+    frame_count: int | None
+    duration_s: float | None
+    codec: str | None
+    container: str | None
+    vfr: bool
+    notes: list[str]
+    report: JsonObject
+    thumbs: list[int]
+    camera_id: int | None
+    pose_id: int | None
+    lighting: Lighting | None
+    lighting_proposed: Lighting | None
+    drift: JsonObject | None
+    drift_decision: JsonObject | None
+    created_at: datetime
+
+
+class RecordingChanges(TypedDict, total=False):
+    """What people may change of a recording; keys left out stay as they are."""
+
+    name: str
+    camera_id: int | None
+    pose_id: int | None
+    lighting: Lighting | None

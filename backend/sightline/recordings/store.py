@@ -1,0 +1,251 @@
+"""Recordings: from upload through ingest to use. Their frame tables are in `frames`."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict
+from typing import Any, cast
+
+from sqlalchemy import ColumnElement, select
+from sqlalchemy.orm import Session
+
+from sightline.cameras.tables import cameras
+from sightline.enums import JsonObject
+from sightline.errors import BadInput, Conflict
+from sightline.infra.audit import trail
+from sightline.infra.database.rows import add_row, change_row, get_row, name_of
+from sightline.infra.database.types import columns_of, now
+from sightline.infra.jobs.store import latest_jobs_of_recordings
+from sightline.measurements.tables import measurement_series
+from sightline.poses.tables import road_poses
+from sightline.recordings.drift_query import drift_check_of, drift_figures
+from sightline.recordings.frames.records import FrameTable
+from sightline.recordings.frames.store import (
+    frame_table_fingerprint,
+    get_frame_table,
+    remove_frames,
+    replace_frames,
+)
+from sightline.recordings.records import Facts, Recording, RecordingChanges
+from sightline.recordings.tables import recordings
+from sightline.surveys.tables import surveys
+
+_ALIVE: ColumnElement[bool] = recordings.c.deleted_at.is_(None)
+_NAMED = [column.name for column in columns_of(recordings, "created_by", "deleted_at")]
+
+
+def create_recording(
+    session: Session,
+    survey_id: int,
+    *,
+    name: str,
+    media_key: str,
+    sha256: str,
+    size_bytes: int,
+    camera_id: int | None = None,
+    actor: int | None,
+) -> Recording:
+    """A recording whose file is stored and whose ingest is to come (state "ingesting")."""
+    get_row(session, surveys, survey_id, "survey")
+    content = {"survey_id": survey_id, "name": name.strip() or "recording", "media_key": media_key}
+    content |= {"sha256": sha256, "size_bytes": size_bytes, "camera_id": camera_id}
+    if camera_id is not None:
+        _same_survey(session, cameras, camera_id, "camera", survey_id)
+    empty: dict[str, Any] = {"vfr": False, "notes": [], "report": {}, "thumbs": []}
+    stamps = {"state": "ingesting", "created_at": now(), "created_by": actor}
+    recording_id = add_row(session, recordings, {**content, **empty, **stamps})
+    trail.record(session, actor, "create", "recording", recording_id, survey_id, None, content)
+    return get_recording(session, recording_id)
+
+
+def get_recording(session: Session, recording_id: int) -> Recording:
+    """One recording with its latest job. Raises NotFound (also when it was deleted)."""
+    return _recordings(session, [_row(session, recording_id)])[0]
+
+
+def list_recordings(session: Session, survey_id: int) -> tuple[Recording, ...]:
+    """The recordings of a survey, in the order in which they came; two queries."""
+    query = select(recordings).where(recordings.c.survey_id == survey_id, _ALIVE).order_by(recordings.c.id)
+    return _recordings(session, [dict(row) for row in session.execute(query).mappings()])
+
+
+def update_recording(
+    session: Session, recording_id: int, changes: RecordingChanges, *, actor: int | None
+) -> Recording:
+    """Change name, camera, pose or lighting. Raises NotFound, BadInput for things of another survey."""
+    before = _row(session, recording_id)
+    change = dict(changes)
+    unknown = set(change) - {"name", "camera_id", "pose_id", "lighting"}
+    if unknown:
+        raise BadInput(f"A recording's {', '.join(sorted(unknown))} cannot be changed; leave it out.")
+    if "name" in change and not str(change["name"]).strip():
+        raise BadInput("A recording needs a name; fill it in.")
+    if change.get("lighting") not in (None, "daytime", "low_light"):
+        raise BadInput("The lighting is daytime or low_light; choose one.")
+    for key, table, word in (("camera_id", cameras, "camera"), ("pose_id", road_poses, "road pose")):
+        if change.get(key) is not None:
+            _same_survey(session, table, cast(int, change[key]), word, before["survey_id"])
+    if change.get("pose_id") is not None:
+        _same_size(session, before, cast(int, change["pose_id"]))
+    if change:
+        change_row(session, recordings, recording_id, change)
+    what = trail.changed(before, change, change)
+    trail.record(session, actor, "update", "recording", recording_id, before["survey_id"], *what)
+    return get_recording(session, recording_id)
+
+
+def note_ingested(
+    session: Session, recording_id: int, facts: Facts, found: FrameTable, *, actor: int | None
+) -> Recording:
+    """Store what the ingest found and the frame table; the recording is ready. May be repeated.
+
+    Raises Conflict when measurements exist and the new frames are not the ones they were clicked on.
+    """
+    before = _row(session, recording_id)
+    fingerprint = frame_table_fingerprint(found)
+    if _measured(session, recording_id):
+        if fingerprint != frame_table_fingerprint(get_frame_table(session, recording_id)):
+            raise Conflict(
+                "The frames found now are not those that were measured; upload the video as a new one."
+            )
+    else:
+        replace_frames(session, recording_id, found)
+    values = {**asdict(facts), "frame_count": len(found), "state": "ready", "error": None}
+    change_row(session, recordings, recording_id, values)
+    told = {key: values[key] for key in ("width_px", "height_px", "codec", "container", "frame_count")}
+    after = {"state": "ready", **told, "frames_sha256": fingerprint}
+    then = {"state": before["state"]}
+    trail.record(session, actor, "ingest", "recording", recording_id, before["survey_id"], then, after)
+    return get_recording(session, recording_id)
+
+
+def note_ingest_failed(session: Session, recording_id: int, error: str, *, actor: int | None) -> Recording:
+    """The video cannot be used; `error` is the sentence that says why."""
+    return _state(session, recording_id, "failed", error, "ingest_failed", actor)
+
+
+def restart_ingest(session: Session, recording_id: int, *, actor: int | None) -> Recording:
+    """Back to "ingesting" for another try."""
+    return _state(session, recording_id, "ingesting", None, "restart_ingest", actor)
+
+
+def remove_recording(session: Session, recording_id: int, *, actor: int | None) -> Recording:
+    """Delete (softly) a recording without measurements; its frame table goes. Raises Conflict otherwise.
+
+    The caller removes the media file if `media_in_use` says that nothing else needs it.
+    """
+    gone = get_recording(session, recording_id)
+    if _measured(session, recording_id):
+        raise Conflict("This recording has measurements and stays; an audit needs its frames.")
+    remove_frames(session, recording_id)
+    change_row(session, recordings, recording_id, {"deleted_at": now()})
+    before = {"name": gone.name, "sha256": gone.sha256}
+    trail.record(session, actor, "delete", "recording", recording_id, gone.survey_id, before, None)
+    return gone
+
+
+def store_drift(
+    session: Session, recording_id: int, pose_id: int, check: JsonObject, *, actor: int | None
+) -> Recording:
+    """What was found of a camera that moved since a road pose; what was found against others stays."""
+    before = _row(session, recording_id)
+    known = before["drift"] or {"checks": {}}
+    drift = {"checks": {**known["checks"], str(pose_id): check}}
+    change_row(session, recordings, recording_id, {"drift": drift})
+    old = drift_check_of(known, pose_id)
+    then = {"pose_id": pose_id, "drift": None if old is None else old["words"]}
+    after = {"pose_id": pose_id, "drift": check["words"], "bumps": check["bumps"]}
+    after["found"] = drift_figures(check)
+    trail.record(session, actor, "check_drift", "recording", recording_id, before["survey_id"], then, after)
+    return get_recording(session, recording_id)
+
+
+def decide_drift(session: Session, recording_id: int, reason: str, *, actor: int | None) -> Recording:
+    """A person lets the pose in force stand although the camera moved. Raises Conflict if it did not."""
+    before = _row(session, recording_id)
+    check = drift_check_of(before["drift"], before["pose_id"])
+    if check is None or check["state"] != "moved":
+        raise Conflict(
+            "The camera was not found to have moved since the road pose; there is nothing to decide."
+        )
+    if not reason.strip():
+        raise BadInput("Say why the road pose is still good, so that an audit can follow it.")
+    decision = {
+        "pose_id": before["pose_id"],
+        "spans": [one for one in check["spans"] if one["moved"]],
+        "reason": reason.strip(),
+        "by": name_of(session, actor),
+        "by_id": actor,
+        "at": now().isoformat(timespec="seconds"),
+    }
+    return _drift_decision(session, before, decision, "decide_drift", actor)
+
+
+def take_back_drift_decision(session: Session, recording_id: int, *, actor: int | None) -> Recording:
+    """The measurements after the bump are flagged again. Raises Conflict where nothing was decided."""
+    before = _row(session, recording_id)
+    if before["drift_decision"] is None:
+        raise Conflict("Nothing was decided about this recording's camera, so there is nothing to take back.")
+    return _drift_decision(session, before, None, "take_back_drift_decision", actor)
+
+
+def _drift_decision(
+    session: Session, before: Mapping[str, Any], decision: JsonObject | None, action: str, actor: int | None
+) -> Recording:
+    recording_id = before["id"]
+    change_row(session, recordings, recording_id, {"drift_decision": decision})
+    then, after = {"drift_decision": before["drift_decision"]}, {"drift_decision": decision}
+    trail.record(session, actor, action, "recording", recording_id, before["survey_id"], then, after)
+    return get_recording(session, recording_id)
+
+
+def recording_media_in_use(session: Session, media_key: str) -> bool:
+    """Whether a recording that was not deleted still has this file."""
+    query = select(recordings.c.id).where(recordings.c.media_key == media_key, _ALIVE).limit(1)
+    return session.execute(query).first() is not None
+
+
+def recording_content_in_use(session: Session, sha256: str) -> bool:
+    """Whether a recording that was not deleted has this content, under whatever file name."""
+    query = select(recordings.c.id).where(recordings.c.sha256 == sha256, _ALIVE).limit(1)
+    return session.execute(query).first() is not None
+
+
+def _state(
+    session: Session, recording_id: int, state: str, error: str | None, action: str, actor: int | None
+) -> Recording:
+    before = _row(session, recording_id)
+    change_row(session, recordings, recording_id, {"state": state, "error": error})
+    then, after = {"state": before["state"]}, {"state": state, "error": error}
+    trail.record(session, actor, action, "recording", recording_id, before["survey_id"], then, after)
+    return get_recording(session, recording_id)
+
+
+def _row(session: Session, recording_id: int) -> dict[str, Any]:
+    return get_row(session, recordings, recording_id, "recording", _ALIVE)
+
+
+def _measured(session: Session, recording_id: int) -> bool:
+    query = select(measurement_series.c.id).where(measurement_series.c.recording_id == recording_id).limit(1)
+    return session.execute(query).first() is not None
+
+
+def _same_survey(session: Session, table: Any, row_id: int, word: str, survey_id: int) -> None:
+    if get_row(session, table, row_id, word)["survey_id"] != survey_id:
+        raise BadInput(f"The {word} {row_id} belongs to another survey; choose one of this survey's.")
+
+
+def _same_size(session: Session, recording: Mapping[str, Any], pose_id: int) -> None:
+    """A pose's pixels are those of its camera's pictures: at another size every height would be wrong."""
+    document = get_row(session, road_poses, pose_id, "road pose")["document"]
+    camera = document.get("camera", {})
+    posed = (camera.get("width_px"), camera.get("height_px"))
+    filmed = (recording["width_px"], recording["height_px"])
+    if None not in posed + filmed and posed != filmed:
+        raise BadInput(
+            f"The road pose {pose_id} is for pictures of {posed[0]} x {posed[1]} px and {recording['name']} "
+            f"has {filmed[0]} x {filmed[1]} px; choose a pose made at the recording's size."
+        )
+
+
+def _recordings(session: Session, rows: Sequence[Mapping[str, Any]]) -> tuple[Recording, ...]:
+    latest = latest_jobs_of_recordings(session, [row["id"] for row in rows])
+    return tuple(Recording(job=latest.get(row["id"]), **{name: row[name] for name in _NAMED}) for row in rows)

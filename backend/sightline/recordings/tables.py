@@ -1,0 +1,56 @@
+"""The table of recordings."""
+
+from sqlalchemy import (
+    BigInteger,
+    Boolean,
+    CheckConstraint,
+    Column,
+    Float,
+    ForeignKey,
+    Integer,
+    String,
+    Table,
+    Text,
+)
+
+from sightline.enums import Lighting, RecordingState
+from sightline.infra.database.types import Document, Moment, identity, metadata, one_of
+
+recordings = Table(
+    "recordings",
+    metadata,
+    identity(),
+    Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
+    Column("name", String(400), nullable=False),
+    Column("state", String(20), nullable=False),
+    Column("error", Text),
+    Column("media_key", String(400), nullable=False, index=True),
+    Column("sha256", String(64), nullable=False),
+    Column("size_bytes", BigInteger, nullable=False),
+    Column("width_px", Integer),
+    Column("height_px", Integer),
+    Column("frame_count", Integer),
+    Column("duration_s", Float),
+    Column("codec", String(60)),
+    Column("container", String(60)),
+    Column("vfr", Boolean, nullable=False),
+    Column("notes", Document, nullable=False),
+    Column("report", Document, nullable=False),
+    Column("thumbs", Document, nullable=False),
+    Column("camera_id", ForeignKey("cameras.id")),
+    # a pose is made from a recording and serves recordings: this one is added last
+    Column("pose_id", ForeignKey("road_poses.id", use_alter=True)),
+    Column("lighting", String(20)),
+    Column("lighting_proposed", String(20)),
+    # whether the camera moved since its pose was taken, and what a person decided about it
+    Column("drift", Document),
+    Column("drift_decision", Document),
+    Column("created_at", Moment, nullable=False),
+    Column("created_by", ForeignKey("people.id")),
+    Column("deleted_at", Moment),
+    one_of("state", RecordingState),
+    one_of("lighting", Lighting),
+    one_of("lighting_proposed", Lighting),
+    CheckConstraint("state <> 'ready' OR frame_count IS NOT NULL", name="ready_has_frames"),
+    CheckConstraint("state <> 'failed' OR error IS NOT NULL", name="failed_has_error"),
+)

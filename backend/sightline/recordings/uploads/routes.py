@@ -1,0 +1,213 @@
+"""Resumable uploads: tus 1.0 (tus.io/protocols/resumable-upload), creation and termination."""
+
+import base64
+import binascii
+from collections.abc import AsyncIterator, Iterator
+from datetime import datetime
+from pathlib import PurePosixPath
+from typing import Annotated
+
+import anyio.from_thread
+import anyio.to_thread
+from fastapi import APIRouter, Depends, Header, Request, Response
+from starlette.requests import ClientDisconnect
+
+from sightline.enums import UploadPurpose
+from sightline.errors import BadInput, SightlineError
+from sightline.infra.services import Services
+from sightline.infra.web.bodies import Out
+from sightline.infra.web.deps import OPEN, Operator, PathId, Reading, Viewer, Wired
+from sightline.recordings.uploads import service, store
+from sightline.recordings.uploads.records import Upload
+
+router = APIRouter()
+
+VERSION = "1.0.0"
+MAX_BYTES = 2**40
+PIECE_BYTES = 1 << 20
+CONTENT_TYPE = "application/offset+octet-stream"
+MOST_NAME = 400
+
+
+class OtherVersion(SightlineError):
+    status = 412
+    code = "tus_version"
+
+
+class OtherContent(SightlineError):
+    status = 415
+    code = "content_type"
+
+
+class UploadBody(Out):
+    id: int
+    survey_id: int
+    filename: str
+    size_bytes: int
+    offset: int
+    purpose: UploadPurpose
+    created_at: datetime
+
+
+def speaks_tus(tus_resumable: Annotated[str | None, Header()] = None) -> None:
+    """Refuse another version of the protocol, as it asks."""
+    if tus_resumable != VERSION:
+        raise OtherVersion(f"Uploads speak tus {VERSION}; send the header Tus-Resumable: {VERSION}.")
+
+
+SPEAKS = Depends(speaks_tus)
+
+
+@router.options("/uploads", status_code=204, dependencies=[OPEN])
+async def upload_abilities() -> Response:
+    """What this tus server can do."""
+    told = {"Tus-Version": VERSION, "Tus-Extension": "creation,termination", "Tus-Max-Size": str(MAX_BYTES)}
+    return Response(status_code=204, headers={"Tus-Resumable": VERSION, **told})
+
+
+@router.get("/surveys/{survey_id}/uploads")
+def list_uploads(survey_id: PathId, who: Viewer, session: Reading) -> list[UploadBody]:
+    """Uploads that can go on."""
+    return [UploadBody.model_validate(one) for one in store.unfinished_uploads(session, survey_id)]
+
+
+@router.post("/surveys/{survey_id}/uploads", status_code=201, response_class=Response, dependencies=[SPEAKS])
+def create_upload(
+    survey_id: PathId,
+    who: Operator,
+    services: Wired,
+    upload_length: Annotated[int | None, Header(ge=0, le=MAX_BYTES)] = None,
+    upload_metadata: Annotated[str | None, Header(max_length=4000)] = None,
+) -> Response:
+    """Announce a file by its length and name; the answer's Location takes its bytes.
+
+    With the metadata `purpose` = `strip` it becomes no recording but waits for a line-scan recording.
+    """
+    if upload_length is None:
+        raise BadInput("The upload does not say how long the file is; send the header Upload-Length.")
+    filename, purpose = filename_of(upload_metadata), purpose_of(upload_metadata)
+    upload = service.begin_upload(services, survey_id, filename, upload_length, who.id, purpose=purpose)
+    headers = {"Location": f"/api/uploads/{upload.id}", "Tus-Resumable": VERSION, "Upload-Offset": "0"}
+    return Response(status_code=201, headers=headers)
+
+
+@router.head("/uploads/{upload_id}", response_class=Response, dependencies=[SPEAKS])
+def upload_offset(upload_id: PathId, who: Operator, services: Wired) -> Response:
+    """How far the upload has come. One that was complete when the server was killed is finished now."""
+    upload = _upload(services, upload_id)
+    offset = service.upload_arrived(services, upload)
+    recording_id = upload.recording_id
+    if offset == upload.size_bytes and recording_id is None:
+        recording_id = service.upload_arrived_whole(services, upload)
+    told = {"Upload-Length": str(upload.size_bytes), "Cache-Control": "no-store"}
+    return Response(status_code=200, headers={**_progress(offset, recording_id), **told})
+
+
+@router.patch("/uploads/{upload_id}", status_code=204, dependencies=[SPEAKS])
+async def continue_upload(
+    upload_id: PathId,
+    who: Operator,
+    services: Wired,
+    request: Request,
+    upload_offset: Annotated[int, Header(ge=0, le=MAX_BYTES)],
+) -> Response:
+    """Bytes behind `Upload-Offset`. The request that brings the last one answers `Sightline-Recording`."""
+    if request.headers.get("content-type") != CONTENT_TYPE:
+        raise OtherContent(f"The bytes of an upload come as {CONTENT_TYPE}; send that Content-Type.")
+    upload = await anyio.to_thread.run_sync(_upload, services, upload_id)
+    pieces = _pieces(request)
+
+    def take() -> tuple[int, int | None]:
+        at = service.take_bytes(services, upload, upload_offset, _in_thread(pieces))
+        return at, service.upload_arrived_whole(services, upload) if at == upload.size_bytes else None
+
+    try:
+        offset, recording_id = await anyio.to_thread.run_sync(take)
+    except ClientDisconnect:
+        # Nobody hears this answer; what arrived is kept, and the client asks for the offset when it is back.
+        return Response(status_code=204, headers={"Tus-Resumable": VERSION})
+    return Response(status_code=204, headers=_progress(offset, recording_id))
+
+
+@router.delete("/uploads/{upload_id}", status_code=204, dependencies=[SPEAKS])
+def give_up_upload(upload_id: PathId, who: Operator, services: Wired) -> Response:
+    """Forget an unfinished upload and what has arrived of it."""
+    service.abandon_upload(services, upload_id, who.id)
+    return Response(status_code=204, headers={"Tus-Resumable": VERSION})
+
+
+def _upload(services: Services, upload_id: int) -> Upload:
+    with services.reading() as session:
+        return store.get_upload(session, upload_id)
+
+
+def _progress(offset: int, recording_id: int | None) -> dict[str, str]:
+    headers = {"Tus-Resumable": VERSION, "Upload-Offset": str(offset)}
+    if recording_id is not None:
+        headers["Sightline-Recording"] = str(recording_id)
+    return headers
+
+
+async def _pieces(request: Request) -> AsyncIterator[bytes]:
+    """The body in pieces of about a megabyte, the rest of it also if the line breaks."""
+    gathered = bytearray()
+    try:
+        async for chunk in request.stream():
+            gathered += chunk
+            if len(gathered) >= PIECE_BYTES:
+                yield bytes(gathered)
+                gathered.clear()
+    except ClientDisconnect:
+        if gathered:
+            yield bytes(gathered)
+        raise
+    if gathered:
+        yield bytes(gathered)
+
+
+def _in_thread(pieces: AsyncIterator[bytes]) -> Iterator[bytes]:
+    """The same pieces for a worker thread."""
+    while True:
+        piece = anyio.from_thread.run(_next, pieces)
+        if piece is None:
+            return
+        yield piece
+
+
+async def _next(pieces: AsyncIterator[bytes]) -> bytes | None:
+    return await anext(pieces, None)
+
+
+def filename_of(metadata: str | None) -> str:
+    """The file name in tus's Upload-Metadata ("key base64,key base64"). Raises BadInput."""
+    name = _told(metadata, "filename", "file name")
+    if name is None:
+        raise BadInput("The upload does not name its file; send filename in the header Upload-Metadata.")
+    return clean_name(name)
+
+
+def purpose_of(metadata: str | None) -> UploadPurpose:
+    """What the file is for: a video unless it is said to be a strip. Raises BadInput."""
+    told = _told(metadata, "purpose", "purpose")
+    if told not in (None, "video", "strip"):
+        raise BadInput("The upload's purpose is video or strip; send one of them in Upload-Metadata.")
+    return "strip" if told == "strip" else "video"
+
+
+def _told(metadata: str | None, wanted: str, word: str) -> str | None:
+    for pair in (metadata or "").split(","):
+        key, _, value = pair.strip().partition(" ")
+        if key != wanted:
+            continue
+        try:
+            return base64.b64decode(value, validate=True).decode("utf-8")
+        except (binascii.Error, UnicodeDecodeError) as error:
+            raise BadInput(f"The upload's {word} cannot be read; send it as base64 of UTF-8.") from error
+    return None
+
+
+def clean_name(name: str) -> str:
+    """The last part of a path, without control characters, of a length that can be stored."""
+    last = PurePosixPath(name.replace("\\", "/")).name
+    readable = "".join(letter for letter in last if letter.isprintable()).strip()
+    return readable[-MOST_NAME:] or "recording"

@@ -1,0 +1,224 @@
+"""From an upload to a recording: bytes are gathered, stored once, and an ingest is queued.
+
+A kill at any point loses nothing. The length of the part on disk is the truth about how far an upload is.
+Everything after the last byte can be done again: the media store keeps one file per content, and the
+recording, the end of the upload and the ingest job are one transaction.
+"""
+
+import logging
+import re
+from collections.abc import Iterable
+from pathlib import Path, PurePosixPath
+
+from sqlalchemy.orm import Session
+
+from sightline.enums import UploadPurpose
+from sightline.errors import Conflict, NotFound, SightlineError
+from sightline.infra.services import Services
+from sightline.media.store import upload_parts
+from sightline.media.store.local import key_of
+from sightline.recordings.ingest_job import queue_ingest
+from sightline.recordings.records import Recording
+from sightline.recordings.store import create_recording, get_recording
+from sightline.recordings.uploads.records import Upload
+from sightline.recordings.uploads.store import (
+    advance_upload,
+    create_upload,
+    finish_upload,
+    get_upload,
+    remove_upload,
+    strip_arrived,
+    unfinished_uploads,
+)
+
+log = logging.getLogger(__name__)
+
+FOLDER = "uploads"
+GIVEN_UP_S = 7 * 24 * 3600.0
+_SUFFIX = re.compile(r"\.[A-Za-z0-9]{1,8}$")
+
+
+def upload_folder(services: Services) -> Path:
+    """Where parts are gathered."""
+    return services.settings.data_dir / FOLDER
+
+
+def begin_upload(
+    services: Services,
+    survey_id: int,
+    filename: str,
+    size_bytes: int,
+    actor: int,
+    *,
+    purpose: UploadPurpose = "video",
+) -> Upload:
+    """Announce a file. Raises NotFound (survey), BadInput (empty), NoRoom, before a byte is sent."""
+    with services.writing() as session:
+        upload = create_upload(
+            session,
+            survey_id,
+            filename=filename,
+            size_bytes=size_bytes,
+            media_key="",
+            purpose=purpose,
+            actor=actor,
+        )
+        # Inside the transaction: no room for the part, no row either.
+        upload_parts.create(upload_folder(services), part_name(upload.id), size_bytes)
+    return upload
+
+
+def upload_arrived(services: Services, upload: Upload) -> int:
+    """How many bytes are safely here. Raises NotFound when the part is gone."""
+    if upload.finished_at is not None:
+        return upload.size_bytes
+    return upload_parts.offset(upload_folder(services), part_name(upload.id))
+
+
+def take_bytes(services: Services, upload: Upload, at: int, chunks: Iterable[bytes]) -> int:
+    """Write chunks behind byte `at`; the new offset. What arrived stays, whatever breaks.
+
+    Raises Conflict (another offset, another writer, finished), BadInput (more than announced), NoRoom.
+    """
+    if upload.finished_at is not None:
+        raise Conflict("This upload is finished already; look for its recording in the list.")
+    try:
+        return upload_parts.append(upload_folder(services), part_name(upload.id), at, chunks)
+    finally:
+        _note_offset(services, upload.id)
+
+
+def _note_offset(services: Services, upload_id: int) -> None:
+    """Bring the row's offset up to the part's, for lists; the part stays the truth."""
+    try:
+        with services.writing() as session:
+            upload = get_upload(session, upload_id)
+            now_at = upload_parts.offset(upload_folder(services), part_name(upload_id))
+            if upload.finished_at is None and now_at > upload.offset:
+                advance_upload(session, upload_id, from_offset=upload.offset, to_offset=now_at)
+    except SightlineError as error:
+        log.info("the offset of upload %s was not noted: %s", upload_id, error.message)
+
+
+def upload_arrived_whole(services: Services, upload: Upload) -> int | None:
+    """What follows from the last byte: a video becomes a recording (its id), a strip waits for its scan."""
+    if upload.purpose == "video":
+        return complete(services, upload.id).id
+    keep_strip(services, upload.id)
+    return None
+
+
+def keep_strip(services: Services, upload_id: int) -> Upload:
+    """Store a strip whose bytes are all here; may be done again. Raises Conflict while bytes are missing."""
+    with services.reading() as session:
+        upload = get_upload(session, upload_id)
+    if upload.finished_at is not None:
+        return upload
+    whole = upload_parts.finish(upload_folder(services), part_name(upload_id))
+    key = key_of(whole.sha256, upload_suffix(upload.filename))
+    services.media.put_file(key, whole.path, link=True)
+    actor = upload.created_by.id if upload.created_by else None
+    with services.writing() as session:
+        if get_upload(session, upload_id).finished_at is None:
+            strip_arrived(session, upload_id, media_key=key, sha256=whole.sha256, actor=actor)
+    if not services.media.exists(key):
+        # Whoever had the same content gave it up between the two steps above.
+        services.media.put_file(key, whole.path, link=True)
+    upload_parts.discard(upload_folder(services), part_name(upload_id))
+    with services.reading() as session:
+        return get_upload(session, upload_id)
+
+
+def complete(services: Services, upload_id: int) -> Recording:
+    """Make the recording of an upload whose bytes are all here; the same one if that was done.
+
+    Raises Conflict while bytes are missing, NoRoom.
+    """
+    done = _recording_of(services, upload_id)
+    if done is not None:
+        return done
+    whole = upload_parts.finish(upload_folder(services), part_name(upload_id))
+    with services.reading() as session:
+        filename = get_upload(session, upload_id).filename
+    key = key_of(whole.sha256, upload_suffix(filename))
+    # Linked where the store can: a copy would need the room twice. The part is discarded further down.
+    services.media.put_file(key, whole.path, link=True)
+    try:
+        with services.writing() as session:
+            recording = _record(session, services, upload_id, key, whole)
+    except Conflict:
+        # Another request, or another try of this one, was faster: its recording is the answer.
+        done = _recording_of(services, upload_id)
+        if done is None:
+            raise
+        recording = done
+    if not services.media.exists(key):
+        # The last recording of the same content was deleted between the two steps above, with its file.
+        services.media.put_file(key, whole.path, link=True)
+    upload_parts.discard(upload_folder(services), part_name(upload_id))
+    return recording
+
+
+def _record(
+    session: Session, services: Services, upload_id: int, key: str, whole: upload_parts.FinishedUpload
+) -> Recording:
+    upload = get_upload(session, upload_id)
+    actor = upload.created_by.id if upload.created_by else None
+    made = create_recording(
+        session,
+        upload.survey_id,
+        name=upload.filename,
+        media_key=key,
+        sha256=whole.sha256,
+        size_bytes=whole.size,
+        actor=actor,
+    )
+    finish_upload(session, upload_id, recording_id=made.id, actor=actor)
+    queue_ingest(session, made, actor)
+    return get_recording(session, made.id)
+
+
+def _recording_of(services: Services, upload_id: int) -> Recording | None:
+    with services.reading() as session:
+        upload = get_upload(session, upload_id)
+        if upload.recording_id is None:
+            return None
+        try:
+            return get_recording(session, upload.recording_id)
+        except NotFound as gone:
+            raise Conflict(
+                "This upload became a recording that was deleted since; upload it again."
+            ) from gone
+
+
+def abandon_upload(services: Services, upload_id: int, actor: int | None) -> None:
+    """Forget an unfinished upload and its bytes. Raises Conflict for a finished one."""
+    with services.writing() as session:
+        remove_upload(session, upload_id, actor=actor)
+    upload_parts.discard(upload_folder(services), part_name(upload_id))
+
+
+def recover_uploads(services: Services) -> None:
+    """After a start: finish uploads that were complete when it was killed, give up abandoned ones."""
+    with services.reading() as session:
+        waiting = unfinished_uploads(session)
+    abandoned = set(upload_parts.sweep(upload_folder(services), GIVEN_UP_S))
+    for upload in waiting:
+        try:
+            if part_name(upload.id) in abandoned:
+                abandon_upload(services, upload.id, None)
+            elif upload_arrived(services, upload) == upload.size_bytes:
+                upload_arrived_whole(services, upload)
+        except SightlineError as error:
+            log.warning("upload %s cannot be finished: %s", upload.id, error.message)
+
+
+def part_name(upload_id: int) -> str:
+    """The name of an upload's part in the folder of parts."""
+    return f"upload-{upload_id}"
+
+
+def upload_suffix(filename: str) -> str:
+    """The file name's ending where it is an ordinary one, in lower case; else nothing."""
+    found = _SUFFIX.search(PurePosixPath(filename.replace("\\", "/")).name)
+    return found.group().lower() if found else ""

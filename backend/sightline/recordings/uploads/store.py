@@ -1,0 +1,130 @@
+"""Uploads on their way in (tus): how far each has come and what became of it."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from sqlalchemy import delete, select, update
+from sqlalchemy.orm import Session
+
+from sightline.enums import UploadPurpose
+from sightline.errors import Conflict
+from sightline.infra.audit import trail
+from sightline.infra.database.people import people
+from sightline.infra.database.rows import add_row, change_row, get_row, missing, who
+from sightline.infra.database.types import now
+from sightline.recordings.uploads.records import Upload
+from sightline.recordings.uploads.tables import uploads
+from sightline.surveys.tables import surveys
+
+
+def create_upload(
+    session: Session,
+    survey_id: int,
+    *,
+    filename: str,
+    size_bytes: int,
+    media_key: str,
+    purpose: UploadPurpose = "video",
+    actor: int | None,
+) -> Upload:
+    """An upload of which nothing has arrived; `media_key` is where its bytes are gathered."""
+    get_row(session, surveys, survey_id, "survey")
+    content: dict[str, Any] = {"survey_id": survey_id, "filename": filename, "size_bytes": size_bytes}
+    if purpose != "video":
+        content["purpose"] = purpose
+    stamps = {"media_key": media_key, "offset": 0, "created_at": now(), "created_by": actor}
+    upload_id = add_row(session, uploads, {**content, **stamps})
+    trail.record(session, actor, "create", "upload", upload_id, survey_id, None, content)
+    return get_upload(session, upload_id)
+
+
+def get_upload(session: Session, upload_id: int) -> Upload:
+    """One upload. Raises NotFound."""
+    row = session.execute(_uploads().where(uploads.c.id == upload_id)).mappings().one_or_none()
+    if row is None:
+        raise missing("upload", upload_id)
+    return _upload(row)
+
+
+def unfinished_uploads(session: Session, survey_id: int | None = None) -> tuple[Upload, ...]:
+    """The uploads that can go on, of one survey or of all."""
+    query = _uploads().where(uploads.c.finished_at.is_(None)).order_by(uploads.c.id)
+    if survey_id is not None:
+        query = query.where(uploads.c.survey_id == survey_id)
+    return tuple(_upload(row) for row in session.execute(query).mappings())
+
+
+def advance_upload(session: Session, upload_id: int, *, from_offset: int, to_offset: int) -> Upload:
+    """Bytes `from_offset .. to_offset` are on disk; not an event. Raises Conflict if it stands elsewhere."""
+    done = session.execute(
+        update(uploads)
+        .where(uploads.c.id == upload_id, uploads.c.offset == from_offset, uploads.c.finished_at.is_(None))
+        .values(offset=to_offset)
+        .returning(uploads.c.id)
+    )
+    if done.first() is None:
+        stands = get_upload(session, upload_id)
+        raise Conflict(f"The upload stands at byte {stands.offset}, not {from_offset}; go on from there.")
+    return get_upload(session, upload_id)
+
+
+def finish_upload(session: Session, upload_id: int, *, recording_id: int, actor: int | None) -> Upload:
+    """All bytes are in and became this recording."""
+    before = get_upload(session, upload_id)
+    if before.finished_at is not None:
+        raise Conflict("This upload is finished already; look for its recording in the list.")
+    change_row(session, uploads, upload_id, {"recording_id": recording_id, "finished_at": now()})
+    after = {"recording_id": recording_id}
+    trail.record(session, actor, "finish", "upload", upload_id, before.survey_id, None, after)
+    return get_upload(session, upload_id)
+
+
+def strip_arrived(
+    session: Session, upload_id: int, *, media_key: str, sha256: str, actor: int | None
+) -> Upload:
+    """All bytes of a strip are in and stored under `media_key`; it waits for its scan."""
+    before = get_upload(session, upload_id)
+    if before.finished_at is not None:
+        raise Conflict("This upload is finished already; make the scan of it.")
+    after = {"media_key": media_key, "sha256": sha256}
+    change_row(session, uploads, upload_id, {**after, "finished_at": now()})
+    trail.record(session, actor, "finish", "upload", upload_id, before.survey_id, None, after)
+    return get_upload(session, upload_id)
+
+
+def strips_waiting(session: Session, survey_id: int | None = None) -> tuple[Upload, ...]:
+    """The strips that arrived and belong to no scan yet, of one survey or of all."""
+    query = _uploads().where(
+        uploads.c.purpose == "strip", uploads.c.finished_at.is_not(None), uploads.c.scan_id.is_(None)
+    )
+    if survey_id is not None:
+        query = query.where(uploads.c.survey_id == survey_id)
+    return tuple(_upload(row) for row in session.execute(query.order_by(uploads.c.id)).mappings())
+
+
+def upload_content_waits(session: Session, sha256: str) -> bool:
+    """Whether a strip with this content arrived and belongs to no scan yet."""
+    query = select(uploads.c.id).where(uploads.c.sha256 == sha256, uploads.c.scan_id.is_(None))
+    return session.execute(query.limit(1)).first() is not None
+
+
+def remove_upload(session: Session, upload_id: int, *, actor: int | None) -> Upload:
+    """Give up an upload; the caller removes its bytes. Raises Conflict for one that became something."""
+    gone = get_upload(session, upload_id)
+    if gone.finished_at is not None and (gone.purpose == "video" or gone.scan_id is not None):
+        raise Conflict("This upload is finished; delete its recording instead.")
+    session.execute(delete(uploads).where(uploads.c.id == upload_id))
+    before = {"filename": gone.filename, "size_bytes": gone.size_bytes, "offset": gone.offset}
+    trail.record(session, actor, "delete", "upload", upload_id, gone.survey_id, before, None)
+    return gone
+
+
+def _uploads() -> Any:
+    return select(uploads, people.c.name.label("maker")).outerjoin(
+        people, people.c.id == uploads.c.created_by
+    )
+
+
+def _upload(row: Mapping[Any, Any]) -> Upload:
+    values = {key: value for key, value in row.items() if key not in ("created_by", "maker")}
+    return Upload(created_by=who(row["created_by"], row["maker"]), **values)

@@ -1,0 +1,35 @@
+"""The table of uploads."""
+
+from sqlalchemy import (
+    BigInteger,
+    CheckConstraint,
+    Column,
+    ForeignKey,
+    Integer,
+    String,
+    Table,
+)
+
+from sightline.enums import UploadPurpose
+from sightline.infra.database.types import Moment, identity, metadata, one_of
+
+uploads = Table(
+    "uploads",
+    metadata,
+    identity(),
+    Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
+    Column("filename", String(400), nullable=False),
+    Column("size_bytes", BigInteger, nullable=False),
+    Column("offset", BigInteger, nullable=False),
+    Column("media_key", String(400), nullable=False),
+    Column("recording_id", ForeignKey("recordings.id")),
+    Column("created_at", Moment, nullable=False),
+    Column("created_by", ForeignKey("people.id")),
+    Column("finished_at", Moment),
+    # a video becomes a recording; a strip waits, with its content's hash, for the scan that it belongs to
+    Column("purpose", String(20), nullable=False, server_default="video"),
+    Column("sha256", String(64)),
+    Column("scan_id", Integer, ForeignKey("scans.id", use_alter=True)),
+    one_of("purpose", UploadPurpose),
+    CheckConstraint('"offset" >= 0 AND "offset" <= size_bytes', name="offset_within"),
+)

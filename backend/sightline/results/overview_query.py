@@ -1,0 +1,219 @@
+"""Counts and steps of surveys, computed in a fixed number of queries however many surveys there are."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from sqlalchemy import ColumnElement, Select, and_, case, distinct, func, select
+from sqlalchemy.orm import Session
+
+from sightline.cameras.tables import cameras
+from sightline.enums import REQUIRED_TARGETS, StepKey
+from sightline.export.tables import exports
+from sightline.measurements.query import is_current, is_first, verdict, waits, with_verdict
+from sightline.measurements.tables import measurement_series, measurements
+from sightline.recordings.tables import recordings
+from sightline.scans.progress_query import no_scans, scan_progress_of
+from sightline.surveys.records import ScanProgress, Step, SurveyCounts
+from sightline.vehicles.tables import vehicles
+
+
+@dataclass(frozen=True, slots=True)
+class Progress:
+    """What a survey has and what comes next."""
+
+    counts: SurveyCounts
+    steps: tuple[Step, ...]
+    scans: ScanProgress
+
+
+@dataclass(frozen=True, slots=True)
+class _Facts:
+    calibrated_cameras: int
+    cameras: int
+    ready: int
+    failed: int
+    posed: int
+    exports: int
+
+
+_ALIVE: ColumnElement[bool] = vehicles.c.deleted_at.is_(None)
+_STANDING = [is_current, is_first, ~measurements.c.withdrawn, _ALIVE]
+
+
+def progress_of(session: Session, survey_ids: Sequence[int]) -> dict[int, Progress]:
+    """Counts and steps of these surveys, by id."""
+    if not survey_ids:
+        return {}
+    tables = [
+        _by_survey(session, query)
+        for query in (
+            _camera_facts(survey_ids),
+            _recording_facts(survey_ids),
+            _grouped(vehicles.c.survey_id, survey_ids, [_ALIVE], vehicles=func.count()),
+            _measured_vehicles(survey_ids),
+            _measurement_facts(survey_ids),
+            _grouped(exports.c.survey_id, survey_ids, [], exports=func.count()),
+        )
+    ]
+    scanned = scan_progress_of(session, survey_ids)
+    found: dict[int, Progress] = {}
+    for survey_id in survey_ids:
+        facts: dict[str, int] = {}
+        for table in tables:
+            facts.update(table.get(survey_id, {}))
+        found[survey_id] = _progress(facts, scanned.get(survey_id, no_scans()))
+    return found
+
+
+def _progress(facts: dict[str, int], scans: ScanProgress) -> Progress:
+    counts = SurveyCounts(**{name: facts.get(name, 0) for name in SurveyCounts.__slots__})
+    rest = _Facts(**{name: facts.get(name, 0) for name in _Facts.__slots__})
+    # with line scans alone nobody need calibrate a camera: no step is the next one
+    only_scans = scans.scans > 0 and rest.cameras == 0 and counts.recordings == 0
+    return Progress(counts, _steps(counts, rest, only_scans), scans)
+
+
+def _sum(condition: ColumnElement[bool]) -> ColumnElement[Any]:
+    return func.coalesce(func.sum(case((condition, 1), else_=0)), 0)
+
+
+def _grouped(
+    survey_id: Any, survey_ids: Sequence[int], where: Iterable[ColumnElement[bool]], **named: Any
+) -> Select[Any]:
+    columns = [value.label(name) for name, value in named.items()]
+    query = select(survey_id.label("survey_id"), *columns).where(survey_id.in_(survey_ids), *where)
+    return query.group_by(survey_id)
+
+
+def _camera_facts(survey_ids: Sequence[int]) -> Select[Any]:
+    calibrated = _sum(cameras.c.current_calibration_id.is_not(None))
+    return _grouped(cameras.c.survey_id, survey_ids, [], cameras=func.count(), calibrated_cameras=calibrated)
+
+
+def _recording_facts(survey_ids: Sequence[int]) -> Select[Any]:
+    ready = recordings.c.state == "ready"
+    return _grouped(
+        recordings.c.survey_id,
+        survey_ids,
+        [recordings.c.deleted_at.is_(None)],
+        recordings=func.count(),
+        ready=_sum(ready),
+        failed=_sum(recordings.c.state == "failed"),
+        posed=_sum(and_(ready, recordings.c.pose_id.is_not(None))),
+    )
+
+
+def _measurement_facts(survey_ids: Sequence[int]) -> Select[Any]:
+    survey_id = measurement_series.c.survey_id
+    return (
+        with_verdict(
+            survey_id,
+            func.count().label("measurements"),
+            _sum(waits).label("to_review"),
+            _sum(verdict.in_(("accepted", "fixed"))).label("accepted"),
+            _sum(verdict == "rejected").label("rejected"),
+        )
+        .join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
+        .where(survey_id.in_(survey_ids), *_STANDING)
+        .group_by(survey_id)
+    )
+
+
+def _measured_vehicles(survey_ids: Sequence[int]) -> Select[Any]:
+    measured = (
+        select(measurement_series.c.survey_id, measurement_series.c.vehicle_id)
+        .join(measurements, measurements.c.series_id == measurement_series.c.id)
+        .join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
+        .where(measurement_series.c.survey_id.in_(survey_ids), *_STANDING)
+        .where(measurements.c.target.in_(REQUIRED_TARGETS))
+        .group_by(measurement_series.c.survey_id, measurement_series.c.vehicle_id)
+        .having(func.count(distinct(measurements.c.target)) == len(REQUIRED_TARGETS))
+        .subquery()
+    )
+    return select(measured.c.survey_id, func.count().label("vehicles_measured")).group_by(
+        measured.c.survey_id
+    )
+
+
+def _by_survey(session: Session, query: Select[Any]) -> dict[int, dict[str, int]]:
+    return {
+        row["survey_id"]: {str(key): int(value) for key, value in row.items() if key != "survey_id"}
+        for row in session.execute(query).mappings()
+    }
+
+
+def _steps(counts: SurveyCounts, facts: _Facts, only_scans: bool) -> tuple[Step, ...]:
+    """The order of the work: what is done, the one that is next, and those that wait for it."""
+    told: list[tuple[StepKey, bool, str]] = [
+        ("camera", facts.calibrated_cameras > 0, _camera_words(facts)),
+        ("recordings", facts.ready > 0, _recording_words(counts, facts)),
+        ("pose", 0 < facts.ready == facts.posed, _pose_words(facts)),
+        ("vehicles", 0 < counts.vehicles == counts.vehicles_measured, _vehicle_words(counts)),
+        ("review", _reviewed(counts), _review_words(counts)),
+        ("results", facts.exports > 0, _result_words(facts)),
+    ]
+    following = None if only_scans else next((key for key, done, _ in told if not done), None)
+    return tuple(
+        Step(key, "done" if done else "next" if key == following else "waiting", words)
+        for key, done, words in told
+    )
+
+
+def _reviewed(counts: SurveyCounts) -> bool:
+    return counts.measurements > 0 and counts.to_review == 0 and counts.rejected == 0
+
+
+def _camera_words(facts: _Facts) -> str:
+    if facts.calibrated_cameras:
+        return f"{_number(facts.calibrated_cameras, 'camera')} calibrated."
+    if facts.cameras:
+        return "Calibrate the camera from images of the checkerboard, or import a calibration."
+    return "Add a camera and calibrate it."
+
+
+def _recording_words(counts: SurveyCounts, facts: _Facts) -> str:
+    if facts.ready:
+        return f"{_number(facts.ready, 'recording')} ready of {counts.recordings}."
+    if facts.failed:
+        return "A recording could not be read; look at its reason and upload another."
+    if counts.recordings:
+        return "Wait until the recording has been read in."
+    return "Drop the day's video here."
+
+
+def _pose_words(facts: _Facts) -> str:
+    if facts.ready and facts.ready == facts.posed:
+        return "Every recording has its road pose."
+    if facts.ready:
+        return f"Mark where the board stands still in {_number(facts.ready - facts.posed, 'recording')}."
+    return "Mark where the board stands still, once a recording is ready."
+
+
+def _vehicle_words(counts: SurveyCounts) -> str:
+    if counts.vehicles == 0:
+        return "Add the vehicles that pass and measure roof, driver's eye and taillight of each."
+    if counts.vehicles == counts.vehicles_measured:
+        return f"All {_number(counts.vehicles, 'vehicle')} measured."
+    return f"Measure {counts.vehicles - counts.vehicles_measured} of {_number(counts.vehicles, 'vehicle')}."
+
+
+def _review_words(counts: SurveyCounts) -> str:
+    open_work = []
+    if counts.to_review:
+        open_work.append(f"Review {_number(counts.to_review, 'measurement')}.")
+    if counts.rejected:
+        open_work.append(f"Measure {_number(counts.rejected, 'rejected one')} again.")
+    if open_work:
+        return " ".join(open_work)
+    if counts.measurements:
+        return f"{_number(counts.accepted, 'measurement')} reviewed."
+    return "Nothing to review yet."
+
+
+def _result_words(facts: _Facts) -> str:
+    return f"{_number(facts.exports, 'package')} built." if facts.exports else "Build the package of results."
+
+
+def _number(count: int, word: str) -> str:
+    return f"{count} {word}" if count == 1 else f"{count} {word}s"

@@ -1,0 +1,216 @@
+"""Statistics of measurements: errors against reference heights, distributions, vehicles to take."""
+
+from dataclasses import asdict, fields
+from datetime import date
+from typing import Annotated, Any
+
+import numpy as np
+from fastapi import APIRouter, Query
+
+from sightline.enums import Category, Lighting
+from sightline.errors import BadInput
+from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
+from sightline.results import standards_store
+from sightline.results.bodies import SampleSizeBody, StandardsBody, StandardsIn, StatisticsBody
+from sightline.results.survey_statistics import (
+    Choices,
+    Filter,
+    Shown,
+    State,
+    Statistics,
+    standards_of,
+    survey_statistics,
+)
+from sightline.statistics.agreement import U_MANUFACTURER_M
+from sightline.statistics.corrections import Correction
+from sightline.statistics.errors import GROUPS, ErrorGroup, Rounding
+from sightline.statistics.paper import PAPER
+from sightline.statistics.sample_size import vehicles_needed
+from sightline.statistics.standards import Standard
+from sightline.statistics.summary import Distribution, Errors, Groups, Target
+
+router = APIRouter()
+
+Id = Annotated[int, Query(ge=1, le=2**31 - 1)]
+Metres = Annotated[float, Query(allow_inf_nan=False)]
+MOST_OWN = 20
+_LIGHTING = ("daytime", "low_light", "unknown")
+
+
+@router.get("/statistics")
+def statistics_of_measurements(
+    who: Viewer,
+    session: Reading,
+    survey: Annotated[list[Id], Query(max_length=200)] = [],  # noqa: B006 (FastAPI copies it)
+    lighting: Lighting | None = None,
+    category: Category | None = None,
+    operator: Id | None = None,
+    first_day: date | None = None,
+    last_day: date | None = None,
+    state: State = "accepted",
+    target: Annotated[
+        Shown | None, Query(description="Only this target is counted and shown; errors are of roofs anyway.")
+    ] = None,
+    rounding: Rounding = "cm",
+    correction: Correction = "inset",
+    u_reference_m: Annotated[
+        Metres, Query(description="Of a reference height without a u of its own.")
+    ] = round(float(U_MANUFACTURER_M), 4),
+    eye_limit_m: Annotated[list[Metres], Query(description="Own limits beside the standards'.")] = [],  # noqa: B006
+    object_limit_m: Annotated[list[Metres], Query(description="Own limits beside the standards'.")] = [],  # noqa: B006
+) -> StatisticsBody:
+    """Error table, figures and distributions of the measurements that a filter leaves."""
+    if not 0.0 <= u_reference_m < 1.0:
+        raise BadInput("The reference heights' u must be at least 0 and below 1 m, such as 0.0173.")
+    own = _own("driver_eye", eye_limit_m) + _own("object", object_limit_m)
+    chosen = Filter(
+        tuple(sorted(set(survey))), lighting, category, operator, first_day, last_day, state, target
+    )
+    choices = Choices(rounding, correction, u_reference_m, own)
+    return statistics_body(survey_statistics(session, chosen, choices), correction)
+
+
+@router.get("/statistics/sample-size")
+def sample_size(who: Viewer, percent: Metres, width_m: Metres, sd_m: Metres) -> SampleSizeBody:
+    """How many vehicles give a percentile's 95 % interval a wanted width."""
+    return SampleSizeBody.model_validate(vehicles_needed(percent, width_m, sd_m))
+
+
+@router.get("/surveys/{survey_id}/standards")
+def standards_of_survey(who: Viewer, session: Reading, survey_id: PathId) -> StandardsBody:
+    """The heights of standards that a survey's figures are read against, with their sources."""
+    return StandardsBody.model_validate(standards_store.get_standards(session, survey_id))
+
+
+@router.put("/surveys/{survey_id}/standards")
+def choose_standards(who: Operator, session: Writing, survey_id: PathId, body: StandardsIn) -> StandardsBody:
+    """Put another table in its place; `version` is that of the table it replaces."""
+    table = [Standard(**one.model_dump()) for one in body.standards]
+    made = standards_store.choose_standards(session, survey_id, table, version=body.version, actor=who.id)
+    return StandardsBody.model_validate(made)
+
+
+def _own(what: Any, limits_m: list[float]) -> tuple[Standard, ...]:
+    if len(limits_m) > MOST_OWN:
+        raise BadInput(f"More than {MOST_OWN} values of your own cannot be drawn; remove some.")
+    if any(not 0.0 < limit < 10.0 for limit in limits_m):
+        raise BadInput("A value of your own must lie between 0 and 10 m, such as 1.08.")
+    return tuple(Standard("own value", what, limit, "entered on the page") for limit in limits_m)
+
+
+def statistics_body(found: Statistics, correction: Correction) -> StatisticsBody:
+    """Statistics as they go out."""
+    return StatisticsBody.model_validate(
+        {
+            "counted": asdict(found.counted),
+            "errors": _errors(found.errors, correction),
+            "targets": [
+                _target(name, one, standards_of(found.standards, name)) for name, one in found.targets.items()
+            ],
+            "standards": [asdict(one) for one in found.standards],
+            "surveys": [{"id": id_, "name": name} for id_, name in found.surveys.items()],
+            "operators": [{"id": id_, "name": name} for id_, name in found.operators.items()],
+        }
+    )
+
+
+def _errors(found: Errors, correction: Correction) -> dict[str, Any]:
+    heights = (
+        "Heights corrected by each measurement's inset"
+        if correction == "inset"
+        else "The paper's heights (inset 0)"
+    )
+    rounded = (
+        "both rounded to whole centimetres, as the paper does" if found.rounding == "cm" else "not rounded"
+    )
+    points = found.points
+    return {
+        "rounding": found.rounding,
+        "words": f"{heights} against manufacturers' heights, {rounded}; every figure from the raw errors.",
+        "groups": [_group(name, found.groups[name]) for name in GROUPS],
+        "paper": [asdict(column) for column in PAPER],
+        "reference_part": _part(found.reference_part),
+        "bland_altman": _part(found.bland_altman),
+        "trend": _part(found.trend),
+        "absolute_trend": _part(found.absolute_trend),
+        "absolute": {name: _part(one) for name, one in found.absolute.items()},
+        "relative": {name: _part(one) for name, one in found.relative.items()},
+        "density": {name: _part(one) for name, one in found.density.items()},
+        "points": {
+            "reference_m": _rounded(points[:, 0]),
+            "error_m": _rounded(points[:, 1]),
+            "lighting": [_LIGHTING[int(code)] for code in points[:, 2]],
+        },
+    }
+
+
+def _group(name: str, one: ErrorGroup) -> dict[str, Any]:
+    figures = {
+        key: {"value": value, "ci95": _part(one.ci95[key], None), "reason": _no_interval(one, key)}
+        for key, value in one.figures.items()
+    }
+    title = next(column.title for column in PAPER if column.group == name)
+    return {"group": name, "title": title, "n": one.n, "figures": figures, "reason": one.reason}
+
+
+def _no_interval(one: ErrorGroup, key: str) -> str | None:
+    """Why one figure alone has no interval."""
+    if one.reason is not None or one.figures[key] is None or one.ci95[key] is not None:
+        return None
+    return "too few different errors for a bootstrap interval"
+
+
+def _target(name: Shown, one: Target, table: list[Standard]) -> dict[str, Any]:
+    done = one.correction
+    corrected = _distribution(one.corrected, table) | (
+        {"words": None, "warning": None, "reason": done}
+        if isinstance(done, str)
+        else {"words": done.words, "warning": done.warning, "reason": None}
+    )
+    return {
+        "target": name,
+        "raw": _distribution(one.raw, table),
+        "corrected": corrected,
+        "density": _part(one.density),
+        "groups": {key: _grouping(groups, table) for key, groups in one.groups.items()},
+    }
+
+
+def _grouping(groups: Groups, table: list[Standard]) -> dict[str, Any]:
+    listed = [{"word": word, **_distribution(one, table)} for word, one in groups.of.items()]
+    return {"groups": listed, "left_out": groups.left_out}
+
+
+def _distribution(one: Distribution, table: list[Standard]) -> dict[str, Any]:
+    shares = [
+        {"standard": asdict(standard), **asdict(share)}
+        for standard, share in zip(table, one.shares, strict=False)
+    ]
+    return {
+        "n": one.n,
+        "mean_m": one.mean_m,
+        "sd_m": one.sd_m,
+        "ecdf": _part(one.ecdf),
+        "percentiles": [asdict(percentile) for percentile in one.percentiles],
+        "shares": shares,
+    }
+
+
+def _part(one: Any, empty: Any = "no vehicle in this group") -> Any:
+    """A part as it goes out: arrays as lists to the micrometre, its reason where there is none."""
+    if one is None:
+        return empty if empty is None else {"reason": empty}
+    if isinstance(one, str):
+        return {"reason": one}
+    return {field.name: _plain(getattr(one, field.name)) for field in fields(one)}
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, np.ndarray):
+        return _rounded(value)
+    return asdict(value) if hasattr(value, "__dataclass_fields__") else value
+
+
+def _rounded(values: np.ndarray[Any, Any]) -> list[float]:
+    rounded: list[float] = np.round(values, 6).tolist()
+    return rounded

@@ -1,0 +1,91 @@
+"""The heights of standards that a survey's figures are read against, and where they come from.
+
+They have no table of their own: the survey's newest audit event of this kind holds them. They are words and
+figures that nothing refers to, seldom changed, and who changed them when is as much asked for as they are.
+"""
+
+import json
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+
+from sqlalchemy import func, select
+from sqlalchemy.orm import Session
+
+from sightline.errors import BadInput, Conflict
+from sightline.infra.audit import trail
+from sightline.infra.audit.tables import audit_events
+from sightline.infra.database.rows import get_row
+from sightline.statistics.standards import STANDARDS, Standard
+from sightline.surveys.tables import surveys
+
+MOST = 40
+_ENTITY = "standards"
+
+
+@dataclass(frozen=True)
+class StandardsOfSurvey:
+    """`version` is the number of the audit event that made them, 0 for the usual ones."""
+
+    standards: tuple[Standard, ...]
+    version: int
+
+
+def get_standards(session: Session, survey_id: int) -> StandardsOfSurvey:
+    """What a survey is read against. Raises NotFound."""
+    get_row(session, surveys, survey_id, "survey")
+    return _newest(session, [survey_id]).get(survey_id, StandardsOfSurvey(STANDARDS, 0))
+
+
+def standards_of_surveys(session: Session, survey_ids: Sequence[int] = ()) -> tuple[Standard, ...]:
+    """Those of some surveys, or of all, each once: the usual ones first where a survey keeps to them."""
+    wanted = list(survey_ids) or list(session.execute(select(surveys.c.id).order_by(surveys.c.id)).scalars())
+    found = _newest(session, wanted)
+    tables = [found[id_].standards if id_ in found else STANDARDS for id_ in wanted]
+    usual_first = sorted(tables, key=lambda table: table != STANDARDS)
+    return tuple(dict.fromkeys(one for table in usual_first for one in table)) if tables else STANDARDS
+
+
+def choose_standards(
+    session: Session, survey_id: int, standards: Sequence[Standard], *, version: int, actor: int | None
+) -> StandardsOfSurvey:
+    """From now on the survey is read against these.
+
+    Raises BadInput for a table that cannot be drawn, Conflict if `version` is not the current one, NotFound.
+    """
+    before = get_standards(session, survey_id)
+    if version != before.version:
+        raise Conflict("Somebody changed the standards meanwhile; load them again and repeat your change.")
+    table = tuple(Standard(one.name.strip(), one.what, one.height_m, one.source.strip()) for one in standards)
+    _refuse(table)
+    then, now = ({"standards": [asdict(one) for one in listed]} for listed in (before.standards, table))
+    made = trail.record(session, actor, "choose", _ENTITY, survey_id, survey_id, then, now)
+    return StandardsOfSurvey(table, made)
+
+
+def _refuse(table: Sequence[Standard]) -> None:
+    if len(table) > MOST:
+        raise BadInput(f"A table of {len(table)} standards cannot be drawn; {MOST} are the most.")
+    for one in table:
+        if not one.name:
+            raise BadInput("A standard needs a name, such as AASHTO (USA).")
+        if not 0.0 < one.height_m < 10.0:
+            raise BadInput(f"The height of {one.name} must lie between 0 and 10 m, such as 1.08.")
+    named = [(one.what, one.name) for one in table]
+    twice = next((name for what, name in named if named.count((what, name)) > 1), None)
+    if twice is not None:
+        raise BadInput(f"{twice} stands in the table twice; give each value a name of its own.")
+
+
+def _newest(session: Session, survey_ids: Sequence[int]) -> dict[int, StandardsOfSurvey]:
+    """By survey, of those that have a table of their own."""
+    e = audit_events.c
+    last = (
+        select(func.max(e.id)).where(e.entity == _ENTITY, e.entity_id.in_(survey_ids)).group_by(e.entity_id)
+    )
+    rows = session.execute(select(e.id, e.entity_id, e.after).where(e.id.in_(last)))
+    return {
+        row.entity_id: StandardsOfSurvey(
+            tuple(Standard(**one) for one in json.loads(row.after)["standards"]), row.id
+        )
+        for row in rows
+    }

@@ -1,0 +1,279 @@
+"""Statistics of stored measurements: a filter, the columns that it leaves, and what is shown of them.
+
+`statistics(session, Filter, Choices)` is the one way in: page, report and package all show its answer.
+`Filter((survey_id,))` with the usual `Choices()` gives a survey's accepted measurements, read against the
+survey's own table of standards (`storage.standards`).
+`made_of` makes the same of columns that come from elsewhere, such as the rows of a package: what the database
+would tell is then given, `Choices.standards` included.
+"""
+
+from __future__ import annotations
+
+from collections import Counter, OrderedDict
+from collections.abc import Callable, Hashable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from datetime import date
+from threading import Lock
+from typing import Any, Generic, Literal, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+from sqlalchemy.orm import Session
+
+from sightline.enums import Category, Lighting
+from sightline.errors import BadInput, NotFound
+from sightline.infra.audit import trail
+from sightline.people.store import list_people
+from sightline.results.measured_columns_query import (
+    CATEGORIES,
+    LIGHTING,
+    NONE,
+    TARGETS,
+    VERDICTS,
+    Measured,
+    load_measured_columns,
+)
+from sightline.results.standards_store import standards_of_surveys
+from sightline.statistics.agreement import U_MANUFACTURER_M
+from sightline.statistics.corrections import Correction
+from sightline.statistics.errors import Rounding
+from sightline.statistics.standards import STANDARDS, Standard
+from sightline.statistics.summary import Errors, Grouping, Roofs, Target, errors_of, target_of
+from sightline.surveys.store import survey_names
+
+Answer = TypeVar("Answer")
+State = Literal["accepted", "to_review", "rejected", "all"]
+Shown = Literal["driver_eye", "taillight", "headlight", "roof"]
+
+SHOWN: tuple[Shown, ...] = ("driver_eye", "taillight", "headlight", "roof")
+GROUPINGS = ("lighting", "category", "site", "operator")
+_STATES: dict[State, tuple[str, ...]] = {
+    "accepted": ("accepted", "fixed"),
+    "to_review": ("to_review", "reopened"),
+    "rejected": ("rejected",),
+    "all": VERDICTS,
+}
+_WHAT: dict[Shown, str] = {"driver_eye": "driver_eye", "taillight": "object", "headlight": "object"}
+_EPOCH = date(1970, 1, 1)
+
+
+@dataclass(frozen=True)
+class Filter:
+    """Which measurements count; None or empty: no limit. Days are of a measurement's making (UTC).
+
+    `target` limits what is counted and shown, not the errors: they are of roofs, and corrections need them.
+    """
+
+    survey_ids: tuple[int, ...] = ()
+    lighting: Lighting | None = None
+    category: Category | None = None
+    operator_id: int | None = None
+    first_day: date | None = None
+    last_day: date | None = None
+    state: State = "accepted"
+    target: Shown | None = None
+
+
+@dataclass(frozen=True)
+class Choices:
+    """How figures are made: rounding of the error table, correction, u of a height without one of its own,
+    limits of the reader's own beside the standards', and the standards; None: those of the surveys.
+    """
+
+    rounding: Rounding = "cm"
+    correction: Correction = "inset"
+    u_reference_m: float = float(U_MANUFACTURER_M)
+    own_standards: tuple[Standard, ...] = ()
+    standards: tuple[Standard, ...] | None = None
+
+
+@dataclass(frozen=True)
+class Counted:
+    """What the filter left, and what it left out by review state."""
+
+    measurements: int
+    vehicles: int
+    with_reference: int
+    left_out: dict[str, int]
+
+
+@dataclass(frozen=True, eq=False)
+class Statistics:
+    """Everything a statistics page shows; each target's shares are in the order of its `standards_of`."""
+
+    counted: Counted
+    standards: tuple[Standard, ...]
+    errors: Errors
+    targets: dict[Shown, Target]
+    surveys: dict[int, str]
+    operators: dict[int, str]
+
+
+def survey_statistics(session: Session, chosen: Filter, choices: Choices = Choices()) -> Statistics:
+    """Error table, figures and distributions of the measurements that a filter leaves.
+
+    Raises NotFound for a survey that is not there, BadInput for days in the wrong order.
+    """
+    known = trail.head(session).hash
+    return _answers.get((known, chosen, choices), lambda: _made(session, known, chosen, choices))
+
+
+def _made(session: Session, known: str, chosen: Filter, choices: Choices) -> Statistics:
+    places = survey_names(session)
+    _refuse(chosen, places)
+    days = chosen.first_day is not None or chosen.last_day is not None
+    found = _columns.get(
+        (known, chosen.survey_ids, days),
+        lambda: load_measured_columns(session, chosen.survey_ids or None, days=days),
+    )
+    measured, left_out = filtered(found, chosen)
+    named = _told_apart({one.id: one.name for one in list_people(session)})
+    there = {int(one) for one in _distinct(found.operator_id)}
+    operators = {id_: name for id_, name in named.items() if id_ in there}
+    groupings = {
+        "lighting": Grouping(measured.lighting, LIGHTING),
+        "category": Grouping(measured.category, CATEGORIES),
+        "site": _named(measured.survey_id, {id_: site or name for id_, (name, site) in places.items()}),
+        "operator": _named(measured.operator_id, named),
+    }
+    choosable = {id_: name for id_, (name, _) in places.items()}
+    if choices.standards is None:
+        choices = replace(choices, standards=standards_of_surveys(session, chosen.survey_ids))
+    return made_of(measured, left_out, choices, groupings, choosable, operators, chosen.target)
+
+
+def _refuse(chosen: Filter, places: Mapping[int, Any]) -> None:
+    if chosen.first_day and chosen.last_day and chosen.last_day < chosen.first_day:
+        raise BadInput("The last day lies before the first; exchange them.")
+    for survey_id in chosen.survey_ids:
+        if survey_id not in places:
+            raise NotFound(f"There is no survey {survey_id}; it may have been removed.")
+
+
+def filtered(found: Measured, chosen: Filter) -> tuple[Measured, dict[str, int]]:
+    """The measurements that a filter leaves, and how many of each other review state it leaves out."""
+    keep = np.ones(len(found), dtype=np.bool_)
+    if chosen.lighting is not None:
+        keep &= found.lighting == LIGHTING.index(chosen.lighting)
+    if chosen.category is not None:
+        keep &= found.category == CATEGORIES.index(chosen.category)
+    if chosen.operator_id is not None:
+        keep &= found.operator_id == chosen.operator_id
+    if chosen.first_day is not None:
+        keep &= found.day >= (chosen.first_day - _EPOCH).days
+    if chosen.last_day is not None:
+        keep &= found.day <= (chosen.last_day - _EPOCH).days
+    wanted = np.isin(found.verdict, [VERDICTS.index(word) for word in _STATES[chosen.state]])
+    of_target = _of_target(found, chosen.target)
+    others = np.bincount(found.verdict[keep & ~wanted & of_target], minlength=len(VERDICTS))
+    left_out = {word: int(count) for word, count in zip(VERDICTS, others, strict=True) if count}
+    return found.where(keep & wanted), left_out
+
+
+def _of_target(measured: Measured, target: Shown | None) -> NDArray[np.bool_]:
+    if target is None:
+        return np.ones(len(measured), dtype=np.bool_)
+    return np.equal(measured.target, TARGETS.index(target))
+
+
+def made_of(
+    measured: Measured,
+    left_out: dict[str, int],
+    choices: Choices,
+    groupings: Mapping[str, Grouping],
+    named_surveys: dict[int, str],
+    operators: dict[int, str],
+    only: Shown | None = None,
+) -> Statistics:
+    """The statistics of columns (N,), divided by groupings (N,); of one target `only`, or of all."""
+    roofs = _roofs(measured, choices.u_reference_m)
+    table = STANDARDS if choices.standards is None else choices.standards
+    against = (*table, *choices.own_standards)
+    targets: dict[Shown, Target] = {}
+    for name in SHOWN if only is None else (only,):
+        rows = _of_target(measured, name)
+        targets[name] = target_of(
+            measured.height_m[rows],
+            measured.uncorrected_height_m[rows],
+            roofs,
+            choices.correction,
+            [one.height_m for one in standards_of(against, name)],
+            {grouping: one.where(rows) for grouping, one in groupings.items()},
+        )
+    vehicles = measured.vehicle_id[_of_target(measured, only)]
+    counted = Counted(len(vehicles), len(_distinct(vehicles)), len(roofs.reference_m), left_out)
+    errors = errors_of(roofs, choices.correction, choices.rounding)
+    return Statistics(counted, against, errors, targets, named_surveys, operators)
+
+
+def standards_of(table: Sequence[Standard], target: Shown) -> list[Standard]:
+    """The standards that speak of a target, in the order of its shares."""
+    return [one for one in table if one.what == _WHAT.get(target)]
+
+
+def _roofs(measured: Measured, u_reference_m: float) -> Roofs:
+    """Roofs with a reference height, measured with and without their inset."""
+    rows = measured.where(
+        (measured.target == TARGETS.index("roof"))
+        & np.isfinite(measured.manufacturer_height_m)
+        & np.isfinite(measured.uncorrected_height_m)
+    )
+    u = np.where(np.isfinite(rows.u_manufacturer_height_m), rows.u_manufacturer_height_m, u_reference_m)
+    lighting = np.array([*LIGHTING, ""])[np.where(rows.lighting == NONE, len(LIGHTING), rows.lighting)]
+    return Roofs(rows.height_m, rows.uncorrected_height_m, rows.manufacturer_height_m, u, lighting)
+
+
+def _named(ids: NDArray[np.int64], names: Mapping[int, str]) -> Grouping:
+    """Groups by name: what has the same name is one group."""
+    distinct = _distinct(ids)
+    words = sorted({names[int(one)] for one in distinct if int(one) in names})
+    code = [words.index(names[int(one)]) if int(one) in names else NONE for one in distinct]
+    return Grouping(np.array(code, dtype=np.int64)[np.searchsorted(distinct, ids)], words)
+
+
+def _distinct(ids: NDArray[np.int64]) -> NDArray[np.int64]:
+    """The different ids (N,), ascending; ids lie close together, so counting is quicker than sorting."""
+    if len(ids) == 0 or ids.max() > 8 * len(ids) + 1000:
+        return np.unique(ids)
+    return np.flatnonzero(np.bincount(ids - NONE)) + NONE
+
+
+def _told_apart(names: Mapping[int, str]) -> dict[int, str]:
+    """Names of people; those who share one get their number."""
+    often = Counter(names.values())
+    return {id_: name if often[name] == 1 else f"{name} ({id_})" for id_, name in names.items()}
+
+
+class _Kept(Generic[Answer]):
+    """The last few answers. Keys hold the audit chain's last hash, so that any write makes them old."""
+
+    def __init__(self, most: int) -> None:
+        self._most, self._lock = most, Lock()
+        self._found: OrderedDict[Hashable, Answer] = OrderedDict()
+
+    def get(self, key: Hashable, make: Callable[[], Answer]) -> Answer:
+        with self._lock:
+            if key in self._found:
+                self._found.move_to_end(key)
+                return self._found[key]
+        made = make()
+        with self._lock:
+            self._found[key] = made
+            while len(self._found) > self._most:
+                self._found.popitem(last=False)
+        return made
+
+    def clear(self) -> None:
+        """Forget everything."""
+        with self._lock:
+            self._found.clear()
+
+
+_answers: _Kept[Statistics] = _Kept(16)
+_columns: _Kept[Measured] = _Kept(1)  # a million measurements take 110 MB
+
+
+def forget_statistics() -> None:
+    """Drop what is kept, as a new process would begin (for benches)."""
+    _answers.clear()
+    _columns.clear()

@@ -1,0 +1,59 @@
+"""Reviews: the queue, and a verdict on a measurement."""
+
+from typing import Annotated
+
+from fastapi import APIRouter, Query
+from pydantic import Field
+
+from sightline.infra.web.deps import PathId, Reading, Reviewer, Viewer, Writing
+from sightline.measurements.bodies import MeasurementBody
+from sightline.reviews import store
+from sightline.reviews.bodies import NewReview, QueueItemBody
+from sightline.reviews.service import review
+from sightline.reviews.store import QueueState
+from sightline.surveys.store import get_survey
+
+router = APIRouter()
+
+QueryId = Annotated[int, Field(ge=1, le=2**31 - 1)]
+
+
+def _pair(point: list[float] | None) -> tuple[float, float] | None:
+    return None if point is None else (point[0], point[1])
+
+
+@router.get("/surveys/{survey_id}/review-queue")
+def review_queue(
+    survey_id: PathId,
+    who: Viewer,
+    session: Reading,
+    state: Annotated[QueueState, Query(description="What was said of them so far.")] = "to_review",
+    after: Annotated[QueryId | None, Query(description="Those behind this measurement.")] = None,
+    measurement: Annotated[QueryId | None, Query(description="This one alone, if it is there.")] = None,
+    limit: Annotated[int, Query(ge=1, le=1000)] = 200,
+) -> list[QueueItemBody]:
+    """The survey's standing measurements by verdict, a page at a time; others have to review `mine`."""
+    get_survey(session, survey_id)
+    found = store.review_queue(
+        session, survey_id, state=state, after=after, only=measurement, limit=limit, actor=who.id
+    )
+    return [QueueItemBody.model_validate(item) for item in found]
+
+
+@router.post("/measurements/{measurement_id}/reviews", status_code=201)
+def review_measurement(
+    measurement_id: PathId, body: NewReview, who: Reviewer, session: Writing
+) -> MeasurementBody:
+    """Accept, reject (with a reason), fix (with points: a new revision) or reopen; never one's own work."""
+    judged = review(
+        session,
+        measurement_id,
+        revision=body.revision,
+        verdict=body.verdict,
+        reason=body.reason,
+        frame=body.frame,
+        contact=_pair(body.contact),
+        point=_pair(body.point),
+        actor=who.id,
+    )
+    return MeasurementBody.model_validate(judged)

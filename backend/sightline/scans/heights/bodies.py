@@ -1,0 +1,162 @@
+"""Bodies of heights in line scans: rod marks and the line camera's pose, clicks and heights. Metres, rows."""
+
+from datetime import datetime
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from sightline.enums import MeasurementStatus, Target
+from sightline.infra.web.bodies import Finite, In, Out, WhoBody
+from sightline.infra.web.quantities import InsetM, SigmaPx, UInsetM
+from sightline.measurements.preview.bodies import BudgetEntryBody
+from sightline.scans.bodies import DistanceM, Line
+
+Row = Annotated[Finite, Field(ge=-1, le=1e6, description="Row of strip 1, fractional, from the top.")]
+Seen = Annotated[int, Field(ge=0, le=2**31 - 1, description="The revision that you saw; 0: none.")]
+MOST_MARKS = 200
+
+
+class RodMark(In):
+    """A mark of the rod, clicked in strip 1."""
+
+    distance_m: DistanceM = Field(description="Horizontal, from the camera's centre to the rod.")
+    height_m: Annotated[Finite, Field(ge=-5, le=20, description="Above the road.")]
+    row_px: Row
+    line: Line
+
+
+class RodIn(In):
+    """Marks of a rod held upright at two or more distances; `u_` are standard uncertainties (k = 1)."""
+
+    marks: Annotated[list[RodMark], Field(max_length=MOST_MARKS)]
+    sigma_px: SigmaPx | None = Field(default=1.0, description="Of a mark's row; null: from the residuals.")
+    u_distance_m: Annotated[Finite, Field(ge=0, le=10)] = 0.0
+    u_lean_rad: Annotated[Finite, Field(ge=0, le=0.5)] = 0.0
+
+
+class NewLinePose(RodIn):
+    """The calibration to store, which supersedes the one that was seen."""
+
+    revision: Seen
+
+
+class SolvedRodBody(Out):
+    """The line camera's pose from the marks, or why they give none."""
+
+    status: Literal["ok", "not_solvable"]
+    reason: str | None
+    camera_height_m: float | None
+    u_camera_height_m: float | None
+    U95_camera_height_m: float | None
+    rms_px: float | None
+    residuals_px: list[float] = Field(description="Row of the model minus the mark's, in the marks' order.")
+    warnings: list[str]
+
+
+class RodMarkBody(Out):
+    distance_m: float
+    height_m: float
+    row_px: float
+    line: float
+
+
+class LinePoseBody(Out):
+    """One calibration of camera 1 with its marks."""
+
+    id: int
+    revision: int
+    marks: list[RodMarkBody]
+    sigma_px: float | None
+    u_distance_m: float
+    u_lean_rad: float
+    solved: SolvedRodBody
+    created_by: WhoBody | None
+    created_at: datetime
+
+
+class LinePosesBody(Out):
+    """The calibration that counts, and all there were, oldest first."""
+
+    current: LinePoseBody | None
+    history: list[LinePoseBody]
+
+
+class LineClicks(In):
+    """Two clicks in strip 1; what is left out is 1 px and the survey's inset."""
+
+    target: Target
+    contact_line: Line
+    contact_row_px: Row
+    sigma_px: SigmaPx | None = None
+    inset_m: InsetM | None = None
+    u_inset_m: UInsetM | None = None
+
+
+class LineHeightWanted(LineClicks):
+    """Without a target's row, what is known of the contact alone is answered."""
+
+    target_line: Line | None = None
+    target_row_px: Row | None = None
+
+
+class NewLineHeight(LineClicks):
+    """The height to store."""
+
+    target_line: Line
+    target_row_px: Row
+    revision: Seen
+
+
+class LineRungBody(Out):
+    """The row of a height above the contact, at the target's distance."""
+
+    height_m: float
+    row_px: float
+
+
+class LineHeightAnswer(Out):
+    """What these clicks give; `contact`: only the contact was clicked, and it stands on the road."""
+
+    status: Literal["ok", "not_measurable", "contact"]
+    reason: str | None
+    distance_m: float | None
+    U95_distance_m: float | None
+    height_m: float | None
+    u_height_m: float | None
+    U95_height_m: float | None
+    inset_m: float
+    u_inset_m: float
+    budget: list[BudgetEntryBody]
+    warnings: list[str]
+    ladder: list[LineRungBody]
+
+
+class LineHeightBody(Out):
+    """One revision of a target's height."""
+
+    id: int
+    vehicle_id: int
+    target: Target
+    revision: int
+    pose_id: int
+    older: bool = Field(description="Computed with a calibration that was superseded since.")
+    contact_line: float
+    contact_row_px: float
+    target_line: float
+    target_row_px: float
+    sigma_px: float
+    inset_m: float
+    u_inset_m: float
+    distance_m: float | None
+    u_distance_m: float | None
+    U95_distance_m: float | None
+    height_m: float | None
+    u_height_m: float | None
+    U95_height_m: float | None
+    status: MeasurementStatus
+    reason: str | None
+    budget: list[BudgetEntryBody]
+    warnings: list[str]
+    withdrawn: bool
+    created_by: WhoBody | None
+    created_at: datetime

@@ -1,0 +1,81 @@
+"""Records of heights in line scans: poses of the line camera from rod marks, and heights of vehicles."""
+
+from dataclasses import dataclass
+from datetime import datetime
+
+from sightline.enums import JsonObject, MeasurementStatus, Target
+from sightline.infra.audit.records import Who
+
+
+@dataclass(frozen=True, slots=True)
+class LinePoseValues:
+    """What a calibration with the rod consists of.
+
+    `marks`: {distance_m, height_m, row_px, line} each. `sigma_px`: of a mark's row; None: from the residuals.
+    `pose`: {parameters, covariance, row_span}, as `linescan.line_pose` has them.
+    """
+
+    marks: list[JsonObject]
+    sigma_px: float | None
+    u_distance_m: float
+    u_lean_rad: float
+    pose: JsonObject
+    camera_height_m: float
+    u_camera_height_m: float
+    rms_px: float
+    code_version: str
+
+
+@dataclass(frozen=True, slots=True)
+class StoredLinePose:
+    """One calibration of a scan's camera 1; the newest revision counts."""
+
+    id: int
+    survey_id: int
+    scan_id: int
+    revision: int
+    values: LinePoseValues
+    created_by: Who | None
+    created_at: datetime
+
+
+@dataclass(frozen=True, slots=True)
+class LineHeightValues:
+    """One height of a scanned vehicle: the two clicks in strip 1, the inset, the result or why there is none.
+
+    `budget`: {source, u_m} each.
+    """
+
+    target: Target
+    pose_id: int
+    contact_line: float
+    contact_row_px: float
+    target_line: float
+    target_row_px: float
+    sigma_px: float
+    inset_m: float
+    u_inset_m: float
+    distance_m: float | None
+    u_distance_m: float | None
+    height_m: float | None
+    u_height_m: float | None
+    status: MeasurementStatus
+    reason: str | None
+    budget: list[JsonObject]
+    warnings: list[str]
+    withdrawn: bool
+    code_version: str
+
+
+@dataclass(frozen=True, slots=True)
+class StoredLineHeight:
+    """One revision of a target's height; the newest of a vehicle's target counts, unless it is withdrawn."""
+
+    id: int
+    survey_id: int
+    scan_id: int
+    vehicle_id: int
+    revision: int
+    values: LineHeightValues
+    created_by: Who | None
+    created_at: datetime

@@ -1,0 +1,166 @@
+"""Heights in line scans: the rod's calibration, the height under the pointer, stored heights."""
+
+from typing import Annotated
+
+from fastapi import APIRouter, Query
+from sqlalchemy.orm import Session
+
+from sightline.enums import Target
+from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
+from sightline.linescan.parts import expanded
+from sightline.scans.heights import pose_store, poses, service, store
+from sightline.scans.heights.bodies import (
+    LineClicks,
+    LineHeightAnswer,
+    LineHeightBody,
+    LineHeightWanted,
+    LinePoseBody,
+    LinePosesBody,
+    LineRungBody,
+    NewLineHeight,
+    NewLinePose,
+    RodIn,
+    Seen,
+    SolvedRodBody,
+)
+from sightline.scans.heights.poses import Mark, Rod, SolvedRod
+from sightline.scans.heights.records import StoredLineHeight, StoredLinePose
+from sightline.scans.store import get_scan
+from sightline.scans.vehicles.store import get_scan_vehicle
+
+router = APIRouter()
+
+
+@router.get("/scans/{scan_id}/line-pose")
+def get_line_pose(scan_id: PathId, who: Viewer, session: Reading) -> LinePosesBody:
+    """The calibration of camera 1 that heights are computed with, and those before it."""
+    get_scan(session, scan_id)
+    history = [_pose_body(one) for one in pose_store.line_pose_history(session, scan_id)]
+    return LinePosesBody(current=history[-1] if history else None, history=history)
+
+
+@router.post("/scans/{scan_id}/line-pose/preview")
+def preview_line_pose(scan_id: PathId, body: RodIn, who: Viewer, session: Reading) -> SolvedRodBody:
+    """The pose that these marks would be stored with: residuals, the camera's height, warnings."""
+    get_scan(session, scan_id)
+    return _solved_body(poses.preview_line_pose(_rod(body)))
+
+
+@router.put("/scans/{scan_id}/line-pose")
+def store_line_pose(scan_id: PathId, body: NewLinePose, who: Operator, session: Writing) -> LinePoseBody:
+    """Store a calibration; heights keep theirs, and say so, until they are stored again."""
+    made = poses.store_line_pose(session, scan_id, _rod(body), seen_revision=body.revision, actor=who.id)
+    return _pose_body(made)
+
+
+@router.post("/scans/{scan_id}/line-height")
+def preview_line_height(
+    scan_id: PathId, body: LineHeightWanted, who: Viewer, session: Reading
+) -> LineHeightAnswer:
+    """The height that these two clicks would be stored with, and the ladder above the contact."""
+    point = None
+    if body.target_line is not None and body.target_row_px is not None:
+        point = (body.target_line, body.target_row_px)
+    looked = service.preview_line_height(session, scan_id, _clicked(body, point))
+    found = looked.found
+    only_contact = point is None and found.reason is None
+    return LineHeightAnswer.model_validate(
+        {
+            **{name: getattr(found, name) for name in _OF_FOUND},
+            "status": "contact" if only_contact else found.status,
+            "budget": found.budget,
+            "inset_m": looked.inset_m,
+            "u_inset_m": looked.u_inset_m,
+            "U95_distance_m": looked.U95_distance_m,
+            "ladder": [LineRungBody(height_m=height, row_px=row) for height, row in looked.ladder],
+        }
+    )
+
+
+@router.get("/scans/{scan_id}/heights")
+def list_line_heights(scan_id: PathId, who: Viewer, session: Reading) -> list[LineHeightBody]:
+    """The newest revision of every target of every vehicle, withdrawn ones too."""
+    get_scan(session, scan_id)
+    return _height_bodies(session, scan_id, store.list_line_heights(session, scan_id))
+
+
+@router.get("/scan-vehicles/{vehicle_id}/heights")
+def history_of_line_heights(vehicle_id: PathId, who: Viewer, session: Reading) -> list[LineHeightBody]:
+    """Every revision of a vehicle's heights, oldest first."""
+    vehicle = get_scan_vehicle(session, vehicle_id, deleted=True)
+    return _height_bodies(session, vehicle.scan_id, store.line_height_history(session, vehicle_id))
+
+
+@router.post("/scan-vehicles/{vehicle_id}/heights", status_code=201)
+def store_line_height(
+    vehicle_id: PathId, body: NewLineHeight, who: Operator, session: Writing
+) -> LineHeightBody:
+    """Store a target's height with the newest calibration: a new revision."""
+    clicked = _clicked(body, (body.target_line, body.target_row_px))
+    made = service.store_line_height(session, vehicle_id, clicked, seen_revision=body.revision, actor=who.id)
+    return _height_bodies(session, made.scan_id, (made,))[0]
+
+
+@router.delete("/scan-vehicles/{vehicle_id}/heights")
+def withdraw_line_height(
+    vehicle_id: PathId,
+    who: Operator,
+    session: Writing,
+    target: Annotated[Target, Query()],
+    revision: Annotated[Seen, Query()],
+) -> LineHeightBody:
+    """Take a height back; nothing of it is erased."""
+    made = store.withdraw_line_height(session, vehicle_id, target, seen_revision=revision, actor=who.id)
+    return _height_bodies(session, made.scan_id, (made,))[0]
+
+
+_OF_FOUND = ("reason", "distance_m", "height_m", "u_height_m", "U95_height_m", "warnings")
+_MADE = ("id", "revision", "created_by", "created_at")
+
+
+def _rod(body: RodIn) -> Rod:
+    marks = tuple(Mark(m.distance_m, m.height_m, m.row_px, m.line) for m in body.marks)
+    return Rod(marks, body.sigma_px, body.u_distance_m, body.u_lean_rad)
+
+
+def _clicked(body: LineClicks, point: tuple[float, float] | None) -> service.Clicked:
+    return service.Clicked(
+        body.target,
+        (body.contact_line, body.contact_row_px),
+        point,
+        body.sigma_px,
+        body.inset_m,
+        body.u_inset_m,
+    )
+
+
+def _solved_body(one: SolvedRod) -> SolvedRodBody:
+    names = [name for name in SolvedRodBody.model_fields if not name.startswith("U95")]
+    U95 = expanded(one.u_camera_height_m)
+    return SolvedRodBody.model_validate(
+        {**{name: getattr(one, name) for name in names}, "U95_camera_height_m": U95}
+    )
+
+
+def _pose_body(one: StoredLinePose) -> LinePoseBody:
+    names = ("marks", "sigma_px", "u_distance_m", "u_lean_rad")
+    body = {name: getattr(one.values, name) for name in names} | {name: getattr(one, name) for name in _MADE}
+    return LinePoseBody.model_validate({**body, "solved": _solved_body(poses.line_pose_result(one))})
+
+
+def _height_bodies(
+    session: Session, scan_id: int, found: tuple[StoredLineHeight, ...]
+) -> list[LineHeightBody]:
+    pose = pose_store.current_line_poses(session, scan_id)
+    return [_height_body(one, pose.id if pose else None) for one in found]
+
+
+def _height_body(one: StoredLineHeight, pose_id: int | None) -> LineHeightBody:
+    values = one.values
+    outer = (*_MADE, "vehicle_id")
+    derived = ("older", "U95_distance_m", "U95_height_m")
+    names = [name for name in LineHeightBody.model_fields if name not in (*outer, *derived)]
+    body = {name: getattr(values, name) for name in names} | {name: getattr(one, name) for name in outer}
+    for name in ("distance_m", "height_m"):
+        body[f"U95_{name}"] = expanded(getattr(values, f"u_{name}"))
+    return LineHeightBody.model_validate({**body, "older": values.pose_id != pose_id})

@@ -1,0 +1,169 @@
+"""Heights of scanned vehicles from two clicks in strip 1: to look at, stored, withdrawn.
+
+What is shown while the pointer moves, what is stored and what a check recomputes all come from `answer`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+
+from sqlalchemy.orm import Session
+
+from sightline.enums import Target
+from sightline.errors import BadInput
+from sightline.infra.version import code_version
+from sightline.linescan.line_height import LineHeight, contact_distance, ladder, line_height
+from sightline.linescan.line_pose import LinePose
+from sightline.linescan.parts import expanded
+from sightline.measurements.height_of_clicks import DEFAULT_SIGMA_PX, inset_for
+from sightline.scans.heights.pose_store import current_line_poses
+from sightline.scans.heights.poses import LENGTH_DECIMALS, pose_of
+from sightline.scans.heights.records import LineHeightValues, StoredLineHeight, StoredLinePose
+from sightline.scans.heights.store import append_line_height
+from sightline.scans.records import ScanVehicle
+from sightline.scans.service import shows
+from sightline.scans.store import get_scan
+from sightline.scans.vehicles.store import get_scan_vehicle
+from sightline.surveys.store import get_survey
+
+UNCALIBRATED = (
+    "Heights need the line camera's pose; calibrate the height with a rod first (Calibrate height)."
+)
+_BESIDE = "A click lies outside the vehicle's front and rear, so it may be another vehicle's."
+# Bumpers' boundaries are found to some lines; a mirror or an aerial stands out no further than this share.
+_MARGIN = 0.05
+
+
+@dataclass(frozen=True)
+class RowClicks:
+    """(line, row) of the tyre's contact and of the target in strip 1, their sigma, and the target's inset."""
+
+    target: Target
+    contact: tuple[float, float]
+    point: tuple[float, float]
+    sigma_px: float
+    inset_m: float
+    u_inset_m: float
+
+
+@dataclass(frozen=True)
+class Clicked:
+    """What a person clicked; None is filled in: 1 px, the survey's inset. `point` None: only the contact."""
+
+    target: Target
+    contact: tuple[float, float]
+    point: tuple[float, float] | None
+    sigma_px: float | None = None
+    inset_m: float | None = None
+    u_inset_m: float | None = None
+
+
+@dataclass(frozen=True)
+class Looked:
+    """A height not stored yet, with the ladder of (height m, row) above the contact, `inset_m` behind it."""
+
+    found: LineHeight
+    inset_m: float
+    u_inset_m: float
+    ladder: tuple[tuple[float, float], ...]
+
+    @property
+    def U95_distance_m(self) -> float | None:
+        return expanded(self.found.u_distance_m)
+
+
+def preview_line_height(session: Session, scan_id: int, clicked: Clicked) -> Looked:
+    """The height that these clicks would be stored with. Raises NotFound, BadInput without a calibration."""
+    scan = get_scan(session, scan_id)
+    pose = pose_of(_pose(session, scan_id).values)
+    clicks = _filled(session, scan.survey_id, clicked)
+    distance_m = contact_distance(pose, clicks.contact[1])
+    rungs = ladder(pose, distance_m + clicks.inset_m, scan.rows_px or 0) if distance_m is not None else ()
+    only_contact = clicked.point is None and distance_m is not None
+    found = LineHeight("not_measurable", None, distance_m) if only_contact else answer(pose, clicks)
+    return Looked(found, clicks.inset_m, clicks.u_inset_m, rungs)
+
+
+def store_line_height(
+    session: Session, vehicle_id: int, clicked: Clicked, *, seen_revision: int, actor: int | None
+) -> StoredLineHeight:
+    """Store the height of a target, with the newest calibration; `seen_revision`: 0 where none was there.
+
+    Raises NotFound, Conflict, BadInput without a calibration or for clicks outside the strip.
+    """
+    vehicle = get_scan_vehicle(session, vehicle_id)
+    scan = get_scan(session, vehicle.scan_id)
+    clicks = _filled(session, scan.survey_id, clicked)
+    for line, row in (clicks.contact, clicks.point):
+        if not shows(scan, line, row):
+            raise BadInput(f"A click at line {line:.0f}, row {row:.1f} lies outside the strip; click again.")
+    values = height_values(_pose(session, scan.id), clicks, _beside(vehicle, clicks))
+    return append_line_height(session, vehicle_id, values, seen_revision=seen_revision, actor=actor)
+
+
+def answer(pose: LinePose, clicks: RowClicks) -> LineHeight:
+    """The height that clicks give."""
+    return line_height(
+        pose,
+        clicks.contact[1],
+        clicks.point[1],
+        sigma_px=clicks.sigma_px,
+        inset_m=clicks.inset_m,
+        u_inset_m=clicks.u_inset_m,
+    )
+
+
+def height_values(pose: StoredLinePose, clicks: RowClicks, warnings: list[str]) -> LineHeightValues:
+    """A height as it is stored."""
+    found = answer(pose_of(pose.values), clicks)
+    return LineHeightValues(
+        target=clicks.target,
+        pose_id=pose.id,
+        contact_line=clicks.contact[0],
+        contact_row_px=clicks.contact[1],
+        target_line=clicks.point[0],
+        target_row_px=clicks.point[1],
+        sigma_px=clicks.sigma_px,
+        inset_m=clicks.inset_m,
+        u_inset_m=clicks.u_inset_m,
+        distance_m=found.distance_m,
+        u_distance_m=found.u_distance_m,
+        height_m=found.height_m,
+        u_height_m=found.u_height_m,
+        status=found.status,
+        reason=found.reason,
+        budget=[asdict(entry) for entry in found.budget],
+        warnings=[*found.warnings, *warnings],
+        withdrawn=False,
+        code_version=code_version(),
+    )
+
+
+def _pose(session: Session, scan_id: int) -> StoredLinePose:
+    found = current_line_poses(session, scan_id)
+    if found is None:
+        raise BadInput(UNCALIBRATED)
+    return found
+
+
+def _filled(session: Session, survey_id: int, clicked: Clicked) -> RowClicks:
+    usual = inset_for(clicked.target, get_survey(session, survey_id).insets)
+    inset_m = usual.inset_m if clicked.inset_m is None else clicked.inset_m
+    u_inset_m = usual.u_inset_m if clicked.u_inset_m is None else clicked.u_inset_m
+    return RowClicks(
+        clicked.target,
+        clicked.contact,
+        clicked.point or clicked.contact,
+        DEFAULT_SIGMA_PX if clicked.sigma_px is None else clicked.sigma_px,
+        round(inset_m, LENGTH_DECIMALS),
+        round(u_inset_m, LENGTH_DECIMALS),
+    )
+
+
+def _beside(vehicle: ScanVehicle, clicks: RowClicks) -> list[str]:
+    if vehicle.measurement is None:
+        return []
+    front, rear = vehicle.measurement.values.front_line_1, vehicle.measurement.values.rear_line_1
+    margin = _MARGIN * (rear - front)
+    inside = all(front - margin <= line <= rear + margin for line, _ in (clicks.contact, clicks.point))
+    return [] if inside else [_BESIDE]

@@ -1,0 +1,132 @@
+"""Heights of scanned vehicles: append-only revisions by target; a withdrawn one is a revision too."""
+
+from dataclasses import asdict, replace
+from typing import Any
+
+from sqlalchemy import ColumnElement, exists, select
+from sqlalchemy.orm import Session
+
+from sightline.enums import Target
+from sightline.errors import BadInput, Conflict
+from sightline.infra.audit import trail
+from sightline.infra.database.people import people
+from sightline.infra.database.rows import add_row, missing, stored_hash, who
+from sightline.infra.database.types import now
+from sightline.scans.heights.records import LineHeightValues, StoredLineHeight
+from sightline.scans.heights.tables import line_heights
+from sightline.scans.tables import scan_vehicles
+from sightline.scans.vehicles.store import require_scan_vehicle_version
+
+_VALUES = tuple(LineHeightValues.__slots__)
+_later = line_heights.alias("later")
+_is_current: ColumnElement[bool] = ~exists().where(
+    _later.c.vehicle_id == line_heights.c.vehicle_id,
+    _later.c.target == line_heights.c.target,
+    _later.c.revision > line_heights.c.revision,
+)
+
+
+def append_line_height(
+    session: Session, vehicle_id: int, values: LineHeightValues, *, seen_revision: int, actor: int | None
+) -> StoredLineHeight:
+    """The next revision of a target's height; `seen_revision`: 0 where none was there.
+
+    Raises NotFound, Conflict if it was measured meanwhile or the vehicle was deleted, BadInput.
+    """
+    if values.status != "ok" and not values.reason:
+        raise BadInput("A target that has no height needs the reason why; measure it again.")
+    return _append(
+        session, vehicle_id, values, current(session, vehicle_id, values.target), seen_revision, actor
+    )
+
+
+def withdraw_line_height(
+    session: Session, vehicle_id: int, target: Target, *, seen_revision: int, actor: int | None
+) -> StoredLineHeight:
+    """Take a height back: a revision that says so. Raises NotFound, Conflict (changed or withdrawn)."""
+    before = current(session, vehicle_id, target)
+    if before is None:
+        raise missing("height of this target")
+    if before.values.withdrawn:
+        raise Conflict("This height was withdrawn already; nothing is to be done.")
+    values = replace(before.values, withdrawn=True)
+    return _append(session, vehicle_id, values, before, seen_revision, actor)
+
+
+def current(session: Session, vehicle_id: int, target: Target) -> StoredLineHeight | None:
+    """The newest revision of one target, withdrawn or not; None where it was never measured."""
+    mine = (line_heights.c.vehicle_id == vehicle_id) & (line_heights.c.target == target)
+    found = _where(session, mine & _is_current)
+    return found[0] if found else None
+
+
+def list_line_heights(session: Session, scan_id: int) -> tuple[StoredLineHeight, ...]:
+    """The newest revision of every target of a scan's living vehicles, withdrawn or not."""
+    return _where(session, (line_heights.c.scan_id == scan_id) & _is_current & _alive)
+
+
+def line_height_history(session: Session, vehicle_id: int) -> tuple[StoredLineHeight, ...]:
+    """Every revision of a vehicle's heights, oldest first."""
+    return _where(session, line_heights.c.vehicle_id == vehicle_id)
+
+
+def line_height_history_of_scan(session: Session, scan_id: int) -> dict[int, list[StoredLineHeight]]:
+    """The same for every vehicle of a scan that has heights, by vehicle; one query."""
+    found: dict[int, list[StoredLineHeight]] = {}
+    for one in _where(session, line_heights.c.scan_id == scan_id):
+        found.setdefault(one.vehicle_id, []).append(one)
+    return found
+
+
+def _append(
+    session: Session,
+    vehicle_id: int,
+    values: LineHeightValues,
+    before: StoredLineHeight | None,
+    seen_revision: int,
+    actor: int | None,
+) -> StoredLineHeight:
+    vehicle = require_scan_vehicle_version(session, vehicle_id, None)
+    revision = before.revision if before else 0
+    if revision != seen_revision:
+        name = before.created_by.name if before and before.created_by else "Somebody"
+        raise Conflict(f"{name} measured this target meanwhile; look at that height first.")
+    place = {"survey_id": vehicle["survey_id"], "scan_id": vehicle["scan_id"], "vehicle_id": vehicle_id}
+    content: dict[str, Any] = {**place, "revision": revision + 1, **asdict(values)}
+    row_id = add_row(session, line_heights, {**content, "created_at": now(), "created_by": actor})
+    told = {name: value for name, value in content.items() if name not in ("budget", "warnings")}
+    after = {**told, "content_sha256": stored_hash(session, line_heights, row_id)}
+    then = None
+    if before is not None:
+        names = ("status", "height_m", "withdrawn")
+        then = {name: getattr(before.values, name) for name in names} | {"revision": revision}
+    action = "withdraw" if values.withdrawn else "create" if before is None else "revise"
+    trail.record(session, actor, action, "line_height", row_id, vehicle["survey_id"], then, after)
+    return _where(session, line_heights.c.id == row_id)[0]
+
+
+_alive: ColumnElement[bool] = scan_vehicles.c.deleted_at.is_(None)
+
+
+def _where(session: Session, condition: ColumnElement[bool]) -> tuple[StoredLineHeight, ...]:
+    query = (
+        select(line_heights, people.c.name.label("maker"))
+        .join(scan_vehicles, scan_vehicles.c.id == line_heights.c.vehicle_id)
+        .outerjoin(people, people.c.id == line_heights.c.created_by)
+        .where(condition)
+        .order_by(line_heights.c.id)
+    )
+    return tuple(_height(row) for row in session.execute(query).mappings())
+
+
+def _height(row: Any) -> StoredLineHeight:
+    return StoredLineHeight(
+        id=row["id"],
+        survey_id=row["survey_id"],
+        scan_id=row["scan_id"],
+        vehicle_id=row["vehicle_id"],
+        revision=row["revision"],
+        values=LineHeightValues(**{name: row[name] for name in _VALUES}),
+        created_by=who(row["created_by"], row["maker"]),
+        created_at=row["created_at"],
+    )

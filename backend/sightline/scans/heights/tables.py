@@ -1,0 +1,82 @@
+"""The tables of heights in line scans: poses of the line camera from rod marks, and heights of vehicles."""
+
+from sqlalchemy import (
+    Boolean,
+    CheckConstraint,
+    Column,
+    Float,
+    ForeignKey,
+    Integer,
+    String,
+    Table,
+    Text,
+    UniqueConstraint,
+)
+
+from sightline.enums import MeasurementStatus, Target
+from sightline.infra.database.types import Document, Moment, identity, metadata, one_of
+
+# One row a calibration of a scan's camera 1 with the rod; the newest of a scan counts. Written once.
+line_poses = Table(
+    "line_poses",
+    metadata,
+    identity(),
+    Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
+    Column("scan_id", ForeignKey("scans.id"), nullable=False),
+    Column("revision", Integer, nullable=False),
+    # {distance_m, height_m, row_px, line} each
+    Column("marks", Document, nullable=False),
+    Column("sigma_px", Float),
+    Column("u_distance_m", Float, nullable=False),
+    Column("u_lean_rad", Float, nullable=False),
+    # {parameters, covariance, row_span}
+    Column("pose", Document, nullable=False),
+    Column("camera_height_m", Float, nullable=False),
+    Column("u_camera_height_m", Float, nullable=False),
+    Column("rms_px", Float, nullable=False),
+    Column("code_version", String(60), nullable=False),
+    Column("created_at", Moment, nullable=False),
+    Column("created_by", ForeignKey("people.id")),
+    UniqueConstraint("scan_id", "revision"),
+    CheckConstraint("revision >= 1", name="revision_counts"),
+)
+
+# One row a revision of a target's height; the newest of a vehicle's target counts. Written once.
+line_heights = Table(
+    "line_heights",
+    metadata,
+    identity(),
+    Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
+    Column("scan_id", ForeignKey("scans.id"), nullable=False, index=True),
+    Column("vehicle_id", ForeignKey("scan_vehicles.id"), nullable=False),
+    Column("target", String(20), nullable=False),
+    Column("revision", Integer, nullable=False),
+    Column("pose_id", ForeignKey("line_poses.id"), nullable=False),
+    Column("contact_line", Float, nullable=False),
+    Column("contact_row_px", Float, nullable=False),
+    Column("target_line", Float, nullable=False),
+    Column("target_row_px", Float, nullable=False),
+    Column("sigma_px", Float, nullable=False),
+    Column("inset_m", Float, nullable=False),
+    Column("u_inset_m", Float, nullable=False),
+    Column("distance_m", Float),
+    Column("u_distance_m", Float),
+    Column("height_m", Float),
+    Column("u_height_m", Float),
+    Column("status", String(20), nullable=False),
+    Column("reason", Text),
+    Column("budget", Document, nullable=False),
+    Column("warnings", Document, nullable=False),
+    Column("withdrawn", Boolean, nullable=False),
+    Column("code_version", String(60), nullable=False),
+    Column("created_at", Moment, nullable=False),
+    Column("created_by", ForeignKey("people.id")),
+    UniqueConstraint("vehicle_id", "target", "revision"),
+    one_of("target", Target),
+    one_of("status", MeasurementStatus),
+    CheckConstraint("revision >= 1", name="revision_counts"),
+    CheckConstraint(
+        "(status = 'ok' AND height_m IS NOT NULL) OR (status <> 'ok' AND reason IS NOT NULL)",
+        name="height_or_reason",
+    ),
+)

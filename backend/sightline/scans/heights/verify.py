@@ -1,0 +1,117 @@
+"""Computing every calibration and height of an export's line scans again from its marks and clicks."""
+
+from __future__ import annotations
+
+import math
+from collections import defaultdict
+from collections.abc import Mapping
+from dataclasses import asdict
+from typing import Any, cast
+
+from sightline.enums import Target
+from sightline.errors import Damaged
+from sightline.infra.csv_package.files import Files, read_rows
+from sightline.linescan.line_height import LineHeight
+from sightline.linescan.line_pose import LinePose, LinePoseError
+from sightline.scans.heights.csv import LINE_BUDGET, LINE_HEIGHTS, LINE_MARKS, LINE_POSES
+from sightline.scans.heights.poses import Mark, Rod, solve
+from sightline.scans.heights.service import RowClicks, answer
+
+Row = Mapping[str, str]
+# Half of the last decimal that a CSV carries, and a hair for the rounding of the last binary digit.
+_TOLERANCE = 0.51e-6
+_FIGURES = ("distance_m", "u_distance_m", "height_m", "u_height_m", "U95_height_m")
+
+
+def check_line_heights(files: Files, told_poses: Mapping[int, Mapping[str, Any]]) -> int:
+    """Solve every calibration and compute every height again; how many. Raises Damaged.
+
+    `told_poses`: what the audit events say of each calibration, its marks too.
+    """
+    marks: dict[int, list[Row]] = defaultdict(list)
+    for row in read_rows(files, LINE_MARKS.path):
+        marks[int(row["pose_id"])].append(row)
+    poses = {}
+    for row in read_rows(files, LINE_POSES.path):
+        number = int(row["id"])
+        poses[number] = _pose(row, marks.pop(number, []), told_poses[number])
+    if marks:
+        raise Damaged(f"{LINE_MARKS.path}: calibration {min(marks)} is in no row of {LINE_POSES.path}.")
+    return len(poses) + _heights(files, poses)
+
+
+def _pose(row: Row, marks: list[Row], told: Mapping[str, Any]) -> LinePose:
+    name = f"{LINE_POSES.path}: calibration {row['id']}"
+    numbers = ("distance_m", "height_m", "row_px", "line")
+    clicked = tuple(Mark(*(float(mark[column]) for column in numbers)) for mark in marks)
+    if [asdict(mark) for mark in clicked] != told["marks"]:
+        raise Damaged(f"{LINE_MARKS.path}: the marks of calibration {row['id']} are not those of its event.")
+    sigma_px = float(row["sigma_px"]) if row["sigma_px"] else None
+    rod = Rod(clicked, sigma_px, float(row["u_distance_m"]), float(row["u_lean_rad"]))
+    try:
+        pose = solve(rod)
+    except LinePoseError as error:
+        raise Damaged(f"{name} cannot be solved for from its marks; one is wrong.") from error
+    _same(name, row, "camera_height_m", pose.camera_height_m)
+    _same(name, row, "u_camera_height_m", math.sqrt(pose.covariance[3, 3]))
+    _same(name, row, "rms_px", pose.rms_px)
+    for number, (mark, one) in enumerate(zip(clicked, marks, strict=True), 1):
+        model = float(pose.rows_of(mark.distance_m, mark.height_m))
+        _same(f"{LINE_MARKS.path}: mark {number} of {row['id']}", one, "residual_px", model - mark.row_px)
+    return pose
+
+
+def _heights(files: Files, poses: Mapping[int, LinePose]) -> int:
+    budget: dict[str, list[Row]] = defaultdict(list)
+    for row in read_rows(files, LINE_BUDGET.path):
+        budget[row["height_id"]].append(row)
+    newest: dict[tuple[str, str], Row] = {}
+    marked: set[str] = set()
+    count = 0
+    for row in read_rows(files, LINE_HEIGHTS.path):
+        _height(row, answer(poses[int(row["pose_id"])], _clicks(row)), budget.pop(row["id"], []))
+        place = row["vehicle_id"], row["target"]
+        before = newest.get(place)
+        if before is None or int(before["revision"]) < int(row["revision"]):
+            newest[place] = row
+        if row["current"] == "true":
+            marked.add(row["id"])
+        count += 1
+    if marked != {row["id"] for row in newest.values()}:
+        raise Damaged(f"{LINE_HEIGHTS.path}: a row that is marked as current is not the newest revision.")
+    if budget:
+        raise Damaged(f"{LINE_BUDGET.path}: height {min(budget)} is in no row of {LINE_HEIGHTS.path}.")
+    return count
+
+
+def _height(row: Row, found: LineHeight, budget: list[Row]) -> None:
+    name = f"{LINE_HEIGHTS.path}: height {row['id']}"
+    if row["status"] != found.status:
+        raise Damaged(f"{name} says {row['status']}, its clicks give {found.status}; one is wrong.")
+    for column in _FIGURES:
+        _same(name, row, column, getattr(found, column))
+    if [one["source"] for one in budget] != [one.source for one in found.budget]:
+        raise Damaged(f"{LINE_BUDGET.path}: the sources of height {row['id']} are not those of its clicks.")
+    for told, entry in zip(budget, found.budget, strict=True):
+        _same(f"{LINE_BUDGET.path}: {entry.source} of height {row['id']}", told, "u_m", entry.u_m)
+
+
+def _clicks(row: Row) -> RowClicks:
+    number = {name: float(row[name]) for name in row if name.endswith(("_line", "_px", "inset_m"))}
+    return RowClicks(
+        cast(Target, row["target"]),
+        (number["contact_line"], number["contact_row_px"]),
+        (number["target_line"], number["target_row_px"]),
+        number["sigma_px"],
+        number["inset_m"],
+        number["u_inset_m"],
+    )
+
+
+def _same(name: str, row: Row, column: str, value: float | None) -> None:
+    told = row[column]
+    if not told and value is None:
+        return
+    if not told or value is None or math.fabs(float(told) - value) > _TOLERANCE:
+        computed = "nothing" if value is None else f"{value:.6f}"
+        raise Damaged(f"{name} has {column} {told or 'empty'}, its marks and clicks give {computed}.")

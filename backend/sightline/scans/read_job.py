@@ -1,0 +1,179 @@
+"""Reading a line-scan recording, as a job: both strips become their stored form, all of it or nothing."""
+
+from __future__ import annotations
+
+import shutil
+import tempfile
+from collections.abc import Mapping
+from contextlib import ExitStack
+from pathlib import Path
+from typing import Any
+
+from sqlalchemy.orm import Session
+
+from sightline.errors import NotFound
+from sightline.infra.jobs import registry
+from sightline.infra.jobs.records import Job
+from sightline.infra.jobs.registry import Cancelled, Finish, JobContext
+from sightline.infra.jobs.runner import STOPPED as CANCELLED
+from sightline.infra.services import Services, services_of
+from sightline.media.cancelling import IngestCancelled
+from sightline.media.store.local import key_of
+from sightline.media.strips.reader import Strip, check_pair, open_strip
+from sightline.media.strips.stored_writer import SUFFIX, StoredStrip, store_strip
+from sightline.media.strips.video import cut_strips
+from sightline.scans.records import Scan, StripFacts
+from sightline.scans.service import FIND, READ, tidy
+from sightline.scans.store import get_scan, note_reading_failed, note_scan_read
+
+TIDY = "scan_tidy"
+STOPPED = "The reading was cancelled; start it again or delete the line-scan recording."
+MOST_SATURATED = 0.02
+_READING = "Reading the strips."
+
+
+def mark_failed(session: Session, job: Job, error: str) -> None:
+    """With the job's end: the scan is not ready, and why."""
+    if job.scan_id is None:
+        return
+    try:
+        sentence = STOPPED if error == CANCELLED else error
+        note_reading_failed(session, job.scan_id, sentence, actor=job.created_by)
+    except NotFound:
+        return  # deleted meanwhile
+
+
+@registry.handler(READ, failed=mark_failed)
+def read_scan(context: JobContext) -> Finish:
+    """Write the stored form of both strips. May be killed at any moment: nothing counts before the end."""
+    services = services_of(context)
+    scan_id = context.job.scan_id
+    assert scan_id is not None
+    with services.reading() as session:
+        scan = get_scan(session, scan_id)
+    folder = Path(tempfile.mkdtemp(prefix="scan-", dir=services.scratch))
+    try:
+        facts = _stored(context, services, scan, folder)
+    except IngestCancelled as stopped:
+        raise Cancelled(CANCELLED) from stopped
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+
+    def finish(session: Session) -> Mapping[str, Any]:
+        note_scan_read(session, scan_id, facts, actor=context.actor)
+        place: dict[str, Any] = {"survey_id": scan.survey_id, "actor": context.actor}
+        if scan.source == "strips":
+            registry.enqueue(session, TIDY, {"scan_id": scan_id}, **{**place, "survey_id": None})
+        method = context.payload.get("find")
+        if method:
+            registry.enqueue(session, FIND, {"method": method, "search": True}, scan_id=scan_id, **place)
+        return {"scan_id": scan_id, "lines": facts.lines, "rows_px": facts.rows_px}
+
+    return finish
+
+
+@registry.handler(TIDY)
+def tidy_sources(context: JobContext) -> Mapping[str, Any]:
+    """Delete the files that a scan was read from: its stored form has every pixel of them."""
+    services = services_of(context)
+    try:
+        with services.reading() as session:
+            scan = get_scan(session, int(context.payload["scan_id"]))
+    except NotFound:
+        return {}
+    tidy(services, scan)
+    return {"scan_id": scan.id}
+
+
+def _stored(context: JobContext, services: Services, scan: Scan, folder: Path) -> StripFacts:
+    context.progress(0.0, _READING)
+    with ExitStack() as opened:
+        cutting = 0.5 if scan.source == "video" else 0.0
+        pair = _opened(context, services, scan, folder, cutting)
+        for strip in pair:
+            opened.callback(strip.close)
+        check_pair(*pair)
+        share = (1.0 - cutting) / 2
+        first, second = (
+            _store(context, strip, folder / f"{camera}{SUFFIX}", cutting + camera * share, share)
+            for camera, strip in enumerate(pair)
+        )
+        notes = [*_notes(scan, pair), *_saturation((first, second))]
+    keys = []
+    for one in (first, second):
+        keys.append(key_of(one.sha256, SUFFIX))
+        services.media.put_file(keys[-1], one.path, link=True)
+    return StripFacts(
+        first_key=keys[0],
+        second_key=keys[1],
+        first_sha256=first.sha256,
+        second_sha256=second.sha256,
+        rows_px=first.rows,
+        lines=first.lines,
+        bits=first.bits,
+        notes=notes,
+    )
+
+
+def _opened(
+    context: JobContext, services: Services, scan: Scan, folder: Path, share: float
+) -> tuple[Strip, Strip]:
+    if scan.source == "video":
+        assert scan.recording_id is not None and scan.column_1_px is not None and scan.column_2_px is not None
+        video = services.stills.open(scan.recording_id)
+        return cut_strips(
+            video.media.path,
+            (scan.column_1_px, scan.column_2_px),
+            video.time_s,
+            work_dir=folder,
+            name=video.recording.name,
+            on_progress=lambda fraction: context.progress(share * fraction, "Cutting the strips."),
+            is_cancelled=context.is_cancelled,
+        )
+    keys = (scan.first_source_key, scan.second_source_key)
+    names = (scan.first_name, scan.second_name)
+    strips = []
+    try:
+        for key, name in zip(keys, names, strict=True):
+            assert key is not None and name is not None
+            path = services.media.local_path(key)
+            strips.append(open_strip(path, scan.time_axis, name=name, work_dir=folder))
+    except BaseException:
+        for strip in strips:
+            strip.close()
+        raise
+    return strips[0], strips[1]
+
+
+def _store(context: JobContext, strip: Strip, target: Path, begin: float, share: float) -> StoredStrip:
+    return store_strip(
+        strip,
+        target,
+        lambda fraction: context.progress(min(0.99, begin + share * fraction), _READING),
+        context.is_cancelled,
+    )
+
+
+def _notes(scan: Scan, pair: tuple[Strip, Strip]) -> list[str]:
+    """What the recorder said: lost lines, another line rate than the one that was given."""
+    notes = []
+    for strip in pair:
+        lost = sum(gap.count for gap in strip.notes.dropped)
+        if lost:
+            notes.append(f"The recorder of {strip.name} lost {lost} lines; copies stand in their place.")
+        told = strip.notes.line_rate_hz
+        if told is not None and abs(told / scan.rig.line_rate_hz - 1) > 1e-3:
+            notes.append(
+                f"{strip.name} says that its line rate is {told:g} Hz, and {scan.rig.line_rate_hz:g} Hz was "
+                "given and is used; check which one is right."
+            )
+    return notes
+
+
+def _saturation(stored: tuple[StoredStrip, StoredStrip]) -> list[str]:
+    return [
+        f"{one.saturated:.0%} of camera {camera}'s pixels are as bright as can be, so edges are lost there; "
+        "record with less light or a shorter exposure."
+        for camera, one in enumerate(stored, 1)
+        if one.saturated > MOST_SATURATED
+    ]

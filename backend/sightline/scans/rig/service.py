@@ -1,0 +1,119 @@
+"""What the traffic of a scan says of its rig, beside what was entered; nothing is changed by asking."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from sqlalchemy.orm import Session
+
+from sightline.enums import JsonObject
+from sightline.linescan.rig import Estimate, alone, baseline_ratio, gain, misalignment
+from sightline.scans.records import Scan, ScanValues, ScanVehicle
+from sightline.scans.store import get_scan, rig_columns
+from sightline.scans.vehicles.store import list_scan_vehicles
+
+_GIVEN = (
+    "The misalignment was given, so what the vehicles find leans on it; leave it to the traffic and measure "
+    "again to have it estimated."
+)
+
+
+@dataclass(frozen=True)
+class ImpliedBaseline:
+    """The baseline that makes known sizes come out right; numbers are None where `reason` says why.
+
+    `ratio`: measured over true with the baseline in force. `differs`: by more than twice its uncertainty.
+    """
+
+    of: str
+    ratio: Estimate
+    baseline_m: float | None
+    u_baseline_m: float | None
+    differs: bool
+    words: str
+
+
+@dataclass(frozen=True)
+class RigOfTraffic:
+    """Misalignment in px, gain of camera 2 over camera 1, both baselines, and what the last search saw."""
+
+    misalignment: Estimate
+    gain: Estimate
+    baselines: tuple[ImpliedBaseline, ...]
+    order: str | None
+
+
+def rig_of_traffic(session: Session, scan_id: int) -> RigOfTraffic:
+    """Estimates from the scan's standing vehicles that nobody rejected. Raises NotFound."""
+    scan = get_scan(session, scan_id)
+    vehicles = [one for one in list_scan_vehicles(session, scan_id) if _counts(one)]
+    values = [one.measurement.values for one in vehicles if one.measurement is not None]
+    return RigOfTraffic(
+        _misalignment(values),
+        gain(values),
+        tuple(_implied(scan, vehicles, of) for of in ("wheelbase", "length")),
+        _order(scan),
+    )
+
+
+def _counts(one: ScanVehicle) -> bool:
+    measured = one.measurement
+    return measured is not None and measured.values.status == "ok" and measured.review.verdict != "rejected"
+
+
+def _misalignment(values: Sequence[ScanValues]) -> Estimate:
+    free = [one for one in values if one.rig["misalignment_px"] is None]
+    if values and not free:
+        return Estimate(None, None, None, 0, _GIVEN)
+    return misalignment(free)
+
+
+def _implied(scan: Scan, vehicles: Sequence[ScanVehicle], of: str) -> ImpliedBaseline:
+    """Sizes go with the baseline at the vehicle that they were measured with; each is brought to today's."""
+    in_force = _at_vehicle(rig_columns(scan.rig))
+    rows = []
+    for one in vehicles:
+        assert one.measurement is not None
+        values = one.measurement.values
+        size, true = getattr(values, f"{of}_m"), getattr(one, f"true_{of}_m")
+        if size is None or true is None:
+            continue
+        rig = values.rig
+        u = alone(size, getattr(values, f"u_{of}_m"), rig["baseline_m"], rig["u_baseline_m"])
+        scale = in_force / _at_vehicle(rig)
+        rows.append((scale * size, scale * u, true, getattr(one, f"u_true_{of}_m") or 0.0))
+    ratio = baseline_ratio(*([row[k] for row in rows] for k in range(4)))
+    if ratio.value is None or ratio.u is None:
+        return ImpliedBaseline(of, ratio, None, None, False, ratio.reason or "")
+    implied, opening = in_force / ratio.value, in_force - scan.rig.baseline_m
+    u = implied * ratio.u / ratio.value
+    return ImpliedBaseline(of, ratio, implied - opening, u, ratio.warning is not None, _words(of, ratio))
+
+
+def _at_vehicle(rig: JsonObject) -> float:
+    """The baseline at the vehicles, the planes' divergence included, m."""
+    return float(rig["baseline_m"] + rig["divergence_rad"] * (rig["distance_m"] or 0.0))
+
+
+def _words(of: str, ratio: Estimate) -> str:
+    assert ratio.value is not None and ratio.u is not None
+    off, u = 100 * abs(ratio.value - 1), 100 * ratio.u
+    which = f"{ratio.n} {of}s"
+    if ratio.warning is None:
+        return f"{which} of known vehicles agree with the baseline entered to {2 * u:.2f} % (95 %)."
+    longer = ratio.value > 1
+    said = (
+        f"{which} of known vehicles come out {off:.2f} % {'longer' if longer else 'shorter'} than they are "
+        f"(u {u:.2f} %): a {'shorter' if longer else 'longer'} baseline would fit them. Measure it again."
+    )
+    if of == "length":
+        said += " A shadow lengthens a vehicle too; wheelbases carry none."
+    return said
+
+
+def _order(scan: Scan) -> str | None:
+    """Whether the strips are swapped, as the last search told it."""
+    if scan.run is None:
+        return None
+    return next((one for one in scan.run.warnings if "the strips are swapped" in one), None)

@@ -1,0 +1,230 @@
+"""Line-scan recordings: made of uploaded strips or of a video's columns, changed, deleted; strips opened.
+
+Finding and measuring their vehicles is in `scanning_find` and `scanning_measuring`.
+"""
+
+from __future__ import annotations
+
+from sqlalchemy.orm import Session
+
+from sightline.enums import Lighting, TimeAxis
+from sightline.errors import BadInput, Conflict
+from sightline.infra.jobs import registry
+from sightline.infra.jobs.records import Job
+from sightline.infra.jobs.store import latest_jobs_of_scans
+from sightline.infra.services import Services
+from sightline.linescan.parts import Method, Rig
+from sightline.media.strips.stored_reader import StripReader, StripShelf
+from sightline.recordings.store import get_recording, recording_media_in_use
+from sightline.recordings.uploads.records import Upload
+from sightline.recordings.uploads.store import get_upload, upload_content_waits
+from sightline.scans import store
+from sightline.scans.records import ColumnSource, Scan, StripSource
+from sightline.scans.swap_store import swap_scan_cameras
+
+READ = "scan_read"
+FIND = "scan_find"
+# Stored forms go by the hash of their content, so a path means the same strip for ever.
+_SHELF = StripShelf()
+
+
+def create_from_strips(
+    session: Session,
+    survey_id: int,
+    *,
+    name: str | None,
+    first_upload: int,
+    second_upload: int,
+    time_axis: TimeAxis,
+    rig: Rig,
+    lighting: Lighting | None,
+    find: Method | None,
+    actor: int,
+) -> Scan:
+    """A scan of two strips that were uploaded, its reading queued; then `find` looks for vehicles.
+
+    Raises NotFound, Conflict for an upload that is not whole or belongs to a scan already, BadInput.
+    """
+    if first_upload == second_upload:
+        raise BadInput("Both cameras name the same upload; upload a strip for each.")
+    first = _strip(session, survey_id, first_upload, "first")
+    second = _strip(session, survey_id, second_upload, "second")
+    if first.sha256 == second.sha256:
+        raise BadInput(f"{first.name} and {second.name} are the same picture; give the strip of each camera.")
+    made = store.create_scan(
+        session,
+        survey_id,
+        name=name or first.name,
+        source=(first, second),
+        time_axis=time_axis,
+        rig=rig,
+        lighting=lighting,
+        actor=actor,
+    )
+    queue_reading(session, made, find, actor)
+    return store.get_scan(session, made.id)
+
+
+def create_from_video(
+    session: Session,
+    survey_id: int,
+    *,
+    name: str | None,
+    source: ColumnSource,
+    baseline_m: float,
+    u_baseline_m: float,
+    lighting: Lighting | None,
+    find: Method | None,
+    actor: int,
+) -> Scan:
+    """A scan cut from a video along two pixel columns; its line rate is the video's frame rate."""
+    recording = get_recording(session, source.recording_id)
+    if recording.state != "ready" or not recording.width_px:
+        raise BadInput(f"{recording.name} has no frames yet; wait until it is ready.")
+    rate_hz = recording.report.get("rate_hz")
+    if recording.vfr or not rate_hz:
+        raise BadInput(
+            f"{recording.name} has frames at uneven times, and a line scan needs a steady rate; "
+            "record at a constant frame rate."
+        )
+    columns = (source.column_1_px, source.column_2_px)
+    if columns[0] == columns[1] or not all(0 <= one < recording.width_px for one in columns):
+        raise BadInput(
+            f"Columns {columns[0]} and {columns[1]} cannot be cut; choose two different ones from 0 to "
+            f"{recording.width_px - 1}."
+        )
+    made = store.create_scan(
+        session,
+        survey_id,
+        name=name or f"{recording.name}, columns {columns[0]} and {columns[1]}",
+        source=source,
+        time_axis="width",
+        rig=Rig(baseline_m=baseline_m, line_rate_hz=float(rate_hz), u_baseline_m=u_baseline_m),
+        lighting=lighting or recording.lighting,
+        actor=actor,
+    )
+    queue_reading(session, made, find, actor)
+    return store.get_scan(session, made.id)
+
+
+def queue_reading(session: Session, scan: Scan, find: Method | None, actor: int | None) -> Job:
+    """Queue the reading of a scan's strips in the caller's transaction."""
+    payload = {"find": find}
+    return registry.enqueue(session, READ, payload, survey_id=scan.survey_id, scan_id=scan.id, actor=actor)
+
+
+def retry_reading(session: Session, scan_id: int, actor: int) -> Job:
+    """Read the strips again after a failed or cancelled reading. Raises Conflict where there is no need."""
+    scan = store.get_scan(session, scan_id)
+    if scan.state == "ready":
+        raise Conflict(f"{scan.name} was read already; nothing is to be done.")
+    require_idle(session, scan)
+    find = (scan.job.payload.get("find") if scan.job else None) or None
+    scan = store.restart_reading(session, scan_id, actor=actor)
+    return queue_reading(session, scan, find, actor)
+
+
+def request_find(session: Session, scan_id: int, method: Method, search: bool, *, actor: int | None) -> Job:
+    """Queue the search for vehicles (or, without `search`, the measuring again of the known ones).
+
+    Raises NotFound, BadInput (not read yet), Conflict while one waits or runs.
+    """
+    scan = store.get_scan(session, scan_id)
+    require_ready(scan)
+    require_idle(session, scan)
+    payload = {"method": method, "search": search}
+    return registry.enqueue(session, FIND, payload, survey_id=scan.survey_id, scan_id=scan_id, actor=actor)
+
+
+def swap_cameras(session: Session, scan_id: int, *, version: int, actor: int) -> Scan:
+    """Exchange the cameras and queue the search that puts the vehicles right.
+
+    Raises NotFound, Conflict (as `scans_swap.swap_cameras`, or a job of it waits or runs).
+    """
+    scan = store.get_scan(session, scan_id)
+    require_idle(session, scan)
+    swap_scan_cameras(session, scan_id, version=version, actor=actor)
+    method: Method = "direct" if scan.run is None else scan.run.method
+    request_find(session, scan_id, method, True, actor=actor)
+    return store.get_scan(session, scan_id)
+
+
+def shows(scan: Scan, line: float, row_px: float) -> bool:
+    """Whether a place lies within the strips."""
+    return -0.5 <= line <= (scan.lines or 0) and -0.5 <= row_px <= (scan.rows_px or 0)
+
+
+def require_ready(scan: Scan) -> None:
+    """Raises BadInput while a scan has no strips to look at."""
+    if scan.state == "failed":
+        raise BadInput(f"{scan.name} could not be read; see its error and try again.")
+    if scan.state != "ready":
+        raise BadInput(f"{scan.name} is still being read; wait until it is ready.")
+
+
+def require_idle(session: Session, scan: Scan) -> None:
+    """Raises Conflict while a job of this scan waits or runs."""
+    job = latest_jobs_of_scans(session, [scan.id]).get(scan.id)
+    if job is not None and job.state in ("queued", "running"):
+        what = "being read" if job.kind == READ else "being searched for vehicles"
+        raise Conflict(f"{scan.name} is {what} already; wait for that or cancel it.")
+
+
+def remove_scan(services: Services, scan_id: int, actor: int) -> None:
+    """Delete a scan on which nobody worked, and the files that nothing else needs.
+
+    Raises NotFound, Conflict (worked on, or a job of it runs).
+    """
+    with services.writing() as session:
+        scan = store.get_scan(session, scan_id)
+        require_idle(session, scan)
+        store.remove_scan(session, scan_id, actor=actor)
+    tidy(services, scan)
+
+
+def tidy(services: Services, scan: Scan) -> None:
+    """Delete those files of a scan that no scan or waiting upload needs any more."""
+    sources = (
+        (scan.first_source_key, scan.first_source_sha256),
+        (scan.second_source_key, scan.second_source_sha256),
+    )
+    tiled = ((scan.first_key, scan.first_sha256), (scan.second_key, scan.second_sha256))
+    # Nobody can begin to need a file while the lock is held.
+    with services.writing() as session:
+        for key, sha256 in (*sources, *tiled):
+            if key is None or sha256 is None:
+                continue
+            needed = store.scan_media_in_use(session, key) or recording_media_in_use(session, key)
+            if not needed and not upload_content_waits(session, sha256):
+                services.media.delete(key)
+
+
+def _strip(session: Session, survey_id: int, upload_id: int, word: str) -> StripSource:
+    upload = get_upload(session, upload_id)
+    if upload.survey_id != survey_id:
+        raise BadInput(f"The {word} strip was uploaded to another survey; upload it to this one.")
+    if upload.purpose != "strip":
+        raise BadInput(f"{upload.filename} was uploaded as a video; upload it again as a strip.")
+    if upload.scan_id is not None:
+        raise Conflict(f"{upload.filename} belongs to a line-scan recording already; upload it again.")
+    return _arrived(upload, word)
+
+
+def _arrived(upload: Upload, word: str) -> StripSource:
+    if upload.finished_at is None or upload.sha256 is None:
+        raise Conflict(f"The {word} strip, {upload.filename}, has not arrived whole yet; finish its upload.")
+    return StripSource(upload.filename, upload.media_key, upload.sha256, upload.id)
+
+
+def open_strips(services: Services, scan: Scan) -> tuple[StripReader, StripReader]:
+    """Readers of both stored strips. Raises BadInput until the scan is ready, NotFound, Damaged."""
+    return open_strip(services, scan, 1), open_strip(services, scan, 2)
+
+
+def open_strip(services: Services, scan: Scan, camera: int) -> StripReader:
+    """The reader of one camera's stored strip (1 or 2)."""
+    require_ready(scan)
+    key = scan.first_key if camera == 1 else scan.second_key
+    assert key is not None
+    path = services.media.local_path(key)
+    return _SHELF.reader(path, f"camera {camera} of {scan.name}")

@@ -1,0 +1,151 @@
+"""Statistics of a survey's line scans."""
+
+from typing import Annotated, Any
+
+from fastapi import APIRouter, Query
+from pydantic import Field
+
+from sightline.infra.web.bodies import Out
+from sightline.infra.web.deps import PathId, Reading, Viewer
+from sightline.results.bodies import DensityBody, EcdfBody, FigureBody, PercentileBody, ReasonBody
+from sightline.scans.rig.bodies import RigEstimateBody
+from sightline.scans.statistics.figures import scan_statistics
+from sightline.scans.statistics.paper import NOTE, TABLE_I
+from sightline.scans.statistics.service import ScanStatistics, Spread
+from sightline.statistics.distributions import Density, Ecdf
+from sightline.statistics.errors import ErrorGroup
+from sightline.surveys.store import get_survey
+
+router = APIRouter()
+_RATIO = "Measured over true, by weighted mean: 1.01 says that the baseline is 1 % too long."
+NOTHING = "No vehicle has this value."
+
+
+class ScanErrorGroupBody(Out):
+    """Errors of one lighting, metres: measured minus the maker's; Pearson's against the maker's value."""
+
+    group: str
+    n: int
+    figures: dict[str, FigureBody]
+    reason: str | None
+
+
+class ScanSpreadBody(Out):
+    """The distribution of one quantity over the vehicles, in its unit."""
+
+    quantity: str
+    unit: str
+    n: int
+    mean: float | None
+    sd: float | None
+    ecdf: EcdfBody | ReasonBody
+    density: DensityBody | ReasonBody
+    percentiles: list[PercentileBody]
+
+
+class ScanRowBody(Out):
+    """A vehicle in the layout of the paper's Table I."""
+
+    vehicle_id: int
+    scan_id: int
+    number: int
+    speed_mps: float | None
+    acceleration_mps2: float | None
+    length_m: float | None
+    true_length_m: float | None
+    fit_error_percent: float | None
+
+
+class PaperCarBody(Out):
+    """A row of the paper's Table I as printed; the length's error is not printed there."""
+
+    car_id: int
+    speed_kmh: float
+    acceleration_mps2: float
+    size_m: float
+    counter: str | None
+    true_length_m: float
+    fit_error_percent: float
+    length_error_m: float
+
+
+class ScanStatisticsBody(Out):
+    scans: int
+    counted: dict[str, int]
+    length_errors: list[ScanErrorGroupBody]
+    wheelbase_errors: list[ScanErrorGroupBody]
+    length_ratio: RigEstimateBody = Field(description=_RATIO)
+    wheelbase_ratio: RigEstimateBody = Field(description=_RATIO)
+    spreads: list[ScanSpreadBody] = Field(description="Speed, length, time gap, distance gap, headway.")
+    table: list[ScanRowBody]
+    paper: list[PaperCarBody]
+    paper_note: str
+
+
+@router.get("/surveys/{survey_id}/scan-statistics")
+def get_scan_statistics(
+    survey_id: PathId,
+    who: Viewer,
+    session: Reading,
+    accepted_only: Annotated[bool, Query(description="false: those that wait for a review too.")] = True,
+) -> ScanStatisticsBody:
+    """Errors of length and wheelbase, distributions of speed and gaps, the paper's Table I beside it."""
+    get_survey(session, survey_id)
+    return _body(scan_statistics(session, survey_id, accepted_only=accepted_only))
+
+
+def _body(found: ScanStatistics) -> ScanStatisticsBody:
+    return ScanStatisticsBody(
+        scans=found.scans,
+        counted=found.counted,
+        length_errors=_errors(found.length_errors),
+        wheelbase_errors=_errors(found.wheelbase_errors),
+        length_ratio=RigEstimateBody.model_validate(found.length_ratio),
+        wheelbase_ratio=RigEstimateBody.model_validate(found.wheelbase_ratio),
+        spreads=[_spread(one) for one in found.spreads],
+        table=[ScanRowBody.model_validate(one) for one in found.table],
+        paper=[PaperCarBody.model_validate(one) for one in TABLE_I],
+        paper_note=NOTE,
+    )
+
+
+def _errors(groups: dict[str, ErrorGroup]) -> list[ScanErrorGroupBody]:
+    return [
+        ScanErrorGroupBody(
+            group=name, n=one.n, reason=one.reason, figures={key: _figure(one, key) for key in one.figures}
+        )
+        for name, one in groups.items()
+    ]
+
+
+def _figure(group: ErrorGroup, name: str) -> FigureBody:
+    ci95 = group.ci95[name]
+    within: Any = None if ci95 is None else {"low": ci95.low, "high": ci95.high}
+    return FigureBody(value=group.figures[name], ci95=within, reason=group.reason)
+
+
+def _spread(one: Spread) -> ScanSpreadBody:
+    return ScanSpreadBody(
+        quantity=one.quantity,
+        unit=one.unit,
+        n=one.n,
+        mean=one.mean,
+        sd=one.sd,
+        ecdf=_ecdf(one.ecdf),
+        density=_density(one.density),
+        percentiles=[PercentileBody.model_validate(each) for each in one.percentiles],
+    )
+
+
+def _ecdf(found: Ecdf | None) -> EcdfBody | ReasonBody:
+    if found is None:
+        return ReasonBody(reason=NOTHING)
+    columns = {name: getattr(found, name).tolist() for name in ("value", "share", "low", "high")}
+    return EcdfBody(n=found.n, **columns)
+
+
+def _density(found: Density | str) -> DensityBody | ReasonBody:
+    if isinstance(found, str):
+        return ReasonBody(reason=found)
+    columns = {name: getattr(found, name).tolist() for name in ("value", "density", "low", "high")}
+    return DensityBody(n=found.n, bandwidth=found.bandwidth, **columns)

@@ -1,0 +1,205 @@
+"""What a survey's scanned vehicles say together, from the database or from a package: pure of where they are.
+
+Errors of length and wheelbase against the catalogue, what known sizes say of the baseline, distributions of
+speeds, lengths and gaps, the layout of the paper's Table I.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from sightline.linescan.rig import Estimate, alone, baseline_ratio
+from sightline.statistics.distributions import (
+    Density,
+    Ecdf,
+    Floats,
+    Percentile,
+    density,
+    ecdf,
+    percentiles,
+    sorted_values,
+)
+from sightline.statistics.errors import ErrorGroup, error_table
+
+#: Of a motion and of the gap before it, what the statistics use.
+MOTION = (
+    "speed_mps",
+    "acceleration_mps2",
+    "length_m",
+    "u_length_m",
+    "wheelbase_m",
+    "u_wheelbase_m",
+    "fit_error_percent",
+)
+GAPS = ("time_gap_s", "distance_gap_m", "headway_s")
+#: What is distributed: its unit.
+QUANTITIES = {"speed": "m/s", "length": "m", "time_gap": "s", "distance_gap": "m", "headway": "s"}
+
+
+@dataclass(frozen=True)
+class Seen:
+    """A vehicle as the statistics see it: its standing motion, the gap before it, what is known of it.
+
+    `state`: to_review, accepted, rejected, not_measurable; `measured`: it has a motion. `rig_*`: the baseline
+    that this motion was computed with. None where there is no value. `known`: the maker's sizes.
+    """
+
+    vehicle_id: int
+    scan_id: int
+    number: int
+    state: str
+    measured: bool
+    lighting: str
+    values: dict[str, float | None] = field(default_factory=dict)
+    known: dict[str, float | None] = field(default_factory=dict)
+    rig_baseline_m: float = 1.0
+    rig_u_baseline_m: float = 0.0
+    status: str = "ok"
+    reason: str | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Spread:
+    """The distribution of one quantity; without values all parts are empty."""
+
+    quantity: str
+    unit: str
+    n: int
+    mean: float | None
+    sd: float | None
+    ecdf: Ecdf | None
+    density: Density | str
+    percentiles: list[Percentile]
+
+
+@dataclass(frozen=True)
+class Row:
+    """A vehicle in the layout of the paper's Table I."""
+
+    vehicle_id: int
+    scan_id: int
+    number: int
+    speed_mps: float | None
+    acceleration_mps2: float | None
+    length_m: float | None
+    true_length_m: float | None
+    fit_error_percent: float | None
+    status: str
+    reason: str | None
+
+
+@dataclass(frozen=True, eq=False)
+class ScanStatistics:
+    """Everything that is shown; `counted`: vehicles by what was done with them."""
+
+    scans: int
+    counted: dict[str, int]
+    length_errors: dict[str, ErrorGroup]
+    wheelbase_errors: dict[str, ErrorGroup]
+    length_ratio: Estimate
+    wheelbase_ratio: Estimate
+    spreads: tuple[Spread, ...]
+    table: tuple[Row, ...]
+
+
+def statistics_of_seen(found: Sequence[Seen], *, accepted_only: bool) -> ScanStatistics:
+    """Statistics of these vehicles; rejected ones never count, unreviewed ones where asked for.
+
+    A gap counts where the vehicle behind it does.
+    """
+    chosen = [one for one in found if _counts(one, accepted_only)]
+    states = [one.state for one in found]
+    names = ("to_review", "accepted", "rejected", "not_measurable")
+    counted = {"vehicles": len(found), "used": len(chosen), **{name: states.count(name) for name in names}}
+    return ScanStatistics(
+        scans=len({one.scan_id for one in found}),
+        counted=counted,
+        length_errors=_errors(chosen, "length_m"),
+        wheelbase_errors=_errors(chosen, "wheelbase_m"),
+        length_ratio=_ratio(chosen, "length_m"),
+        wheelbase_ratio=_ratio(chosen, "wheelbase_m"),
+        spreads=tuple(
+            _spread(name, unit, [v for one in chosen if (v := one.values.get(_NAMED[name])) is not None])
+            for name, unit in QUANTITIES.items()
+        ),
+        table=tuple(_row(one) for one in chosen),
+    )
+
+
+_NAMED = {
+    "speed": "speed_mps",
+    "length": "length_m",
+    "time_gap": "time_gap_s",
+    "distance_gap": "distance_gap_m",
+    "headway": "headway_s",
+}
+
+
+def _counts(one: Seen, accepted_only: bool) -> bool:
+    return one.measured and one.state in (("accepted",) if accepted_only else ("accepted", "to_review"))
+
+
+def _spread(name: str, unit: str, values: Sequence[float]) -> Spread:
+    ordered: Floats = sorted_values(np.array(values, dtype=np.float64))
+    n = len(ordered)
+    return Spread(
+        name,
+        unit,
+        n,
+        float(ordered.mean()) if n else None,
+        float(ordered.std(ddof=1)) if n > 1 else None,
+        ecdf(ordered),
+        density(ordered),
+        percentiles(ordered),
+    )
+
+
+@dataclass(frozen=True)
+class _Pair:
+    """A measured and a true length with their uncertainties, and the lighting."""
+
+    measured_m: float
+    u_measured_m: float
+    true_m: float
+    u_true_m: float
+    lighting: str
+
+
+def _pairs(chosen: Iterable[Seen], name: str) -> list[_Pair]:
+    """Vehicles that have both; the measured one's uncertainty without the baseline's, which is common."""
+    out = []
+    for one in chosen:
+        true, value = one.known.get(name), one.values.get(name)
+        if true is None or value is None:
+            continue
+        u = alone(value, one.values.get(f"u_{name}"), one.rig_baseline_m, one.rig_u_baseline_m)
+        out.append(_Pair(value, u, true, one.known.get(f"u_{name}") or 0.0, one.lighting))
+    return out
+
+
+def _errors(chosen: Sequence[Seen], name: str) -> dict[str, ErrorGroup]:
+    pairs = _pairs(chosen, name)
+    measured, true = [one.measured_m for one in pairs], [one.true_m for one in pairs]
+    return error_table(measured, true, [one.lighting for one in pairs], "none")
+
+
+def _ratio(chosen: Sequence[Seen], name: str) -> Estimate:
+    """Measured over true, which tells of a wrong baseline."""
+    pairs = _pairs(chosen, name)
+    return baseline_ratio(
+        [one.measured_m for one in pairs],
+        [one.u_measured_m for one in pairs],
+        [one.true_m for one in pairs],
+        [one.u_true_m for one in pairs],
+    )
+
+
+def _row(one: Seen) -> Row:
+    motion = ("speed_mps", "acceleration_mps2", "length_m")
+    speed, acceleration, length = (one.values.get(name) for name in motion)
+    fit = one.values.get("fit_error_percent")
+    place = (one.vehicle_id, one.scan_id, one.number)
+    return Row(*place, speed, acceleration, length, one.known.get("length_m"), fit, one.status, one.reason)

@@ -1,0 +1,237 @@
+"""Line-scan recordings: from two strips (or two columns of a video) through reading to use."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict
+from typing import Any, cast
+
+from sqlalchemy import ColumnElement, or_, select
+from sqlalchemy import update as sql_update
+from sqlalchemy.orm import Session
+
+from sightline.enums import Lighting, TimeAxis
+from sightline.errors import BadInput, Conflict
+from sightline.infra.audit import trail
+from sightline.infra.database.rows import add_row, change_row, get_row, name_of, names, who
+from sightline.infra.database.types import now
+from sightline.infra.jobs.store import latest_jobs_of_scans
+from sightline.linescan.parts import Rig
+from sightline.recordings.tables import recordings
+from sightline.recordings.uploads.tables import uploads
+from sightline.scans.heights.tables import line_heights, line_poses
+from sightline.scans.records import ColumnSource, Scan, ScanChanges, ScanCounts, StripFacts, StripSource
+from sightline.scans.tables import scan_measurements, scan_reviews, scan_vehicles, scans
+from sightline.scans.vehicles.run_store import latest_scan_runs
+from sightline.scans.vehicles.store import counts_of_scans
+from sightline.surveys.tables import surveys
+
+RIG = (
+    "baseline_m",
+    "line_rate_hz",
+    "u_baseline_m",
+    "u_line_rate_ratio",
+    "divergence_rad",
+    "u_divergence_rad",
+    "distance_m",
+    "misalignment_px",
+    "u_misalignment_px",
+)
+_ALIVE: ColumnElement[bool] = scans.c.deleted_at.is_(None)
+_CHANGEABLE = frozenset(ScanChanges.__annotations__)
+_DERIVED = ("rig", "job", "counts", "run", "created_by", "updated_by")
+_NAMED = [name for name in Scan.__slots__ if name not in _DERIVED]
+
+
+def create_scan(
+    session: Session,
+    survey_id: int,
+    *,
+    name: str,
+    source: tuple[StripSource, StripSource] | ColumnSource,
+    time_axis: TimeAxis,
+    rig: Rig,
+    lighting: Lighting | None = None,
+    actor: int | None,
+) -> Scan:
+    """A scan whose strips are stored and whose reading is to come (state "reading").
+
+    Strips that came as uploads belong to it from then on. Raises BadInput for things of another survey.
+    """
+    get_row(session, surveys, survey_id, "survey")
+    check_rig(rig)
+    content: dict[str, Any] = {"survey_id": survey_id, "name": name.strip() or "line scan"}
+    content |= {"time_axis": time_axis, "lighting": lighting, **rig_columns(rig)}
+    if isinstance(source, ColumnSource):
+        recording = get_row(session, recordings, source.recording_id, "recording")
+        if recording["survey_id"] != survey_id:
+            raise BadInput("The recording belongs to another survey; choose one of this survey's.")
+        content |= {"source": "video", "first_source_sha256": recording["sha256"], **asdict(source)}
+    else:
+        for word, one in zip(("first", "second"), source, strict=True):
+            content |= {f"{word}_name": one.name, f"{word}_source_key": one.media_key}
+            content[f"{word}_source_sha256"] = one.sha256
+        content["source"] = "strips"
+    moment = now()
+    stamps = {"version": 1, "created_at": moment, "created_by": actor}
+    stamps |= {"updated_at": moment, "updated_by": actor, "state": "reading", "notes": []}
+    scan_id = add_row(session, scans, {**content, **stamps})
+    if not isinstance(source, ColumnSource):
+        ids = [one.upload_id for one in source if one.upload_id is not None]
+        session.execute(sql_update(uploads).where(uploads.c.id.in_(ids)).values(scan_id=scan_id))
+    trail.record(session, actor, "create", "scan", scan_id, survey_id, None, content)
+    return get_scan(session, scan_id)
+
+
+def get_scan(session: Session, scan_id: int) -> Scan:
+    """One scan with its latest job and run. Raises NotFound (also when it was deleted)."""
+    return _scans(session, [_row(session, scan_id)])[0]
+
+
+def list_scans(session: Session, survey_id: int) -> tuple[Scan, ...]:
+    """The scans of a survey, in the order in which they came."""
+    query = select(scans).where(scans.c.survey_id == survey_id, _ALIVE).order_by(scans.c.id)
+    return _scans(session, [dict(row) for row in session.execute(query).mappings()])
+
+
+def note_scan_read(session: Session, scan_id: int, facts: StripFacts, *, actor: int | None) -> Scan:
+    """Both tiled forms are stored; the scan is ready. May be repeated."""
+    before = _row(session, scan_id)
+    values = {**asdict(facts), "state": "ready", "error": None}
+    change_row(session, scans, scan_id, values)
+    then = {"state": before["state"]}
+    trail.record(session, actor, "read", "scan", scan_id, before["survey_id"], then, values)
+    return get_scan(session, scan_id)
+
+
+def note_reading_failed(session: Session, scan_id: int, error: str, *, actor: int | None) -> Scan:
+    """The strips cannot be used; `error` is the sentence that says why."""
+    return _state(session, scan_id, "failed", error, "reading_failed", actor)
+
+
+def restart_reading(session: Session, scan_id: int, *, actor: int | None) -> Scan:
+    """Back to "reading" for another try."""
+    return _state(session, scan_id, "reading", None, "restart_reading", actor)
+
+
+def update_scan(
+    session: Session, scan_id: int, changes: ScanChanges, *, version: int, actor: int | None
+) -> Scan:
+    """Change name, lighting or values of the rig. What was measured stays, with the rig that it had.
+
+    Raises Conflict, naming who and when, if `version` is not the current one; BadInput.
+    """
+    before = _row(session, scan_id)
+    if before["version"] != version:
+        name, when = name_of(session, before["updated_by"]), f"{before['updated_at']:%Y-%m-%d %H:%M:%S} UTC"
+        raise Conflict(f"{name} changed {before['name']} at {when}; look again and redo yours.")
+    change: dict[str, Any] = dict(changes)
+    unknown = set(change) - _CHANGEABLE
+    if unknown:
+        raise BadInput(f"A scan's {', '.join(sorted(unknown))} cannot be changed; leave it out.")
+    if "name" in change and not str(change["name"]).strip():
+        raise BadInput("A scan needs a name; fill it in.")
+    check_rig(Rig(**{key: change.get(key, before[key]) for key in RIG}))
+    change_row(
+        session,
+        scans,
+        scan_id,
+        {**change, "version": version + 1, "updated_at": now(), "updated_by": actor},
+    )
+    what = trail.changed(before, change, change)
+    trail.record(session, actor, "update", "scan", scan_id, before["survey_id"], *what)
+    return get_scan(session, scan_id)
+
+
+def remove_scan(session: Session, scan_id: int, *, actor: int | None) -> Scan:
+    """Delete (softly) a scan on which nobody worked yet; its vehicles leave all lists with it.
+
+    Raises Conflict where a person placed boundaries, filled in facts, calibrated, measured a height or gave
+    a verdict. The caller removes the files that `media_in_use` says nothing needs.
+    """
+    gone = get_scan(session, scan_id)
+    if scan_worked_on(session, scan_id):
+        raise Conflict("People have worked on this scan's vehicles, so it stays; an audit needs its strips.")
+    change_row(session, scans, scan_id, {"deleted_at": now()})
+    before = {"name": gone.name, "deleted": False}
+    trail.record(session, actor, "delete", "scan", scan_id, gone.survey_id, before, {"deleted": True})
+    return gone
+
+
+def scan_media_in_use(session: Session, media_key: str) -> bool:
+    """Whether a scan that was not deleted still needs this file: a tiled form, or a strip yet to be read."""
+    sources = (scans.c.first_source_key == media_key) | (scans.c.second_source_key == media_key)
+    used = or_(scans.c.first_key == media_key, scans.c.second_key == media_key, sources & _unread)
+    return session.execute(select(scans.c.id).where(used, _ALIVE).limit(1)).first() is not None
+
+
+_unread: ColumnElement[bool] = scans.c.state != "ready"
+
+
+def check_rig(rig: Rig) -> None:
+    """Raises BadInput where a value of the rig cannot be."""
+    if not 0 < rig.baseline_m <= 1000:
+        raise BadInput(f"A baseline of {rig.baseline_m:g} m cannot be; give it in metres, as in 0.593.")
+    if not 0 < rig.line_rate_hz <= 1e7:
+        raise BadInput(f"A line rate of {rig.line_rate_hz:g} Hz cannot be; give it in lines a second.")
+    for name in ("u_baseline_m", "u_line_rate_ratio", "u_divergence_rad", "u_misalignment_px"):
+        if not getattr(rig, name) >= 0:
+            raise BadInput(f"The uncertainty {name} cannot be negative; give its standard uncertainty.")
+    if rig.distance_m is not None and not rig.distance_m > 0:
+        raise BadInput("The distance to the vehicles must be more than 0 m; leave it out if it is not known.")
+
+
+def rig_columns(rig: Rig) -> dict[str, Any]:
+    """The rig as it is stored and compared."""
+    return {name: getattr(rig, name) for name in RIG}
+
+
+def _state(
+    session: Session, scan_id: int, state: str, error: str | None, action: str, actor: int | None
+) -> Scan:
+    before = _row(session, scan_id)
+    change_row(session, scans, scan_id, {"state": state, "error": error})
+    then, after = {"state": before["state"]}, {"state": state, "error": error}
+    trail.record(session, actor, action, "scan", scan_id, before["survey_id"], then, after)
+    return get_scan(session, scan_id)
+
+
+def _row(session: Session, scan_id: int) -> dict[str, Any]:
+    return get_row(session, scans, scan_id, "line-scan recording", _ALIVE)
+
+
+def scan_worked_on(session: Session, scan_id: int) -> bool:
+    """Whether a person placed, filled in, calibrated, measured or judged something of this scan."""
+    placed = select(scan_measurements.c.id).where(
+        scan_measurements.c.scan_id == scan_id, scan_measurements.c.placed_by.is_not(None)
+    )
+    judged = (
+        select(scan_reviews.c.id)
+        .join(scan_measurements, scan_measurements.c.id == scan_reviews.c.measurement_id)
+        .where(scan_measurements.c.scan_id == scan_id)
+    )
+    filled = select(scan_vehicles.c.id).where(
+        scan_vehicles.c.scan_id == scan_id,
+        (scan_vehicles.c.make.is_not(None)) | (scan_vehicles.c.true_length_m.is_not(None)),
+    )
+    rods, heights = (select(one.c.id).where(one.c.scan_id == scan_id) for one in (line_poses, line_heights))
+    found = (placed, judged, filled, rods, heights)
+    return any(session.execute(one.limit(1)).first() is not None for one in found)
+
+
+def _scans(session: Session, rows: Sequence[Mapping[str, Any]]) -> tuple[Scan, ...]:
+    ids = [row["id"] for row in rows]
+    latest, runs = latest_jobs_of_scans(session, ids), latest_scan_runs(session, ids)
+    people = names(session, [row[key] for row in rows for key in ("created_by", "updated_by")])
+    rigs = {row["id"]: Rig(**{key: row[key] for key in RIG}) for row in rows}
+    counted = counts_of_scans(session, {key: rig_columns(rig) for key, rig in rigs.items()})
+    return tuple(
+        Scan(
+            rig=rigs[row["id"]],
+            job=latest.get(row["id"]),
+            run=runs.get(row["id"]),
+            counts=counted.get(row["id"], ScanCounts()),
+            created_by=who(row["created_by"], people.get(cast(int, row["created_by"]))),
+            updated_by=who(row["updated_by"], people.get(cast(int, row["updated_by"]))),
+            **{name: row[name] for name in _NAMED},
+        )
+        for row in rows
+    )

@@ -1,0 +1,48 @@
+"""Exchanging the two cameras of a scan whose strips were given the wrong way round."""
+
+from sqlalchemy.orm import Session
+
+from sightline.errors import Conflict
+from sightline.infra.audit import trail
+from sightline.infra.database.rows import change_row, get_row, name_of
+from sightline.infra.database.types import now
+from sightline.scans.records import Scan
+from sightline.scans.store import get_scan, scan_worked_on
+from sightline.scans.tables import scans as table
+
+_PAIRS = (
+    ("column_1_px", "column_2_px"),
+    *(
+        (f"first_{word}", f"second_{word}")
+        for word in ("name", "source_key", "source_sha256", "key", "sha256")
+    ),
+)
+
+
+def swap_scan_cameras(session: Session, scan_id: int, *, version: int, actor: int | None) -> Scan:
+    """What was camera 2 is camera 1 from now on. Vehicles must be found again; until then theirs are wrong.
+
+    Raises NotFound, Conflict (another's change in between; not read yet; people have worked on it: their
+    boundaries belong to the order in which they were placed).
+    """
+    scan = get_scan(session, scan_id)
+    if scan.version != version:
+        before = get_row(session, table, scan_id, "line-scan recording")
+        raise Conflict(f"{name_of(session, before['updated_by'])} changed {scan.name}; look again.")
+    if scan.state != "ready":
+        raise Conflict(f"{scan.name} has not been read yet; wait until it is ready.")
+    if scan_worked_on(session, scan_id):
+        raise Conflict(
+            f"People have worked on {scan.name}, so its cameras stay; add a line scan with the strips the "
+            "other way round."
+        )
+    row = get_row(session, table, scan_id, "line-scan recording")
+    change = {name: row[other] for pair in _PAIRS for name, other in (pair, pair[::-1])}
+    if row["misalignment_px"] is not None:
+        change["misalignment_px"] = -row["misalignment_px"]
+    stamps = {"version": version + 1, "updated_at": now(), "updated_by": actor}
+    change_row(session, table, scan_id, {**change, **stamps})
+    trail.record(
+        session, actor, "swap_cameras", "scan", scan_id, scan.survey_id, *trail.changed(row, change, change)
+    )
+    return get_scan(session, scan_id)

@@ -1,0 +1,248 @@
+"""Finding and measuring the vehicles of a scan, as a job; what people placed or took out stays as it is."""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from sqlalchemy.orm import Session
+
+from sightline.enums import Cause, JsonObject
+from sightline.infra.jobs import registry
+from sightline.infra.jobs.registry import Finish, JobContext
+from sightline.infra.services import services_of
+from sightline.infra.version import code_version
+from sightline.linescan import faults
+from sightline.linescan.finding import Finder
+from sightline.linescan.parts import Crossings, Method, Motion, Rig
+from sightline.linescan.rig import gain, misalignment
+from sightline.scans.records import Scan, ScanRunValues, ScanValues, ScanVehicle
+from sightline.scans.service import FIND, open_strips
+from sightline.scans.store import get_scan, rig_columns
+from sightline.scans.vehicles.measure import Readers, measured, measured_at
+from sightline.scans.vehicles.measurement_store import append_scan_measurements
+from sightline.scans.vehicles.motion import crossings_of, values_of, wheels_of, with_wheels
+from sightline.scans.vehicles.run_store import add_scan_run
+from sightline.scans.vehicles.store import (
+    create_scan_vehicles,
+    list_scan_vehicles,
+    scan_vehicles_placed_by_hand,
+)
+
+SAME_SHARE = 0.5
+NEIGHBOURS = 4
+Report = Callable[[float, str], None]
+_LOOKING = "Looking for vehicles."
+_AGAIN = "Measuring the known vehicles again."
+_NOT_COMPARED = ("cause", "run_id", "code_version", "placed_by")
+
+
+@dataclass(frozen=True, eq=False)
+class Search:
+    """What was found: motions in the order of passing, and what is to be said of the recording."""
+
+    motions: tuple[Motion, ...] = ()
+    notes: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class Planned:
+    """What is to be stored: a new vehicle (None) or a revision of one, as it was when it was planned."""
+
+    vehicle: ScanVehicle | None
+    motion: Motion
+    cause: Cause
+
+
+@registry.handler(FIND)
+def find_vehicles(context: JobContext) -> Finish:
+    """Look through both strips once and measure every vehicle; all is stored with the job's end."""
+    services = services_of(context)
+    scan_id = context.job.scan_id
+    assert scan_id is not None
+    with services.reading() as session:
+        scan = get_scan(session, scan_id)
+        known = list_scan_vehicles(session, scan_id, deleted=True)
+        by_hand = scan_vehicles_placed_by_hand(session, scan_id)
+    method: Method = context.payload["method"]
+    readers = open_strips(services, scan)
+    found = Search()
+    if context.payload.get("search", True):
+        found = search(context.progress, scan.rig, method, readers)
+    plans, discarded = plan(context.progress, found, known, by_hand, scan.rig, method, readers)
+
+    def finish(session: Session) -> Mapping[str, Any]:
+        place = {"job_id": context.job.id, "actor": context.actor}
+        return store(session, scan, method, found, plans, discarded, **place)
+
+    return finish
+
+
+def search(report: Report, rig: Rig, method: Method, readers: Readers) -> Search:
+    """Every vehicle of the strips, measured as soon as it has passed; memory is bounded."""
+    finder = Finder(readers[0].rows, rig)
+    motions: list[Motion] = []
+    for done, passages in _passages(finder, readers):
+        motions += [measured(one, rig, method, readers) for one in passages]
+        report(0.9 * done / readers[0].lines, f"{_LOOKING} {len(motions)} so far.")
+    motions.sort(key=lambda one: one.crossings.front_line_1)
+    return Search(tuple(motions), tuple(faults.notes_of(finder)))
+
+
+def _passages(finder: Finder, readers: Readers) -> Iterator[tuple[int, list[Any]]]:
+    done = 0
+    for first, second in zip(readers[0].chunks(), readers[1].chunks(), strict=True):
+        done += len(first)
+        yield done, finder.push(first, second)
+    yield done, finder.finish()
+
+
+def plan(
+    report: Report,
+    found: Search,
+    known: Sequence[ScanVehicle],
+    by_hand: frozenset[int],
+    rig: Rig,
+    method: Method,
+    readers: Readers,
+) -> tuple[list[Planned], int]:
+    """What to store, and how many found vehicles had been taken out by a person."""
+    plans: list[Planned] = []
+    matched: set[int] = set()
+    discarded = 0
+    there_already = Known(known)
+    for motion in found.motions:
+        there = there_already.same_as(motion.crossings)
+        if there is None:
+            plans.append(Planned(None, motion, "found"))
+        elif there.deleted:
+            discarded += 1
+        elif there.id not in by_hand and there.id not in matched:
+            matched.add(there.id)
+            plans.append(Planned(there, motion, "again"))
+    again = [one for one in known if not one.deleted and one.id not in matched and one.measurement]
+    for count, one in enumerate(again):
+        report(0.9 + 0.09 * count / len(again), _AGAIN)
+        assert one.measurement is not None
+        motion = measured_at(crossings_of(one.measurement.values), rig, method, readers)
+        plans.append(Planned(one, motion, "again"))
+    return plans, discarded
+
+
+def store(
+    session: Session,
+    scan: Scan,
+    method: Method,
+    found: Search,
+    plans: Sequence[Planned],
+    discarded: int,
+    *,
+    job_id: int | None,
+    actor: int | None,
+) -> dict[str, Any]:
+    """Write the run and what it changes. What somebody changed while it ran stays as they left it."""
+    rig = scan.rig
+    motions = [one.motion for one in plans]
+    run = add_scan_run(
+        session,
+        scan.id,
+        ScanRunValues(
+            method=method,
+            rig=rig_columns(rig),
+            found=len(found.motions),
+            measured=sum(one.status == "ok" for one in motions),
+            summary=_of_rig(motions),
+            warnings=list(found.notes),
+            code_version=code_version(),
+        ),
+        job_id=job_id,
+        actor=actor,
+    )
+    now = list_scan_vehicles(session, scan.id, deleted=True)
+    by_id, there_already = {one.id: one for one in now}, Known(now)
+    new: list[ScanValues] = []
+    again: list[tuple[int, ScanValues]] = []
+    overtaken = 0
+    for one in plans:
+        values = values_of(one.motion, rig, one.cause, run_id=run.id)
+        if one.vehicle is None:
+            if there_already.same_as(one.motion.crossings) is not None:
+                overtaken += 1
+                continue
+            new.append(values)
+            continue
+        current = by_id.get(one.vehicle.id)
+        before = one.vehicle.measurement
+        if current is None or current.version != one.vehicle.version or before is None:
+            overtaken += 1
+            continue
+        values = with_wheels(replace(values, placed_by=before.values.placed_by), wheels_of(before.values))
+        if not _alike(values, before.values):
+            again.append((one.vehicle.id, values))
+    # all at once: whoever else writes waits for the end of this
+    made = create_scan_vehicles(session, scan.id, len(new), origin="found", actor=actor)
+    append_scan_measurements(session, scan.id, [*zip(made, new, strict=True), *again], actor=actor)
+    added, revised = len(new), len(again)
+    counts = {"added": added, "measured_again": revised, "discarded": discarded, "overtaken": overtaken}
+    return {
+        "scan_id": scan.id,
+        "run_id": run.id,
+        "found": len(found.motions),
+        **counts,
+        "message": _told(len(found.motions), added, revised, overtaken),
+    }
+
+
+class Known:
+    """The vehicles that are there, looked up by where they are in strip 1."""
+
+    def __init__(self, vehicles: Sequence[ScanVehicle]) -> None:
+        placed = [(one.measurement.values.front_line_1, one) for one in vehicles if one.measurement]
+        placed.sort(key=lambda pair: pair[0])
+        self._fronts = [front for front, _ in placed]
+        self._vehicles = [one for _, one in placed]
+
+    def same_as(self, found: Crossings) -> ScanVehicle | None:
+        """The vehicle with which these crossings share half of the shorter span, None where there is none."""
+        at = bisect_left(self._fronts, found.front_line_1)
+        near = self._vehicles[max(0, at - NEIGHBOURS) : at + NEIGHBOURS]
+        # one that stands before one that was taken out
+        near.sort(key=lambda one: one.deleted)
+        return next((one for one in near if _shared(found, one)), None)
+
+
+def _shared(found: Crossings, known: ScanVehicle) -> bool:
+    if known.measurement is None:
+        return False
+    values = known.measurement.values
+    shared = min(found.rear_line_1, values.rear_line_1) - max(found.front_line_1, values.front_line_1)
+    shorter = min(found.rear_line_1 - found.front_line_1, values.rear_line_1 - values.front_line_1)
+    return shared >= SAME_SHARE * shorter
+
+
+def _alike(one: ScanValues, other: ScanValues) -> bool:
+    """Whether two revisions say the same (the listed one comes without its profile)."""
+    names = [name for name in ScanValues.__slots__ if name not in (*_NOT_COMPARED, "profile")]
+    return all(getattr(one, name) == getattr(other, name) for name in names)
+
+
+def _of_rig(motions: Sequence[Motion]) -> JsonObject:
+    """What the traffic says of the cameras."""
+    shift, light = misalignment(motions), gain(motions)
+    return {
+        "misalignment_px": shift.value,
+        "u_misalignment_px": shift.u,
+        "misalignment_words": shift.warning or shift.reason,
+        "vehicles": shift.n,
+        "gain": light.value,
+        "u_gain": light.u,
+    }
+
+
+def _told(found: int, added: int, revised: int, overtaken: int) -> str:
+    said = [f"{found} found", f"{added} new", f"{revised} measured again"]
+    if overtaken:
+        said.append(f"{overtaken} left as somebody changed them meanwhile")
+    return ", ".join(said) + "."

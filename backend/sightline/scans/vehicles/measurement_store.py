@@ -1,0 +1,165 @@
+"""Measurements of scanned vehicles: append-only revisions. Nothing changes a row; the database refuses it."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict
+from typing import Any
+
+from sqlalchemy import func, select, update
+from sqlalchemy.orm import Session
+
+from sightline.errors import BadInput
+from sightline.infra.audit import trail
+from sightline.infra.database.rows import add_rows, get_row, missing, stored_hashes
+from sightline.infra.database.types import now
+from sightline.scans.query import is_current, scan_measurement_of_row, scan_revision_rows
+from sightline.scans.records import ScanMeasurement, ScanValues
+from sightline.scans.tables import scan_measurements, scan_vehicles, scans
+from sightline.scans.vehicles.store import require_scan_vehicle_version
+
+# rows of one statement; each has some forty columns
+_AT_ONCE = 500
+_TOLD = (
+    "cause",
+    "method",
+    "front_line_1",
+    "rear_line_1",
+    "front_line_2",
+    "rear_line_2",
+    "speed_mps",
+    "u_speed_mps",
+    "acceleration_mps2",
+    "u_acceleration_mps2",
+    "length_m",
+    "u_length_m",
+    "fit_error_percent",
+    "front_wheel_line",
+    "rear_wheel_line",
+    "wheelbase_m",
+    "u_wheelbase_m",
+    "status",
+    "reason",
+)
+
+
+def append_scan_measurement(
+    session: Session,
+    vehicle_id: int,
+    values: ScanValues,
+    *,
+    version: int | None = None,
+    actor: int | None,
+) -> ScanMeasurement:
+    """The next revision of a vehicle's motion; the vehicle's version counts up with it.
+
+    Raises Conflict if `version` (None: any) is not the current one or the vehicle was deleted, BadInput.
+    """
+    row = require_scan_vehicle_version(session, vehicle_id, version)
+    return get_scan_measurement(
+        session, append_scan_measurements(session, row["scan_id"], [(vehicle_id, values)], actor=actor)[0]
+    )
+
+
+def append_scan_measurements(
+    session: Session, scan_id: int, found: Sequence[tuple[int, ScanValues]], *, actor: int | None
+) -> list[int]:
+    """The ids of the next revisions of some vehicles of a scan, with an event each; a few statements.
+
+    Whoever calls has looked, in this transaction, that the vehicles live and are as they were seen.
+    Raises BadInput, NotFound for a deleted scan.
+    """
+    scan = get_row(session, scans, scan_id, "line-scan recording", scans.c.deleted_at.is_(None))
+    for _, values in found:
+        _check(values)
+    made: list[int] = []
+    for start in range(0, len(found), _AT_ONCE):
+        made += _appended(session, scan, found[start : start + _AT_ONCE], actor)
+    return made
+
+
+def _appended(
+    session: Session, scan: Mapping[str, Any], found: Sequence[tuple[int, ScanValues]], actor: int | None
+) -> list[int]:
+    vehicle_ids = [vehicle_id for vehicle_id, _ in found]
+    before, moment = _current(session, vehicle_ids), now()
+    place = {"survey_id": scan["survey_id"], "scan_id": scan["id"]}
+    stamps = {"created_at": moment, "created_by": actor}
+    rows = [
+        {**place, "vehicle_id": one, **asdict(values), "revision": _next(before.get(one)), **stamps}
+        for one, values in found
+    ]
+    row_ids = add_rows(session, scan_measurements, rows)
+    change = {"version": scan_vehicles.c.version + 1, "updated_at": moment, "updated_by": actor}
+    session.execute(update(scan_vehicles).where(scan_vehicles.c.id.in_(vehicle_ids)).values(change))
+    hashes = stored_hashes(session, scan_measurements, row_ids)
+    for action in ("create", "revise"):
+        events = [
+            (row_id, _then(before.get(one)), _after(one, values, before.get(one), hashes[row_id]))
+            for row_id, (one, values) in zip(row_ids, found, strict=True)
+            if (one in before) == (action == "revise")
+        ]
+        trail.record_many(session, actor, action, "scan_measurement", scan["survey_id"], events)
+    return row_ids
+
+
+def _next(before: ScanMeasurement | None) -> int:
+    return 1 if before is None else before.revision + 1
+
+
+def _then(before: ScanMeasurement | None) -> dict[str, Any] | None:
+    if before is None:
+        return None
+    return {name: getattr(before.values, name) for name in _TOLD} | {"revision": before.revision}
+
+
+def _after(
+    vehicle_id: int, values: ScanValues, before: ScanMeasurement | None, content_sha256: str
+) -> dict[str, Any]:
+    told: dict[str, Any] = {name: getattr(values, name) for name in _TOLD} | {"revision": _next(before)}
+    return told | {"vehicle_id": vehicle_id, "run_id": values.run_id, "content_sha256": content_sha256}
+
+
+def get_scan_measurement(session: Session, measurement_id: int) -> ScanMeasurement:
+    """One revision. Raises NotFound."""
+    query = scan_revision_rows().where(scan_measurements.c.id == measurement_id)
+    row = session.execute(query).mappings().one_or_none()
+    if row is None:
+        raise missing("measurement of a scanned vehicle", measurement_id)
+    return scan_measurement_of_row(row)
+
+
+def scan_measurement_history(session: Session, vehicle_id: int) -> tuple[ScanMeasurement, ...]:
+    """Every revision of a vehicle, oldest first, without profiles."""
+    query = scan_revision_rows(profile=False).where(scan_measurements.c.vehicle_id == vehicle_id)
+    rows = session.execute(query.order_by(scan_measurements.c.revision)).mappings()
+    return tuple(scan_measurement_of_row(row) for row in rows)
+
+
+def is_newest_scan_measurement(session: Session, one: ScanMeasurement) -> bool:
+    """Whether no later revision of the same vehicle is there."""
+    newest = select(func.max(scan_measurements.c.revision)).where(
+        scan_measurements.c.vehicle_id == one.vehicle_id
+    )
+    return bool(session.execute(newest).scalar_one() == one.revision)
+
+
+def _current(session: Session, vehicle_ids: Sequence[int]) -> dict[int, ScanMeasurement]:
+    """The current revisions of those vehicles that have one, by vehicle, without profiles."""
+    query = scan_revision_rows(profile=False).where(
+        scan_measurements.c.vehicle_id.in_(vehicle_ids), is_current
+    )
+    found = [scan_measurement_of_row(row) for row in session.execute(query).mappings()]
+    return {one.vehicle_id: one for one in found}
+
+
+def _check(values: ScanValues) -> None:
+    for camera, front, rear in (
+        (1, values.front_line_1, values.rear_line_1),
+        (2, values.front_line_2, values.rear_line_2),
+    ):
+        if not front < rear:
+            raise BadInput(
+                f"At camera {camera} the front (line {front:.1f}) must come before the rear ({rear:.1f}); "
+                "place them again."
+            )
+    if values.status != "ok" and not values.reason:
+        raise BadInput("A vehicle that has no speed needs the reason why; measure it again.")

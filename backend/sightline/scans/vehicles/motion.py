@@ -1,0 +1,131 @@
+"""Between the line-scan room and the store: a motion as stored values and back, gaps of stored vehicles."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import asdict, replace
+
+from sightline.enums import Cause, JsonObject
+from sightline.infra.version import code_version
+from sightline.linescan.gaps import gaps
+from sightline.linescan.parts import Crossings, Gap, Motion, Rig
+from sightline.linescan.rig import wheelbase
+from sightline.scans.records import ScanValues, ScanVehicle
+from sightline.scans.store import rig_columns
+
+_NUMBERS = (
+    "speed_mps",
+    "u_speed_mps",
+    "acceleration_mps2",
+    "u_acceleration_mps2",
+    "length_m",
+    "u_length_m",
+    "fit_error_percent",
+    "misalignment_px",
+    "u_misalignment_px",
+    "gain",
+    "correlation",
+)
+
+
+def values_of(
+    motion: Motion,
+    rig: Rig,
+    cause: Cause,
+    *,
+    placed_by: int | None = None,
+    run_id: int | None = None,
+) -> ScanValues:
+    """A motion as it is stored, with the rig that it was computed with; no wheels yet."""
+    return ScanValues(
+        cause=cause,
+        placed_by=placed_by,
+        run_id=run_id,
+        method=motion.method,
+        rig=rig_columns(rig),
+        front_line_1=float(motion.crossings.front_line_1),
+        rear_line_1=float(motion.crossings.rear_line_1),
+        front_line_2=float(motion.crossings.front_line_2),
+        rear_line_2=float(motion.crossings.rear_line_2),
+        **{name: _number(getattr(motion, name)) for name in _NUMBERS},
+        front_wheel_line=None,
+        rear_wheel_line=None,
+        wheelbase_m=None,
+        u_wheelbase_m=None,
+        status=motion.status,
+        reason=motion.reason,
+        budget=[asdict(entry) for entry in motion.budget],
+        profile=_profile(motion),
+        warnings=list(motion.warnings),
+        code_version=code_version(),
+    )
+
+
+def motion_of(values: ScanValues) -> Motion:
+    """A stored revision as a motion again, without its profile and budget."""
+    return Motion(
+        method=values.method,
+        crossings=crossings_of(values),
+        status=values.status,
+        reason=values.reason,
+        **{name: getattr(values, name) for name in _NUMBERS},
+    )
+
+
+def crossings_of(values: ScanValues) -> Crossings:
+    """Where front and rear cross the cameras, as stored."""
+    return Crossings(values.front_line_1, values.rear_line_1, values.front_line_2, values.rear_line_2)
+
+
+def with_wheels(values: ScanValues, lines: tuple[float, float] | None) -> ScanValues:
+    """The same revision with the wheelbase between two lines of strip 1 (None: without).
+
+    Where there is no wheelbase the lines stay, and a warning says why.
+    """
+    if lines is None:
+        return replace(
+            values, front_wheel_line=None, rear_wheel_line=None, wheelbase_m=None, u_wheelbase_m=None
+        )
+    front, rear = sorted(lines)
+    found = wheelbase(motion_of(values), rig_of(values.rig), front, rear)
+    warnings = [*values.warnings, *([f"No wheelbase: {found.reason}"] if found.reason else [])]
+    return replace(
+        values,
+        front_wheel_line=front,
+        rear_wheel_line=rear,
+        wheelbase_m=found.wheelbase_m,
+        u_wheelbase_m=found.u_wheelbase_m,
+        warnings=warnings,
+    )
+
+
+def wheels_of(values: ScanValues) -> tuple[float, float] | None:
+    """The lines of both wheels, where a person clicked them."""
+    if values.front_wheel_line is None or values.rear_wheel_line is None:
+        return None
+    return values.front_wheel_line, values.rear_wheel_line
+
+
+def rig_of(document: JsonObject) -> Rig:
+    """The rig of a stored revision."""
+    return Rig(**document)
+
+
+def gaps_of(rig: Rig, found: Sequence[ScanVehicle]) -> list[Gap | None]:
+    """The gap before each vehicle, in the order of the vehicles; None for the first and the unmeasured."""
+    measured = [one.measurement.values for one in found if one.measurement is not None]
+    told = gaps([(crossings_of(values), motion_of(values)) for values in measured], rig)
+    before: list[Gap | None] = [None, *told[1:]]
+    after = iter(before)
+    return [None if one.measurement is None else next(after) for one in found]
+
+
+def _profile(motion: Motion) -> JsonObject | None:
+    if motion.profile is None:
+        return None
+    columns = ("line_1", "speed_mps", "fitted_mps", "used")
+    return {name: getattr(motion.profile, name).tolist() for name in columns}
+
+
+def _number(value: float | None) -> float | None:
+    return None if value is None else float(value)

@@ -1,0 +1,53 @@
+"""Verdicts on scanned vehicles' measurements: append-only. Nobody reviews boundaries of their own."""
+
+from sqlalchemy.orm import Session
+
+from sightline.enums import ScanVerdict
+from sightline.errors import BadInput, Conflict, NotAllowed
+from sightline.infra.audit import trail
+from sightline.infra.database.rows import add_row, stored_hash
+from sightline.infra.database.types import now
+from sightline.scans.query import reviews_where
+from sightline.scans.records import ScanMeasurement, ScanReview
+from sightline.scans.tables import scan_measurements, scan_reviews
+from sightline.scans.vehicles.measurement_store import get_scan_measurement, is_newest_scan_measurement
+from sightline.scans.vehicles.store import require_scan_vehicle_version
+
+
+def add_scan_review(
+    session: Session, measurement_id: int, *, verdict: ScanVerdict, reason: str | None = None, actor: int
+) -> ScanMeasurement:
+    """Give a verdict on the revision that was seen.
+
+    Raises Conflict if there is a newer revision, NotAllowed for boundaries of one's own, BadInput for a
+    rejection without a reason.
+    """
+    before = get_scan_measurement(session, measurement_id)
+    require_scan_vehicle_version(session, before.vehicle_id, None)
+    if not is_newest_scan_measurement(session, before):
+        raise Conflict("This vehicle was measured again meanwhile; look at the newer result.")
+    if before.values.placed_by == actor:
+        raise NotAllowed("Nobody reviews boundaries that they placed themselves; ask another reviewer.")
+    told = (reason or "").strip() or None
+    if verdict == "rejected" and told is None:
+        raise BadInput("A rejection needs a reason; say what is wrong so that it can be put right.")
+    if verdict == "reopened" and before.review.verdict in ("to_review", "reopened"):
+        raise Conflict("This vehicle waits for a review already.")
+    content = {"survey_id": before.survey_id, "measurement_id": measurement_id}
+    content |= {"verdict": verdict, "reason": told}  # type: ignore[dict-item]
+    row_id = add_row(session, scan_reviews, {**content, "created_at": now(), "created_by": actor})
+    after = {**content, "vehicle_id": before.vehicle_id, "revision": before.revision}
+    after["content_sha256"] = stored_hash(session, scan_reviews, row_id)  # type: ignore[assignment]
+    then = {"verdict": before.review.verdict}
+    trail.record(session, actor, "review", "scan_review", row_id, before.survey_id, then, after)
+    return get_scan_measurement(session, measurement_id)
+
+
+def scan_reviews_of_vehicle(session: Session, vehicle_id: int) -> tuple[ScanReview, ...]:
+    """Every verdict on a vehicle's revisions, oldest first."""
+    return reviews_where(session, scan_measurements.c.vehicle_id == vehicle_id)
+
+
+def list_scan_reviews(session: Session, survey_id: int) -> tuple[ScanReview, ...]:
+    """Every verdict of a survey, oldest first, for the export."""
+    return reviews_where(session, scan_reviews.c.survey_id == survey_id)

@@ -1,0 +1,187 @@
+"""Vehicles of a scan. Their state follows from their measurements and is never stored."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+from sqlalchemy import ColumnElement, func, select
+from sqlalchemy.orm import Session
+
+from sightline.enums import JsonObject, VehicleOrigin
+from sightline.errors import BadInput, Conflict
+from sightline.infra.audit import trail
+from sightline.infra.database.rows import add_rows, change_row, get_row, missing, name_of
+from sightline.infra.database.types import canonical_json, now
+from sightline.scans.query import scan_vehicle_of_row, scan_vehicle_rows, scan_vehicle_states
+from sightline.scans.records import ScanCounts, ScanVehicle, ScanVehicleChanges, state_of
+from sightline.scans.tables import scan_measurements, scan_vehicles, scans
+
+_ALIVE: ColumnElement[bool] = scan_vehicles.c.deleted_at.is_(None)
+_FIELDS = frozenset(ScanVehicleChanges.__annotations__)
+_LENGTHS = ("true_length_m", "u_true_length_m", "true_wheelbase_m", "u_true_wheelbase_m")
+
+
+def create_scan_vehicle(
+    session: Session,
+    scan_id: int,
+    fields: ScanVehicleChanges | None = None,
+    *,
+    origin: VehicleOrigin = "person",
+    actor: int | None,
+) -> ScanVehicle:
+    """A vehicle of a scan, yet without a measurement. Numbers count up in the scan."""
+    return get_scan_vehicle(
+        session, create_scan_vehicles(session, scan_id, 1, fields, origin=origin, actor=actor)[0]
+    )
+
+
+def create_scan_vehicles(
+    session: Session,
+    scan_id: int,
+    count: int,
+    fields: ScanVehicleChanges | None = None,
+    *,
+    origin: VehicleOrigin,
+    actor: int | None,
+) -> list[int]:
+    """The ids of so many vehicles, alike but for their numbers, with an event each; a few statements."""
+    scan = get_row(session, scans, scan_id, "line-scan recording", scans.c.deleted_at.is_(None))
+    content: dict[str, Any] = {**dict.fromkeys(_FIELDS), "notes": "", **_checked(fields or {})}
+    counted = select(func.coalesce(func.max(scan_vehicles.c.number), 0))
+    first = session.execute(counted.where(scan_vehicles.c.scan_id == scan_id)).scalar_one() + 1
+    place = {"survey_id": scan["survey_id"], "scan_id": scan_id, "origin": origin}
+    told = [{**place, "number": number, **content} for number in range(first, first + count)]
+    moment = now()
+    stamps = {"version": 1, "created_at": moment, "created_by": actor}
+    stamps |= {"updated_at": moment, "updated_by": actor}
+    row_ids = add_rows(session, scan_vehicles, [{**row, **stamps} for row in told])
+    events = [(row_id, None, row) for row_id, row in zip(row_ids, told, strict=True)]
+    trail.record_many(session, actor, "create", "scan_vehicle", scan["survey_id"], events)
+    return row_ids
+
+
+def get_scan_vehicle(session: Session, vehicle_id: int, *, deleted: bool = False) -> ScanVehicle:
+    """One vehicle with its current measurement, profile and all. Raises NotFound (also with its scan)."""
+    found = _fetch(session, scan_vehicles.c.id == vehicle_id, deleted=deleted, profile=True)
+    if not found:
+        raise missing("scanned vehicle", vehicle_id)
+    return found[0]
+
+
+def list_scan_vehicles(session: Session, scan_id: int, *, deleted: bool = False) -> tuple[ScanVehicle, ...]:
+    """The vehicles of a scan in the order in which they passed; one query."""
+    return _fetch(session, scan_vehicles.c.scan_id == scan_id, deleted=deleted)
+
+
+def list_survey_scan_vehicles(session: Session, survey_id: int) -> tuple[ScanVehicle, ...]:
+    """The vehicles of all scans of a survey, scan by scan in the order in which they passed."""
+    return _fetch(session, scan_vehicles.c.survey_id == survey_id)
+
+
+def counts_of_scans(session: Session, rigs: Mapping[int, JsonObject]) -> dict[int, ScanCounts]:
+    """How many vehicles each scan has by state, and how many were measured with another rig than its own."""
+    if not rigs:
+        return {}
+    counted: dict[int, dict[str, int]] = {}
+    # As text: a canonical JSON document is compared as it stands, thousands of them at a time.
+    own = {scan_id: canonical_json(rig) for scan_id, rig in rigs.items()}
+    for scan_id, status, verdict, rig in session.execute(
+        scan_vehicle_states(scan_vehicles.c.scan_id.in_(rigs))
+    ):
+        counts = counted.setdefault(scan_id, dict.fromkeys(ScanCounts.__slots__, 0))
+        counts["vehicles"] += 1
+        counts[state_of(status, verdict)] += 1
+        counts["older"] += status is not None and rig != own[scan_id]
+    return {scan_id: replace(ScanCounts(), **counts) for scan_id, counts in counted.items()}
+
+
+def scan_vehicles_placed_by_hand(session: Session, scan_id: int) -> frozenset[int]:
+    """The vehicles whose boundaries a person placed; no search moves those."""
+    query = select(scan_measurements.c.vehicle_id).where(
+        scan_measurements.c.scan_id == scan_id, scan_measurements.c.cause.in_(("boundaries", "added"))
+    )
+    return frozenset(session.execute(query).scalars())
+
+
+def change_scan_vehicle(
+    session: Session,
+    vehicle_id: int,
+    changes: ScanVehicleChanges,
+    *,
+    version: int,
+    actor: int | None,
+) -> ScanVehicle:
+    """Fill in what is known of a vehicle. Raises Conflict if `version` is not the current one, BadInput."""
+    before = require_scan_vehicle_version(session, vehicle_id, version)
+    change = _checked(changes)
+    stamps = {"version": version + 1, "updated_at": now(), "updated_by": actor}
+    change_row(session, scan_vehicles, vehicle_id, {**change, **stamps})
+    what = trail.changed(before, change, change)
+    trail.record(session, actor, "update", "scan_vehicle", vehicle_id, before["survey_id"], *what)
+    return get_scan_vehicle(session, vehicle_id)
+
+
+def remove_scan_vehicle(
+    session: Session, vehicle_id: int, *, version: int | None, actor: int | None
+) -> ScanVehicle:
+    """Take a vehicle out of all lists; `restore` brings it back. Found again, it stays away."""
+    before = require_scan_vehicle_version(session, vehicle_id, version)
+    stamps = {"version": before["version"] + 1, "updated_at": now(), "updated_by": actor}
+    change_row(session, scan_vehicles, vehicle_id, {"deleted_at": stamps["updated_at"], **stamps})
+    then, after = {"deleted": False}, {"deleted": True}
+    trail.record(session, actor, "delete", "scan_vehicle", vehicle_id, before["survey_id"], then, after)
+    return get_scan_vehicle(session, vehicle_id, deleted=True)
+
+
+def restore_scan_vehicle(session: Session, vehicle_id: int, *, actor: int | None) -> ScanVehicle:
+    """Bring a vehicle back. Raises Conflict for one that was not taken out."""
+    before = get_row(session, scan_vehicles, vehicle_id, "scanned vehicle")
+    if before["deleted_at"] is None:
+        raise Conflict("This vehicle was not deleted, so there is nothing to restore.")
+    stamps = {"version": before["version"] + 1, "updated_at": now(), "updated_by": actor}
+    change_row(session, scan_vehicles, vehicle_id, {"deleted_at": None, **stamps})
+    then, after = {"deleted": True}, {"deleted": False}
+    trail.record(session, actor, "restore", "scan_vehicle", vehicle_id, before["survey_id"], then, after)
+    return get_scan_vehicle(session, vehicle_id)
+
+
+def require_scan_vehicle_version(session: Session, vehicle_id: int, version: int | None) -> dict[str, Any]:
+    """The row of a living vehicle, if it is the one that the caller saw (None: whichever it is).
+
+    Raises NotFound, and Conflict that names who changed or deleted it and when.
+    """
+    row = get_row(session, scan_vehicles, vehicle_id, "scanned vehicle")
+    get_row(session, scans, row["scan_id"], "line-scan recording", scans.c.deleted_at.is_(None))
+    name, when = name_of(session, row["updated_by"]), f"{row['updated_at']:%Y-%m-%d %H:%M:%S} UTC"
+    if row["deleted_at"] is not None:
+        raise Conflict(f"{name} deleted vehicle {row['number']} at {when}; restore it first.")
+    if version is not None and row["version"] != version:
+        raise Conflict(f"{name} changed vehicle {row['number']} at {when}; look again and redo yours.")
+    return row
+
+
+def _checked(fields: Mapping[str, Any]) -> dict[str, Any]:
+    values = dict(fields)
+    unknown = set(values) - _FIELDS
+    if unknown:
+        raise BadInput(f"A scanned vehicle has no {', '.join(sorted(unknown))}; leave it out.")
+    for name in _LENGTHS:
+        value = values.get(name)
+        least = 0.0 if name.startswith("u_") else 1e-3
+        if value is not None and not least <= value <= 100:
+            raise BadInput(f"A {name} of {value:g} cannot be; give it in metres, as in 4.447.")
+    return values
+
+
+def _fetch(
+    session: Session, condition: ColumnElement[bool], *, deleted: bool = False, profile: bool = False
+) -> tuple[ScanVehicle, ...]:
+    query = (
+        scan_vehicle_rows(profile=profile)
+        .join(scans, scans.c.id == scan_vehicles.c.scan_id)
+        .where(condition, scans.c.deleted_at.is_(None))
+        .order_by(scan_vehicles.c.scan_id, scan_measurements.c.front_line_1, scan_vehicles.c.id)
+    )
+    if not deleted:
+        query = query.where(_ALIVE)
+    return tuple(scan_vehicle_of_row(row) for row in session.execute(query).mappings())

@@ -1,0 +1,130 @@
+"""Holding the line-scan tables of an export against the audit chain: motions, boundaries, facts, verdicts."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from typing import Any
+
+from sightline.errors import Damaged
+from sightline.export.verify.chain import Told, chain
+from sightline.infra.csv_package.files import Files, read_rows
+from sightline.infra.csv_package.schema import Table, cell_text
+from sightline.scans.csv import LINE_SCANS, SCAN_MEASUREMENTS, SCAN_REVIEWS, SCAN_VEHICLES
+from sightline.scans.heights.csv import LINE_HEIGHTS, LINE_POSES
+from sightline.scans.heights.verify import check_line_heights
+
+_ENTITIES: dict[str, Table] = {
+    "scan": LINE_SCANS,
+    "scan_vehicle": SCAN_VEHICLES,
+    "scan_measurement": SCAN_MEASUREMENTS,
+    "scan_review": SCAN_REVIEWS,
+    "line_pose": LINE_POSES,
+    "line_height": LINE_HEIGHTS,
+}
+# What an event says in other words than the table.
+_OTHER_WORDS = ("notes", "created_at")
+
+
+def check_scans(files: Files, chained: Told) -> int:
+    """Every row is what its events say, none is missing and none too many; how many were held against them.
+
+    The current revision of a vehicle is its newest. Raises Damaged.
+    """
+    if not chained.scans and not any(_rows(files, table) for table in _ENTITIES.values()):
+        return 0
+    told = _told(files)
+    gone = _gone(told)
+    rows = {entity: _rows(files, table) for entity, table in _ENTITIES.items()}
+    for entity, table in _ENTITIES.items():
+        expected = {number for number in told[entity] if number not in gone[entity]}
+        if set(rows[entity]) != expected:
+            odd = min(set(rows[entity]) ^ expected)
+            raise Damaged(f"{table.path}: row {odd} is there without its audit event, or is missing.")
+        for number, row in rows[entity].items():
+            _same(table, row, told[entity][number])
+    _current(rows["scan_vehicle"], rows["scan_measurement"])
+    _verdicts(rows["scan_measurement"], rows["scan_review"])
+    check_line_heights(files, told["line_pose"])
+    return sum(len(found) for found in rows.values())
+
+
+def _told(files: Files) -> dict[str, dict[int, dict[str, Any]]]:
+    told: dict[str, dict[int, dict[str, Any]]] = {entity: {} for entity in _ENTITIES}
+    for event in chain(files):
+        if event["entity"] in told and event["withheld"] != "true" and event["after"]:
+            known = told[event["entity"]].setdefault(int(event["entity_id"]), {"deleted": False})
+            known.update(json.loads(event["after"]))
+    return told
+
+
+def _gone(told: Mapping[str, Mapping[int, Mapping[str, Any]]]) -> dict[str, set[int]]:
+    """What is in no table since its recording or its vehicle was deleted."""
+    scans = {number for number, one in told["scan"].items() if one["deleted"]}
+    vehicles = {
+        number
+        for number, one in told["scan_vehicle"].items()
+        if one["deleted"] or one.get("scan_id") in scans
+    }
+    measurements = {
+        number for number, one in told["scan_measurement"].items() if one["vehicle_id"] in vehicles
+    }
+    reviews = {number for number, one in told["scan_review"].items() if one["vehicle_id"] in vehicles}
+    return {
+        "scan": scans,
+        "scan_vehicle": vehicles,
+        "scan_measurement": measurements,
+        "scan_review": reviews,
+        "line_pose": {number for number, one in told["line_pose"].items() if one["scan_id"] in scans},
+        "line_height": {
+            number for number, one in told["line_height"].items() if one["vehicle_id"] in vehicles
+        },
+    }
+
+
+def _rows(files: Files, table: Table) -> dict[int, dict[str, str]]:
+    return {int(row["id"]): dict(row) for row in read_rows(files, table.path)}
+
+
+def _same(table: Table, row: Mapping[str, str], told: Mapping[str, Any]) -> None:
+    """Raises Damaged where a cell is not what the events say."""
+    for column in table.columns:
+        name = column.name
+        if name not in told or name in _OTHER_WORDS:
+            continue
+        value = told[name]
+        if column.type == "number" and isinstance(value, int):
+            value = float(value)
+        if row[name] != cell_text(column, value):
+            raise Damaged(f"{table.path}: {name} of row {row['id']} is not what its audit event says.")
+
+
+def _current(vehicles: Mapping[int, Mapping[str, str]], revisions: Mapping[int, Mapping[str, str]]) -> None:
+    """A vehicle's motion is that of its newest revision, cell by cell."""
+    newest: dict[str, Mapping[str, str]] = {}
+    for row in revisions.values():
+        before = newest.get(row["vehicle_id"])
+        if before is None or int(before["revision"]) < int(row["revision"]):
+            newest[row["vehicle_id"]] = row
+    skipped = {"id", "vehicle_id", "measurement_id"}
+    shared = [
+        name for name in SCAN_MEASUREMENTS.header if name in SCAN_VEHICLES.header and name not in skipped
+    ]
+    for number, vehicle in vehicles.items():
+        measured = newest.get(str(number))
+        if measured is None:
+            continue
+        if vehicle["measurement_id"] != measured["id"] or any(
+            vehicle[name] != measured[name] for name in shared
+        ):
+            raise Damaged(
+                f"{SCAN_VEHICLES.path}: vehicle {number} is not its newest revision; it was changed."
+            )
+
+
+def _verdicts(revisions: Mapping[int, Mapping[str, str]], reviews: Mapping[int, Mapping[str, str]]) -> None:
+    """A revision's verdict is the newest that was given on it."""
+    newest = {int(one["measurement_id"]): one["verdict"] for _, one in sorted(reviews.items())}
+    for number, row in revisions.items():
+        if row["verdict"] != newest.get(number, "to_review"):
+            raise Damaged(f"{SCAN_MEASUREMENTS.path}: the verdict of row {number} is not the one given.")

@@ -1,0 +1,177 @@
+"""How measured heights agree with reference heights: trend, Bland-Altman, what the reference explains.
+
+Error = measured - reference. A negative correlation of the error with the reference height is no proof of
+an error of the camera: an uncertain reference alone makes one (errors in variables), which `reference_part`
+states beside it.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy import stats
+
+from sightline.statistics.errors import Interval
+from sightline.statistics.wording import there_are
+
+Floats = NDArray[np.float64]
+
+CONFIDENCE = 0.95
+LEAST = 4
+# A manufacturer's height of +-3 cm, anywhere within it alike: 3 cm / sqrt(3).
+U_MANUFACTURER_M = 0.03 / 3.0**0.5
+ROUNDING_M = 0.01 / np.sqrt(12.0)
+
+
+@dataclass(frozen=True, eq=False)
+class Trend:
+    """Straight line through points by least squares: value = intercept + slope * at, with the band of the
+    line (not of single points) on a grid of `at`, (M,).
+    """
+
+    slope: float
+    slope_ci95: Interval
+    intercept: float
+    correlation: float
+    correlation_ci95: Interval
+    n: int
+    at: Floats
+    value: Floats
+    low: Floats
+    high: Floats
+
+
+@dataclass(frozen=True)
+class BlandAltman:
+    """Mean difference and limits of agreement (Bland & Altman 1999), metres, each with its interval."""
+
+    n: int
+    bias_m: float
+    bias_ci95: Interval
+    lower_m: float
+    lower_ci95: Interval
+    upper_m: float
+    upper_ci95: Interval
+
+
+@dataclass(frozen=True)
+class ReferencePart:
+    """What the reference heights' own uncertainty, and rounding, explain of the errors' variance.
+
+    `camera_sd_m` is what is left for the measurement, None where nothing is left. `correlation_alone`: the
+    correlation of error and reference height that the reference's uncertainty makes by itself.
+    """
+
+    u_reference_m: float
+    share_of_variance: float
+    rounding_share: float
+    camera_sd_m: float | None
+    correlation_alone: float
+    words: str
+
+
+def trend(at: ArrayLike, value: ArrayLike, points: int = 64) -> Trend | str:
+    """Regression of `value` (N,) on `at` (N,), both finite; or the reason why there is none."""
+    x, y = np.asarray(at, dtype=np.float64), np.asarray(value, dtype=np.float64)
+    n = len(x)
+    if n < LEAST:
+        return f"A trend needs at least {LEAST} vehicles; {there_are(n)}."
+    if np.ptp(x) <= 0:
+        return "All heights are the same, so there is no trend to see."
+    line = stats.linregress(x, y)
+    t = float(stats.t.ppf(0.5 + 0.5 * CONFIDENCE, n - 2))
+    grid = np.linspace(x.min(), x.max(), points)
+    fitted = line.intercept + line.slope * grid
+    power = float(np.sum((x - x.mean()) ** 2))
+    residual = y - line.intercept - line.slope * x
+    s = float(np.sqrt(residual @ residual / (n - 2)))
+    half = t * s * np.sqrt(1.0 / n + (grid - x.mean()) ** 2 / power)
+    r = float(line.rvalue)
+    return Trend(
+        float(line.slope),
+        Interval(float(line.slope - t * line.stderr), float(line.slope + t * line.stderr)),
+        float(line.intercept),
+        r,
+        _correlation_interval(r, n),
+        n,
+        grid,
+        fitted,
+        fitted - half,
+        fitted + half,
+    )
+
+
+def _correlation_interval(r: float, n: int) -> Interval:
+    """Fisher's z."""
+    inside = float(np.clip(r, -1.0 + 1e-15, 1.0 - 1e-15))
+    half = float(stats.norm.ppf(0.5 + 0.5 * CONFIDENCE)) / np.sqrt(n - 3)
+    return Interval(float(np.tanh(np.arctanh(inside) - half)), float(np.tanh(np.arctanh(inside) + half)))
+
+
+def bland_altman(error_m: ArrayLike) -> BlandAltman | str:
+    """Limits of agreement from errors (N,): bias +- 1.96 sd, or the reason why there are none."""
+    error = np.asarray(error_m, dtype=np.float64)
+    n = len(error)
+    if n < LEAST:
+        return f"Limits of agreement need at least {LEAST} vehicles; {there_are(n)}."
+    z = float(stats.norm.ppf(0.5 + 0.5 * CONFIDENCE))
+    t = float(stats.t.ppf(0.5 + 0.5 * CONFIDENCE, n - 1))
+    bias, sd = float(error.mean()), float(error.std(ddof=1))
+    mean_half = t * sd / np.sqrt(n)
+    limit_half = t * sd * np.sqrt(1.0 / n + 0.5 * z * z / (n - 1))
+    lower, upper = bias - z * sd, bias + z * sd
+    return BlandAltman(
+        n,
+        bias,
+        Interval(bias - mean_half, bias + mean_half),
+        lower,
+        Interval(lower - limit_half, lower + limit_half),
+        upper,
+        Interval(upper - limit_half, upper + limit_half),
+    )
+
+
+def reference_part(
+    error_m: ArrayLike,
+    reference_m: ArrayLike,
+    u_reference_m: ArrayLike = U_MANUFACTURER_M,
+    rounded: bool = False,
+) -> ReferencePart | str:
+    """How much of the errors' variance the reference explains; errors, references (N,), u a number or (N,).
+
+    u_reference_m: standard uncertainty of each reference height. rounded: both heights were rounded to whole
+    centimetres, which adds 1 cm^2 / 12 each.
+    """
+    error, reference = np.asarray(error_m, dtype=np.float64), np.asarray(reference_m, dtype=np.float64)
+    n = len(error)
+    if n < LEAST:
+        return f"Shares of the variance need at least {LEAST} vehicles; {there_are(n)}."
+    variance = float(error.var(ddof=1))
+    if variance <= 0:
+        return "All errors are the same; there is no variance to share out."
+    truth = float(np.mean(np.square(np.broadcast_to(u_reference_m, (n,)))))
+    rounding = 2.0 * float(ROUNDING_M) ** 2 if rounded else 0.0
+    left = variance - truth - rounding
+    spread = float(reference.std(ddof=1))
+    alone = -truth / (spread * np.sqrt(variance)) if spread > 0 else 0.0
+    camera = float(np.sqrt(left)) if left > 0 else None
+    return ReferencePart(
+        float(np.sqrt(truth)),
+        truth / variance,
+        rounding / variance,
+        camera,
+        float(np.clip(alone, -1.0, 1.0)),
+        _words(truth / variance, camera),
+    )
+
+
+def _words(share: float, camera_sd_m: float | None) -> str:
+    if camera_sd_m is None:
+        return (
+            "The reference heights' own uncertainty explains all of the errors' variance: these errors say "
+            "nothing about the measurement."
+        )
+    return (
+        f"The reference heights' own uncertainty explains {100 * share:.0f} % of the errors' variance; "
+        f"{1000 * camera_sd_m:.0f} mm are left for the measurement."
+    )

@@ -1,0 +1,202 @@
+"""Distributions of heights: percentiles, cumulative shares, densities, each with its 95 % interval.
+
+Intervals need no assumption about the shape of a distribution: a percentile's lies between two order
+statistics (David & Nagaraja 2003, 7.1), a share's is Clopper's and Pearson's (1934), a cumulative
+distribution's band holds everywhere at once (Dvoretzky, Kiefer, Wolfowitz; constant by Massart 1990).
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy import stats
+from scipy.fft import irfft, next_fast_len, rfft
+
+from sightline.statistics.wording import there_are
+
+Floats = NDArray[np.float64]
+
+PERCENTILES = (2.0, 2.5, 5.0, 10.0, 15.0, 50.0, 85.0, 90.0, 95.0, 97.5, 98.0)
+CONFIDENCE = 0.95
+_SEED = 20190403
+_RESAMPLES = 400
+_LEAST_FOR_DENSITY = 10
+_LEAST_SPREAD = 1e-9  # metres; less is the rounding of equal values
+
+
+@dataclass(frozen=True)
+class Percentile:
+    """A percentile with its interval; where the sample is too small for one, `reason` stands in its place."""
+
+    percent: float
+    value: float
+    low: float | None
+    high: float | None
+    reason: str | None = None
+
+
+@dataclass(frozen=True)
+class Share:
+    """The share of a sample below a limit, with its interval."""
+
+    limit: float
+    below: int
+    n: int
+    share: float
+    low: float
+    high: float
+
+
+@dataclass(frozen=True, eq=False)
+class Ecdf:
+    """Cumulative shares at sorted values, (M,) each: `share` of the sample is <= `value`; low, high: band."""
+
+    value: Floats
+    share: Floats
+    low: Floats
+    high: Floats
+    n: int
+
+
+@dataclass(frozen=True, eq=False)
+class Density:
+    """A Gaussian kernel density on a grid, (M,) each, with a pointwise bootstrap band of the estimate itself
+    (its smoothing bias is not in the band).
+    """
+
+    value: Floats
+    density: Floats
+    low: Floats
+    high: Floats
+    bandwidth: float
+    n: int
+
+
+def sorted_values(values: ArrayLike) -> Floats:
+    """The finite values in ascending order: what the functions of this module take, (N,)."""
+    found = np.asarray(values, dtype=np.float64).ravel()
+    return np.sort(found[np.isfinite(found)])
+
+
+def percentiles(
+    ordered: Floats, percents: Sequence[float] = PERCENTILES, confidence: float = CONFIDENCE
+) -> list[Percentile]:
+    """Percentiles of a sorted sample (N,), estimated without bias of the median (Hyndman & Fan 1996, type 8).
+
+    The interval holds the percentile with at least `confidence`. [] for an empty sample.
+    """
+    n = len(ordered)
+    if n == 0:
+        return []
+    p = np.asarray(percents, dtype=np.float64) / 100.0
+    values = np.quantile(ordered, p, method="median_unbiased")
+    low, high = _ranks(n, p, 0.5 * (1.0 - confidence))
+    return [
+        _percentile(ordered, percent, float(value), (int(first), int(last)), confidence)
+        for percent, value, first, last in zip(percents, values, low, high, strict=True)
+    ]
+
+
+def _ranks(n: int, p: Floats, tail: float) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Places of the order statistics that enclose percentiles p, (P,) each; none outside 0 to n - 1."""
+    # x[low] <= percentile fails if at most `low` values lie below it; likewise from above.
+    low = stats.binom.ppf(tail, n, p).astype(np.int64) - 1
+    low -= (low >= 0) & (stats.binom.cdf(low, n, p) > tail)
+    return low, stats.binom.ppf(1.0 - tail, n, p).astype(np.int64)
+
+
+def _percentile(
+    ordered: Floats, percent: float, value: float, ranks: tuple[int, int], confidence: float
+) -> Percentile:
+    n, (low, high) = len(ordered), ranks
+    if low < 0 or high >= n:
+        needed = vehicles_for_interval(percent, confidence)
+        why = f"an interval of this percentile needs at least {needed} vehicles; {there_are(n)}"
+        return Percentile(percent, value, None, None, why)
+    return Percentile(percent, value, float(ordered[low]), float(ordered[high]))
+
+
+def vehicles_for_interval(percent: float, confidence: float = CONFIDENCE) -> int:
+    """The fewest vehicles whose smallest and largest value enclose a percentile with this confidence."""
+    p = min(percent, 100.0 - percent) / 100.0
+    if not 0.0 < p < 1.0:
+        raise ValueError(f"A percentile of {percent} has no interval; it must lie between 0 and 100.")
+    return int(np.ceil(np.log(0.5 * (1.0 - confidence)) / np.log1p(-p)))
+
+
+def share_below(ordered: Floats, limit: float, confidence: float = CONFIDENCE) -> Share | None:
+    """The share of a sorted sample (N,) below `limit`; None for an empty sample."""
+    n = len(ordered)
+    if n == 0:
+        return None
+    below = int(np.searchsorted(ordered, limit, side="left"))
+    tail = 0.5 * (1.0 - confidence)
+    low = float(stats.beta.ppf(tail, below, n - below + 1)) if below else 0.0
+    high = float(stats.beta.ppf(1.0 - tail, below + 1, n - below)) if below < n else 1.0
+    return Share(limit, below, n, below / n, low, high)
+
+
+def ecdf(ordered: Floats, most: int = 600, confidence: float = CONFIDENCE) -> Ecdf | None:
+    """Cumulative distribution of a sorted sample (N,) at no more than about `most` of its values.
+
+    What is left out changes no step by more than 1 / most. None for an empty sample.
+    """
+    n = len(ordered)
+    if n == 0:
+        return None
+    rank = np.unique(np.rint(np.linspace(0, n - 1, min(n, most))).astype(np.int64))
+    value = ordered[rank]
+    share = np.searchsorted(ordered, value, side="right") / n
+    band = np.sqrt(np.log(2.0 / (1.0 - confidence)) / (2.0 * n))
+    low, high = np.maximum(share - band, 0.0), np.minimum(share + band, 1.0)
+    return Ecdf(value, np.asarray(share, dtype=np.float64), low, high, n)
+
+
+def density(
+    ordered: Floats, points: int = 256, confidence: float = CONFIDENCE, step: float = 0.0
+) -> Density | str:
+    """Kernel density of a sorted sample (N,) on a grid of `points`, or the reason why there is none.
+
+    Gaussian kernel, Silverman's robust bandwidth 0.9 min(sd, IQR / 1.349) n^(-1/5), and for values that were
+    rounded to multiples of `step` at least half of that: narrower kernels draw the rounding as a comb (at
+    half a step its ripple is 2 exp(-pi^2 / 2), 1.4 % of the density). Computed on counts of the grid by FFT,
+    so that a million values and the bootstrap cost little.
+
+    By simulation (normal heights, within 2 sd) the 95 % band holds the estimate's mean in .91 of samples of
+    30, .94 of 60 and more.
+    """
+    n = len(ordered)
+    if n < _LEAST_FOR_DENSITY:
+        return f"A density needs at least {_LEAST_FOR_DENSITY} vehicles; {there_are(n)}."
+    quartiles = np.quantile(ordered, [0.25, 0.75])
+    spreads = [float(np.std(ordered, ddof=1)), float(quartiles[1] - quartiles[0]) / 1.349]
+    spread = min((s for s in spreads if s > _LEAST_SPREAD), default=0.0)
+    if spread == 0.0:
+        return "All values are the same; a density needs values that differ."
+    width = max(0.9 * spread * n**-0.2, 0.5 * step)
+    inner = ordered[[0, -1]] + np.array([-3.0, 3.0]) * width
+    edges = np.linspace(inner[0], inner[1], points + 1)
+    counts = np.histogram(ordered, edges)[0]
+    kernel = _kernel(points, (edges[1] - edges[0]) / width)
+    rng = np.random.default_rng(_SEED)
+    resampled = rng.multinomial(n, counts / counts.sum(), _RESAMPLES)
+    scale = n * width
+    tail = 50.0 * (1.0 - confidence)
+    low, high = np.percentile(_smoothed(resampled, kernel) / scale, [tail, 100.0 - tail], axis=0)
+    centre = 0.5 * (edges[1:] + edges[:-1])
+    return Density(centre, _smoothed(counts[None, :], kernel)[0] / scale, low, high, float(width), n)
+
+
+def _kernel(points: int, step: float) -> Floats:
+    """The Gaussian kernel at all distances of a grid, in units of the bandwidth; (2 points - 1,)."""
+    at = np.arange(-(points - 1), points) * step
+    return np.asarray(np.exp(-0.5 * at * at) / np.sqrt(2.0 * np.pi), dtype=np.float64)
+
+
+def _smoothed(counts: NDArray[np.int64], kernel: Floats) -> Floats:
+    """Counts (R, points) convolved with the kernel, cut to the grid."""
+    points = counts.shape[1]
+    size = next_fast_len(points + len(kernel) - 1, real=True)
+    full = irfft(rfft(counts, size, axis=1) * rfft(kernel, size), size, axis=1)
+    return np.asarray(np.maximum(full[:, points - 1 : 2 * points - 1], 0.0), dtype=np.float64)

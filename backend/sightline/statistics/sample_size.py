@@ -1,0 +1,45 @@
+"""How many vehicles a percentile's interval of a wanted width takes."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import stats
+
+from sightline.errors import BadInput
+from sightline.statistics.distributions import CONFIDENCE, vehicles_for_interval
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class SampleSize:
+    """Vehicles needed so that a percentile's 95 % interval is no wider than `width_m` in the mean."""
+
+    percent: float
+    width_m: float
+    vehicles: int
+    words: str
+
+
+def vehicles_needed(percent: float, width_m: float, sd_m: float) -> SampleSize:
+    """For heights that spread like a normal distribution of standard deviation `sd_m`.
+
+    The large-sample interval of a percentile, z sqrt(p (1 - p) / n) / f on either side, where f is the
+    density there (David & Nagaraja 2003, 10.2); never fewer than the interval needs to exist at all.
+    Raises BadInput for a percentile outside 0 to 100 or widths that are not positive.
+    """
+    if not 0.0 < percent < 100.0:
+        raise BadInput(f"There is no percentile {percent:g}; give one between 0 and 100, such as 10.")
+    if not (0.0 < width_m < 10.0 and 0.0 < sd_m < 10.0):
+        raise BadInput("Width and spread must be lengths above 0, in metres, such as 0.02 and 0.08.")
+    p = percent / 100.0
+    z = float(stats.norm.ppf(0.5 + 0.5 * CONFIDENCE))
+    at_percentile = float(stats.norm.pdf(stats.norm.ppf(p))) / sd_m
+    large = int(np.ceil((2.0 * z / (width_m * at_percentile)) ** 2 * p * (1.0 - p)))
+    least = vehicles_for_interval(percent)
+    words = (
+        f"{max(large, least)} vehicles give percentile {percent:g} an interval about {1000 * width_m:.0f} mm "
+        f"wide, if heights spread by {1000 * sd_m:.0f} mm (standard deviation) like a normal distribution."
+    )
+    return SampleSize(percent, width_m, max(large, least), words)

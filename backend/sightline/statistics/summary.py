@@ -1,0 +1,204 @@
+"""What a statistics page, a report and a package show, computed in one place from columns of measurements."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sightline.statistics.agreement import (
+    BlandAltman,
+    ReferencePart,
+    Trend,
+    bland_altman,
+    reference_part,
+    trend,
+)
+from sightline.statistics.corrections import Corrected, Correction, Known, corrected
+from sightline.statistics.distributions import (
+    Density,
+    Ecdf,
+    Percentile,
+    Share,
+    density,
+    ecdf,
+    percentiles,
+    share_below,
+    sorted_values,
+)
+from sightline.statistics.errors import WHOLE_CM, ErrorGroup, Rounding, error_table, signed_errors
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+MOST_POINTS = 1500
+MOST_GROUPS = 24
+_POINTS_OF_GROUPS = 200
+_SEED = 20190403
+
+
+@dataclass(frozen=True, eq=False)
+class Roofs:
+    """Roofs of vehicles with a reference height, (N,) each, metres; `lighting` "" where unknown."""
+
+    measured_m: Floats
+    paper_m: Floats
+    reference_m: Floats
+    u_reference_m: Floats
+    lighting: NDArray[np.str_]
+
+    def known(self) -> Known:
+        """What the paper's corrections start from: heights with inset 0 and the errors they have."""
+        return Known(self.paper_m, self.paper_m - self.reference_m)
+
+
+@dataclass(frozen=True, eq=False)
+class Errors:
+    """Errors against reference heights; a part that cannot be computed is its reason.
+
+    `points`: (reference height, signed error, index of the lighting in daytime, low_light, none), thinned to
+    MOST_POINTS at random but always alike.
+    """
+
+    rounding: Rounding
+    groups: dict[str, ErrorGroup]
+    reference_part: ReferencePart | str
+    bland_altman: BlandAltman | str
+    trend: Trend | str
+    absolute_trend: Trend | str
+    absolute: dict[str, Ecdf | None]
+    relative: dict[str, Ecdf | None]
+    density: dict[str, Density | str]
+    points: Floats
+
+
+@dataclass(frozen=True, eq=False)
+class Distribution:
+    """The heights of one target in one group of vehicles; without any, all parts are empty."""
+
+    n: int
+    mean_m: float | None
+    sd_m: float | None
+    ecdf: Ecdf | None
+    percentiles: list[Percentile]
+    shares: list[Share]
+
+
+@dataclass(frozen=True, eq=False)
+class Grouping:
+    """A way to divide measurements: `code` (N,) says which of the `words` each belongs to, -1 for none."""
+
+    code: Ints
+    words: Sequence[str]
+
+    def where(self, chosen: NDArray[np.bool_]) -> "Grouping":
+        """The rows that are chosen (N,)."""
+        return Grouping(self.code[chosen], self.words)
+
+
+@dataclass(frozen=True, eq=False)
+class Groups:
+    """Distributions by word, in the order of the words; of many only the MOST_GROUPS largest."""
+
+    of: dict[str, Distribution]
+    left_out: int
+
+
+@dataclass(frozen=True, eq=False)
+class Target:
+    """A target's heights as the paper measures them and corrected, and the corrected ones by group."""
+
+    raw: Distribution
+    corrected: Distribution
+    correction: Corrected | str
+    density: Density | str
+    groups: dict[str, Groups]
+
+
+def errors_of(roofs: Roofs, correction: Correction, rounding: Rounding) -> Errors:
+    """The error table and figures of roofs against their reference heights.
+
+    "inset" takes the heights corrected by each measurement's inset, every other correction the paper's.
+    """
+    measured = roofs.measured_m if correction == "inset" else roofs.paper_m
+    error, reference = signed_errors(measured, roofs.reference_m, rounding)
+    where = {name: roofs.lighting == name for name in ("daytime", "low_light")}
+    where["overall"] = np.ones(len(error), dtype=np.bool_)
+    absolute = np.abs(error)
+    step_m = WHOLE_CM if rounding == "cm" else 0.0
+    return Errors(
+        rounding,
+        error_table(measured, roofs.reference_m, list(roofs.lighting), rounding),
+        reference_part(error, reference, roofs.u_reference_m, rounded=rounding == "cm"),
+        bland_altman(error),
+        trend(reference, error),
+        trend(reference, absolute),
+        {name: ecdf(sorted_values(absolute[rows])) for name, rows in where.items()},
+        {name: ecdf(sorted_values(absolute[rows] / reference[rows])) for name, rows in where.items()},
+        {name: density(sorted_values(error[rows]), step=step_m) for name, rows in where.items()},
+        _points(reference, error, roofs.lighting),
+    )
+
+
+def target_of(
+    inset_m: Floats,
+    paper_m: Floats,
+    roofs: Roofs,
+    correction: Correction,
+    limits_m: Sequence[float],
+    groupings: Mapping[str, Grouping],
+) -> Target:
+    """One target: heights (N,) corrected by inset, and the paper's (NaN where it has none); limits_m: heights
+    whose share below is wanted.
+    """
+    raw = distribution(paper_m, limits_m)
+    if correction != "inset":
+        measured = np.isfinite(paper_m)
+        inset_m, paper_m = inset_m[measured], paper_m[measured]
+        groupings = {name: one.where(measured) for name, one in groupings.items()}
+    known = roofs.known()
+    part = reference_part(known.error_m, roofs.reference_m, roofs.u_reference_m)
+    camera_sd_m = None if isinstance(part, str) else part.camera_sd_m
+    done = corrected(correction, inset_m, paper_m, known, camera_sd_m)
+    if isinstance(done, str):
+        return Target(raw, distribution(np.empty(0)), done, done, {})
+    heights = done.height_m
+    by = {name: _groups(heights, one, limits_m) for name, one in groupings.items()}
+    return Target(raw, distribution(heights, limits_m), done, density(sorted_values(heights)), by)
+
+
+def _groups(heights_m: Floats, grouping: Grouping, limits_m: Sequence[float]) -> Groups:
+    counts = np.bincount(grouping.code + 1, minlength=len(grouping.words) + 1)[1:]
+    largest = np.argsort(-counts, kind="stable")[:MOST_GROUPS]
+    present = [int(code) for code in sorted(largest) if counts[code]]
+    of = {
+        grouping.words[code]: distribution(
+            heights_m[grouping.code == code], limits_m, most_steps=_POINTS_OF_GROUPS
+        )
+        for code in present
+    }
+    return Groups(of, int(np.count_nonzero(counts)) - len(present))
+
+
+def distribution(heights_m: Floats, limits_m: Sequence[float] = (), most_steps: int = 600) -> Distribution:
+    """Percentiles, cumulative distribution and shares below limits of heights (N,)."""
+    ordered = sorted_values(heights_m)
+    n = len(ordered)
+    shares = [found for limit in limits_m if (found := share_below(ordered, limit)) is not None]
+    return Distribution(
+        n,
+        float(ordered.mean()) if n else None,
+        float(ordered.std(ddof=1)) if n > 1 else None,
+        ecdf(ordered, most_steps),
+        percentiles(ordered),
+        shares,
+    )
+
+
+def _points(reference: Floats, error: Floats, lighting: NDArray[np.str_]) -> Floats:
+    code = np.select([lighting == "daytime", lighting == "low_light"], [0.0, 1.0], 2.0)
+    rows = np.arange(len(error))
+    if len(rows) > MOST_POINTS:
+        chosen = np.random.default_rng(_SEED).choice(len(rows), MOST_POINTS, replace=False)
+        rows = np.sort(chosen)
+    return np.column_stack([reference, error, code])[rows]

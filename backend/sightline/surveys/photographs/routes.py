@@ -1,0 +1,120 @@
+"""Photographs of a survey's set-up: added, captioned, put in order, taken out and brought back."""
+
+from datetime import datetime
+from typing import Annotated
+
+from fastapi import APIRouter, Form, Query, Request, Response, UploadFile
+from pydantic import Field
+
+from sightline.cameras.routes import whole_file
+from sightline.infra.web.bodies import Id, In, Out, WhoBody
+from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired, Writing
+from sightline.recordings.frames.routes import JPEG, jpeg_once
+from sightline.recordings.uploads.routes import clean_name
+from sightline.surveys.photographs import service, store
+from sightline.surveys.photographs.records import Photograph
+from sightline.surveys.photographs.store import MOST_CAPTION, MOST_PHOTOGRAPHS
+from sightline.surveys.store import get_survey
+
+router = APIRouter()
+
+MOST_BYTES = 64_000_000
+Caption = Annotated[str, Field(max_length=MOST_CAPTION)]
+Version = Annotated[int, Field(ge=1, le=2**31 - 1)]
+
+
+class PhotographBody(Out):
+    id: int
+    survey_id: int
+    name: str
+    caption: str
+    width_px: int
+    height_px: int
+    size_bytes: int
+    sha256: str
+    version: int
+    created_at: datetime
+    created_by: WhoBody | None
+    url: str
+
+
+class CaptionIn(In):
+    caption: Caption
+    version: Version
+
+
+class OrderIn(In):
+    ids: list[Id] = Field(max_length=MOST_PHOTOGRAPHS, description="Every photograph once, first one first.")
+
+
+def body_of(one: Photograph) -> PhotographBody:
+    """A photograph as it goes out, with its address."""
+    names = PhotographBody.model_fields.keys() - {"url"}
+    values = {name: getattr(one, name) for name in names}
+    return PhotographBody.model_validate({**values, "url": f"/api/photographs/{one.id}.jpg"})
+
+
+@router.get("/surveys/{survey_id}/photographs")
+def list_photographs(survey_id: PathId, who: Viewer, session: Reading) -> list[PhotographBody]:
+    """The photographs of the set-up in their order."""
+    get_survey(session, survey_id)
+    return [body_of(one) for one in store.list_photographs(session, survey_id)]
+
+
+@router.post("/surveys/{survey_id}/photographs", status_code=201)
+def add_photograph(
+    survey_id: PathId,
+    file: UploadFile,
+    who: Operator,
+    services: Wired,
+    caption: Annotated[str, Form(max_length=MOST_CAPTION)] = "",
+) -> PhotographBody:
+    """A JPEG, PNG, WebP or TIFF file; kept as a JPEG of at most 1600 pixels a side, without its metadata."""
+    name = clean_name(file.filename or "photograph")
+    content = whole_file(file, MOST_BYTES, name)
+    return body_of(
+        service.store_photograph(services, survey_id, name, content, caption.replace("\x00", ""), who.id)
+    )
+
+
+@router.put("/surveys/{survey_id}/photographs/order")
+def order_photographs(
+    survey_id: PathId, body: OrderIn, who: Operator, session: Writing
+) -> list[PhotographBody]:
+    """Put the photographs into this order, on the page, in the package and in the report."""
+    get_survey(session, survey_id)
+    return [body_of(one) for one in store.order_photographs(session, survey_id, body.ids, actor=who.id)]
+
+
+@router.put("/photographs/{photograph_id}")
+def caption_photograph(
+    photograph_id: PathId, body: CaptionIn, who: Operator, session: Writing
+) -> PhotographBody:
+    """Another caption."""
+    made = store.change_photograph_caption(
+        session, photograph_id, body.caption, version=body.version, actor=who.id
+    )
+    return body_of(made)
+
+
+@router.delete("/photographs/{photograph_id}", status_code=204)
+def remove_photograph(
+    photograph_id: PathId, who: Operator, session: Writing, version: Annotated[Version, Query()]
+) -> None:
+    """Take a photograph out; it can be brought back."""
+    store.remove_photograph(session, photograph_id, version=version, actor=who.id)
+
+
+@router.post("/photographs/{photograph_id}/restore")
+def restore_photograph(photograph_id: PathId, who: Operator, session: Writing) -> PhotographBody:
+    """Bring a photograph back that was taken out."""
+    return body_of(store.restore_photograph(session, photograph_id, actor=who.id))
+
+
+@router.get("/photographs/{photograph_id}.jpg", response_class=Response, responses=JPEG)
+def photograph_file(photograph_id: PathId, who: Viewer, services: Wired, request: Request) -> Response:
+    """The photograph as JPEG."""
+    with services.reading() as session:
+        one = store.get_photograph(session, photograph_id)
+    etag = f'"{one.sha256[:32]}"'
+    return jpeg_once(request, etag, lambda: service.photograph_content(services, one))

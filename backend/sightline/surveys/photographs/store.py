@@ -1,0 +1,157 @@
+"""Photographs of a survey's set-up: their captions and order; taken out ones are kept for undo."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from sqlalchemy import func, select
+from sqlalchemy.orm import Session
+
+from sightline.errors import BadInput, Conflict
+from sightline.infra.audit import trail
+from sightline.infra.database.rows import add_row, change_row, get_row, missing, name_of, names, who
+from sightline.infra.database.types import now
+from sightline.surveys.photographs.records import Photograph
+from sightline.surveys.photographs.tables import survey_photographs as photographs
+from sightline.surveys.tables import surveys
+
+MOST_PHOTOGRAPHS = 40
+MOST_CAPTION = 500
+_STORED = ("name", "media_key", "sha256", "size_bytes", "width_px", "height_px")
+
+
+def add_photograph(
+    session: Session,
+    survey_id: int,
+    *,
+    name: str,
+    media_key: str,
+    sha256: str,
+    size_bytes: int,
+    width_px: int,
+    height_px: int,
+    caption: str = "",
+    actor: int | None,
+) -> Photograph:
+    """A stored JPEG as the survey's last photograph. Raises NotFound, BadInput for too many of them."""
+    get_row(session, surveys, survey_id, "survey")
+    require_photograph_room(session, survey_id)
+    last = select(func.max(photographs.c.position)).where(photographs.c.survey_id == survey_id)
+    content = {
+        "name": name,
+        "caption": _caption(caption),
+        "position": int(session.execute(last).scalar_one() or 0) + 1,
+        "media_key": media_key,
+        "sha256": sha256,
+        "size_bytes": size_bytes,
+        "width_px": width_px,
+        "height_px": height_px,
+    }
+    moment = now()
+    stamps = {"created_at": moment, "created_by": actor, "updated_at": moment, "updated_by": actor}
+    new_id = add_row(session, photographs, {"survey_id": survey_id, **content, **stamps, "version": 1})
+    after = {**content, "created_at": moment}
+    trail.record(session, actor, "create", "photograph", new_id, survey_id, None, after)
+    return get_photograph(session, new_id)
+
+
+def require_photograph_room(session: Session, survey_id: int) -> None:
+    """Raises BadInput if a survey has as many photographs as it may."""
+    if len(list_photographs(session, survey_id)) >= MOST_PHOTOGRAPHS:
+        raise BadInput(f"A survey takes {MOST_PHOTOGRAPHS} photographs; take one out before adding another.")
+
+
+def get_photograph(session: Session, photograph_id: int, *, deleted: bool = False) -> Photograph:
+    """One photograph; a deleted one only if `deleted`. Raises NotFound."""
+    row = get_row(session, photographs, photograph_id, "photograph")
+    if row["deleted_at"] is not None and not deleted:
+        raise missing("photograph", photograph_id)
+    return _records(session, [row])[0]
+
+
+def list_photographs(session: Session, survey_id: int) -> tuple[Photograph, ...]:
+    """The photographs of a survey in their order."""
+    alive = (photographs.c.survey_id == survey_id, photographs.c.deleted_at.is_(None))
+    query = select(photographs).where(*alive).order_by(photographs.c.position, photographs.c.id)
+    return _records(session, session.execute(query).mappings().all())
+
+
+def change_photograph_caption(
+    session: Session, photograph_id: int, caption: str, *, version: int, actor: int | None
+) -> Photograph:
+    """Another caption. Raises NotFound, BadInput, and Conflict if `version` is not the current one."""
+    before = _current(session, photograph_id, version)
+    content = {"caption": _caption(caption)}
+    _change(session, before, content, actor)
+    what = trail.changed(before, content, content)
+    trail.record(session, actor, "update", "photograph", photograph_id, before["survey_id"], *what)
+    return get_photograph(session, photograph_id)
+
+
+def order_photographs(
+    session: Session, survey_id: int, ids: Sequence[int], *, actor: int | None
+) -> tuple[Photograph, ...]:
+    """Put the photographs into the order of `ids`. Raises Conflict if these are not the ones there are."""
+    there = [one.id for one in list_photographs(session, survey_id)]
+    if sorted(there) != sorted(ids):
+        raise Conflict("Photographs were added or taken out meanwhile; look again and redo the order.")
+    for position, photograph_id in enumerate(ids, start=1):
+        change_row(session, photographs, photograph_id, {"position": position})
+    before, after = {"order": there}, {"order": list(ids)}
+    trail.record(session, actor, "order", "photograph", None, survey_id, before, after)
+    return list_photographs(session, survey_id)
+
+
+def remove_photograph(session: Session, photograph_id: int, *, version: int, actor: int | None) -> Photograph:
+    """Take a photograph out; `restore` brings it back. Raises NotFound, Conflict."""
+    before = _current(session, photograph_id, version)
+    _change(session, before, {"deleted_at": now()}, actor)
+    what = {"deleted": False}, {"deleted": True}
+    trail.record(session, actor, "delete", "photograph", photograph_id, before["survey_id"], *what)
+    return get_photograph(session, photograph_id, deleted=True)
+
+
+def restore_photograph(session: Session, photograph_id: int, *, actor: int | None) -> Photograph:
+    """Bring a photograph back that was taken out. Raises NotFound, BadInput."""
+    before = get_row(session, photographs, photograph_id, "photograph")
+    if before["deleted_at"] is None:
+        return get_photograph(session, photograph_id)
+    require_photograph_room(session, before["survey_id"])
+    _change(session, before, {"deleted_at": None}, actor)
+    what = {"deleted": True}, {"deleted": False}
+    trail.record(session, actor, "restore", "photograph", photograph_id, before["survey_id"], *what)
+    return get_photograph(session, photograph_id)
+
+
+def _current(session: Session, photograph_id: int, version: int) -> dict[str, Any]:
+    row = get_row(session, photographs, photograph_id, "photograph", photographs.c.deleted_at.is_(None))
+    if row["version"] != version:
+        name, when = name_of(session, row["updated_by"]), f"{row['updated_at']:%Y-%m-%d %H:%M:%S} UTC"
+        raise Conflict(f"{name} changed this photograph at {when}; look again and redo yours.")
+    return row
+
+
+def _change(
+    session: Session, before: Mapping[str, Any], content: Mapping[str, Any], actor: int | None
+) -> None:
+    stamps = {"version": before["version"] + 1, "updated_at": now(), "updated_by": actor}
+    change_row(session, photographs, before["id"], {**content, **stamps})
+
+
+def _caption(text: str) -> str:
+    caption = " ".join(text.split())
+    if len(caption) > MOST_CAPTION:
+        raise BadInput(f"A caption has at most {MOST_CAPTION} characters; shorten it.")
+    return caption
+
+
+def _records(session: Session, rows: Sequence[Mapping[Any, Any]]) -> tuple[Photograph, ...]:
+    people = names(session, (row["created_by"] for row in rows))
+    kept = ("id", "survey_id", "caption", "position", "version", "created_at", *_STORED)
+    return tuple(
+        Photograph(
+            created_by=who(row["created_by"], people.get(row["created_by"])),
+            deleted=row["deleted_at"] is not None,
+            **{name: row[name] for name in kept},
+        )
+        for row in rows
+    )

@@ -1,0 +1,39 @@
+"""The table of photographs of the set-up."""
+
+from sqlalchemy import (
+    BigInteger,
+    CheckConstraint,
+    Column,
+    ForeignKey,
+    Integer,
+    String,
+    Table,
+    Text,
+)
+
+from sightline.infra.database.types import Moment, identity, metadata
+
+# Pictures of the set-up: the rig, the road, the board in place. `position` is their order on the page.
+survey_photographs = Table(
+    "survey_photographs",
+    metadata,
+    identity(),
+    Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
+    Column("name", String(400), nullable=False),
+    Column("caption", Text, nullable=False),
+    Column("position", Integer, nullable=False),
+    Column("media_key", String(400), nullable=False),
+    Column("sha256", String(64), nullable=False),
+    Column("size_bytes", BigInteger, nullable=False),
+    Column("width_px", Integer, nullable=False),
+    Column("height_px", Integer, nullable=False),
+    Column("version", Integer, nullable=False),
+    Column("created_at", Moment, nullable=False),
+    Column("created_by", ForeignKey("people.id")),
+    Column("updated_at", Moment, nullable=False),
+    Column("updated_by", ForeignKey("people.id")),
+    Column("deleted_at", Moment),
+    CheckConstraint("width_px > 0 AND height_px > 0 AND size_bytes > 0", name="size_positive"),
+    CheckConstraint("position >= 1", name="position_counts"),
+    CheckConstraint("version >= 1", name="version_counts"),
+)

@@ -1,0 +1,54 @@
+"""Holding the photographs of an export against the audit chain."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from sightline.errors import Damaged
+from sightline.export.verify.chain import Told, stamp
+from sightline.infra.csv_package.files import Files, read_rows
+from sightline.infra.csv_package.schema import Cell, Written, cell_text
+from sightline.surveys.photographs.csv import FOLDER, PHOTOGRAPHS, photograph_path
+
+
+def check_photographs(files: Files, told: Told, written: Mapping[str, Written]) -> int:
+    """Every photograph is the file that its audit event names, with the caption and in the order that the
+    events give, and none is missing or put in; how many.
+    """
+    expected = _expected(told)
+    rows = list(read_rows(files, PHOTOGRAPHS.path))
+    if [row["id"] for row in rows] != [cell_text(PHOTOGRAPHS.columns[0], one["id"]) for one in expected]:
+        raise Damaged(f"{PHOTOGRAPHS.path} has not the photographs of the audit events; it was changed.")
+    for row, one in zip(rows, expected, strict=True):
+        for column in PHOTOGRAPHS.columns:
+            if row[column.name] != cell_text(column, one[column.name]):
+                raise Damaged(
+                    f"{PHOTOGRAPHS.path}: {column.name} of {row['id']} is not what its audit events say; "
+                    "it was changed."
+                )
+        if row["file"] not in written or written[row["file"]].sha256 != row["sha256"]:
+            raise Damaged(
+                f"{row['file']} is not the photograph that its audit event names; it was exchanged."
+            )
+    strange = {path for path in files.paths if path.startswith(FOLDER)} - {row["file"] for row in rows}
+    if strange:
+        raise Damaged(f"{min(strange)} is in no row of {PHOTOGRAPHS.path}; it was put in.")
+    return len(rows)
+
+
+def _expected(told: Told) -> list[dict[str, Cell]]:
+    """The rows as the events tell them."""
+    there: list[dict[str, Any]] = [
+        {"id": id_, **one} for id_, one in told.photographs.items() if not one.get("deleted", False)
+    ]
+    there.sort(key=lambda one: (one["position"], one["id"]))
+    return [
+        {
+            **one,
+            "position": place,
+            "file": photograph_path(one["id"]),
+            "created_at": stamp(one["created_at"]),
+        }
+        for place, one in enumerate(there, start=1)
+    ]

@@ -1,0 +1,138 @@
+"""Surveys: their words, insets, counts and the steps of the work (computed in `survey_progress`)."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict
+from typing import Any
+
+from sqlalchemy import select
+from sqlalchemy.orm import Session
+
+from sightline.errors import BadInput, Conflict
+from sightline.geometry.insets import DEFAULT_INSETS
+from sightline.infra.audit import trail
+from sightline.infra.database.rows import add_row, change_row, get_row, name_of
+from sightline.infra.database.types import now
+from sightline.results.overview_query import progress_of
+from sightline.surveys.records import Inset, Survey
+from sightline.surveys.tables import surveys
+
+EDITABLE = ("name", "site", "description", "insets")
+
+
+def default_insets() -> dict[str, Inset]:
+    """The insets a new survey starts with, one per target (estimates, see geometry.insets)."""
+    return {target: Inset(inset, u_inset, note) for target, (inset, u_inset, note) in DEFAULT_INSETS.items()}
+
+
+def create_survey(
+    session: Session,
+    *,
+    name: str,
+    site: str = "",
+    description: str = "",
+    insets: Mapping[str, Inset] | None = None,
+    is_demo: bool = False,
+    actor: int | None,
+) -> Survey:
+    """A new, empty survey. Raises BadInput without a name."""
+    moment = now()
+    content = _content(name, site, description, insets or default_insets())
+    stamps = {"created_at": moment, "created_by": actor, "updated_at": moment, "updated_by": actor}
+    survey_id = add_row(session, surveys, {**content, **stamps, "is_demo": is_demo, "version": 1})
+    trail.record(session, actor, "create", "survey", survey_id, survey_id, None, content)
+    return get_survey(session, survey_id)
+
+
+def get_survey(session: Session, survey_id: int) -> Survey:
+    """One survey with its counts and steps. Raises NotFound."""
+    return _surveys(session, [get_row(session, surveys, survey_id, "survey")])[0]
+
+
+def list_surveys(session: Session) -> tuple[Survey, ...]:
+    """Every survey, newest first; a fixed number of queries however many there are."""
+    rows = session.execute(select(surveys).order_by(surveys.c.id.desc())).mappings().all()
+    return _surveys(session, [dict(row) for row in rows])
+
+
+def survey_names(session: Session) -> dict[int, tuple[str, str]]:
+    """(name, site) of every survey by id, newest first; without counts, which cost much."""
+    query = select(surveys.c.id, surveys.c.name, surveys.c.site).order_by(surveys.c.id.desc())
+    return {row.id: (row.name, row.site) for row in session.execute(query)}
+
+
+def survey_by_name(session: Session, name: str) -> Survey:
+    """The survey with this name (the newest of several). Raises NotFound, BadInput."""
+    query = select(surveys).where(surveys.c.name == name).order_by(surveys.c.id.desc()).limit(1)
+    row = session.execute(query).mappings().one_or_none()
+    if row is None:
+        raise BadInput(f"There is no survey named “{name}”; check the name on the home page.")
+    return _surveys(session, [dict(row)])[0]
+
+
+def demo_survey_id(session: Session) -> int | None:
+    """The demonstration survey, if it was made."""
+    query = select(surveys.c.id).where(surveys.c.is_demo).order_by(surveys.c.id.desc()).limit(1)
+    return session.execute(query).scalar_one_or_none()
+
+
+def update_survey(
+    session: Session,
+    survey_id: int,
+    *,
+    name: str,
+    site: str,
+    description: str,
+    insets: Mapping[str, Inset],
+    version: int,
+    actor: int | None,
+) -> Survey:
+    """Change words or insets. Raises Conflict, naming who and when, if `version` is not the current one."""
+    before = get_row(session, surveys, survey_id, "survey")
+    if before["version"] != version:
+        name_then, when = name_of(session, before["updated_by"]), before["updated_at"]
+        raise Conflict(
+            f"{name_then} changed this survey at {when:%Y-%m-%d %H:%M:%S} UTC; look again and redo yours."
+        )
+    content = _content(name, site, description, insets)
+    stamps = {"version": version + 1, "updated_at": now(), "updated_by": actor}
+    change_row(session, surveys, survey_id, {**content, **stamps})
+    what = trail.changed(before, content, EDITABLE)
+    trail.record(session, actor, "update", "survey", survey_id, survey_id, *what)
+    return get_survey(session, survey_id)
+
+
+def _content(name: str, site: str, description: str, insets: Mapping[str, Inset]) -> dict[str, Any]:
+    if not name.strip():
+        raise BadInput("A survey needs a name; fill it in.")
+    for target, inset in insets.items():
+        if target not in DEFAULT_INSETS or not inset.u_inset_m >= 0:
+            raise BadInput(
+                f"The inset of “{target}” cannot be used; give a known target and an uncertainty >= 0."
+            )
+    whole = {**default_insets(), **insets}
+    return {
+        "name": name.strip(),
+        "site": site.strip(),
+        "description": description.strip(),
+        "insets": {target: asdict(inset) for target, inset in whole.items()},
+    }
+
+
+def _surveys(session: Session, rows: Sequence[Mapping[str, Any]]) -> tuple[Survey, ...]:
+    progress = progress_of(session, [row["id"] for row in rows])
+    return tuple(
+        Survey(
+            id=row["id"],
+            name=row["name"],
+            site=row["site"],
+            description=row["description"],
+            is_demo=row["is_demo"],
+            version=row["version"],
+            created_at=row["created_at"],
+            insets={target: Inset(**values) for target, values in row["insets"].items()},
+            counts=progress[row["id"]].counts,
+            steps=progress[row["id"]].steps,
+            scans=progress[row["id"]].scans,
+        )
+        for row in rows
+    )

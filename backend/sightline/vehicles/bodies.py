@@ -1,0 +1,59 @@
+"""What vehicle records take and answer."""
+
+from typing import Annotated, Any
+
+from pydantic import Field
+
+from sightline.enums import Category, Direction, Lighting, VehicleOrigin, VehicleState
+from sightline.infra.web.bodies import Finite, FrameNumber, In, Out, Text
+from sightline.infra.web.quantities import HeightM, Word
+
+
+class VehicleFields(In):
+    """What people fill in of a vehicle record; keys left out stay as they are."""
+
+    first_frame: FrameNumber | None = None
+    last_frame: FrameNumber | None = None
+    best_frame: FrameNumber | None = None
+    make: Word | None = None
+    model: Word | None = None
+    year: Annotated[int, Field(ge=1885, le=2100)] | None = None
+    category: Category | None = None
+    manufacturer_height_m: HeightM | None = None
+    u_manufacturer_height_m: Annotated[Finite, Field(ge=0, le=10)] | None = None
+    height_source: Text | None = None
+    lighting: Lighting | None = None
+    notes: Text | None = None
+
+
+class NewVehicle(VehicleFields):
+    first_frame: FrameNumber
+    last_frame: FrameNumber
+
+
+class ChangedVehicle(VehicleFields):
+    version: Annotated[int, Field(ge=1, le=2**31 - 1, description="The version that you saw.")]
+
+
+class VehicleAlone(Out):
+    id: int
+    survey_id: int
+    recording_id: int
+    number: int
+    first_frame: int
+    last_frame: int
+    best_frame: int | None
+    make: str | None
+    model: str | None
+    year: int | None
+    category: Category | None
+    manufacturer_height_m: float | None
+    u_manufacturer_height_m: float | None
+    height_source: str | None
+    lighting: Lighting | None
+    notes: str
+    origin: VehicleOrigin
+    direction: Direction | None = Field(description="Which way it goes in the picture, where that is known.")
+    detection: dict[str, Any] | None = Field(description="What the search for passes saw of it.")
+    version: int
+    state: VehicleState

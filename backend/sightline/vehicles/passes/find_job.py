@@ -1,0 +1,171 @@
+"""Finding the vehicle passes of a recording, as a job; what is there or was discarded stays as it is."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from sqlalchemy.orm import Session
+
+from sightline.detection.classify import FoundPass
+from sightline.detection.finder import PassesCancelled, find_passes
+from sightline.enums import JobState
+from sightline.errors import BadInput, Conflict, Damaged
+from sightline.geometry.documents import pose_from_dict
+from sightline.geometry.road_pose import RoadPose
+from sightline.infra.jobs import registry
+from sightline.infra.jobs.records import Job
+from sightline.infra.jobs.registry import Cancelled, Finish, JobContext
+from sightline.infra.jobs.store import list_jobs
+from sightline.infra.services import Services, services_of
+from sightline.poses.store import get_pose
+from sightline.recordings.ingest_job import LOW_LIGHT_BELOW, PASSES
+from sightline.recordings.records import Recording
+from sightline.recordings.store import get_recording
+from sightline.vehicles.records import VehicleChanges
+from sightline.vehicles.store import PassSpan, create_vehicle, pass_spans
+
+KIND = PASSES
+STOPPED = "The search for passes was cancelled; start it again when you like."
+SAME_SHARE = 0.5
+UNDER_WAY: tuple[JobState, ...] = ("queued", "running")
+
+
+def request_passes(session: Session, recording_id: int, *, actor: int) -> Job:
+    """Queue the search. Raises NotFound, BadInput (no frames yet), Conflict while one waits or runs."""
+    recording = get_recording(session, recording_id)
+    if recording.state != "ready":
+        raise BadInput(f"{recording.name} has no frames yet; wait until it is ready.")
+    for state in UNDER_WAY:
+        for job in list_jobs(session, survey_id=recording.survey_id, state=state):
+            if job.kind == KIND and job.recording_id == recording_id:
+                raise Conflict(f"Passes of {recording.name} are being looked for already; wait for that.")
+    return registry.enqueue(
+        session, KIND, {}, survey_id=recording.survey_id, recording_id=recording_id, actor=actor
+    )
+
+
+@registry.handler(KIND)
+def look_for_passes(context: JobContext) -> Finish:
+    """Look through the video once; what is new is stored with the job's end."""
+    services = services_of(context)
+    recording_id = context.job.recording_id
+    assert recording_id is not None
+    opened = services.stills.open(recording_id)
+    recording = opened.recording
+    board, square_at = _posed(services, recording)
+    context.progress(0.0, "Looking for passes.")
+    try:
+        found, count = find_passes(
+            opened.media.path,
+            rate_hz=_rate_hz(opened.time_s),
+            square_at=square_at,
+            on_progress=lambda fraction: context.progress(0.98 * fraction, "Looking for passes."),
+            is_cancelled=context.is_cancelled,
+            name=recording.name,
+        )
+    except PassesCancelled as stopped:
+        raise Cancelled(STOPPED) from stopped
+    if count != len(opened.media):
+        raise Damaged(
+            f"{recording.name} gives {count} frames now and gave {len(opened.media)} when it was read; read "
+            "it again."
+        )
+    moving = [one for one in found if not _is_board(one, board)]
+
+    def finish(session: Session) -> Mapping[str, Any]:
+        return store(session, recording_id, moving, context.actor)
+
+    return finish
+
+
+def store(
+    session: Session, recording_id: int, found: Sequence[FoundPass], actor: int | None
+) -> dict[str, Any]:
+    """Add the passes that are not there yet, discarded ones counted as there; what was done, in words."""
+    known = pass_spans(session, recording_id)
+    new = [one for one in found if not any(same_pass(one, other) for other in known)]
+    for one in new:
+        create_vehicle(session, recording_id, fields_of(one), actor=actor)
+    return {
+        "recording_id": recording_id,
+        "found": len(found),
+        "added": len(new),
+        "known": len(found) - len(new),
+        "message": _told(len(found), len(new)),
+    }
+
+
+def fields_of(one: FoundPass) -> VehicleChanges:
+    """A found pass as a vehicle record; its lighting is proposed, for a person to confirm."""
+    proposed = "low_light" if one.luminance < LOW_LIGHT_BELOW else "daytime"
+    detection = {
+        "score": one.score,
+        "whole": one.whole,
+        "sharpness": one.sharpness,
+        "luminance": one.luminance,
+        "lighting_proposed": proposed,
+        "boxes": [list(box) for box in one.boxes],
+    }
+    return {
+        "first_frame": one.first_frame,
+        "last_frame": one.last_frame,
+        "best_frame": one.best_frame,
+        "direction": one.direction,
+        "origin": "found",
+        "detection": detection,
+    }
+
+
+def same_pass(one: FoundPass, known: PassSpan) -> bool:
+    """Whether half of the shorter span lies in the other and they go the same way, as far as is known."""
+    if one.direction and known.direction and one.direction != known.direction:
+        return False
+    shared = min(one.last_frame, known.last_frame) - max(one.first_frame, known.first_frame) + 1
+    shorter = min(one.last_frame - one.first_frame, known.last_frame - known.first_frame) + 1
+    return shared >= SAME_SHARE * shorter
+
+
+def _told(found: int, new: int) -> str:
+    if not found:
+        return "No passes were found; mark them by hand."
+    passes = "1 pass was found" if found == 1 else f"{found} passes were found"
+    if new == found:
+        return f"{passes}."
+    return f"{passes}: {new or 'none'} new, {found - new} known or discarded before."
+
+
+def _rate_hz(time_s: np.ndarray[Any, np.dtype[np.float64]]) -> float | None:
+    span_s = float(time_s[-1] - time_s[0]) if len(time_s) > 1 else 0.0
+    return (len(time_s) - 1) / span_s if span_s > 0 else None
+
+
+def _posed(services: Services, recording: Recording) -> tuple[tuple[int, int] | None, float]:
+    """The span in which the board stood, and where in the picture the camera looks square at the road."""
+    if recording.pose_id is None:
+        return None, 0.5
+    with services.reading() as session:
+        pose = get_pose(session, recording.pose_id)
+    board = (pose.first_frame, pose.last_frame) if pose.recording_id == recording.id else None
+    return board, square_at(pose_from_dict(pose.document, "the road pose"))
+
+
+def square_at(pose: RoadPose) -> float:
+    """Where the camera looks square across the road, as a fraction of the picture's width, 0 to 1.
+
+    Without the lens's distortion: it says near what the best frame lies, and measures nothing.
+    """
+    camera = pose.camera
+    x, _, z = pose.rotation @ np.array([0.0, 1.0, 0.0])
+    if z <= 0:
+        return 0.5
+    return float(np.clip((camera.cx_px + camera.fx_px * x / z) / camera.width_px, 0.0, 1.0))
+
+
+def _is_board(one: FoundPass, board: tuple[int, int] | None) -> bool:
+    """Whether it lies for the most part in the span in which the board stood still on the road."""
+    if board is None:
+        return False
+    shared = min(one.last_frame, board[1]) - max(one.first_frame, board[0]) + 1
+    return shared > SAME_SHARE * (one.last_frame - one.first_frame + 1)

@@ -1,0 +1,25 @@
+"""What may be changed of a vehicle."""
+
+from typing import TypedDict
+
+from sightline.enums import Category, Direction, JsonObject, Lighting, VehicleOrigin
+
+
+class VehicleChanges(TypedDict, total=False):
+    """The fields of a vehicle record that people fill in; keys left out stay as they are."""
+
+    first_frame: int
+    last_frame: int
+    best_frame: int | None
+    make: str | None
+    model: str | None
+    year: int | None
+    category: Category | None
+    manufacturer_height_m: float | None
+    u_manufacturer_height_m: float | None
+    height_source: str | None
+    lighting: Lighting | None
+    notes: str
+    origin: VehicleOrigin
+    direction: Direction | None
+    detection: JsonObject | None

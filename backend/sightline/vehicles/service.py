@@ -1,0 +1,28 @@
+"""Vehicle records: two people at one record, and the second one is told."""
+
+from __future__ import annotations
+
+from sqlalchemy.orm import Session
+
+from sightline.errors import Conflict
+from sightline.measurements.records import Vehicle
+from sightline.vehicles.records import VehicleChanges
+from sightline.vehicles.store import get_vehicle, update_vehicle
+
+
+class Overtaken(Conflict):
+    """Somebody changed the record in between; `current` is what it holds now (the answer carries it)."""
+
+    def __init__(self, message: str, current: object) -> None:
+        super().__init__(message)
+        self.current = current
+
+
+def change_vehicle(
+    session: Session, vehicle_id: int, changes: VehicleChanges, *, version: int, actor: int
+) -> Vehicle:
+    """Change the fields given. Raises Overtaken, with the record as it is now, for an old version."""
+    try:
+        return update_vehicle(session, vehicle_id, changes, version=version, actor=actor)
+    except Conflict as error:
+        raise Overtaken(error.message, get_vehicle(session, vehicle_id)) from error

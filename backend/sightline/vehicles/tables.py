@@ -1,0 +1,54 @@
+"""The table of vehicles."""
+
+from sqlalchemy import (
+    CheckConstraint,
+    Column,
+    Float,
+    ForeignKey,
+    Integer,
+    String,
+    Table,
+    Text,
+    UniqueConstraint,
+)
+
+from sightline.enums import Category, Direction, Lighting, VehicleOrigin
+from sightline.infra.database.types import Document, Moment, identity, metadata, one_of
+
+vehicles = Table(
+    "vehicles",
+    metadata,
+    identity(),
+    Column("survey_id", ForeignKey("surveys.id"), nullable=False),
+    Column("recording_id", ForeignKey("recordings.id"), nullable=False, index=True),
+    Column("number", Integer, nullable=False),
+    Column("first_frame", Integer, nullable=False),
+    Column("last_frame", Integer, nullable=False),
+    Column("best_frame", Integer),
+    Column("make", String(100)),
+    Column("model", String(200)),
+    Column("year", Integer),
+    Column("category", String(20)),
+    Column("manufacturer_height_m", Float),
+    Column("u_manufacturer_height_m", Float),
+    Column("height_source", Text),
+    Column("lighting", String(20)),
+    Column("notes", Text, nullable=False),
+    # found by the job that looks for passes, or marked by a person; where it goes in the picture
+    Column("origin", String(20), nullable=False, server_default="person"),
+    Column("direction", String(20)),
+    Column("detection", Document),
+    Column("version", Integer, nullable=False),
+    Column("created_at", Moment, nullable=False),
+    Column("created_by", ForeignKey("people.id")),
+    Column("updated_at", Moment, nullable=False),
+    Column("updated_by", ForeignKey("people.id")),
+    Column("deleted_at", Moment),
+    UniqueConstraint("survey_id", "number"),
+    one_of("category", Category),
+    one_of("lighting", Lighting),
+    one_of("origin", VehicleOrigin),
+    one_of("direction", Direction),
+    CheckConstraint("first_frame >= 0 AND last_frame >= first_frame", name="span_forward"),
+    CheckConstraint("version >= 1", name="version_counts"),
+)
