@@ -1,0 +1,961 @@
+"""Every table of the first release; the database refuses to change or remove what is written once."""
+
+import sqlalchemy as sa
+from alembic import op
+
+revision = "0001_first"
+down_revision = None
+branch_labels = None
+depends_on = None
+
+# What is written once, and the columns that are unique beside the id: a row with the same ones would be
+# replaced as well, for INSERT OR REPLACE goes past SQLite's DELETE triggers.
+WRITTEN_ONCE: dict[str, tuple[str, ...]] = {
+    "audit_events": ("hash",),
+    "measurement_series": ("client_key",),
+    "measurements": ("series_id", "revision"),
+    "reviews": (),
+    "calibrations": (),
+    "road_poses": (),
+    "wheel_pairs": (),
+    "click_sigmas": (),
+    "scan_runs": (),
+    "scan_measurements": ("vehicle_id", "revision"),
+    "scan_reviews": (),
+    "line_poses": ("scan_id", "revision"),
+    "line_heights": ("vehicle_id", "target", "revision"),
+}
+# Keys between tables that name each other; SQLite takes them with the table itself.
+CIRCULAR = (
+    ("cameras", "current_calibration_id", "calibrations"),
+    ("recordings", "pose_id", "road_poses"),
+    ("jobs", "scan_id", "scans"),
+    ("uploads", "scan_id", "scans"),
+)
+FUNCTION = """
+CREATE FUNCTION sightline_refuse_change() RETURNS trigger LANGUAGE plpgsql AS $$
+BEGIN
+  RAISE EXCEPTION '% is written once: % is refused', TG_TABLE_NAME, TG_OP
+    USING ERRCODE = 'restrict_violation';
+END
+$$
+"""
+
+
+def upgrade() -> None:
+    create_tables()
+    op.execute(
+        sa.text("INSERT INTO audit_anchor (id, count, hash) VALUES (1, 0, :hash)").bindparams(hash="0" * 64)
+    )
+    if op.get_bind().dialect.name == "postgresql":
+        op.execute(FUNCTION)
+        for table, column, other in CIRCULAR:
+            op.create_foreign_key(f"fk_{table}_{column}", table, other, [column], ["id"])
+    for table, also_unique in WRITTEN_ONCE.items():
+        refuse_changes(table, also_unique)
+
+
+def refuse_changes(table: str, also_unique: tuple[str, ...]) -> None:
+    """Triggers that refuse to update, delete, truncate or replace the rows of a table."""
+    if op.get_bind().dialect.name == "postgresql":
+        # PostgreSQL has no REPLACE; its upsert is an UPDATE and is refused as one.
+        for event, level in (("UPDATE OR DELETE", "ROW"), ("TRUNCATE", "STATEMENT")):
+            op.execute(
+                f"CREATE TRIGGER {table}_refuse_{level.lower()} BEFORE {event} ON {table} "
+                f"FOR EACH {level} EXECUTE FUNCTION sightline_refuse_change()"
+            )
+        return
+    for event in ("UPDATE", "DELETE"):
+        op.execute(
+            f"CREATE TRIGGER {table}_refuse_{event.lower()} BEFORE {event} ON {table} "
+            f"BEGIN SELECT RAISE(ABORT, '{table} is written once: {event} is refused'); END"
+        )
+    same = "id = NEW.id"
+    if also_unique:
+        same += " OR (" + " AND ".join(f"{column} = NEW.{column}" for column in also_unique) + ")"
+    op.execute(
+        f"CREATE TRIGGER {table}_refuse_replace BEFORE INSERT ON {table} "
+        f"WHEN EXISTS (SELECT 1 FROM {table} WHERE {same}) "
+        f"BEGIN SELECT RAISE(ABORT, '{table} is written once: REPLACE is refused'); END"
+    )
+
+
+def create_tables() -> None:
+    """In an order in which every foreign key finds its table."""
+    op.create_table(
+        "audit_anchor",
+        sa.Column("id", sa.Integer(), autoincrement=False, nullable=False),
+        sa.Column("count", sa.Integer(), nullable=False),
+        sa.Column("hash", sa.String(length=64), nullable=False),
+        sa.CheckConstraint("id = 1", name=op.f("ck_audit_anchor_single")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_audit_anchor")),
+    )
+    op.create_table(
+        "catalogue",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("make", sa.String(length=100), nullable=False),
+        sa.Column("model", sa.String(length=200), nullable=False),
+        sa.Column("year_from", sa.Integer(), nullable=True),
+        sa.Column("year_to", sa.Integer(), nullable=True),
+        sa.Column("category", sa.String(length=20), nullable=True),
+        sa.Column("height_m", sa.Float(), nullable=True),
+        sa.Column("length_m", sa.Float(), nullable=True),
+        sa.Column("width_m", sa.Float(), nullable=True),
+        sa.Column("wheelbase_m", sa.Float(), nullable=True),
+        sa.Column("source", sa.Text(), nullable=False),
+        sa.Column("search_text", sa.Text(), nullable=False),
+        sa.CheckConstraint(
+            "category IN ('hatchback', 'saloon', 'estate', 'suv', 'van', 'lorry', 'other')",
+            name=op.f("ck_catalogue_category_known"),
+        ),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_catalogue")),
+    )
+    op.create_index(
+        "ix_catalogue_make_model_year_from", "catalogue", ["make", "model", "year_from"], unique=False
+    )
+    op.create_table(
+        "people",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("name", sa.String(length=200), nullable=False),
+        sa.Column("email", sa.String(length=320), nullable=False),
+        sa.Column("role", sa.String(length=20), nullable=False),
+        sa.Column("active", sa.Boolean(), server_default=sa.true(), nullable=False),
+        sa.Column("password_hash", sa.Text(), nullable=True),
+        sa.Column("session_key", sa.Integer(), server_default="1", nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("last_seen_at", sa.DateTime(timezone=True), nullable=True),
+        sa.CheckConstraint(
+            "role IN ('admin', 'operator', 'reviewer', 'viewer')", name=op.f("ck_people_role_known")
+        ),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_people")),
+        sa.UniqueConstraint("email", name=op.f("uq_people_email")),
+    )
+    op.create_table(
+        "sign_in_links",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("person_id", sa.Integer(), nullable=False),
+        sa.Column("token_hash", sa.String(length=64), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("expires_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("used_at", sa.DateTime(timezone=True), nullable=True),
+        sa.ForeignKeyConstraint(["person_id"], ["people.id"], name=op.f("fk_sign_in_links_person_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_sign_in_links")),
+        sa.UniqueConstraint("token_hash", name=op.f("uq_sign_in_links_token_hash")),
+    )
+    op.create_index(op.f("ix_sign_in_links_person_id"), "sign_in_links", ["person_id"], unique=False)
+    op.create_table(
+        "surveys",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("name", sa.String(length=200), nullable=False),
+        sa.Column("site", sa.String(length=200), nullable=False),
+        sa.Column("description", sa.Text(), nullable=False),
+        sa.Column("is_demo", sa.Boolean(), nullable=False),
+        sa.Column("insets", sa.Text(), nullable=False),
+        sa.Column("version", sa.Integer(), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("created_by", sa.Integer(), nullable=True),
+        sa.Column("updated_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("updated_by", sa.Integer(), nullable=True),
+        sa.CheckConstraint("version >= 1", name=op.f("ck_surveys_version_counts")),
+        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_surveys_created_by")),
+        sa.ForeignKeyConstraint(["updated_by"], ["people.id"], name=op.f("fk_surveys_updated_by")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_surveys")),
+    )
+    op.create_table(
+        "audit_events",
+        sa.Column("id", sa.Integer(), autoincrement=False, nullable=False),
+        sa.Column("at", sa.String(length=40), nullable=False),
+        sa.Column("actor_id", sa.Integer(), nullable=True),
+        sa.Column("action", sa.String(length=60), nullable=False),
+        sa.Column("entity", sa.String(length=60), nullable=False),
+        sa.Column("entity_id", sa.Integer(), nullable=True),
+        sa.Column("survey_id", sa.Integer(), nullable=True),
+        sa.Column("before", sa.Text(), nullable=True),
+        sa.Column("after", sa.Text(), nullable=True),
+        sa.Column("previous_hash", sa.String(length=64), nullable=False),
+        sa.Column("hash", sa.String(length=64), nullable=False),
+        sa.ForeignKeyConstraint(["actor_id"], ["people.id"], name=op.f("fk_audit_events_actor_id")),
+        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_audit_events_survey_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_audit_events")),
+        sa.UniqueConstraint("hash", name=op.f("uq_audit_events_hash")),
+    )
+    op.create_index("ix_audit_events_entity_entity_id", "audit_events", ["entity", "entity_id"], unique=False)
+    op.create_index(op.f("ix_audit_events_survey_id"), "audit_events", ["survey_id"], unique=False)
+    op.create_table(
+        "cameras",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("survey_id", sa.Integer(), nullable=False),
+        sa.Column("name", sa.String(length=200), nullable=False),
+        sa.Column("notes", sa.Text(), nullable=False),
+        sa.Column("current_calibration_id", sa.Integer(), nullable=True),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("created_by", sa.Integer(), nullable=True),
+        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_cameras_created_by")),
+        sa.ForeignKeyConstraint(
+            ["current_calibration_id"],
+            ["calibrations.id"],
+            name=op.f("fk_cameras_current_calibration_id"),
+            use_alter=True,
+        ),
+        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_cameras_survey_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_cameras")),
+    )
+    op.create_index(op.f("ix_cameras_survey_id"), "cameras", ["survey_id"], unique=False)
+    op.create_table(
+        "click_sigmas",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("survey_id", sa.Integer(), nullable=False),
+        sa.Column("person_id", sa.Integer(), nullable=False),
+        sa.Column("sigma_px", sa.Float(), nullable=True),
+        sa.Column("pairs", sa.Integer(), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("created_by", sa.Integer(), nullable=True),
+        sa.CheckConstraint("sigma_px > 0", name=op.f("ck_click_sigmas_sigma_positive")),
+        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_click_sigmas_created_by")),
+        sa.ForeignKeyConstraint(["person_id"], ["people.id"], name=op.f("fk_click_sigmas_person_id")),
+        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_click_sigmas_survey_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_click_sigmas")),
+    )
+    op.create_index(op.f("ix_click_sigmas_survey_id"), "click_sigmas", ["survey_id"], unique=False)
+    op.create_table(
+        "exports",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("survey_id", sa.Integer(), nullable=False),
+        sa.Column("media_key", sa.String(length=400), nullable=False),
+        sa.Column("size_bytes", sa.BigInteger(), nullable=False),
+        sa.Column("sha256", sa.String(length=64), nullable=False),
+        sa.Column("audit_count", sa.Integer(), nullable=False),
+        sa.Column("audit_head", sa.String(length=64), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("created_by", sa.Integer(), nullable=True),
+        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_exports_created_by")),
+        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_exports_survey_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_exports")),
+    )
+    op.create_index(op.f("ix_exports_survey_id"), "exports", ["survey_id"], unique=False)
+    op.create_table(
+        "survey_photographs",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("survey_id", sa.Integer(), nullable=False),
+        sa.Column("name", sa.String(length=400), nullable=False),
+        sa.Column("caption", sa.Text(), nullable=False),
+        sa.Column("position", sa.Integer(), nullable=False),
+        sa.Column("media_key", sa.String(length=400), nullable=False),
+        sa.Column("sha256", sa.String(length=64), nullable=False),
+        sa.Column("size_bytes", sa.BigInteger(), nullable=False),
+        sa.Column("width_px", sa.Integer(), nullable=False),
+        sa.Column("height_px", sa.Integer(), nullable=False),
+        sa.Column("version", sa.Integer(), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("created_by", sa.Integer(), nullable=True),
+        sa.Column("updated_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("updated_by", sa.Integer(), nullable=True),
+        sa.Column("deleted_at", sa.DateTime(timezone=True), nullable=True),
+        sa.CheckConstraint("position >= 1", name=op.f("ck_survey_photographs_position_counts")),
+        sa.CheckConstraint("version >= 1", name=op.f("ck_survey_photographs_version_counts")),
+        sa.CheckConstraint(
+            "width_px > 0 AND height_px > 0 AND size_bytes > 0",
+            name=op.f("ck_survey_photographs_size_positive"),
+        ),
+        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_survey_photographs_created_by")),
+        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_survey_photographs_survey_id")),
+        sa.ForeignKeyConstraint(["updated_by"], ["people.id"], name=op.f("fk_survey_photographs_updated_by")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_survey_photographs")),
+    )
+    op.create_index(
+        op.f("ix_survey_photographs_survey_id"), "survey_photographs", ["survey_id"], unique=False
+    )
+    op.create_table(
+        "calibration_images",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("camera_id", sa.Integer(), nullable=False),
+        sa.Column("name", sa.String(length=400), nullable=False),
+        sa.Column("media_key", sa.String(length=400), nullable=False),
+        sa.Column("width_px", sa.Integer(), nullable=False),
+        sa.Column("height_px", sa.Integer(), nullable=False),
+        sa.Column("found", sa.Boolean(), nullable=False),
+        sa.Column("reason", sa.Text(), nullable=True),
+        sa.Column("corners_px", sa.Text(), nullable=False),
+        sa.Column("columns", sa.Integer(), nullable=False),
+        sa.Column("rows", sa.Integer(), nullable=False),
+        sa.Column("sharpness", sa.Float(), nullable=True),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("created_by", sa.Integer(), nullable=True),
+        sa.CheckConstraint(
+            "found OR reason IS NOT NULL", name=op.f("ck_calibration_images_missed_has_reason")
+        ),
+        sa.ForeignKeyConstraint(["camera_id"], ["cameras.id"], name=op.f("fk_calibration_images_camera_id")),
+        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_calibration_images_created_by")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_calibration_images")),
+    )
+    op.create_index(
+        op.f("ix_calibration_images_camera_id"), "calibration_images", ["camera_id"], unique=False
+    )
+    op.create_table(
+        "recordings",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("survey_id", sa.Integer(), nullable=False),
+        sa.Column("name", sa.String(length=400), nullable=False),
+        sa.Column("state", sa.String(length=20), nullable=False),
+        sa.Column("error", sa.Text(), nullable=True),
+        sa.Column("media_key", sa.String(length=400), nullable=False),
+        sa.Column("sha256", sa.String(length=64), nullable=False),
+        sa.Column("size_bytes", sa.BigInteger(), nullable=False),
+        sa.Column("width_px", sa.Integer(), nullable=True),
+        sa.Column("height_px", sa.Integer(), nullable=True),
+        sa.Column("frame_count", sa.Integer(), nullable=True),
+        sa.Column("duration_s", sa.Float(), nullable=True),
+        sa.Column("codec", sa.String(length=60), nullable=True),
+        sa.Column("container", sa.String(length=60), nullable=True),
+        sa.Column("vfr", sa.Boolean(), nullable=False),
+        sa.Column("notes", sa.Text(), nullable=False),
+        sa.Column("report", sa.Text(), nullable=False),
+        sa.Column("thumbs", sa.Text(), nullable=False),
+        sa.Column("camera_id", sa.Integer(), nullable=True),
+        sa.Column("pose_id", sa.Integer(), nullable=True),
+        sa.Column("lighting", sa.String(length=20), nullable=True),
+        sa.Column("lighting_proposed", sa.String(length=20), nullable=True),
+        sa.Column("drift", sa.Text(), nullable=True),
+        sa.Column("drift_decision", sa.Text(), nullable=True),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("created_by", sa.Integer(), nullable=True),
+        sa.Column("deleted_at", sa.DateTime(timezone=True), nullable=True),
+        sa.CheckConstraint("lighting IN ('daytime', 'low_light')", name=op.f("ck_recordings_lighting_known")),
+        sa.CheckConstraint(
+            "lighting_proposed IN ('daytime', 'low_light')",
+            name=op.f("ck_recordings_lighting_proposed_known"),
+        ),
+        sa.CheckConstraint(
+            "state <> 'failed' OR error IS NOT NULL", name=op.f("ck_recordings_failed_has_error")
+        ),
+        sa.CheckConstraint(
+            "state <> 'ready' OR frame_count IS NOT NULL", name=op.f("ck_recordings_ready_has_frames")
+        ),
+        sa.CheckConstraint(
+            "state IN ('ingesting', 'ready', 'failed')", name=op.f("ck_recordings_state_known")
+        ),
+        sa.ForeignKeyConstraint(["camera_id"], ["cameras.id"], name=op.f("fk_recordings_camera_id")),
+        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_recordings_created_by")),
+        sa.ForeignKeyConstraint(
+            ["pose_id"], ["road_poses.id"], name=op.f("fk_recordings_pose_id"), use_alter=True
+        ),
+        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_recordings_survey_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_recordings")),
+    )
+    op.create_index(op.f("ix_recordings_media_key"), "recordings", ["media_key"], unique=False)
+    op.create_index(op.f("ix_recordings_survey_id"), "recordings", ["survey_id"], unique=False)
+    op.create_table(
+        "calibrations",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("camera_id", sa.Integer(), nullable=False),
+        sa.Column("source", sa.String(length=20), nullable=False),
+        sa.Column("recording_id", sa.Integer(), nullable=True),
+        sa.Column("document", sa.Text(), nullable=False),
+        sa.Column("trusted", sa.Boolean(), nullable=False),
+        sa.Column("warnings", sa.Text(), nullable=False),
+        sa.Column("coverage", sa.Text(), nullable=False),
+        sa.Column("views", sa.Text(), nullable=False),
+        sa.Column("summary", sa.Text(), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("created_by", sa.Integer(), nullable=True),
+        sa.CheckConstraint(
+            "source IN ('images', 'clip', 'import')", name=op.f("ck_calibrations_source_known")
+        ),
+        sa.ForeignKeyConstraint(["camera_id"], ["cameras.id"], name=op.f("fk_calibrations_camera_id")),
+        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_calibrations_created_by")),
+        sa.ForeignKeyConstraint(
+            ["recording_id"], ["recordings.id"], name=op.f("fk_calibrations_recording_id")
+        ),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_calibrations")),
+    )
+    op.create_index(op.f("ix_calibrations_camera_id"), "calibrations", ["camera_id"], unique=False)
+    op.create_table(
+        "frames",
+        sa.Column("recording_id", sa.Integer(), nullable=False),
+        sa.Column("n", sa.Integer(), autoincrement=False, nullable=False),
+        sa.Column("pts", sa.BigInteger(), nullable=False),
+        sa.Column("time_s", sa.Float(), nullable=False),
+        sa.Column("key", sa.Boolean(), nullable=False),
+        sa.Column("crc32", sa.BigInteger(), nullable=False),
+        sa.CheckConstraint("n >= 0", name=op.f("ck_frames_n_counts")),
+        sa.ForeignKeyConstraint(["recording_id"], ["recordings.id"], name=op.f("fk_frames_recording_id")),
+        sa.PrimaryKeyConstraint("recording_id", "n", name=op.f("pk_frames")),
+        sqlite_with_rowid=False,
+    )
+    op.create_table(
+        "jobs",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("kind", sa.String(length=60), nullable=False),
+        sa.Column("state", sa.String(length=20), nullable=False),
+        sa.Column("payload", sa.Text(), nullable=False),
+        sa.Column("progress", sa.Float(), nullable=False),
+        sa.Column("message", sa.Text(), nullable=False),
+        sa.Column("error", sa.Text(), nullable=True),
+        sa.Column("result", sa.Text(), nullable=True),
+        sa.Column("survey_id", sa.Integer(), nullable=True),
+        sa.Column("recording_id", sa.Integer(), nullable=True),
+        sa.Column("scan_id", sa.Integer(), nullable=True),
+        sa.Column("attempts", sa.Integer(), nullable=False),
+        sa.Column("worker", sa.String(length=200), nullable=True),
+        sa.Column("lease_until", sa.DateTime(timezone=True), nullable=True),
+        sa.Column("cancel_requested", sa.Boolean(), server_default=sa.false(), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("created_by", sa.Integer(), nullable=True),
+        sa.Column("started_at", sa.DateTime(timezone=True), nullable=True),
+        sa.Column("finished_at", sa.DateTime(timezone=True), nullable=True),
+        sa.CheckConstraint("state <> 'failed' OR error IS NOT NULL", name=op.f("ck_jobs_failed_has_error")),
+        sa.CheckConstraint(
+            "state <> 'running' OR lease_until IS NOT NULL", name=op.f("ck_jobs_running_has_lease")
+        ),
+        sa.CheckConstraint(
+            "state IN ('queued', 'running', 'done', 'failed', 'cancelled')", name=op.f("ck_jobs_state_known")
+        ),
+        sa.CheckConstraint("progress >= 0 AND progress <= 1", name=op.f("ck_jobs_progress_fraction")),
+        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_jobs_created_by")),
+        sa.ForeignKeyConstraint(["recording_id"], ["recordings.id"], name=op.f("fk_jobs_recording_id")),
+        sa.ForeignKeyConstraint(["scan_id"], ["scans.id"], name=op.f("fk_jobs_scan_id"), use_alter=True),
+        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_jobs_survey_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_jobs")),
+    )
+    op.create_index(op.f("ix_jobs_recording_id"), "jobs", ["recording_id"], unique=False)
+    op.create_index(op.f("ix_jobs_scan_id"), "jobs", ["scan_id"], unique=False)
+    op.create_index("ix_jobs_state_lease_until", "jobs", ["state", "lease_until"], unique=False)
+    op.create_index(op.f("ix_jobs_survey_id"), "jobs", ["survey_id"], unique=False)
+    op.create_table(
+        "scans",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("survey_id", sa.Integer(), nullable=False),
+        sa.Column("name", sa.String(length=400), nullable=False),
+        sa.Column("state", sa.String(length=20), nullable=False),
+        sa.Column("error", sa.Text(), nullable=True),
+        sa.Column("source", sa.String(length=20), nullable=False),
+        sa.Column("recording_id", sa.Integer(), nullable=True),
+        sa.Column("column_1_px", sa.Integer(), nullable=True),
+        sa.Column("column_2_px", sa.Integer(), nullable=True),
+        sa.Column("first_name", sa.String(length=400), nullable=True),
+        sa.Column("second_name", sa.String(length=400), nullable=True),
+        sa.Column("first_source_key", sa.String(length=400), nullable=True),
+        sa.Column("second_source_key", sa.String(length=400), nullable=True),
+        sa.Column("first_source_sha256", sa.String(length=64), nullable=True),
+        sa.Column("second_source_sha256", sa.String(length=64), nullable=True),
+        sa.Column("time_axis", sa.String(length=20), nullable=False),
+        sa.Column("first_key", sa.String(length=400), nullable=True),
+        sa.Column("second_key", sa.String(length=400), nullable=True),
+        sa.Column("first_sha256", sa.String(length=64), nullable=True),
+        sa.Column("second_sha256", sa.String(length=64), nullable=True),
+        sa.Column("rows_px", sa.Integer(), nullable=True),
+        sa.Column("lines", sa.BigInteger(), nullable=True),
+        sa.Column("bits", sa.Integer(), nullable=True),
+        sa.Column("notes", sa.Text(), nullable=False),
+        sa.Column("baseline_m", sa.Float(), nullable=False),
+        sa.Column("u_baseline_m", sa.Float(), nullable=False),
+        sa.Column("line_rate_hz", sa.Float(), nullable=False),
+        sa.Column("u_line_rate_ratio", sa.Float(), nullable=False),
+        sa.Column("divergence_rad", sa.Float(), nullable=False),
+        sa.Column("u_divergence_rad", sa.Float(), nullable=False),
+        sa.Column("distance_m", sa.Float(), nullable=True),
+        sa.Column("misalignment_px", sa.Float(), nullable=True),
+        sa.Column("u_misalignment_px", sa.Float(), nullable=False),
+        sa.Column("lighting", sa.String(length=20), nullable=True),
+        sa.Column("version", sa.Integer(), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("created_by", sa.Integer(), nullable=True),
+        sa.Column("updated_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("updated_by", sa.Integer(), nullable=True),
+        sa.Column("deleted_at", sa.DateTime(timezone=True), nullable=True),
+        sa.CheckConstraint("lighting IN ('daytime', 'low_light')", name=op.f("ck_scans_lighting_known")),
+        sa.CheckConstraint("source IN ('strips', 'video')", name=op.f("ck_scans_source_known")),
+        sa.CheckConstraint("state <> 'failed' OR error IS NOT NULL", name=op.f("ck_scans_failed_has_error")),
+        sa.CheckConstraint(
+            "state <> 'ready' OR (lines IS NOT NULL AND first_key IS NOT NULL)",
+            name=op.f("ck_scans_ready_has_lines"),
+        ),
+        sa.CheckConstraint("state IN ('reading', 'ready', 'failed')", name=op.f("ck_scans_state_known")),
+        sa.CheckConstraint("time_axis IN ('width', 'height')", name=op.f("ck_scans_time_axis_known")),
+        sa.CheckConstraint("baseline_m > 0 AND line_rate_hz > 0", name=op.f("ck_scans_rig_positive")),
+        sa.CheckConstraint("version >= 1", name=op.f("ck_scans_version_counts")),
+        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_scans_created_by")),
+        sa.ForeignKeyConstraint(["recording_id"], ["recordings.id"], name=op.f("fk_scans_recording_id")),
+        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_scans_survey_id")),
+        sa.ForeignKeyConstraint(["updated_by"], ["people.id"], name=op.f("fk_scans_updated_by")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_scans")),
+    )
+    op.create_index(op.f("ix_scans_recording_id"), "scans", ["recording_id"], unique=False)
+    op.create_index(op.f("ix_scans_survey_id"), "scans", ["survey_id"], unique=False)
+    op.create_table(
+        "uploads",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("survey_id", sa.Integer(), nullable=False),
+        sa.Column("filename", sa.String(length=400), nullable=False),
+        sa.Column("size_bytes", sa.BigInteger(), nullable=False),
+        sa.Column("offset", sa.BigInteger(), nullable=False),
+        sa.Column("media_key", sa.String(length=400), nullable=False),
+        sa.Column("recording_id", sa.Integer(), nullable=True),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("created_by", sa.Integer(), nullable=True),
+        sa.Column("finished_at", sa.DateTime(timezone=True), nullable=True),
+        sa.Column("purpose", sa.String(length=20), server_default="video", nullable=False),
+        sa.Column("sha256", sa.String(length=64), nullable=True),
+        sa.Column("scan_id", sa.Integer(), nullable=True),
+        sa.CheckConstraint("purpose IN ('video', 'strip')", name=op.f("ck_uploads_purpose_known")),
+        sa.CheckConstraint('"offset" >= 0 AND "offset" <= size_bytes', name=op.f("ck_uploads_offset_within")),
+        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_uploads_created_by")),
+        sa.ForeignKeyConstraint(["recording_id"], ["recordings.id"], name=op.f("fk_uploads_recording_id")),
+        sa.ForeignKeyConstraint(["scan_id"], ["scans.id"], name=op.f("fk_uploads_scan_id"), use_alter=True),
+        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_uploads_survey_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_uploads")),
+    )
+    op.create_index(op.f("ix_uploads_survey_id"), "uploads", ["survey_id"], unique=False)
+    op.create_table(
+        "vehicles",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("survey_id", sa.Integer(), nullable=False),
+        sa.Column("recording_id", sa.Integer(), nullable=False),
+        sa.Column("number", sa.Integer(), nullable=False),
+        sa.Column("first_frame", sa.Integer(), nullable=False),
+        sa.Column("last_frame", sa.Integer(), nullable=False),
+        sa.Column("best_frame", sa.Integer(), nullable=True),
+        sa.Column("make", sa.String(length=100), nullable=True),
+        sa.Column("model", sa.String(length=200), nullable=True),
+        sa.Column("year", sa.Integer(), nullable=True),
+        sa.Column("category", sa.String(length=20), nullable=True),
+        sa.Column("manufacturer_height_m", sa.Float(), nullable=True),
+        sa.Column("u_manufacturer_height_m", sa.Float(), nullable=True),
+        sa.Column("height_source", sa.Text(), nullable=True),
+        sa.Column("lighting", sa.String(length=20), nullable=True),
+        sa.Column("notes", sa.Text(), nullable=False),
+        sa.Column("origin", sa.String(length=20), server_default="person", nullable=False),
+        sa.Column("direction", sa.String(length=20), nullable=True),
+        sa.Column("detection", sa.Text(), nullable=True),
+        sa.Column("version", sa.Integer(), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("created_by", sa.Integer(), nullable=True),
+        sa.Column("updated_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("updated_by", sa.Integer(), nullable=True),
+        sa.Column("deleted_at", sa.DateTime(timezone=True), nullable=True),
+        sa.CheckConstraint(
+            "category IN ('hatchback', 'saloon', 'estate', 'suv', 'van', 'lorry', 'other')",
+            name=op.f("ck_vehicles_category_known"),
+        ),
+        sa.CheckConstraint("direction IN ('right', 'left')", name=op.f("ck_vehicles_direction_known")),
+        sa.CheckConstraint("lighting IN ('daytime', 'low_light')", name=op.f("ck_vehicles_lighting_known")),
+        sa.CheckConstraint("origin IN ('person', 'found')", name=op.f("ck_vehicles_origin_known")),
+        sa.CheckConstraint(
+            "first_frame >= 0 AND last_frame >= first_frame", name=op.f("ck_vehicles_span_forward")
+        ),
+        sa.CheckConstraint("version >= 1", name=op.f("ck_vehicles_version_counts")),
+        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_vehicles_created_by")),
+        sa.ForeignKeyConstraint(["recording_id"], ["recordings.id"], name=op.f("fk_vehicles_recording_id")),
+        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_vehicles_survey_id")),
+        sa.ForeignKeyConstraint(["updated_by"], ["people.id"], name=op.f("fk_vehicles_updated_by")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_vehicles")),
+        sa.UniqueConstraint("survey_id", "number", name=op.f("uq_vehicles_survey_id_number")),
+    )
+    op.create_index(op.f("ix_vehicles_recording_id"), "vehicles", ["recording_id"], unique=False)
+    op.create_table(
+        "line_poses",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("survey_id", sa.Integer(), nullable=False),
+        sa.Column("scan_id", sa.Integer(), nullable=False),
+        sa.Column("revision", sa.Integer(), nullable=False),
+        sa.Column("marks", sa.Text(), nullable=False),
+        sa.Column("sigma_px", sa.Float(), nullable=True),
+        sa.Column("u_distance_m", sa.Float(), nullable=False),
+        sa.Column("u_lean_rad", sa.Float(), nullable=False),
+        sa.Column("pose", sa.Text(), nullable=False),
+        sa.Column("camera_height_m", sa.Float(), nullable=False),
+        sa.Column("u_camera_height_m", sa.Float(), nullable=False),
+        sa.Column("rms_px", sa.Float(), nullable=False),
+        sa.Column("code_version", sa.String(length=60), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("created_by", sa.Integer(), nullable=True),
+        sa.CheckConstraint("revision >= 1", name=op.f("ck_line_poses_revision_counts")),
+        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_line_poses_created_by")),
+        sa.ForeignKeyConstraint(["scan_id"], ["scans.id"], name=op.f("fk_line_poses_scan_id")),
+        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_line_poses_survey_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_line_poses")),
+        sa.UniqueConstraint("scan_id", "revision", name=op.f("uq_line_poses_scan_id_revision")),
+    )
+    op.create_index(op.f("ix_line_poses_survey_id"), "line_poses", ["survey_id"], unique=False)
+    op.create_table(
+        "measurement_series",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("survey_id", sa.Integer(), nullable=False),
+        sa.Column("recording_id", sa.Integer(), nullable=False),
+        sa.Column("vehicle_id", sa.Integer(), nullable=False),
+        sa.Column("client_key", sa.String(length=36), nullable=False),
+        sa.Column("repeat_of", sa.Integer(), nullable=True),
+        sa.ForeignKeyConstraint(
+            ["recording_id"], ["recordings.id"], name=op.f("fk_measurement_series_recording_id")
+        ),
+        sa.ForeignKeyConstraint(
+            ["repeat_of"], ["measurement_series.id"], name=op.f("fk_measurement_series_repeat_of")
+        ),
+        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_measurement_series_survey_id")),
+        sa.ForeignKeyConstraint(
+            ["vehicle_id"], ["vehicles.id"], name=op.f("fk_measurement_series_vehicle_id")
+        ),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_measurement_series")),
+        sa.UniqueConstraint("client_key", name=op.f("uq_measurement_series_client_key")),
+    )
+    op.create_index(
+        op.f("ix_measurement_series_recording_id"), "measurement_series", ["recording_id"], unique=False
+    )
+    op.create_index(
+        op.f("ix_measurement_series_repeat_of"), "measurement_series", ["repeat_of"], unique=False
+    )
+    op.create_index(
+        op.f("ix_measurement_series_survey_id"), "measurement_series", ["survey_id"], unique=False
+    )
+    op.create_index(
+        op.f("ix_measurement_series_vehicle_id"), "measurement_series", ["vehicle_id"], unique=False
+    )
+    op.create_table(
+        "road_poses",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("survey_id", sa.Integer(), nullable=False),
+        sa.Column("recording_id", sa.Integer(), nullable=False),
+        sa.Column("calibration_id", sa.Integer(), nullable=False),
+        sa.Column("first_frame", sa.Integer(), nullable=False),
+        sa.Column("last_frame", sa.Integer(), nullable=False),
+        sa.Column("rms_px", sa.Float(), nullable=True),
+        sa.Column("distance_m", sa.Float(), nullable=True),
+        sa.Column("summary", sa.Text(), nullable=False),
+        sa.Column("document", sa.Text(), nullable=False),
+        sa.Column("warnings", sa.Text(), nullable=False),
+        sa.Column("expected", sa.Text(), nullable=False),
+        sa.Column("overlay", sa.Text(), nullable=False),
+        sa.Column("turned_from", sa.Integer(), nullable=True),
+        sa.Column("turned_by_rad", sa.Float(), nullable=True),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("created_by", sa.Integer(), nullable=True),
+        sa.CheckConstraint(
+            "first_frame >= 0 AND last_frame >= first_frame", name=op.f("ck_road_poses_span_forward")
+        ),
+        sa.ForeignKeyConstraint(
+            ["calibration_id"], ["calibrations.id"], name=op.f("fk_road_poses_calibration_id")
+        ),
+        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_road_poses_created_by")),
+        sa.ForeignKeyConstraint(["recording_id"], ["recordings.id"], name=op.f("fk_road_poses_recording_id")),
+        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_road_poses_survey_id")),
+        sa.ForeignKeyConstraint(["turned_from"], ["road_poses.id"], name=op.f("fk_road_poses_turned_from")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_road_poses")),
+    )
+    op.create_index(op.f("ix_road_poses_survey_id"), "road_poses", ["survey_id"], unique=False)
+    op.create_table(
+        "scan_runs",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("survey_id", sa.Integer(), nullable=False),
+        sa.Column("scan_id", sa.Integer(), nullable=False),
+        sa.Column("job_id", sa.Integer(), nullable=True),
+        sa.Column("method", sa.String(length=20), nullable=False),
+        sa.Column("rig", sa.Text(), nullable=False),
+        sa.Column("found", sa.Integer(), nullable=False),
+        sa.Column("measured", sa.Integer(), nullable=False),
+        sa.Column("summary", sa.Text(), nullable=False),
+        sa.Column("warnings", sa.Text(), nullable=False),
+        sa.Column("code_version", sa.String(length=60), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("created_by", sa.Integer(), nullable=True),
+        sa.CheckConstraint("method IN ('direct', 'paper')", name=op.f("ck_scan_runs_method_known")),
+        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_scan_runs_created_by")),
+        sa.ForeignKeyConstraint(["job_id"], ["jobs.id"], name=op.f("fk_scan_runs_job_id")),
+        sa.ForeignKeyConstraint(["scan_id"], ["scans.id"], name=op.f("fk_scan_runs_scan_id")),
+        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_scan_runs_survey_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_scan_runs")),
+    )
+    op.create_index(op.f("ix_scan_runs_scan_id"), "scan_runs", ["scan_id"], unique=False)
+    op.create_index(op.f("ix_scan_runs_survey_id"), "scan_runs", ["survey_id"], unique=False)
+    op.create_table(
+        "scan_vehicles",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("survey_id", sa.Integer(), nullable=False),
+        sa.Column("scan_id", sa.Integer(), nullable=False),
+        sa.Column("number", sa.Integer(), nullable=False),
+        sa.Column("origin", sa.String(length=20), nullable=False),
+        sa.Column("make", sa.String(length=100), nullable=True),
+        sa.Column("model", sa.String(length=200), nullable=True),
+        sa.Column("year", sa.Integer(), nullable=True),
+        sa.Column("category", sa.String(length=20), nullable=True),
+        sa.Column("true_length_m", sa.Float(), nullable=True),
+        sa.Column("u_true_length_m", sa.Float(), nullable=True),
+        sa.Column("true_wheelbase_m", sa.Float(), nullable=True),
+        sa.Column("u_true_wheelbase_m", sa.Float(), nullable=True),
+        sa.Column("facts_source", sa.Text(), nullable=True),
+        sa.Column("lighting", sa.String(length=20), nullable=True),
+        sa.Column("notes", sa.Text(), nullable=False),
+        sa.Column("version", sa.Integer(), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("created_by", sa.Integer(), nullable=True),
+        sa.Column("updated_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("updated_by", sa.Integer(), nullable=True),
+        sa.Column("deleted_at", sa.DateTime(timezone=True), nullable=True),
+        sa.CheckConstraint(
+            "category IN ('hatchback', 'saloon', 'estate', 'suv', 'van', 'lorry', 'other')",
+            name=op.f("ck_scan_vehicles_category_known"),
+        ),
+        sa.CheckConstraint(
+            "lighting IN ('daytime', 'low_light')", name=op.f("ck_scan_vehicles_lighting_known")
+        ),
+        sa.CheckConstraint("origin IN ('person', 'found')", name=op.f("ck_scan_vehicles_origin_known")),
+        sa.CheckConstraint("version >= 1", name=op.f("ck_scan_vehicles_version_counts")),
+        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_scan_vehicles_created_by")),
+        sa.ForeignKeyConstraint(["scan_id"], ["scans.id"], name=op.f("fk_scan_vehicles_scan_id")),
+        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_scan_vehicles_survey_id")),
+        sa.ForeignKeyConstraint(["updated_by"], ["people.id"], name=op.f("fk_scan_vehicles_updated_by")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_scan_vehicles")),
+        sa.UniqueConstraint("scan_id", "number", name=op.f("uq_scan_vehicles_scan_id_number")),
+    )
+    op.create_index(op.f("ix_scan_vehicles_survey_id"), "scan_vehicles", ["survey_id"], unique=False)
+    op.create_table(
+        "wheel_pairs",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("survey_id", sa.Integer(), nullable=False),
+        sa.Column("recording_id", sa.Integer(), nullable=False),
+        sa.Column("vehicle_id", sa.Integer(), nullable=False),
+        sa.Column("frame", sa.Integer(), nullable=False),
+        sa.Column("pts", sa.BigInteger(), nullable=False),
+        sa.Column("time_s", sa.Float(), nullable=False),
+        sa.Column("frame_crc", sa.BigInteger(), nullable=False),
+        sa.Column("first_x_px", sa.Float(), nullable=False),
+        sa.Column("first_y_px", sa.Float(), nullable=False),
+        sa.Column("second_x_px", sa.Float(), nullable=False),
+        sa.Column("second_y_px", sa.Float(), nullable=False),
+        sa.Column("withdrawn", sa.Boolean(), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("created_by", sa.Integer(), nullable=True),
+        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_wheel_pairs_created_by")),
+        sa.ForeignKeyConstraint(
+            ["recording_id"], ["recordings.id"], name=op.f("fk_wheel_pairs_recording_id")
+        ),
+        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_wheel_pairs_survey_id")),
+        sa.ForeignKeyConstraint(["vehicle_id"], ["vehicles.id"], name=op.f("fk_wheel_pairs_vehicle_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_wheel_pairs")),
+    )
+    op.create_index(op.f("ix_wheel_pairs_survey_id"), "wheel_pairs", ["survey_id"], unique=False)
+    op.create_index(op.f("ix_wheel_pairs_vehicle_id"), "wheel_pairs", ["vehicle_id"], unique=False)
+    op.create_table(
+        "line_heights",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("survey_id", sa.Integer(), nullable=False),
+        sa.Column("scan_id", sa.Integer(), nullable=False),
+        sa.Column("vehicle_id", sa.Integer(), nullable=False),
+        sa.Column("target", sa.String(length=20), nullable=False),
+        sa.Column("revision", sa.Integer(), nullable=False),
+        sa.Column("pose_id", sa.Integer(), nullable=False),
+        sa.Column("contact_line", sa.Float(), nullable=False),
+        sa.Column("contact_row_px", sa.Float(), nullable=False),
+        sa.Column("target_line", sa.Float(), nullable=False),
+        sa.Column("target_row_px", sa.Float(), nullable=False),
+        sa.Column("sigma_px", sa.Float(), nullable=False),
+        sa.Column("inset_m", sa.Float(), nullable=False),
+        sa.Column("u_inset_m", sa.Float(), nullable=False),
+        sa.Column("distance_m", sa.Float(), nullable=True),
+        sa.Column("u_distance_m", sa.Float(), nullable=True),
+        sa.Column("height_m", sa.Float(), nullable=True),
+        sa.Column("u_height_m", sa.Float(), nullable=True),
+        sa.Column("status", sa.String(length=20), nullable=False),
+        sa.Column("reason", sa.Text(), nullable=True),
+        sa.Column("budget", sa.Text(), nullable=False),
+        sa.Column("warnings", sa.Text(), nullable=False),
+        sa.Column("withdrawn", sa.Boolean(), nullable=False),
+        sa.Column("code_version", sa.String(length=60), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("created_by", sa.Integer(), nullable=True),
+        sa.CheckConstraint(
+            "(status = 'ok' AND height_m IS NOT NULL) OR (status <> 'ok' AND reason IS NOT NULL)",
+            name=op.f("ck_line_heights_height_or_reason"),
+        ),
+        sa.CheckConstraint("status IN ('ok', 'not_measurable')", name=op.f("ck_line_heights_status_known")),
+        sa.CheckConstraint(
+            "target IN ('roof', 'driver_eye', 'taillight', 'headlight', 'other')",
+            name=op.f("ck_line_heights_target_known"),
+        ),
+        sa.CheckConstraint("revision >= 1", name=op.f("ck_line_heights_revision_counts")),
+        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_line_heights_created_by")),
+        sa.ForeignKeyConstraint(["pose_id"], ["line_poses.id"], name=op.f("fk_line_heights_pose_id")),
+        sa.ForeignKeyConstraint(["scan_id"], ["scans.id"], name=op.f("fk_line_heights_scan_id")),
+        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_line_heights_survey_id")),
+        sa.ForeignKeyConstraint(
+            ["vehicle_id"], ["scan_vehicles.id"], name=op.f("fk_line_heights_vehicle_id")
+        ),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_line_heights")),
+        sa.UniqueConstraint(
+            "vehicle_id", "target", "revision", name=op.f("uq_line_heights_vehicle_id_target_revision")
+        ),
+    )
+    op.create_index(op.f("ix_line_heights_scan_id"), "line_heights", ["scan_id"], unique=False)
+    op.create_index(op.f("ix_line_heights_survey_id"), "line_heights", ["survey_id"], unique=False)
+    op.create_table(
+        "measurements",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("series_id", sa.Integer(), nullable=False),
+        sa.Column("revision", sa.Integer(), nullable=False),
+        sa.Column("target", sa.String(length=20), nullable=False),
+        sa.Column("frame", sa.Integer(), nullable=False),
+        sa.Column("pts", sa.BigInteger(), nullable=False),
+        sa.Column("time_s", sa.Float(), nullable=False),
+        sa.Column("frame_crc", sa.BigInteger(), nullable=False),
+        sa.Column("contact_x_px", sa.Float(), nullable=False),
+        sa.Column("contact_y_px", sa.Float(), nullable=False),
+        sa.Column("point_x_px", sa.Float(), nullable=False),
+        sa.Column("point_y_px", sa.Float(), nullable=False),
+        sa.Column("sigma_px", sa.Float(), nullable=False),
+        sa.Column("pose_id", sa.Integer(), nullable=False),
+        sa.Column("calibration_id", sa.Integer(), nullable=False),
+        sa.Column("inset_m", sa.Float(), nullable=False),
+        sa.Column("u_inset_m", sa.Float(), nullable=False),
+        sa.Column("height_m", sa.Float(), nullable=True),
+        sa.Column("uncorrected_height_m", sa.Float(), nullable=True),
+        sa.Column("u_height_m", sa.Float(), nullable=True),
+        sa.Column("U95_height_m", sa.Float(), nullable=True),
+        sa.Column("distance_m", sa.Float(), nullable=True),
+        sa.Column("status", sa.String(length=20), nullable=False),
+        sa.Column("reason", sa.Text(), nullable=True),
+        sa.Column("flags", sa.Text(), nullable=False),
+        sa.Column("budget", sa.Text(), nullable=False),
+        sa.Column("code_version", sa.String(length=60), nullable=False),
+        sa.Column("more_frames", sa.Text(), server_default="[]", nullable=False),
+        sa.Column("solved_inset_m", sa.Float(), nullable=True),
+        sa.Column("u_solved_inset_m", sa.Float(), nullable=True),
+        sa.Column("withdrawn", sa.Boolean(), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("created_by", sa.Integer(), nullable=True),
+        sa.CheckConstraint(
+            "(status = 'ok' AND height_m IS NOT NULL) OR (status <> 'ok' AND reason IS NOT NULL)",
+            name=op.f("ck_measurements_height_or_reason"),
+        ),
+        sa.CheckConstraint("status IN ('ok', 'not_measurable')", name=op.f("ck_measurements_status_known")),
+        sa.CheckConstraint(
+            "target IN ('roof', 'driver_eye', 'taillight', 'headlight', 'other')",
+            name=op.f("ck_measurements_target_known"),
+        ),
+        sa.CheckConstraint("revision >= 1", name=op.f("ck_measurements_revision_counts")),
+        sa.CheckConstraint("sigma_px > 0", name=op.f("ck_measurements_sigma_positive")),
+        sa.ForeignKeyConstraint(
+            ["calibration_id"], ["calibrations.id"], name=op.f("fk_measurements_calibration_id")
+        ),
+        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_measurements_created_by")),
+        sa.ForeignKeyConstraint(["pose_id"], ["road_poses.id"], name=op.f("fk_measurements_pose_id")),
+        sa.ForeignKeyConstraint(
+            ["series_id"], ["measurement_series.id"], name=op.f("fk_measurements_series_id")
+        ),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_measurements")),
+        sa.UniqueConstraint("series_id", "revision", name=op.f("uq_measurements_series_id_revision")),
+    )
+    op.create_table(
+        "reviews",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("series_id", sa.Integer(), nullable=False),
+        sa.Column("revision", sa.Integer(), nullable=False),
+        sa.Column("result_revision", sa.Integer(), nullable=False),
+        sa.Column("verdict", sa.String(length=20), nullable=False),
+        sa.Column("reason", sa.Text(), nullable=True),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("created_by", sa.Integer(), nullable=True),
+        sa.CheckConstraint(
+            "verdict <> 'rejected' OR reason IS NOT NULL", name=op.f("ck_reviews_rejected_has_reason")
+        ),
+        sa.CheckConstraint(
+            "verdict IN ('accepted', 'fixed', 'rejected', 'reopened')", name=op.f("ck_reviews_verdict_known")
+        ),
+        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_reviews_created_by")),
+        sa.ForeignKeyConstraint(["series_id"], ["measurement_series.id"], name=op.f("fk_reviews_series_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_reviews")),
+    )
+    op.create_index(
+        "ix_reviews_series_id_result_revision", "reviews", ["series_id", "result_revision"], unique=False
+    )
+    op.create_table(
+        "scan_measurements",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("survey_id", sa.Integer(), nullable=False),
+        sa.Column("scan_id", sa.Integer(), nullable=False),
+        sa.Column("vehicle_id", sa.Integer(), nullable=False),
+        sa.Column("revision", sa.Integer(), nullable=False),
+        sa.Column("run_id", sa.Integer(), nullable=True),
+        sa.Column("cause", sa.String(length=20), nullable=False),
+        sa.Column("placed_by", sa.Integer(), nullable=True),
+        sa.Column("method", sa.String(length=20), nullable=False),
+        sa.Column("rig", sa.Text(), nullable=False),
+        sa.Column("front_line_1", sa.Float(), nullable=False),
+        sa.Column("rear_line_1", sa.Float(), nullable=False),
+        sa.Column("front_line_2", sa.Float(), nullable=False),
+        sa.Column("rear_line_2", sa.Float(), nullable=False),
+        sa.Column("speed_mps", sa.Float(), nullable=True),
+        sa.Column("u_speed_mps", sa.Float(), nullable=True),
+        sa.Column("acceleration_mps2", sa.Float(), nullable=True),
+        sa.Column("u_acceleration_mps2", sa.Float(), nullable=True),
+        sa.Column("length_m", sa.Float(), nullable=True),
+        sa.Column("u_length_m", sa.Float(), nullable=True),
+        sa.Column("fit_error_percent", sa.Float(), nullable=True),
+        sa.Column("misalignment_px", sa.Float(), nullable=True),
+        sa.Column("u_misalignment_px", sa.Float(), nullable=True),
+        sa.Column("gain", sa.Float(), nullable=True),
+        sa.Column("correlation", sa.Float(), nullable=True),
+        sa.Column("front_wheel_line", sa.Float(), nullable=True),
+        sa.Column("rear_wheel_line", sa.Float(), nullable=True),
+        sa.Column("wheelbase_m", sa.Float(), nullable=True),
+        sa.Column("u_wheelbase_m", sa.Float(), nullable=True),
+        sa.Column("status", sa.String(length=20), nullable=False),
+        sa.Column("reason", sa.Text(), nullable=True),
+        sa.Column("budget", sa.Text(), nullable=False),
+        sa.Column("profile", sa.Text(), nullable=True),
+        sa.Column("warnings", sa.Text(), nullable=False),
+        sa.Column("code_version", sa.String(length=60), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("created_by", sa.Integer(), nullable=True),
+        sa.CheckConstraint(
+            "(status = 'ok' AND speed_mps IS NOT NULL) OR (status <> 'ok' AND reason IS NOT NULL)",
+            name=op.f("ck_scan_measurements_speed_or_reason"),
+        ),
+        sa.CheckConstraint(
+            "cause IN ('found', 'added', 'boundaries', 'wheels', 'again')",
+            name=op.f("ck_scan_measurements_cause_known"),
+        ),
+        sa.CheckConstraint("method IN ('direct', 'paper')", name=op.f("ck_scan_measurements_method_known")),
+        sa.CheckConstraint(
+            "status IN ('ok', 'not_measurable')", name=op.f("ck_scan_measurements_status_known")
+        ),
+        sa.CheckConstraint(
+            "(front_wheel_line IS NULL) = (rear_wheel_line IS NULL)",
+            name=op.f("ck_scan_measurements_two_wheels"),
+        ),
+        sa.CheckConstraint("revision >= 1", name=op.f("ck_scan_measurements_revision_counts")),
+        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_scan_measurements_created_by")),
+        sa.ForeignKeyConstraint(["placed_by"], ["people.id"], name=op.f("fk_scan_measurements_placed_by")),
+        sa.ForeignKeyConstraint(["run_id"], ["scan_runs.id"], name=op.f("fk_scan_measurements_run_id")),
+        sa.ForeignKeyConstraint(["scan_id"], ["scans.id"], name=op.f("fk_scan_measurements_scan_id")),
+        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_scan_measurements_survey_id")),
+        sa.ForeignKeyConstraint(
+            ["vehicle_id"], ["scan_vehicles.id"], name=op.f("fk_scan_measurements_vehicle_id")
+        ),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_scan_measurements")),
+        sa.UniqueConstraint("vehicle_id", "revision", name=op.f("uq_scan_measurements_vehicle_id_revision")),
+    )
+    op.create_index(op.f("ix_scan_measurements_scan_id"), "scan_measurements", ["scan_id"], unique=False)
+    op.create_index(op.f("ix_scan_measurements_survey_id"), "scan_measurements", ["survey_id"], unique=False)
+    op.create_table(
+        "scan_reviews",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("survey_id", sa.Integer(), nullable=False),
+        sa.Column("measurement_id", sa.Integer(), nullable=False),
+        sa.Column("verdict", sa.String(length=20), nullable=False),
+        sa.Column("reason", sa.Text(), nullable=True),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("created_by", sa.Integer(), nullable=True),
+        sa.CheckConstraint(
+            "verdict <> 'rejected' OR reason IS NOT NULL", name=op.f("ck_scan_reviews_rejected_has_reason")
+        ),
+        sa.CheckConstraint(
+            "verdict IN ('accepted', 'rejected', 'reopened')", name=op.f("ck_scan_reviews_verdict_known")
+        ),
+        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_scan_reviews_created_by")),
+        sa.ForeignKeyConstraint(
+            ["measurement_id"], ["scan_measurements.id"], name=op.f("fk_scan_reviews_measurement_id")
+        ),
+        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_scan_reviews_survey_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_scan_reviews")),
+    )
+    op.create_index("ix_scan_reviews_measurement_id", "scan_reviews", ["measurement_id"], unique=False)
+    op.create_index(op.f("ix_scan_reviews_survey_id"), "scan_reviews", ["survey_id"], unique=False)
