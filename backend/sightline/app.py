@@ -53,6 +53,7 @@ from sightline.people.service import Attempts
 from sightline.people.store import get_person
 from sightline.recordings.uploads.service import recover_uploads
 from sightline.settings import Settings
+from sightline.vehicles.passes.prefetch import prefetch_around_passes
 
 log = logging.getLogger(__name__)
 
@@ -114,6 +115,7 @@ def create_app(settings: Settings | None = None, services: Services | None = Non
     settings = settings or (services.settings if services else Settings())
     own = services is None
     services = services or open_services(settings)
+    prefetch_around_passes(services)
 
     @asynccontextmanager
     async def lifespan(_app: FastAPI) -> AsyncIterator[None]:

@@ -22,6 +22,7 @@ from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.registry import Cancelled
 from sightline.infra.jobs.store import get_job
 from sightline.infra.services import Services
+from sightline.recordings.frames.stills import stills_of
 from sightline.recordings.store import get_recording
 from tests.api.conftest import Client
 from tests.api.ground import Ground
@@ -205,7 +206,7 @@ def test_a_video_that_is_gone_gives_reasons_in_the_place_of_crops(
 ) -> None:
     with services.reading() as session:
         services.media.delete(get_recording(session, worked.recording_id).media_key)
-    services.stills.forget(worked.recording_id)
+    stills_of(services).forget(worked.recording_id)
     place = written(services, worked.survey_id, tmp_path / "export")
     found = rows(place, "crops.csv")
     assert [row["file"] for row in found] == [""] * 4

@@ -7,7 +7,7 @@ import pytest
 from starlette.requests import Request
 
 from sightline.infra.web.disconnect import Wanted, while_wanted
-from sightline.recordings.frames import prefetch
+from sightline.vehicles.passes import prefetch
 from tests.api.conftest import Client
 
 pytestmark = pytest.mark.once

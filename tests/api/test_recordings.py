@@ -12,6 +12,7 @@ from sightline.infra.jobs.store import claim_job, expired_jobs, requeue_job
 from sightline.infra.services import Services
 from sightline.media.video.writer import write_mp4
 from sightline.recordings import ingest_job
+from sightline.recordings.frames.stills import stills_of
 from tests.api.conftest import FRAME_HEIGHT, FRAME_WIDTH, FRAMES, Client, error_of, number_of, upload
 from tests.media.clips import painted
 
@@ -62,7 +63,7 @@ def test_crops_are_lossless_and_of_the_size_asked_for(
 ) -> None:
     import cv2
 
-    frame = services.frames.bgr(services.stills.open(recording_id).media, 5)
+    frame = services.frames.bgr(stills_of(services).open(recording_id).media, 5)
     path = f"/recordings/{recording_id}/frames/5/crop.png?x=300&y=-10&w=40&h=30"
     answer = viewer.get(path)
     crop = cv2.imdecode(np.frombuffer(answer.content, np.uint8), cv2.IMREAD_COLOR)
@@ -101,7 +102,7 @@ def test_a_file_that_changed_is_never_shown(
     other = tmp_path / "other.mp4"
     pictures = (painted(n + 50, FRAME_WIDTH, FRAME_HEIGHT) for n in range(FRAMES))
     write_mp4(other, pictures, 25, crf=14, gop=6)
-    opened = services.stills.open(recording_id)
+    opened = stills_of(services).open(recording_id)
     opened.media.path.write_bytes(other.read_bytes())
     answer = viewer.get(f"/recordings/{recording_id}/frames/4.jpg")
     assert answer.status_code == 500

@@ -22,6 +22,7 @@ from sightline.infra.csv_package.schema import Cell, Column, Table, sha256_hex
 from sightline.infra.services import Services
 from sightline.measurements.records import FurtherFrame, Measurement
 from sightline.media.video.picture import Bgr
+from sightline.recordings.frames.stills import stills_of
 
 MARGIN_PX = 48
 QUALITY = 92
@@ -99,7 +100,7 @@ def take_crops(staging: Staging, services: Services, spots: Spots, tick: Tick) -
 def _picture(services: Services, recording_id: int, frame: int, crc: int) -> Bgr | str:
     """The frame that was clicked on, or the sentence that says why it cannot be shown."""
     try:
-        opened = services.stills.open(recording_id)
+        opened = stills_of(services).open(recording_id)
         if not frame < len(opened.media) or int(opened.media.crc[frame]) != crc:
             raise Damaged(f"Frame {frame} of the stored video is not the one that was clicked on.")
         return services.frames.bgr(opened.media, frame)

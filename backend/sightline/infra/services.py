@@ -1,9 +1,11 @@
 """What every shell needs: settings, database, queue, media store and frame server, opened once a process."""
 
+from collections.abc import Callable
 from contextlib import AbstractContextManager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
-from threading import Lock
+from threading import Lock, RLock
+from typing import Protocol, TypeVar, cast
 from weakref import WeakKeyDictionary
 
 from sqlalchemy import Engine
@@ -22,8 +24,6 @@ from sightline.infra.jobs.registry import JobContext
 from sightline.media.store.local import MediaStore, open_store
 from sightline.media.video.decode_host import DecodeHost
 from sightline.media.video.frames import FrameServer
-from sightline.recordings.frames.prefetch import Ahead
-from sightline.recordings.frames.stills import Stills
 from sightline.settings import Settings
 
 FRAME_MEMORY_BYTES = 256 * 1024**2
@@ -31,6 +31,16 @@ FRAME_DISK_BYTES = 2 * 1024**3
 
 _of_workers: WeakKeyDictionary[SessionFactory, "Services"] = WeakKeyDictionary()
 _opening = Lock()
+
+
+class Part(Protocol):
+    """What a slice keeps open as long as the process's services are."""
+
+    def close(self) -> None:
+        """End its threads and give its files back."""
+
+
+P = TypeVar("P", bound=Part)
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,8 +53,8 @@ class Services:
     queue: JobQueue | None
     media: MediaStore
     frames: FrameServer
-    stills: Stills
-    ahead: Ahead
+    _parts: dict[Callable[["Services"], Part], Part] = field(default_factory=dict)
+    _making: RLock = field(default_factory=RLock)
 
     def reading(self) -> AbstractContextManager[Session]:
         """A session that sees one state of the database and never commits."""
@@ -53,6 +63,13 @@ class Services:
     def writing(self) -> AbstractContextManager[Session]:
         """The write transaction of this thread; committed when the block ends, rolled back on any error."""
         return writing(self.sessions)
+
+    def part(self, make: Callable[["Services"], P]) -> P:
+        """What `make(services)` gives: made the first time it is asked for, closed with the services."""
+        with self._making:
+            if make not in self._parts:
+                self._parts[make] = make(self)
+            return cast(P, self._parts[make])
 
     @property
     def scratch(self) -> Path:
@@ -63,7 +80,9 @@ class Services:
 
     def close(self) -> None:
         """Give files and connections back."""
-        self.ahead.close()
+        with self._making:
+            for part in reversed(self._parts.values()):
+                part.close()
         self.frames.close()
         if self.queue is not None:
             self.queue.close()
@@ -102,6 +121,4 @@ def _services(
     cache = settings.data_dir / "cache"
     store = open_store(settings.media_url, cache / "media")
     server = FrameServer(cache, FRAME_MEMORY_BYTES, FRAME_DISK_BYTES, pictures=pictures)
-    stills = Stills(sessions, store, server)
-    ahead = Ahead(sessions, stills, server)
-    return Services(settings, engine, sessions, queue, store, server, stills, ahead)
+    return Services(settings, engine, sessions, queue, store, server)

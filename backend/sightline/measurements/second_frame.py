@@ -28,7 +28,7 @@ from sightline.measurements.click_context_query import click_context
 from sightline.measurements.height_of_clicks import Clicks, measured_frames
 from sightline.measurements.records import Measurement, Vehicle
 from sightline.measurements.service import Clicked, Point, filled_in, pose_in_force
-from sightline.recordings.frames.stills import OpenRecording
+from sightline.recordings.frames.stills import OpenRecording, stills_of
 from sightline.vehicles.store import get_vehicle
 
 Source = Literal["followed", "measured", "assumed"]
@@ -107,7 +107,7 @@ def proposal(
     u_now, reason = _now(pose, clicks)
     if u_now is None:
         return refused(reason or "There is no height yet; click contact and target first.")
-    opened = services.stills.open(recording_id)
+    opened = stills_of(services).open(recording_id)
     taken = {n, *(one.frame for one in clicked.more_frames)}
     span = _span(vehicle, n, len(opened.media))
     known = _known_travels(services, opened, pose, clicks, clicked, vehicle, n, span)
@@ -205,7 +205,7 @@ def follow(
     """
     recording_id = opened.recording.id
     until = time.monotonic() + PATIENCE_S
-    gray = services.stills.gray(recording_id, n)
+    gray = stills_of(services).gray(recording_id, n)
     spots = textured(gray, _box(clicks, gray.shape))
     body = body_of(pose, clicks.contact, clicks.point, clicks.inset_m, spots)
     if isinstance(body, str) or len(body.points_m) < 5:
@@ -219,7 +219,7 @@ def follow(
             dt_s = float(opened.time_s[frame] - opened.time_s[before])
             travel = None
             if time.monotonic() < until or len(found) < _LEAST_LOOKS:
-                travel = chase.step(services.stills.gray(recording_id, frame), dt_s)
+                travel = chase.step(stills_of(services).gray(recording_id, frame), dt_s)
             if travel is None:
                 break
             found[frame], before, speed = travel, frame, chase.speed_mps

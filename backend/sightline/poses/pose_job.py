@@ -21,6 +21,7 @@ from sightline.infra.services import Services, services_of
 from sightline.poses.service import BoardView, Solved, board_in_span, board_view, check_fits, solve
 from sightline.poses.store import add_pose
 from sightline.quality.drift.drift_job import request_if_posed
+from sightline.recordings.frames.stills import stills_of
 from sightline.recordings.records import Recording
 from sightline.recordings.store import get_recording, update_recording
 
@@ -66,7 +67,7 @@ def look_for_board(
     if calibration_id is not None:
         with services.reading() as session:
             fitting_camera(session, get_recording(session, recording_id), calibration_id)
-    return board_view(services.stills.gray(recording_id, frame), board)
+    return board_view(stills_of(services).gray(recording_id, frame), board)
 
 
 def request_pose(session: Session, wanted: PoseRequest, *, actor: int) -> Job:
@@ -110,7 +111,7 @@ def solve_pose(context: registry.JobContext) -> registry.Outcome:
         recording = get_recording(session, wanted.recording_id)
         camera = fitting_camera(session, recording, wanted.calibration_id)
     seen = board_in_span(
-        lambda n: services.stills.gray(wanted.recording_id, n),
+        lambda n: stills_of(services).gray(wanted.recording_id, n),
         wanted.first_frame,
         wanted.last_frame,
         wanted.board,

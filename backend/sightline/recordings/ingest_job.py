@@ -16,13 +16,13 @@ from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.registry import Cancelled, Finish, JobContext
 from sightline.infra.jobs.runner import STOPPED as CANCELLED
-from sightline.infra.jobs.store import request_job_cancel
 from sightline.infra.services import Services, services_of
 from sightline.media.cancelling import IngestCancelled
 from sightline.media.store.local import MediaStore, key_of
 from sightline.media.video.ingest import Ingested, ingest
 from sightline.recordings import store as recordings
 from sightline.recordings.frames.records import FrameTable
+from sightline.recordings.frames.stills import stills_of
 from sightline.recordings.records import Facts, Recording
 
 KIND = "ingest"
@@ -47,7 +47,7 @@ def retry_ingest(services: Services, recording_id: int, actor: int) -> Job:
             raise Conflict(f"{recording.name} is being ingested already; wait for it or cancel it.")
         recording = recordings.restart_ingest(session, recording_id, actor=actor)
         job = queue_ingest(session, recording, actor)
-    services.stills.forget(recording_id)
+    stills_of(services).forget(recording_id)
     return job
 
 
@@ -62,15 +62,12 @@ def mark_failed(session: Session, job: Job, error: str) -> None:
         return  # deleted meanwhile
 
 
-def cancel_job(session: Session, job: Job, actor: int) -> Job:
-    """Ask a job to stop; the recording of an ingest that had not begun is told at once."""
-    stopped = request_job_cancel(session, job.id, actor=actor)
-    if stopped.state == "cancelled" and stopped.kind == KIND:
-        mark_failed(session, stopped, STOPPED)
-    return stopped
+def mark_cancelled(session: Session, job: Job) -> None:
+    """With the end of an ingest that had not begun: the recording is not ready, and why."""
+    mark_failed(session, job, STOPPED)
 
 
-@registry.handler(KIND, failed=mark_failed)
+@registry.handler(KIND, failed=mark_failed, on_cancel=mark_cancelled)
 def run_ingest(context: JobContext) -> Finish:
     """Decode the video once. May be killed at any moment: nothing is stored before it is whole."""
     services = services_of(context)
@@ -149,7 +146,7 @@ def thumbnails_key_of(sha256: str) -> str:
 
 def thumbnail(services: Services, recording_id: int, n: int) -> bytes:
     """The thumbnail of frame n as JPEG. Raises NotFound where that frame has none."""
-    recording = services.stills.open(recording_id).recording
+    recording = stills_of(services).open(recording_id).recording
     if n not in recording.thumbs:
         raise NotFound(f"Frame {n} of {recording.name} has no thumbnail; ask for the frame itself.")
     with zipfile.ZipFile(services.media.local_path(thumbnails_key(recording))) as archive:
@@ -210,7 +207,7 @@ def remove_recording(services: Services, recording_id: int, actor: int) -> None:
         if recording.job and recording.job.kind == KIND and recording.job.state in ("queued", "running"):
             raise Conflict(f"{recording.name} is being ingested; cancel that first.")
         recordings.remove_recording(session, recording_id, actor=actor)
-    services.stills.forget(recording_id)
+    stills_of(services).forget(recording_id)
     # Nobody can record the same content while the lock is held; what was recorded since then keeps it.
     with services.writing() as session:
         if not recordings.recording_media_in_use(session, recording.media_key):

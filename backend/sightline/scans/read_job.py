@@ -22,6 +22,7 @@ from sightline.media.store.local import key_of
 from sightline.media.strips.reader import Strip, check_pair, open_strip
 from sightline.media.strips.stored_writer import SUFFIX, StoredStrip, store_strip
 from sightline.media.strips.video import cut_strips
+from sightline.recordings.frames.stills import stills_of
 from sightline.scans.records import Scan, StripFacts
 from sightline.scans.service import FIND, READ, tidy
 from sightline.scans.store import get_scan, note_reading_failed, note_scan_read
@@ -43,7 +44,12 @@ def mark_failed(session: Session, job: Job, error: str) -> None:
         return  # deleted meanwhile
 
 
-@registry.handler(READ, failed=mark_failed)
+def mark_cancelled(session: Session, job: Job) -> None:
+    """With the end of a reading that had not begun: the scan is not ready, and why."""
+    mark_failed(session, job, STOPPED)
+
+
+@registry.handler(READ, failed=mark_failed, on_cancel=mark_cancelled)
 def read_scan(context: JobContext) -> Finish:
     """Write the stored form of both strips. May be killed at any moment: nothing counts before the end."""
     services = services_of(context)
@@ -120,7 +126,7 @@ def _opened(
 ) -> tuple[Strip, Strip]:
     if scan.source == "video":
         assert scan.recording_id is not None and scan.column_1_px is not None and scan.column_2_px is not None
-        video = services.stills.open(scan.recording_id)
+        video = stills_of(services).open(scan.recording_id)
         return cut_strips(
             video.media.path,
             (scan.column_1_px, scan.column_2_px),

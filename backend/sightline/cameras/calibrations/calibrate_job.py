@@ -25,6 +25,7 @@ from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.registry import Finish, JobContext
 from sightline.infra.jobs.store import list_jobs
 from sightline.infra.services import Services, services_of
+from sightline.recordings.frames.stills import stills_of
 from sightline.recordings.store import get_recording
 
 KIND = "calibrate"
@@ -217,12 +218,12 @@ def stored_corners(image: CalibrationImage, board: Board) -> Corners:
 
 def _from_recording(context: JobContext, services: Services, wish: Wish) -> list[Seen]:
     assert wish.recording_id is not None
-    opened = services.stills.open(wish.recording_id)
+    opened = stills_of(services).open(wish.recording_id)
     frames = frames_of(wish, len(opened.media))
     seen = []
     for index, n in enumerate(frames):
         context.progress(LOOKING * index / len(frames), f"Looking for the board in frame {n}.")
-        gray = services.stills.gray(wish.recording_id, n)
+        gray = stills_of(services).gray(wish.recording_id, n)
         size = (int(gray.shape[1]), int(gray.shape[0]))
         seen.append(Seen(f"{opened.recording.name} frame {n}", detect(gray, wish.board), size, frame=n))
     return seen

@@ -19,12 +19,13 @@ from sightline.errors import SightlineError
 from sightline.infra.database.engine import SessionFactory
 from sightline.infra.jobs.queue import push_after_commit
 from sightline.infra.jobs.records import Job
-from sightline.infra.jobs.store import create_job
+from sightline.infra.jobs.store import create_job, request_job_cancel
 from sightline.settings import Settings
 
 Finish = Callable[[Session], Mapping[str, Any]]
 Outcome = Mapping[str, Any] | Finish
 Failed = Callable[[Session, Job, str], None]
+OnCancel = Callable[[Session, Job], None]
 
 
 class Cancelled(SightlineError):
@@ -69,19 +70,26 @@ class Registered:
 
     run: Handler
     failed: Failed | None
+    on_cancel: OnCancel | None
 
 
 _handlers: dict[str, Registered] = {}
 
 
-def handler(kind: str, *, failed: Failed | None = None) -> Callable[[Handler], Handler]:
-    """Register the function that does jobs of this kind; `failed(session, job, sentence)` cleans up."""
+def handler(
+    kind: str, *, failed: Failed | None = None, on_cancel: OnCancel | None = None
+) -> Callable[[Handler], Handler]:
+    """Register the function that does jobs of this kind.
+
+    `failed(session, job, sentence)` cleans up after a job that began, `on_cancel(session, job)` after
+    one that was cancelled before it began.
+    """
 
     def register(function: Handler) -> Handler:
         known = _handlers.get(kind)
         if known is not None and known.run.__qualname__ != function.__qualname__:
             raise ValueError(f"two handlers for jobs of kind {kind}")
-        _handlers[kind] = Registered(function, failed)
+        _handlers[kind] = Registered(function, failed, on_cancel)
         return function
 
     return register
@@ -90,6 +98,15 @@ def handler(kind: str, *, failed: Failed | None = None) -> Callable[[Handler], H
 def registered(kind: str) -> Registered | None:
     """Who does jobs of this kind."""
     return _handlers.get(kind)
+
+
+def cancel(session: Session, job: Job, actor: int) -> Job:
+    """Stop a queued job at once, a running one when it next looks. Raises Conflict for one that has ended."""
+    asked = request_job_cancel(session, job.id, actor=actor)
+    kind = registered(job.kind)
+    if asked.state == "cancelled" and kind is not None and kind.on_cancel is not None:
+        kind.on_cancel(session, asked)
+    return asked
 
 
 def enqueue(

@@ -5,12 +5,9 @@ from typing import Annotated
 from fastapi import APIRouter, Query
 
 from sightline.errors import NotAllowed
-from sightline.infra.jobs import store
+from sightline.infra.jobs import registry, store
 from sightline.infra.web.bodies import Id, JobBody, JobState
 from sightline.infra.web.deps import RANK, PathId, Reading, Viewer, Wired
-from sightline.recordings.ingest_job import cancel_job
-from sightline.scans import read_job
-from sightline.scans.service import READ
 
 router = APIRouter()
 
@@ -39,7 +36,4 @@ def cancel(job_id: PathId, who: Viewer, services: Wired) -> JobBody:
         job = store.get_job(session, job_id)
         if job.created_by != who.id and RANK[who.role] < RANK["operator"]:
             raise NotAllowed("Somebody else started this job; ask them or an operator to cancel it.")
-        stopped = cancel_job(session, job, who.id)
-        if stopped.state == "cancelled" and stopped.kind == READ:
-            read_job.mark_failed(session, stopped, read_job.STOPPED)
-        return JobBody.model_validate(stopped)
+        return JobBody.model_validate(registry.cancel(session, job, who.id))

@@ -10,6 +10,7 @@ from sightline.geometry.contact import propose
 from sightline.infra.services import Services
 from sightline.measurements.click_context_query import click_context
 from sightline.measurements.service import Point, pose_in_force
+from sightline.recordings.frames.stills import stills_of
 
 PERSON_PX = 1.0  # what a careful click is worth
 
@@ -31,7 +32,7 @@ def contact_near(services: Services, recording_id: int, n: int, pointer: Point) 
     with services.reading() as session:
         context = click_context(session, recording_id, None)
         pose, _, _ = pose_in_force(session, context)
-    found = propose(services.stills.gray(recording_id, n), pose, pointer)
+    found = propose(stills_of(services).gray(recording_id, n), pose, pointer)
     if isinstance(found, str):
         words = f"No proposal: {found[:1].lower()}{found[1:]} Click the contact yourself."
         return ContactProposal(None, [], None, None, words, found)

@@ -24,6 +24,7 @@ from sightline.measurements.service import road_pose
 from sightline.media.video.drift import Background, background, mean_of, register
 from sightline.poses.records import Pose
 from sightline.poses.store import get_pose
+from sightline.recordings.frames.stills import stills_of
 from sightline.recordings.records import Recording
 from sightline.recordings.store import get_recording, store_drift
 
@@ -89,18 +90,18 @@ def look_for_drift(context: registry.JobContext) -> registry.Outcome:
     frames = frames_to_look_at(recording.frame_count or 0, recording.duration_s or 0.0)
     for index, n in enumerate(frames):
         context.progress(0.9 * index / len(frames), f"Looking for the background in frame {n}.")
-        looks.append(Look(n, register(ours, services.stills.gray(recording_id, n))))
+        looks.append(Look(n, register(ours, stills_of(services).gray(recording_id, n))))
     context.progress(0.92, "Looking for the frames on which the camera moved.")
 
     def look_at(n: int) -> Motion | str:
         context.progress(0.95, f"Looking for the background in frame {n}.")
         if not 0 <= n < (recording.frame_count or 0):
             return "The recording has no such frame."
-        return register(ours, services.stills.gray(recording_id, n))
+        return register(ours, stills_of(services).gray(recording_id, n))
 
     size = (road.camera.width_px, road.camera.height_px)
     found = course(looks, (recording.frame_count or 1) - 1, size, look_at)
-    times = services.stills.open(recording_id).time_s
+    times = stills_of(services).open(recording_id).time_s
     document = document_of(_Check(recording, pose, road, looks, found, lambda n: float(times[n])))
 
     def store(session: Session) -> Mapping[str, Any]:
@@ -118,7 +119,7 @@ def frames_to_look_at(count: int, duration_s: float) -> list[int]:
 
 def _of_pose(services: Services, pose: Pose) -> Background:
     frames = sorted({int(n) for n in np.linspace(pose.first_frame, pose.last_frame, _OF_POSE)})
-    return background(mean_of([services.stills.gray(pose.recording_id, n) for n in frames]))
+    return background(mean_of([stills_of(services).gray(pose.recording_id, n) for n in frames]))
 
 
 def document_of(check: _Check) -> dict[str, Any]:

@@ -9,7 +9,7 @@ from fastapi import APIRouter, Query, Request, Response
 from sightline.infra.web.bodies import Out
 from sightline.infra.web.deps import PathFrame, PathId, Viewer, Wired
 from sightline.infra.web.disconnect import Wanted, while_wanted
-from sightline.recordings.frames.stills import Still
+from sightline.recordings.frames.stills import Still, stills_of
 from sightline.recordings.ingest_job import thumbnail
 
 router = APIRouter()
@@ -51,7 +51,7 @@ def frame_table(
     count: Annotated[int, Query(ge=1, le=MOST_ROWS)] = 5000,
 ) -> FrameRows:
     """A piece of the frame table; empty behind its end."""
-    opened = services.stills.open(recording_id)
+    opened = stills_of(services).open(recording_id)
     span = slice(first, first + count)
     return FrameRows(
         first=first,
@@ -65,7 +65,7 @@ def frame_table(
 @router.get("/recordings/{recording_id}/frames/ready")
 def ready_frames(recording_id: PathId, who: Viewer, services: Wired) -> ReadyFrames:
     """What is loaded on the server, for the timeline."""
-    return ReadyFrames(runs=services.stills.ready(recording_id))
+    return ReadyFrames(runs=stills_of(services).ready(recording_id))
 
 
 @router.get("/recordings/{recording_id}/frames/{n}.jpg", response_class=Response, responses=JPEG)
@@ -81,11 +81,11 @@ async def still(
 
     def work(wanted: Wanted) -> Response:
         kind = "" if display == "plain" else f"-{display}"
-        etag = f'"{services.stills.crc(recording_id, n):08x}{kind}"'
-        services.ahead.asked(recording_id, n)
+        etag = f'"{stills_of(services).crc(recording_id, n):08x}{kind}"'
+        stills_of(services).announce_request(recording_id, n)
         if has(request, etag):
             return unchanged(etag)
-        return picture(services.stills.still(recording_id, n, display, wanted), "image/jpeg", etag)
+        return picture(stills_of(services).still(recording_id, n, display, wanted), "image/jpeg", etag)
 
     return await while_wanted(request, work)
 
@@ -107,11 +107,13 @@ async def crop(
 
     def work(wanted: Wanted) -> Response:
         kind = "" if display == "plain" else f"-{display}"
-        etag = f'"{services.stills.crc(recording_id, n):08x}-{x}.{y}.{w}.{h}{kind}"'
+        etag = f'"{stills_of(services).crc(recording_id, n):08x}-{x}.{y}.{w}.{h}{kind}"'
         if has(request, etag):
             return unchanged(etag)
         rectangle = (x, y, w, h)
-        return picture(services.stills.crop(recording_id, n, rectangle, display, wanted), "image/png", etag)
+        return picture(
+            stills_of(services).crop(recording_id, n, rectangle, display, wanted), "image/png", etag
+        )
 
     return await while_wanted(request, work)
 
@@ -119,7 +121,7 @@ async def crop(
 @router.get("/recordings/{recording_id}/thumbs/{frame}.jpg", response_class=Response, responses=JPEG)
 def thumb(recording_id: PathId, frame: PathFrame, who: Viewer, services: Wired, request: Request) -> Response:
     """The thumbnail of a frame that has one."""
-    etag = f'"t{services.stills.crc(recording_id, frame):08x}"'
+    etag = f'"t{stills_of(services).crc(recording_id, frame):08x}"'
     return jpeg_once(request, etag, lambda: thumbnail(services, recording_id, frame))
 
 

@@ -2,6 +2,7 @@
 
 import threading
 import time
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,6 +10,7 @@ import numpy.typing as npt
 
 from sightline.errors import BadInput, Damaged, NotFound
 from sightline.infra.database.engine import SessionFactory, reading
+from sightline.infra.services import Services
 from sightline.media.store.local import MediaStore
 from sightline.media.video.display import Display
 from sightline.media.video.frames import FrameServer
@@ -54,6 +56,8 @@ class Stills:
         self._server = server
         self._open: dict[int, OpenRecording] = {}
         self._lock = threading.Lock()
+        #: Hears which frame of which recording somebody wants to see, before it is decoded.
+        self.on_request: Callable[[int, int], None] | None = None
 
     def open(self, recording_id: int) -> OpenRecording:
         """The recording's facts and frame table, read from the database at most every few seconds."""
@@ -68,6 +72,11 @@ class Stills:
             while len(self._open) > MOST:
                 self._open.pop(next(iter(self._open)))
         return fresh
+
+    def announce_request(self, recording_id: int, n: int) -> None:
+        """Somebody wants to see frame n: what prepares frames stops, and goes on from there."""
+        if self.on_request is not None:
+            self.on_request(recording_id, n)
 
     def still(self, recording_id: int, n: int, display: Display = "plain", wanted: Wanted = always) -> Still:
         """Frame n as JPEG, upright; "bright" is to look at only. NotWanted once `wanted` says no."""
@@ -105,6 +114,11 @@ class Stills:
         with self._lock:
             self._open.pop(recording_id, None)
 
+    def close(self) -> None:
+        """Let go of what is in memory."""
+        with self._lock:
+            self._open.clear()
+
     def _with_frame(self, recording_id: int, n: int) -> OpenRecording:
         opened = self.open(recording_id)
         if not 0 <= n < len(opened.media):
@@ -125,6 +139,15 @@ class Stills:
             raise Damaged(f"The frame table of {recording.name} is not whole; ingest the recording again.")
         media = RecordingMedia(self._store.local_path(file_key(recording)), table.pts, table.crc32, table.key)
         return OpenRecording(recording, media, table.time_s, time.monotonic())
+
+
+def stills_of(services: Services) -> Stills:
+    """The process's frames of stored recordings."""
+    return services.part(_make_stills)
+
+
+def _make_stills(services: Services) -> Stills:
+    return Stills(services.sessions, services.media, services.frames)
 
 
 def _same_frames(then: Recording, now: Recording) -> bool:

@@ -20,6 +20,7 @@ from sightline.infra.jobs.registry import Cancelled, Finish, JobContext
 from sightline.infra.jobs.store import list_jobs
 from sightline.infra.services import Services, services_of
 from sightline.poses.store import get_pose
+from sightline.recordings.frames.stills import stills_of
 from sightline.recordings.ingest_job import LOW_LIGHT_BELOW, PASSES
 from sightline.recordings.records import Recording
 from sightline.recordings.store import get_recording
@@ -52,7 +53,7 @@ def look_for_passes(context: JobContext) -> Finish:
     services = services_of(context)
     recording_id = context.job.recording_id
     assert recording_id is not None
-    opened = services.stills.open(recording_id)
+    opened = stills_of(services).open(recording_id)
     recording = opened.recording
     board, square_at = _posed(services, recording)
     context.progress(0.0, "Looking for passes.")

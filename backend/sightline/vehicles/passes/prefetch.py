@@ -11,9 +11,10 @@ import time
 
 from sightline.errors import SightlineError
 from sightline.infra.database.engine import SessionFactory, reading
+from sightline.infra.services import Services
 from sightline.media.video.frames import FrameServer
 from sightline.media.video.window import NotWanted
-from sightline.recordings.frames.stills import OpenRecording, Stills
+from sightline.recordings.frames.stills import OpenRecording, Stills, stills_of
 from sightline.vehicles.store import list_vehicles
 
 log = logging.getLogger(__name__)
@@ -25,7 +26,7 @@ MOST_PASSES = 80
 MOST_BYTES = 256 * 1024**2
 
 
-class Ahead:
+class PassPrefetcher:
     """One thread at a time, only while there is something to do. Thread-safe."""
 
     def __init__(self, sessions: SessionFactory, stills: Stills, server: FrameServer) -> None:
@@ -115,3 +116,12 @@ class Ahead:
         best = sorted(best, key=lambda frame: (frame < n, frame))[:MOST_PASSES]
         last = len(opened.media) - 1
         return [m for at in best for m in range(max(0, at - AROUND), min(last, at + AROUND) + 1)]
+
+
+def prefetch_around_passes(services: Services) -> None:
+    """From now on, whoever asks for a frame has those around the passes prepared."""
+    stills_of(services).on_request = services.part(_make_prefetcher).asked
+
+
+def _make_prefetcher(services: Services) -> PassPrefetcher:
+    return PassPrefetcher(services.sessions, stills_of(services), services.frames)
