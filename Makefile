@@ -5,7 +5,6 @@ PYTHON ?= python3
 BIN := .venv/bin
 PIP := $(BIN)/python -m pip --quiet --disable-pip-version-check
 NPM := npm --prefix frontend --no-fund --no-audit --loglevel=error
-DATABASE_TESTS := tests/storage tests/jobs tests/api tests/cli tests/deployment
 WEB_SOURCES := $(shell find frontend/src frontend/public frontend/index.html frontend/vite.config.ts -type f 2>/dev/null)
 
 .PHONY: run test test-postgresql test-browser setup check lock types bench clean
@@ -65,13 +64,13 @@ setup: .build/python .build/web
 test:
 	@$(MAKE) --no-print-directory -j2 setup .build/python-dev
 	@$(MAKE) --no-print-directory -j2 -Oline .build/chromium check
-	@SIGHTLINE_TEST_DATABASE_URL= $(BIN)/python -m pytest -n 2 --ignore=tests/browser
+	@SIGHTLINE_TEST_DATABASE_URL= $(BIN)/python -m pytest -n 2 --dist worksteal --ignore=tests/browser
 	@$(MAKE) --no-print-directory -j2 -Oline test-postgresql test-browser
 
 # Beside each other: a browser waits most of the time.
 test-postgresql:
 	@if [ -n "$$SIGHTLINE_TEST_DATABASE_URL" ]; then echo "The same on PostgreSQL, beside the browser ..." && \
-	   $(BIN)/python -m pytest -n 2 -m "not once" $(DATABASE_TESTS); fi
+	   $(BIN)/python -m pytest -n 2 --dist worksteal -m "dialect and not once" --ignore=tests/browser tests; fi
 
 test-browser:
 	@SIGHTLINE_TEST_DATABASE_URL= $(BIN)/python -m pytest tests/browser

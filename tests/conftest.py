@@ -16,6 +16,8 @@ from sqlalchemy.orm import Session
 
 from sightline.infra.database.engine import SessionFactory, make_engine, migrate, session_factory, writing
 
+pytest_plugins = ["tests.support.app"]
+
 SERVER = os.environ.get("SIGHTLINE_TEST_DATABASE_URL", "")
 
 

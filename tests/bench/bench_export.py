@@ -23,9 +23,9 @@ from sightline.geometry.documents import camera_to_dict, pose_to_dict
 from sightline.infra.csv_package.files import Staging, zip_folder
 from sightline.infra.database.engine import SessionFactory, make_engine, migrate, reading, session_factory
 from sightline.infra.services import Services
-from tests.api.ground import flat_camera, pose_above_road
 from tests.bench.seed import seed
-from tests.storage import samples
+from tests.support import samples
+from tests.support.ground import flat_camera, pose_above_road
 
 GOAL_MB = {100_000: 700, 1_000_000: 1500}
 

@@ -12,8 +12,8 @@ from time import perf_counter, process_time
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from tests.work_drawing.sample import statistics
-from tests.work_drawing.sample_facts import facts
+from tests.export.report.sample import statistics
+from tests.export.report.sample_facts import facts
 
 LIMIT_S = 3.0
 

@@ -32,8 +32,8 @@ from sightline.reviews.store import review_queue
 from sightline.surveys.store import get_survey
 from sightline.vehicles.store import list_vehicles
 from tests.bench.goals import Row, report, row
-from tests.storage import samples
-from tests.storage.samples import Sample
+from tests.support import samples
+from tests.support.samples import Sample
 
 VEHICLES = 5000
 FRAMES = 20_000

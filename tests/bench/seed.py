@@ -9,8 +9,8 @@ from sightline.infra.database.engine import SessionFactory, writing
 from sightline.measurements.tables import measurement_series, measurements
 from sightline.reviews.tables import reviews
 from sightline.vehicles.tables import vehicles
-from tests.storage import samples
-from tests.storage.samples import Sample
+from tests.support import samples
+from tests.support.samples import Sample
 
 NUMBERS = (
     "WITH RECURSIVE numbers(i) AS "

@@ -13,8 +13,8 @@ import numpy as np
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
-from tests.api.boards import POSES, picture_bytes, view
 from tests.media.clips import Spec, write
+from tests.support.boards import POSES, picture_bytes, view
 
 from .night import Untouched, click_at, stored, untouched
 from .server import Server

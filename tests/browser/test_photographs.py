@@ -2,7 +2,7 @@
 
 from playwright.sync_api import Page, expect
 
-from tests.api.boards import POSES, picture_bytes, view
+from tests.support.boards import POSES, picture_bytes, view
 
 from .test_bad_input import new_survey, one_sentence
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import boto3
-import httpx
+import httpx2
 import pytest
 from moto.server import ThreadedMotoServer
 
@@ -56,7 +56,7 @@ def test_app_and_worker_share_postgresql_and_storage(
         # With one worker's folder empty and apart, all that lasts must pass through database and storage.
         running.append(start("worker", tmp_path / "worker", extra=shared | {"SIGHTLINE_WORKERS": "1"}))
         assert client.ready(recording)["frame_count"] == 40
-        still: httpx.Response = client.http.get(f"/api/recordings/{recording}/frames/17.jpg")
+        still: httpx2.Response = client.http.get(f"/api/recordings/{recording}/frames/17.jpg")
         assert still.status_code == 200, still.text
         assert read_number(read_image_bgr(still.content, "17.jpg")) == 17
     finally:

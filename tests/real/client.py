@@ -5,7 +5,7 @@ import time
 from pathlib import Path
 from typing import Any
 
-import httpx
+import httpx2
 
 CHUNK_BYTES = 1 << 20
 
@@ -14,7 +14,7 @@ class Client:
     """Speaks to `base_url/api` as the browser does: session cookie and the X-Sightline header."""
 
     def __init__(self, base_url: str) -> None:
-        self.http = httpx.Client(base_url=base_url, headers={"X-Sightline": "1"}, timeout=60)
+        self.http = httpx2.Client(base_url=base_url, headers={"X-Sightline": "1"}, timeout=60)
 
     def sign_in(self, link: str) -> None:
         self.post("/session/link", token=link.split("token=")[1])
@@ -78,6 +78,6 @@ class Client:
         raise AssertionError("the recording was not ready in time")
 
     @staticmethod
-    def _checked(answer: httpx.Response) -> Any:
+    def _checked(answer: httpx2.Response) -> Any:
         assert answer.status_code < 300, f"{answer.request.method} {answer.url}: {answer.text}"
         return answer.json() if answer.content else None

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 import re
 from collections.abc import Iterable, Mapping
@@ -20,7 +18,7 @@ from sightline.export.exclusions import EXCLUSIONS, exclusion_rows
 from sightline.export.measured import PackageStatistics, statistics_of
 from sightline.export.statistics_csv import TABLES, same_cell, statistics_rows
 from sightline.export.verify.chain import Told
-from sightline.infra.csv_package.files import Files, read_columns, read_rows, read_whole
+from sightline.infra.csv_package.files import Files, read_columns, read_header, read_rows, read_whole
 from sightline.infra.csv_package.schema import DESCRIPTION, Row, Table, Written, cell_text, description_of
 
 _FRAME = re.compile(r"frame(\d+)")
@@ -28,8 +26,7 @@ _FRAME = re.compile(r"frame(\d+)")
 
 def described_tables(files: Files) -> tuple[Table, ...]:
     """The tables that this program would write, for as many frames as this package has columns for."""
-    with files.open("measurements.csv") as file:
-        header = next(csv.reader(io.TextIOWrapper(file, encoding="utf-8", newline="")), [])
+    header = read_header(files, "measurements.csv")
     numbers = [int(found[1]) for name in header if (found := _FRAME.fullmatch(name))]
     return tables_of(max(numbers, default=2))
 

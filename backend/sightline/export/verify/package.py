@@ -139,7 +139,7 @@ def _same_head(told: Told, head: str | None) -> None:
         return
     if len(head) < _LEAST_OF_HEAD:
         raise BadInput(
-            f"The first {len(head)} characters of a head prove little; give at least {_LEAST_OF_HEAD} of them."
+            f"The first {len(head)} characters of a head prove little; give at least {_LEAST_OF_HEAD}."
         )
     if not told.head.startswith(head.lower()):
         raise Damaged(

@@ -282,6 +282,16 @@ def read_rows(files: Files, path: str) -> Iterator[dict[str, str]]:
             text.detach()
 
 
+def read_header(files: Files, path: str) -> list[str]:
+    """The names of one CSV's columns. Raises Damaged where it is missing or no CSV."""
+    with files.open(path) as file:
+        first = file.readline()
+    try:
+        return next(csv.reader([first.decode("utf-8")], strict=True), [])
+    except (UnicodeDecodeError, csv.Error) as error:
+        raise Damaged(f"{path} cannot be read as CSV; take the whole export again.") from error
+
+
 def read_columns(files: Files, path: str, names: tuple[str, ...]) -> Iterator[list[str]]:
     """Some columns of one CSV, row by row: several times as quick as `read_rows`. Raises Damaged."""
     with files.open(path) as file:

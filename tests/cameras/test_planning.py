@@ -1,0 +1,86 @@
+"""The plan of a site: with a plain camera before anything is there, and with a survey's calibration."""
+
+import pytest
+
+from sightline.infra.services import Services
+from tests.support.app import Client, error_of
+from tests.support.ground import flat_camera, store_calibration
+
+pytestmark = pytest.mark.once
+
+PLAIN = "width_px=640&height_px=480&field_of_view_deg=67"
+PLACE = "camera_height_m=1.5&distance_m=3"
+
+
+def test_a_plan_before_anything_is_there(viewer: Client, survey_id: int) -> None:
+    plan = viewer.seen(f"/surveys/{survey_id}/plan?{PLAIN}&{PLACE}")
+    assert plan["site"]["board_distance_m"] == 3.0 and not plan["camera"]["lens_known"]
+    targets = {t["target"]: t for t in plan["targets"]}
+    assert set(targets) == {"roof", "driver_eye", "driver_eye_far", "taillight", "headlight"}
+    eye = targets["driver_eye"]
+    assert eye["bias_if_ignored_m"] == pytest.approx(0.35 * 0.45 / 3.45)
+    squares = sum(part["u_m"] ** 2 for part in eye["budget"])
+    assert squares**0.5 == pytest.approx(eye["u_height_m"])
+    assert eye["two_frames"]["u_height_m"] < eye["u_height_m"]
+    assert len(plan["U95_over_distance"]) == 5 and len(plan["bias_over_camera_height"]) == 2
+    assert any("second frame" in sentence for sentence in plan["advice"])
+
+
+def test_a_plan_with_the_surveys_calibration_and_insets(
+    operator: Client, services: Services, survey_id: int
+) -> None:
+    _, calibration_id = store_calibration(services, survey_id, flat_camera())
+    path = f"/surveys/{survey_id}/plan?calibration_id={calibration_id}&{PLACE}"
+    before = operator.seen(path)["targets"][1]
+    insets = {"driver_eye": {"inset_m": 0.6, "u_inset_m": 0.3, "note": ""}}
+    operator.put(f"/surveys/{survey_id}", {"name": "Wide", "version": 1, "insets": insets})
+    after = operator.seen(path)
+    assert after["camera"]["width_px"] == flat_camera().width_px
+    assert after["targets"][1]["inset_m"] == 0.6
+    assert after["targets"][1]["u_height_m"] > before["u_height_m"]
+
+
+def test_what_cannot_be_planned_is_said_in_words(
+    operator: Client, services: Services, survey_id: int
+) -> None:
+    other = int(operator.made("/surveys", {"name": "Another"})["id"])
+    _, foreign = store_calibration(services, other, flat_camera())
+    for query, word in (
+        (f"{PLAIN}&camera_height_m=-1&distance_m=3", "camera height"),
+        (f"{PLAIN}&camera_height_m=nan&distance_m=3", "camera_height_m"),
+        (f"{PLAIN}&{PLACE}&board_distance_m=0", "distance to the board"),
+        (f"{PLAIN}&{PLACE}&direction_deg=80", "direction"),
+        (f"width_px=640&height_px=480&field_of_view_deg=190&{PLACE}", "field of view"),
+        (f"width_px=640&{PLACE}", "Choose a calibration"),
+        (f"calibration_id={foreign}&{PLACE}", "another survey"),
+    ):
+        refused = operator.get(f"/surveys/{survey_id}/plan?{query}")
+        assert refused.status_code in (400, 422), query
+        assert word in error_of(refused)
+    assert operator.get(f"/surveys/{survey_id}/plan?calibration_id=999&{PLACE}").status_code == 404
+    assert operator.get(f"/surveys/999/plan?{PLAIN}&{PLACE}").status_code == 404
+
+
+def test_a_line_rate_is_planned_in_both_forms(viewer: Client) -> None:
+    rig = f"speed_mps={120 / 3.6}&baseline_m=1"
+    plan = viewer.seen(f"/line-rate-plan?{rig}&error=0.01")
+    assert plan["printed"]["line_rate_hz"] == pytest.approx(6600)
+    assert plan["corrected"]["line_rate_hz"] == pytest.approx(20000 / 3)
+    assert plan["line_rate_hz"] == plan["corrected"]["line_rate_hz"] and plan["lines"] == pytest.approx(200)
+    assert plan["corrected"]["error_mps"] == pytest.approx(0.01 * 120 / 3.6)
+    assert plan["printed"]["error"] == pytest.approx(2 / 202)
+    # 2000 Hz: 60 lines; a line is 1/60 of the speed, both crossings rounded 0.41 of that
+    coarse = viewer.seen(f"/line-rate-plan?{rig}&error=0.01&line_rate_hz=2000&u_baseline_m=0.01")
+    assert coarse["one_line_mps"] == pytest.approx(120 / 3.6 / 60)
+    assert coarse["u_lines_mps"] == pytest.approx(coarse["one_line_mps"] / 6**0.5)
+    assert coarse["u_speed_mps"] ** 2 == pytest.approx(coarse["u_lines_mps"] ** 2 + (1.2 / 3.6) ** 2)
+    assert any("more than the 1 % wanted" in one for one in coarse["advice"])
+    assert any("baseline limits" in one for one in coarse["advice"])
+    for query, word in (
+        (f"{rig}&error=1.5", "share between 0 and 1"),
+        (f"{rig}&error=0.01&line_rate_hz=0", "greater than 0"),
+        (f"{rig}&error=0.01&u_baseline_m=2", "less than the baseline"),
+        ("speed_mps=nan&baseline_m=1&error=0.01", "speed_mps"),
+    ):
+        refused = viewer.get(f"/line-rate-plan?{query}")
+        assert refused.status_code in (400, 422) and word in error_of(refused), query

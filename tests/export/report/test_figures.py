@@ -1,0 +1,154 @@
+"""Figures as SVG: what is drawn, in greys and paths only, always the same bytes, whatever a name holds."""
+
+from __future__ import annotations
+
+import re
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+from matplotlib.axes import Axes
+
+from sightline.export.report import labels, marks
+from sightline.export.report.canvas import FULL, HALF, Drawing, svg
+from sightline.export.report.figures import drawings, figures
+from sightline.export.report.marks import MAIN
+from sightline.export.report.units import fixed, limit
+from sightline.results.survey_statistics import Choices
+from sightline.statistics.distributions import ecdf, sorted_values
+from sightline.statistics.standards import Standard
+from sightline.statistics.summary import Grouping
+from tests.export.report.sample import statistics
+
+ERRORS = {"absolute-error-ecdf", "relative-error-ecdf", "signed-error-density", "error-against-height"}
+_SVG = "{http://www.w3.org/2000/svg}"
+
+
+EYES = ("taillight", "headlight", "roof")  # what a survey of eyes alone lacks
+
+
+@pytest.fixture(scope="module")
+def drawn() -> dict[str, Drawing | str]:
+    return drawings(statistics(60))
+
+
+def test_every_figure_of_the_page_is_drawn(drawn: dict[str, Drawing | str]) -> None:
+    there = {name for name, one in drawn.items() if isinstance(one, Drawing)}
+    heights = {
+        f"{target}-{kind}"
+        for target in ("driver_eye", "taillight", "roof")
+        for kind in ("ecdf", "density", "by-category", "by-lighting")
+    }
+    assert there == ERRORS | heights
+    assert isinstance(drawn["headlight-ecdf"], str) and isinstance(drawn["headlight-density"], str)
+
+
+def test_figures_are_svg_in_greys_whose_words_need_no_font(drawn: dict[str, Drawing | str]) -> None:
+    for one in drawn.values():
+        if isinstance(one, str):
+            continue
+        root = ElementTree.fromstring(one.svg)
+        assert root.findtext(f"{_SVG}title") == one.title
+        assert not root.findall(f".//{_SVG}text")
+        colours = re.findall(rb"(?:fill|stroke): #([0-9a-f]{6})", one.svg)
+        assert colours and all(c[:2] == c[2:4] == c[4:] for c in colours)
+        assert b"Date" not in one.svg and b"date" not in one.svg
+
+
+def test_the_same_result_gives_the_same_bytes(drawn: dict[str, Drawing | str]) -> None:
+    again = figures(statistics(60, absent=EYES))
+    assert len(again) == 8
+    for name, found in again.items():
+        before = drawn[name]
+        assert isinstance(before, Drawing) and found == before.svg, name
+
+
+def test_feet_are_drawn_in_feet_and_inches() -> None:
+    metres, feet = (drawings(statistics(40, absent=EYES), unit) for unit in ("m", "ft"))
+    for name in ("absolute-error-ecdf", "driver_eye-ecdf"):
+        assert metres[name] != feet[name]
+    density = feet["signed-error-density"]
+    assert isinstance(density, Drawing) and "\u00a0in " in density.caption
+
+
+def test_without_anything_there_are_sentences_and_no_figures() -> None:
+    nothing = statistics(0)
+    assert figures(nothing) == {}
+    assert all(isinstance(one, str) and one.endswith(".") for one in drawings(nothing).values())
+
+
+@pytest.mark.parametrize(("n", "said"), [(1, "there is 1"), (5, "there are 5")])
+def test_few_vehicles_are_drawn_and_what_cannot_be_is_a_sentence(n: int, said: str) -> None:
+    found = drawings(statistics(n, low_light=0.0, absent=EYES))
+    assert isinstance(found["driver_eye-ecdf"], Drawing)
+    assert found["signed-error-density"] == f"A density needs at least 10 vehicles; {said}."
+
+
+def test_names_with_signs_are_drawn_as_they_are() -> None:
+    names = ("A $x^2$ & <b>", "A x^2 & <b>")
+    own = (Standard("Own $limit$", "driver_eye", 1.1, "me"),)
+    group = Grouping(np.arange(40) % 2, names)
+    found = drawings(statistics(40, choices=Choices(own_standards=own), site=group, absent=EYES))
+    by_site = found["driver_eye-by-site"]
+    assert isinstance(by_site, Drawing) and "Own $limit$ 1.10" in by_site.caption
+    ElementTree.fromstring(by_site.svg)
+    # As mathematics the first name would lose its dollar signs, whose glyph the second name has not.
+    assert by_site.svg.count(b"DejaVuSans-24") > 0
+
+
+def test_a_large_sample_is_thinned_without_visible_change() -> None:
+    ordered = sorted_values(np.random.default_rng(3).normal(1.2, 0.07, 200_000))
+    thin = ecdf(ordered)
+    assert thin is not None
+    kept: list[labels.Named] = []
+    picture = svg(lambda axes: kept.append(marks.steps(axes, thin, MAIN, 1.0)), "A large sample", FULL)
+    at = np.linspace(ordered[10], ordered[-10], 4001)
+    true = 100.0 * np.searchsorted(ordered, at, side="right") / len(ordered)
+    curve = kept[0]
+    shown = curve.y[np.searchsorted(curve.x, at, side="right") - 1]
+    height_mm = FULL.height - FULL.top - FULL.bottom
+    assert np.abs(shown - true).max() / 100.0 * height_mm < 0.15  # a third of a line's width
+    few = ecdf(ordered[::100])
+    assert few is not None
+    small = svg(lambda axes: kept.append(marks.steps(axes, few, MAIN, 1.0)), "A small sample", FULL)
+    assert len(picture) < 1.1 * len(small)
+
+
+def test_words_stand_beside_their_curves_and_not_on_any() -> None:
+    x = np.linspace(0.0, 1.0, 50)
+    curves = [labels.Named(x, x, "first of two"), labels.Named(x + 0.3, x, "second of two")]
+    boxes = []
+
+    def draw(axes: Axes) -> None:
+        axes.set(xlim=(-0.5, 2.0), ylim=(0, 1))
+        assert labels.label(axes, curves)
+        texts = [one.get_window_extent() for one in axes.texts]
+        paths = [axes.transData.transform(np.column_stack([one.x, one.y])) for one in curves]
+        boxes.extend((box, path) for box in texts for path in paths)
+
+    svg(draw, "Two curves", HALF)
+    assert len(boxes) == 4
+    for box, path in boxes:
+        inside = (path > [box.x0, box.y0]).all(axis=1) & (path < [box.x1, box.y1]).all(axis=1)
+        assert not inside.any()
+
+
+def test_without_room_no_word_is_written() -> None:
+    x = np.linspace(0.0, 1.0, 50)
+
+    def draw(axes: Axes) -> None:
+        axes.set(xlim=(0, 1), ylim=(0, 1))
+        assert not labels.label(axes, [labels.Named(x, x, "far too long a word " * 8)])
+        assert not axes.texts
+
+    svg(draw, "No room", HALF)
+
+
+def test_numbers_for_people() -> None:
+    assert fixed(-0.0004, 3) == "0.000"
+    assert fixed(-1.25, 1, signed=True) == "−1.2"
+    assert [limit(1.08, "m"), limit(1.105, "m"), limit(1.08, "ft")] == [
+        "1.08\u00a0m",
+        "1.105\u00a0m",
+        "3.54\u00a0ft",
+    ]

@@ -1,0 +1,205 @@
+"""The report as PDF: what it says, in which words, alike each time, whatever people call things."""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import os
+import re
+import subprocess
+import sys
+from dataclasses import replace
+from html import unescape
+from pathlib import Path
+
+import matplotlib
+import numpy as np
+import pytest
+import typst
+from PIL import Image
+
+from sightline.export.report.facts import Exclusion, Photo, ReportFacts
+from sightline.export.report.photos import as_svg
+from sightline.export.report.report import report, sources
+from sightline.results.survey_statistics import Choices
+from tests.export.report.pdf_text import words
+from tests.export.report.sample import statistics
+from tests.export.report.sample_facts import facts
+
+ROOT = Path(__file__).resolve().parents[3]
+LONG = "a_name_without_any_place_to_break_it_" * 5
+HOSTILE = (
+    '#panic("x") $a^b$ *b* _e_ "q" \'s\' \\ `raw` @ref <label> // c /* d */ [x] {y} ~ = + - 1. ---',
+    "<script>alert(1)</script> & &amp; %s {0} ${1}",
+    "tab\tand\x00control\x1f, \u202eturned\u202c, half \ud800",
+)
+
+
+def flat(text: str) -> str:
+    """Without any blanks: where lines end is the paper's affair."""
+    return "".join(text.split())
+
+
+@pytest.fixture(scope="module")
+def example() -> ReportFacts:
+    return facts(statistics(120, absent=("headlight", "roof")))
+
+
+@pytest.fixture(scope="module")
+def pdf(example: ReportFacts) -> bytes:
+    return report(example)
+
+
+def test_the_report_is_an_archival_and_accessible_pdf(pdf: bytes) -> None:
+    assert pdf.startswith(b"%PDF-1.7")
+    assert b"<pdfaid:part>2</pdfaid:part>" in pdf and b"<pdfuaid:part>1</pdfuaid:part>" in pdf
+    assert b"CreationDate(D:20260504131209" in pdf
+
+
+def test_the_report_says_what_was_found(example: ReportFacts, pdf: bytes) -> None:
+    said = flat(words(pdf))
+    result = example.statistics
+    mae = result.errors.groups["low_light"].figures["mae_m"]
+    median = next(one for one in result.targets["driver_eye"].corrected.percentiles if one.percent == 50.0)
+    assert mae is not None and median.low is not None and median.high is not None
+    for expected in (
+        example.survey,
+        example.site,
+        "2026-04-20 to 2026-05-03",
+        f"{1000 * mae:.1f} (",
+        f"50 % {median.value:.3f} {median.low:.3f} to {median.high:.3f} {median.value / 0.3048:.3f}",
+        "fx px",
+        "lane-1-dusk.mkv",
+        "The driver leans forward.",
+        "sightline verify PACKAGE",
+        example.audit_head,
+        example.checksums[0].sha256,
+        "Where the paper is misprinted",
+        "1.96",
+        "No photograph of the set-up was given.",
+    ):
+        assert flat(expected) in said, expected
+
+
+def test_the_same_facts_give_the_same_bytes_in_another_process() -> None:
+    few = {"n": 30, "absent": ("taillight", "headlight", "roof")}
+    program = (
+        "import hashlib\n"
+        "from sightline.export.report.report import report\n"
+        "from tests.export.report.sample import statistics\n"
+        "from tests.export.report.sample_facts import facts\n"
+        f"print(hashlib.sha256(report(facts(statistics(**{few})))).hexdigest())"
+    )
+    far = {
+        **os.environ,
+        "PYTHONHASHSEED": "77",
+        "TZ": "Asia/Kolkata",
+        "LC_ALL": "C",
+        "SOURCE_DATE_EPOCH": "1",
+    }
+    made = subprocess.run(
+        [sys.executable, "-c", program], cwd=ROOT, env=far, capture_output=True, text=True, check=True
+    )
+    assert made.stdout.strip() == hashlib.sha256(report(facts(statistics(**few)))).hexdigest()
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_names_come_out_as_text(name: str) -> None:
+    shown = name.replace("\t", " ").replace("\x00", " ").replace("\x1f", " ").replace("\ud800", "\ufffd")
+    shown = shown.replace("\u202e", "").replace("\u202c", "")
+    few = ReportFacts(name, name, statistics(0), Choices(), description=name)
+    odd = replace(few, exclusions=(Exclusion(1, name, "roof", name, name),), audit_head="ab" * 32)
+    made = report(odd)
+    said = flat(words(made))
+    assert said.count(flat(shown)) >= 6
+    title = re.search(rb"<dc:title>.*?<rdf:li[^>]*>(.*?)</rdf:li>", made, re.DOTALL)
+    assert title and unescape(title.group(1).decode()) == f"{shown}, measurement report"
+
+
+def test_other_scripts_are_set_from_the_fonts_at_hand() -> None:
+    name = "سلام שלום Ολυμπία Москва 😀"
+    made = report(ReportFacts(name, "", statistics(0), Choices()))
+    said = words(made)
+    assert all(word in said for word in ("Ολυμπία", "Москва", "😀"))
+    assert "שלום"[::-1] in said  # glyphs are written from left to right
+    assert b"<pdfaid:part>2</pdfaid:part>" in made
+
+
+def test_signs_that_no_font_has_are_no_boxes_but_a_mark_that_is_explained() -> None:
+    made = report(ReportFacts("東京 Road", "도로", statistics(0), Choices()))
+    said = flat(words(made))
+    assert flat("[…]† Road") in said and "東" not in said
+    assert flat("characters of a script that this report’s fonts lack") in said
+    assert b"<pdfaid:part>2</pdfaid:part>" in made
+    assert "†" not in flat(words(report(ReportFacts("Åsgatan", "", statistics(0), Choices()))))
+
+
+def test_an_empty_survey_has_a_report_that_says_so() -> None:
+    said = flat(words(report(ReportFacts("", "", statistics(0), Choices()))))
+    for expected in (
+        "No height of an eye, a taillight or a headlight counts yet.",
+        "No measurement rests on a calibration yet.",
+        "No roof of a vehicle with a reference height counts here",
+        "Nothing was left out",
+        "The audit trail is empty.",
+    ):
+        assert flat(expected) in said, expected
+
+
+def test_what_is_missing_is_said(example: ReportFacts) -> None:
+    day = replace(
+        example, statistics=statistics(60, low_light=0.0, absent=("taillight", "headlight", "roof"))
+    )
+    said = flat(words(report(day)))
+    assert flat("No low light vehicle with a reference height counts here.") in said
+    assert flat("nothing of it counts here: taillight, lower limit, headlight, roof.") in said
+    assert (
+        flat("2 %, 98 %: an interval of this percentile needs at least 183 vehicles; there are 60.") in said
+    )
+
+
+def test_a_long_table_repeats_its_head_and_no_word_leaves_the_page() -> None:
+    left_out = tuple(
+        Exclusion(k, LONG if k % 9 == 0 else "a van", "roof", "rejected", LONG) for k in range(70)
+    )
+    few = ReportFacts(LONG, LONG, statistics(0), Choices(), description=LONG, exclusions=left_out)
+    long = replace(few, exclusions_total=900)
+    said = words(report(long))
+    assert said.count("\nReason\n") >= 3
+    assert flat("900 measurements count for no result. The first 70 of them stand here.") in flat(said)
+    fonts = os.path.join(matplotlib.get_data_path(), "fonts", "ttf")
+    pages = typst.compile(sources(long), font_paths=[fonts], ignore_system_fonts=True, format="png", ppi=36)
+    assert len(pages) > 3
+    for page in pages:
+        grey = np.asarray(Image.open(io.BytesIO(page)).convert("L"))
+        margin = round(15 / 210 * grey.shape[1])
+        assert grey[:, :margin].min() > 240 and grey[:, -margin:].min() > 240
+
+
+def test_feet_and_inches() -> None:
+    said = words(report(facts(statistics(30, absent=("taillight", "headlight", "roof")), unit="ft")))
+    assert "in feet." in said and flat("MAE (in)") in flat(said) and "3.54" in said
+
+
+def test_photographs_are_turned_upright_and_tell_no_place() -> None:
+    picture = Image.new("RGB", (300, 200), "white")
+    exif = Image.Exif()
+    exif[0x0112] = 6  # the camera stood on its side
+    exif[0x010E] = "48.85 N, 2.35 E"
+    out = io.BytesIO()
+    picture.save(out, "JPEG", exif=exif)
+    made = as_svg(out.getvalue())
+    assert made is not None and b'width="200" height="300"' in made
+    assert b"48.85" in out.getvalue() and b"48.85" not in made
+    assert as_svg(b"no picture") is None
+
+
+def test_a_photograph_stands_in_the_report_and_a_broken_one_is_named() -> None:
+    out = io.BytesIO()
+    Image.new("RGB", (300, 200), "grey").save(out, "PNG")
+    photos = (Photo("From the verge", out.getvalue()), Photo("Torn", out.getvalue()[:90]))
+    made = report(replace(ReportFacts("A", "", statistics(0), Choices()), photos=photos))
+    said = flat(words(made))
+    assert flat("Figure 1 From the verge") in said
+    assert flat("The photograph “Torn” cannot be read as PNG or JPEG.") in said
+    assert made.count(b"/Subtype/Image") >= 1

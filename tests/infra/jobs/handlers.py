@@ -1,0 +1,69 @@
+"""Handlers of the tests, and a worker that knows them: `python -m tests.infra.jobs.handlers PARENT_PID`."""
+
+import os
+import sys
+import time
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from sqlalchemy.orm import Session
+
+from sightline.errors import BadInput
+from sightline.infra.jobs import registry
+from sightline.infra.jobs.records import Job
+from sightline.infra.jobs.worker import run_worker
+from sightline.settings import load_settings
+from sightline.surveys.store import create_survey
+
+
+@registry.handler("test_make_survey")
+def make_survey(context: registry.JobContext) -> registry.Outcome:
+    """Takes as long as asked on its first attempt, then makes one survey together with the job's end."""
+    (Path(context.payload["folder"]) / f"attempt-{context.job.attempts}").write_text(str(os.getpid()))
+    until = time.monotonic() + (context.payload["first_s"] if context.job.attempts == 1 else 0.2)
+    while time.monotonic() < until:
+        context.progress(0.5, "Half way.")
+        time.sleep(0.02)
+
+    def finish(session: Session) -> Mapping[str, Any]:
+        made = create_survey(session, name=context.payload["name"], actor=context.actor)
+        return {"survey_id": made.id}
+
+    return finish
+
+
+def _mark(session: Session, job: Job, sentence: str) -> None:
+    create_survey(session, name=f"{job.kind}: {sentence}", actor=None)
+
+
+@registry.handler("test_fail", failed=_mark)
+def fail(context: registry.JobContext) -> registry.Outcome:
+    """Ends as the payload says."""
+    match context.payload["how"]:
+        case "input":
+            raise BadInput("The video has no picture; upload another.")
+        case "program":
+            raise ZeroDivisionError
+        case "in_finish":
+            return _broken_finish
+        case _:
+            os._exit(9)
+
+
+def _broken_finish(session: Session) -> Mapping[str, Any]:
+    create_survey(session, name="half there", actor=None)
+    raise BadInput("The result cannot be stored; try again.")
+
+
+@registry.handler("test_wait", failed=_mark)
+def wait(context: registry.JobContext) -> registry.Outcome:
+    """Goes on until it is told to stop."""
+    while not context.is_cancelled():
+        context.progress(0.25, "Waiting.")
+        time.sleep(0.02)
+    raise registry.Cancelled("Cancelled.")
+
+
+if __name__ == "__main__":
+    run_worker(load_settings(), parent=int(sys.argv[1]), handlers=lambda: None)

@@ -1,0 +1,416 @@
+"""Every public function of the storage room that writes leaves exactly one event, in its own transaction."""
+
+import inspect
+import pkgutil
+import re
+from collections.abc import Callable
+from importlib import import_module
+from typing import Any
+
+import pytest
+from sqlalchemy import event, select
+from sqlalchemy.orm import Session
+
+import sightline
+from sightline.cameras.store import (
+    add_calibration_image,
+    choose_calibration,
+    create_camera,
+    remove_calibration_image,
+    set_detection,
+)
+from sightline.export.store import add_export
+from sightline.infra.audit import trail
+from sightline.infra.audit.tables import audit_events
+from sightline.infra.audit.verification import verify_records
+from sightline.infra.database.engine import SessionFactory, reading, writing
+from sightline.infra.jobs.store import (
+    claim_job,
+    create_job,
+    fail_job,
+    finish_job,
+    job_cancelled,
+    release_job,
+    request_job_cancel,
+    requeue_job,
+)
+from sightline.measurements.click_sigma_store import choose_click_sigma
+from sightline.measurements.store import restore_measurement, revise_measurement, withdraw_measurement
+from sightline.people.store import (
+    create_sign_in_link,
+    end_sessions,
+    set_password,
+    update_person,
+    use_sign_in_link,
+)
+from sightline.quality.checks.store import add_wheel_pair, withdraw_wheel_pair
+from sightline.recordings.store import (
+    create_recording,
+    decide_drift,
+    note_ingest_failed,
+    note_ingested,
+    remove_recording,
+    restart_ingest,
+    store_drift,
+    take_back_drift_decision,
+    update_recording,
+)
+from sightline.recordings.uploads.store import create_upload, finish_upload, remove_upload, strip_arrived
+from sightline.results.standards_store import choose_standards
+from sightline.reviews.store import add_review
+from sightline.surveys.photographs.store import (
+    change_photograph_caption,
+    order_photographs,
+    remove_photograph,
+    restore_photograph,
+)
+from sightline.surveys.store import create_survey, update_survey
+from sightline.vehicles.catalogue.records import CatalogueRow
+from sightline.vehicles.catalogue.store import add_catalogue_row, import_catalogue_rows
+from sightline.vehicles.store import create_vehicle, remove_vehicle, restore_vehicle, update_vehicle
+from tests.support import samples, scans_samples
+from tests.support.samples import Sample, frame_table, values
+
+pytestmark = pytest.mark.dialect
+
+Write = Callable[[Session, Sample], Any]
+
+
+def _image(session: Session, one: Sample) -> Any:
+    detected: dict[str, Any] = {"found": True, "reason": None, "corners_px": [(1.0, 2)]}
+    size = {"columns": 9, "rows": 6, "sharpness": 3.0, "actor": one.olga.id}
+    file = {"name": "a.png", "media_key": "k", "width_px": 640, "height_px": 480}
+    return add_calibration_image(session, one.camera.id, **file, **detected, **size)
+
+
+def _detect(session: Session, image_id: int, actor: int) -> Any:
+    found = {"found": False, "reason": "No board.", "corners_px": []}
+    return set_detection(session, image_id, **found, columns=8, rows=5, sharpness=None, actor=actor)
+
+
+def _upload(session: Session, one: Sample) -> Any:
+    return create_upload(
+        session, one.survey.id, filename="a.mp4", size_bytes=9, media_key="u", actor=one.olga.id
+    )
+
+
+def _strip(session: Session, one: Sample) -> Any:
+    file: dict[str, Any] = {"filename": "first.tif", "size_bytes": 9, "media_key": "", "purpose": "strip"}
+    return create_upload(session, one.survey.id, **file, actor=one.olga.id)
+
+
+def _job(session: Session, one: Sample) -> Any:
+    return create_job(session, "ingest", {"a": 1}, survey_id=one.survey.id, actor=one.olga.id)
+
+
+def _claimed(session: Session, one: Sample) -> Any:
+    return claim_job(session, _job(session, one).id, worker="w", lease_s=5)
+
+
+def _withdrawn(session: Session, one: Sample) -> Any:
+    made = samples.measure(session, one)
+    return withdraw_measurement(session, made.id, seen_revision=1, actor=one.olga.id)
+
+
+def _review(session: Session, one: Sample, made: Any) -> Any:
+    return add_review(session, made.id, seen_revision=1, verdict="accepted", actor=one.rene.id)
+
+
+def _wheels(session: Session, one: Sample) -> Any:
+    crc = int(frame_table().crc32[20])
+    points: dict[str, Any] = {"first": (100.0, 400.0), "second": (300.5, 410.0)}
+    return add_wheel_pair(session, one.vehicle.id, frame=20, frame_crc=crc, **points, actor=one.olga.id)
+
+
+def _moved(session: Session, one: Sample) -> Any:
+    spans = [{"first_frame": 50, "last_frame": 99, "moved": True, "moved_px": 3.0, "change_m": 0.01}]
+    check = {"state": "moved", "words": "Moved at frame 50.", "bumps": [50], "spans": spans}
+    return store_drift(session, one.recording.id, one.pose.id, check, actor=None)
+
+
+def _decided(session: Session, one: Sample) -> Any:
+    _moved(session, one)
+    return decide_drift(session, one.recording.id, "A bird sat on it.", actor=one.olga.id)
+
+
+def _recording(session: Session, one: Sample) -> Any:
+    return samples.add_recording(session, one.survey.id, one.olga.id)
+
+
+def _no_photograph(session: Session, one: Sample) -> Any:
+    made = samples.photograph(session, one)
+    return remove_photograph(session, made.id, version=1, actor=one.olga.id)
+
+
+# name -> (what must be there first, the write itself)
+WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
+    "create_person": (lambda s, o: None, lambda s, o, _: samples.person(s, "Ada", "admin")),
+    "update_person": (
+        lambda s, o: None,
+        lambda s, o, _: update_person(s, o.olga.id, name="O.", role="viewer", active=True, actor=o.rene.id),
+    ),
+    "set_password": (
+        lambda s, o: None,
+        lambda s, o, _: set_password(s, o.olga.id, "$argon2", actor=o.olga.id),
+    ),
+    "end_sessions": (
+        lambda s, o: None,
+        lambda s, o, _: end_sessions(s, o.olga.id, actor=o.olga.id),
+    ),
+    "create_sign_in_link": (
+        lambda s, o: None,
+        lambda s, o, _: create_sign_in_link(s, o.olga.id, actor=o.rene.id),
+    ),
+    "use_sign_in_link": (
+        lambda s, o: create_sign_in_link(s, o.olga.id, actor=None),
+        lambda s, o, token: use_sign_in_link(s, token),
+    ),
+    "create_survey": (lambda s, o: None, lambda s, o, _: create_survey(s, name="B", actor=o.olga.id)),
+    "update_survey": (
+        lambda s, o: None,
+        lambda s, o, _: update_survey(
+            s, o.survey.id, name="C", site="", description="", insets={}, version=1, actor=o.olga.id
+        ),
+    ),
+    "choose_standards": (
+        lambda s, o: None,
+        lambda s, o, _: choose_standards(s, o.survey.id, [], version=0, actor=o.olga.id),
+    ),
+    "add_photograph": (lambda s, o: None, lambda s, o, _: samples.photograph(s, o)),
+    "change_photograph_caption": (
+        samples.photograph,
+        lambda s, o, made: change_photograph_caption(s, made.id, "The rig", version=1, actor=o.olga.id),
+    ),
+    "order_photographs": (
+        samples.photograph,
+        lambda s, o, made: order_photographs(s, o.survey.id, [made.id], actor=o.olga.id),
+    ),
+    "remove_photograph": (
+        samples.photograph,
+        lambda s, o, made: remove_photograph(s, made.id, version=1, actor=o.olga.id),
+    ),
+    "restore_photograph": (
+        _no_photograph,
+        lambda s, o, made: restore_photograph(s, made.id, actor=o.olga.id),
+    ),
+    "create_camera": (
+        lambda s, o: None,
+        lambda s, o, _: create_camera(s, o.survey.id, name="Right", actor=o.olga.id),
+    ),
+    "add_calibration_image": (lambda s, o: None, lambda s, o, _: _image(s, o)),
+    "set_detection": (_image, lambda s, o, image: _detect(s, image.id, o.olga.id)),
+    "remove_calibration_image": (
+        _image,
+        lambda s, o, image: remove_calibration_image(s, image.id, actor=o.olga.id),
+    ),
+    "choose_calibration": (
+        lambda s, o: None,
+        lambda s, o, _: choose_calibration(s, o.camera.id, o.calibration.id, actor=o.olga.id),
+    ),
+    "add_calibration": (
+        lambda s, o: None,
+        lambda s, o, _: samples.calibration(s, o.camera.id, o.olga.id),
+    ),
+    "create_recording": (
+        lambda s, o: None,
+        lambda s, o, _: create_recording(
+            s, o.survey.id, name="b", media_key="k", sha256="0" * 64, size_bytes=1, actor=o.olga.id
+        ),
+    ),
+    "update_recording": (
+        lambda s, o: None,
+        lambda s, o, _: update_recording(s, o.recording.id, {"lighting": "daytime"}, actor=o.olga.id),
+    ),
+    "note_ingested": (
+        lambda s, o: None,
+        lambda s, o, _: note_ingested(s, o.recording.id, samples.facts(), frame_table(), actor=None),
+    ),
+    "note_ingest_failed": (
+        lambda s, o: None,
+        lambda s, o, _: note_ingest_failed(s, o.recording.id, "No video in it.", actor=None),
+    ),
+    "restart_ingest": (
+        lambda s, o: None,
+        lambda s, o, _: restart_ingest(s, o.recording.id, actor=o.olga.id),
+    ),
+    "store_drift": (lambda s, o: None, lambda s, o, _: _moved(s, o)),
+    "decide_drift": (
+        _moved,
+        lambda s, o, _: decide_drift(s, o.recording.id, "A bird.", actor=o.olga.id),
+    ),
+    "take_back_drift_decision": (
+        _decided,
+        lambda s, o, _: take_back_drift_decision(s, o.recording.id, actor=o.olga.id),
+    ),
+    "remove_recording": (_recording, lambda s, o, made: remove_recording(s, made.id, actor=o.olga.id)),
+    "create_upload": (lambda s, o: None, lambda s, o, _: _upload(s, o)),
+    "finish_upload": (
+        _upload,
+        lambda s, o, up: finish_upload(s, up.id, recording_id=o.recording.id, actor=o.olga.id),
+    ),
+    "strip_arrived": (
+        _strip,
+        lambda s, o, up: strip_arrived(s, up.id, media_key="k", sha256="0" * 64, actor=o.olga.id),
+    ),
+    "remove_upload": (_upload, lambda s, o, up: remove_upload(s, up.id, actor=o.olga.id)),
+    "add_pose": (
+        lambda s, o: None,
+        lambda s, o, _: samples.road_pose(s, o.recording.id, o.calibration.id, o.olga.id),
+    ),
+    "add_catalogue_row": (
+        lambda s, o: None,
+        lambda s, o, _: add_catalogue_row(
+            s, CatalogueRow("Peugeot", "3008", height_m=1.624), actor=o.olga.id
+        ),
+    ),
+    "import_catalogue_rows": (
+        lambda s, o: None,
+        lambda s, o, _: import_catalogue_rows(
+            s, [CatalogueRow("A", "B"), CatalogueRow("A", "C")], actor=o.olga.id
+        ),
+    ),
+    "create_vehicle": (
+        lambda s, o: None,
+        lambda s, o, _: create_vehicle(
+            s, o.recording.id, {"first_frame": 1, "last_frame": 2}, actor=o.olga.id
+        ),
+    ),
+    "update_vehicle": (
+        lambda s, o: None,
+        lambda s, o, _: update_vehicle(s, o.vehicle.id, {"make": "X"}, version=1, actor=o.olga.id),
+    ),
+    "remove_vehicle": (lambda s, o: None, lambda s, o, _: remove_vehicle(s, o.vehicle.id, actor=o.olga.id)),
+    "restore_vehicle": (
+        lambda s, o: remove_vehicle(s, o.vehicle.id, actor=o.olga.id),
+        lambda s, o, _: restore_vehicle(s, o.vehicle.id, actor=o.olga.id),
+    ),
+    "add_measurement": (lambda s, o: None, lambda s, o, _: samples.measure(s, o)),
+    "revise_measurement": (
+        lambda s, o: samples.measure(s, o),
+        lambda s, o, made: revise_measurement(
+            s, made.id, seen_revision=1, values=values(o, point=(1.0, 2.0)), actor=o.olga.id
+        ),
+    ),
+    "withdraw_measurement": (
+        lambda s, o: samples.measure(s, o),
+        lambda s, o, made: withdraw_measurement(s, made.id, seen_revision=1, actor=o.olga.id),
+    ),
+    "restore_measurement": (
+        _withdrawn,
+        lambda s, o, made: restore_measurement(s, made.id, seen_revision=2, actor=o.olga.id),
+    ),
+    "add_wheel_pair": (lambda s, o: None, lambda s, o, _: _wheels(s, o)),
+    "withdraw_wheel_pair": (
+        _wheels,
+        lambda s, o, _: withdraw_wheel_pair(s, o.vehicle.id, actor=o.olga.id),
+    ),
+    "choose_click_sigma": (
+        lambda s, o: None,
+        lambda s, o, _: choose_click_sigma(
+            s, o.survey.id, o.olga.id, sigma_px=0.6, pairs=12, actor=o.rene.id
+        ),
+    ),
+    "add_review": (lambda s, o: samples.measure(s, o), _review),
+    "add_export": (
+        lambda s, o: None,
+        lambda s, o, _: add_export(
+            s, o.survey.id, media_key="z", size_bytes=1, sha256="0" * 64, head=trail.head(s), actor=o.olga.id
+        ),
+    ),
+    "create_job": (lambda s, o: None, lambda s, o, _: _job(s, o)),
+    "request_job_cancel": (_job, lambda s, o, job: request_job_cancel(s, job.id, actor=o.olga.id)),
+    "finish_job": (_claimed, lambda s, o, job: finish_job(s, job, {"x": 1})),
+    "fail_job": (_claimed, lambda s, o, job: fail_job(s, job, "It cannot be read.")),
+    "job_cancelled": (_claimed, lambda s, o, job: job_cancelled(s, job)),
+    "requeue_job": (_claimed, lambda s, o, job: requeue_job(s, job)),
+    "release_job": (_claimed, lambda s, o, job: release_job(s, job)),
+    **scans_samples.WRITES,
+}
+
+# What changes rows but is no act of a person that anybody would look for; the reason stands beside it.
+NO_EVENT = {
+    "note_person_seen": "a time stamp of presence",
+    "rehash_password": "the same password under newer hash parameters",
+    "advance_upload": "bytes that arrive; the upload's beginning and end are events",
+    "claim_job": "bookkeeping of leases",
+    "renew_lease": "bookkeeping of leases",
+    "replace_frames": "part of recordings.ingested",
+    "remove_frames": "part of recordings.remove",
+    "append_measurement_revision": "writes an event; part of revise, withdraw, restore and reviews.add",
+    "record": "is the event",
+    "record_many": "is the events",
+}
+WRITING = re.compile(
+    r"(?<![.\w])(insert|update|sql_update|delete|add_rows?|change_row|_append|_appended|create_scan_vehicles|append_scan_measurements|_end|_back|_state|_drift_decision)\("
+    r"|append_measurement_revision\(|trail\.record(_many)?\("
+)
+
+
+@pytest.mark.parametrize("name", WRITES)
+def test_a_write_leaves_one_event_in_its_transaction(name: str, factory: SessionFactory) -> None:
+    """Or nothing, where the transaction was rolled back."""
+    prepare, write = WRITES[name]
+    with writing(factory) as session:
+        one = samples.sample(session)
+        there = prepare(session, one)
+        before = trail.head(session)
+    with pytest.raises(ZeroDivisionError), writing(factory) as session:
+        write(session, one, there)
+        raise ZeroDivisionError
+    with reading(factory) as session:
+        assert trail.head(session) == before
+        assert verify_records(session).ok
+        ids = session.execute(select(audit_events.c.id)).scalars()
+        assert sorted(ids) == list(range(1, before.count + 1))
+    with writing(factory) as session:
+        changes = _count_changes(session)
+        write(session, one, there)
+        after = trail.head(session)
+    assert after.count - before.count == 1
+    # the write, the event and the anchor; standards are kept in the event itself
+    assert changes["n"] > (1 if name == "choose_standards" else 2)
+    with reading(factory) as session:
+        assert trail.head(session) == after
+        assert verify_records(session).ok
+
+
+def test_every_public_function_that_writes_is_in_the_list() -> None:
+    found = set()
+    for module in pkgutil.walk_packages(sightline.__path__, "sightline."):
+        if not re.search(r"(^|[._])(store|query)$|\.trail$", module.name):
+            continue
+        held = import_module(module.name)
+        for name, function in inspect.getmembers(held, inspect.isfunction):
+            if name.startswith("_") or function.__module__ != held.__name__:
+                continue
+            if WRITING.search(inspect.getsource(function).split("\n", 1)[1]):
+                found.add(name)
+    assert found - set(NO_EVENT) == set(WRITES)
+
+
+def test_a_fix_writes_the_revision_and_the_review(factory: SessionFactory) -> None:
+    with writing(factory) as session:
+        one = samples.sample(session)
+        made = samples.measure(session, one)
+        before = trail.head(session).count
+        content = values(one, point=(1.0, 2.0))
+        add_review(session, made.id, seen_revision=1, verdict="fixed", fixed=content, actor=one.rene.id)
+        told = [(e.entity, e.action) for e in trail.listing(session, limit=2)]
+    assert audit_count(factory) - before == 2
+    assert told == [("review", "review"), ("measurement", "fix")]
+
+
+def audit_count(factory: SessionFactory) -> int:
+    with reading(factory) as session:
+        return trail.head(session).count
+
+
+def _count_changes(session: Session) -> dict[str, int]:
+    counted = {"n": 0}
+
+    def count(_c: Any, _cursor: Any, statement: str, *_rest: Any) -> None:
+        if statement.lstrip().upper().startswith(("INSERT", "UPDATE", "DELETE")):
+            counted["n"] += 1
+
+    event.listen(session.connection(), "before_cursor_execute", count)
+    return counted

@@ -1,0 +1,98 @@
+"""The description of the API: complete, typed, and kept to under random requests (schemathesis)."""
+
+import json
+from collections import Counter
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+import pytest
+import requests
+import schemathesis
+from fastapi import FastAPI
+from hypothesis import HealthCheck, given, settings
+from hypothesis.errors import Unsatisfiable
+from schemathesis import GenerationMode
+from schemathesis.specs.openapi.checks import response_schema_conformance, status_code_conformance
+
+from sightline.app import describe
+from sightline.commands.openapi import main
+from tests.support.app import Client
+
+
+@pytest.fixture(scope="module")
+def description() -> dict[str, Any]:
+    """Made once: it takes seconds."""
+    return describe()
+
+
+def operations(document: dict[str, Any]) -> list[tuple[str, dict[str, Any]]]:
+    return [
+        (f"{method} {path}", operation)
+        for path, methods in document["paths"].items()
+        for method, operation in methods.items()
+    ]
+
+
+@pytest.mark.once
+def test_every_operation_is_named_once_described_and_typed(description: dict[str, Any]) -> None:
+    names = Counter(operation["operationId"] for _, operation in operations(description))
+    assert [name for name, count in names.items() if count > 1] == []
+    for place, operation in operations(description):
+        assert operation.get("description"), place
+        good = {code: answer for code, answer in operation["responses"].items() if code.startswith("2")}
+        assert good, place
+        for answer in good.values():
+            schema = answer.get("content", {}).get("application/json", {}).get("schema")
+            assert schema != {}, place
+        assert operation["responses"]["422"]["content"]["application/json"]["schema"] == {
+            "$ref": "#/components/schemas/ErrorBody"
+        }, place
+
+
+@pytest.mark.once
+def test_the_description_is_the_app_s(
+    app: FastAPI, tmp_path: Path, description: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("sightline.commands.openapi.describe", lambda: description)
+    target = tmp_path / "build" / "openapi.json"
+    assert main([str(target)]) == 0
+    assert json.loads(target.read_text()) == app.openapi() == description
+    assert main([]) == 2
+
+
+# Signing in and out would end the test's own session; all others may do what they like to the test's store.
+SKIPPED = "/api/session"
+QUIET = settings(
+    max_examples=3, deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck)
+)
+
+
+@pytest.mark.once  # what is sent and answered does not depend on the database
+@pytest.mark.parametrize("mode", [GenerationMode.POSITIVE, GenerationMode.NEGATIVE])
+def test_no_request_breaks_the_server(
+    admin: Client, recording_id: int, mode: GenerationMode, description: dict[str, Any]
+) -> None:
+    """Requests by the description, and against it: never a 500, always what it promises."""
+    tried = Counter[str]()
+
+    def ask(case: Any) -> None:
+        asked = requests.Request(**case.as_transport_kwargs(base_url="http://testserver")).prepare()
+        asked.headers.update({"X-Sightline": "1", "Tus-Resumable": "1.0.0"})
+        response = admin.http.request(
+            str(asked.method), str(asked.url), content=asked.body, headers=dict(asked.headers)
+        )
+        tried[case.operation.label] += 1
+        assert response.status_code not in (500, 503, 507), (case.as_curl_command(), response.text)
+        if mode is GenerationMode.POSITIVE or response.status_code >= 400:
+            case.validate_response(response, checks=(status_code_conformance, response_schema_conformance))
+
+    for found in schemathesis.openapi.from_dict(description).get_all_operations():
+        operation = found.ok()
+        if operation.path.startswith(SKIPPED):
+            continue
+        cases = operation.as_strategy(generation_mode=mode)
+        # An operation without any input has no request against its description.
+        with suppress(Unsatisfiable):
+            QUIET(given(case=cases)(ask))()
+    assert len(tried) > 55

@@ -1,0 +1,298 @@
+"""What is written once stays: the database refuses changes, and verify finds those made behind its back."""
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from sqlalchemy import Engine, text
+from sqlalchemy.exc import DBAPIError
+
+from sightline.errors import SightlineError
+from sightline.export.store import add_export
+from sightline.infra.audit import trail
+from sightline.infra.audit.records import Verification
+from sightline.infra.audit.verification import verify_database, verify_records
+from sightline.infra.database.engine import SessionFactory, engine_of, reading, writing
+from sightline.measurements.click_sigma_store import choose_click_sigma
+from sightline.people.store import person_by_email
+from sightline.quality.checks.store import add_wheel_pair
+from sightline.recordings.store import remove_recording
+from sightline.reviews.store import add_review
+from sightline.scans.vehicles.review_store import add_scan_review
+from sightline.surveys.photographs.store import order_photographs
+from sightline.vehicles.records import VehicleChanges
+from sightline.vehicles.store import create_vehicle, remove_vehicle, restore_vehicle, update_vehicle
+from tests.support import samples, scans_samples
+
+pytestmark = pytest.mark.dialect
+
+WRITTEN_ONCE = (
+    "audit_events",
+    "measurement_series",
+    "measurements",
+    "reviews",
+    "calibrations",
+    "road_poses",
+    "wheel_pairs",
+    "click_sigmas",
+    "scan_runs",
+    "scan_measurements",
+    "scan_reviews",
+    "line_poses",
+    "line_heights",
+)
+
+
+@pytest.fixture
+def filled(factory: SessionFactory) -> SessionFactory:
+    """A database with one of everything."""
+    with writing(factory) as session:
+        one = samples.sample(session)
+        made = samples.measure(session, one)
+        add_review(session, made.id, seen_revision=1, verdict="accepted", actor=one.rene.id)
+        samples.measure(session, one, "taillight", 2)
+        create_vehicle(session, one.recording.id, {"first_frame": 50, "last_frame": 60}, actor=None)
+        crc = int(samples.frame_table().crc32[20])
+        points: dict[str, Any] = {"first": (1.0, 2.0), "second": (3.0, 2.0)}
+        add_wheel_pair(session, one.vehicle.id, frame=20, frame_crc=crc, **points, actor=one.olga.id)
+        choose_click_sigma(session, one.survey.id, one.olga.id, sigma_px=0.7, pairs=9, actor=None)
+        for n in range(2):
+            samples.photograph(session, one, f"{n}.jpg")
+        order_photographs(session, one.survey.id, [2, 1], actor=one.olga.id)
+        scanned = scans_samples.measured(session, one)
+        scans_samples.run(session, one, scanned.scan_id)
+        add_scan_review(session, scanned.id, verdict="accepted", actor=one.rene.id)
+        rod = scans_samples.rod(session, one, scanned.scan_id)
+        scans_samples.tall(session, one, scanned.vehicle_id, rod)
+    return factory
+
+
+def test_the_database_refuses_changes_removal_and_replacing(filled: SessionFactory) -> None:
+    engine = engine_of(filled)
+    for table in WRITTEN_ONCE:
+        for statement in _attempts(engine.dialect.name, table):
+            with pytest.raises(DBAPIError, match="written once"), engine.begin() as connection:
+                connection.execute(text(statement))
+                pytest.fail(statement)
+    with reading(filled) as session:
+        assert verify_records(session).ok
+
+
+def _attempts(dialect: str, table: str) -> tuple[str, ...]:
+    """SQLite's INSERT OR REPLACE takes the old row away without a DELETE that a trigger would see."""
+    own = (
+        (
+            f"TRUNCATE {table} CASCADE",
+            f"INSERT INTO {table} SELECT * FROM {table} ON CONFLICT (id) DO UPDATE SET id = EXCLUDED.id",
+        )
+        if dialect == "postgresql"
+        else (f"DELETE FROM {table} WHERE 1", f"INSERT OR REPLACE INTO {table} SELECT * FROM {table}")
+    )
+    return f"UPDATE {table} SET id = id", f"DELETE FROM {table}", *own
+
+
+def _tamper(engine: Engine, *statements: str) -> None:
+    """Change rows as somebody with the owner's rights over the database would."""
+    with engine.begin() as connection:
+        if engine.dialect.name == "postgresql":
+            connection.execute(text("SET LOCAL session_replication_role = replica"))
+        else:
+            connection.execute(text("PRAGMA defer_foreign_keys = ON"))
+            triggers = connection.execute(text("SELECT name FROM sqlite_master WHERE type = 'trigger'"))
+            for (name,) in triggers.all():
+                connection.execute(text(f"DROP TRIGGER {name}"))
+        for statement in statements:
+            connection.execute(text(statement))
+
+
+TAMPERED: dict[str, tuple[tuple[str, ...], str]] = {
+    "an event's content": (
+        ('UPDATE audit_events SET after = \'{"name":"other"}\' WHERE id = 3',),
+        "Audit event 3 was changed",
+    ),
+    "an event's actor": (("UPDATE audit_events SET actor_id = 2 WHERE id = 4",), "Audit event 4 was changed"),
+    "an event's time": (("UPDATE audit_events SET at = '2020' WHERE id = 5",), "Audit event 5 was changed"),
+    "an event removed": (("DELETE FROM audit_events WHERE id = 3",), "Audit event 3 is missing"),
+    "the first event removed": (("DELETE FROM audit_events WHERE id = 1",), "Audit event 1 is missing"),
+    "the tail cut off": (("DELETE FROM audit_events WHERE id > 8",), "ends at event 8"),
+    "all events removed": (("DELETE FROM audit_events",), "ends at event 0"),
+    "the anchor removed": (("DELETE FROM audit_anchor",), "not where it ended"),
+    "a maker's height": (
+        ("UPDATE vehicles SET manufacturer_height_m = 1.7 WHERE id = 1",),
+        "vehicle 1 is not what its events say",
+    ),
+    "a deleted vehicle": (("UPDATE vehicles SET deleted_at = created_at WHERE id = 2",), "vehicle 2 is not"),
+    "a vehicle removed": (("DELETE FROM vehicles WHERE id = 2",), "vehicle 2 was removed"),
+    "a photograph's caption": (
+        ("UPDATE survey_photographs SET caption = 'Elsewhere' WHERE id = 1",),
+        "photograph of the set-up 1 is not",
+    ),
+    "the order of photographs": (
+        ("UPDATE survey_photographs SET position = 3 WHERE id = 2",),
+        "photograph of the set-up 2 is not",
+    ),
+    "a height": (("UPDATE measurements SET height_m = 1.5 WHERE id = 1",), "measurement revision 1 is not"),
+    "a click": (
+        ("UPDATE measurements SET point_x_px = point_x_px + 1e-9 WHERE id = 2",),
+        "measurement revision 2 is not",
+    ),
+    "a revision removed": (("DELETE FROM measurements WHERE id = 2",), "measurement revision 2 was removed"),
+    "a revision slipped in": (
+        (
+            "CREATE TABLE aside AS SELECT * FROM measurements WHERE id = 1",
+            "UPDATE aside SET id = 9, revision = 2",
+            "INSERT INTO measurements SELECT * FROM aside",
+            "DROP TABLE aside",
+        ),
+        "measurement revision 9 is not",
+    ),
+    "a scanned vehicle's speed": (
+        ("UPDATE scan_measurements SET speed_mps = 12.5 WHERE id = 1",),
+        "scanned vehicle's measurement 1 is not",
+    ),
+    "a scanned vehicle's boundary": (
+        ("UPDATE scan_measurements SET front_line_2 = front_line_2 + 0.5 WHERE id = 1",),
+        "scanned vehicle's measurement 1 is not",
+    ),
+    "a maker's length": (
+        ("UPDATE scan_vehicles SET true_length_m = 4.5 WHERE id = 1",),
+        "scanned vehicle 1 is not what its events say",
+    ),
+    "a baseline": (("UPDATE scans SET baseline_m = 0.6 WHERE id = 1",), "line-scan recording 1 is not"),
+    "a run removed": (
+        ("DELETE FROM scan_runs WHERE id = 1",),
+        "run over a line-scan recording 1 was removed",
+    ),
+    "a verdict on a scanned vehicle": (
+        ("UPDATE scan_reviews SET verdict = 'reopened' WHERE id = 1",),
+        "scanned vehicle's review 1 is not",
+    ),
+    "a line camera's height": (
+        ("UPDATE line_poses SET camera_height_m = 1.2 WHERE id = 1",),
+        "calibration of a line camera 1 is not",
+    ),
+    "a height in a line scan": (
+        ("UPDATE line_heights SET height_m = 1.41 WHERE id = 1",),
+        "scanned vehicle's height 1 is not",
+    ),
+    "another vehicle": (
+        ("UPDATE measurement_series SET vehicle_id = 2 WHERE id = 1",),
+        "measurement 1 is not",
+    ),
+    "a verdict": (
+        ("UPDATE reviews SET verdict = 'rejected', reason = 'x' WHERE id = 1",),
+        "review 1 is not",
+    ),
+    "a review removed": (("DELETE FROM reviews WHERE id = 1",), "review 1 was removed"),
+    "a calibration": (("UPDATE calibrations SET document = '{}' WHERE id = 1",), "calibration 1 is not"),
+    "a pose": (("UPDATE road_poses SET rms_px = 0.1 WHERE id = 1",), "road pose 1 is not"),
+    "a frame's checksum": (("UPDATE frames SET crc32 = 1 WHERE n = 7",), "frame table of recording 1 is not"),
+    "a frame removed": (("DELETE FROM frames WHERE n = 99",), "frame table of recording 1 is not"),
+}
+
+
+@pytest.mark.parametrize("what", TAMPERED)
+def test_verify_finds(filled: SessionFactory, what: str) -> None:
+    statements, words = TAMPERED[what]
+    engine = engine_of(filled)
+    _tamper(engine, *statements)
+    found = verify_database(engine.url.render_as_string(hide_password=False))
+    assert not found.ok
+    assert found.problem is not None and words in found.problem, found.problem
+    assert found.problem.count(".") <= 2 and found.problem.endswith(".")
+
+
+def test_a_tail_cut_with_its_anchor_moved_is_found_by_an_export(filled: SessionFactory) -> None:
+    with writing(filled) as session:
+        head = trail.head(session)
+        add_export(
+            session, 1, media_key="z", size_bytes=1, sha256="0" * 64, head=head, actor=1
+        )  # carries the head as it was before itself
+    with reading(filled) as session:
+        cut = trail.for_export(session)[1]
+    _tamper(
+        engine_of(filled),
+        "DELETE FROM measurements",
+        "DELETE FROM audit_events WHERE id > 2",
+        f"UPDATE audit_anchor SET count = 2, hash = '{cut.hash}'",
+    )
+    with reading(filled) as session:
+        found = verify_records(session)
+    assert not found.ok and "export 1" in str(found.problem)
+
+
+def test_a_sound_database_verifies_with_its_head(filled: SessionFactory, database_url: str) -> None:
+    with reading(filled) as session:
+        head = trail.head(session)
+        inside = verify_records(session)
+    assert inside == verify_database(database_url)
+    assert (inside.ok, inside.checked, inside.head_hash, inside.problem) == (
+        True,
+        head.count,
+        head.hash,
+        None,
+    )
+
+
+def test_a_deleted_recording_takes_its_frames_along(filled: SessionFactory) -> None:
+    with writing(filled) as session:
+        made = samples.add_recording(session, 1, None)
+        remove_recording(session, made.id, actor=None)
+        assert verify_records(session).ok
+
+
+def test_a_vehicle_that_was_changed_deleted_and_restored_is_sound(filled: SessionFactory) -> None:
+    facts: VehicleChanges = {"manufacturer_height_m": 1.1 + 0.2, "make": "Škoda", "notes": "", "year": 2019}
+    with writing(filled) as session:
+        update_vehicle(session, 2, facts, version=1, actor=None)
+        assert verify_records(session).ok
+        remove_vehicle(session, 2, actor=None)
+        assert verify_records(session).ok
+        restore_vehicle(session, 2, actor=None)
+        assert verify_records(session).ok
+
+
+def test_an_empty_chain_is_sound(factory: SessionFactory) -> None:
+    with reading(factory) as session:
+        assert verify_records(session) == Verification(True, 0, "0" * 64, None)
+
+
+def test_verify_says_that_a_database_is_of_another_version(engine: Engine) -> None:
+    url = engine.url.render_as_string(hide_password=False)
+    with engine.begin() as connection:
+        then = connection.execute(text("SELECT version_num FROM alembic_version")).scalar_one()
+        connection.execute(text("UPDATE alembic_version SET version_num = '0007_line_scans'"))
+    try:
+        with pytest.raises(SightlineError, match="made by another version"):
+            verify_database(url)
+    finally:
+        with engine.begin() as connection:
+            connection.execute(text("UPDATE alembic_version SET version_num = :then"), {"then": then})
+
+
+def test_verify_says_what_is_no_database(tmp_path: Any) -> None:
+    def refused(make: Callable[[], Any]) -> str:
+        with pytest.raises(SightlineError) as caught:
+            make()
+        return caught.value.message
+
+    assert "no database" in refused(lambda: verify_database(f"sqlite:///{tmp_path}/none.db"))
+    empty, text_file = tmp_path / "empty.db", tmp_path / "text.db"
+    empty.touch()
+    text_file.write_text("this is a letter, not a database\n" * 100)
+    assert "holds no surveys" in refused(lambda: verify_database(f"sqlite:///{empty}"))
+    assert "not a database" in refused(lambda: verify_database(f"sqlite:///{text_file}"))
+    assert "not supported" in refused(lambda: verify_database("mysql://x/y"))
+    assert not (tmp_path / "none.db").exists()
+
+
+def test_events_name_their_actor_and_turn_the_page(filled: SessionFactory) -> None:
+    with reading(filled) as session:
+        newest = trail.listing(session, limit=2)
+        older = trail.listing(session, limit=2, before_id=newest[-1].id)
+        of_reviews = trail.listing(session, entity="review", survey_id=1)
+        rene = person_by_email(session, "René@Example.org")
+    assert [event.id for event in newest + older] == sorted((e.id for e in newest + older), reverse=True)
+    assert newest[0].previous_hash == newest[1].hash
+    assert rene is not None and of_reviews[0].actor is not None and of_reviews[0].actor.id == rene.id
+    assert of_reviews[0].after is not None and of_reviews[0].after["verdict"] == "accepted"

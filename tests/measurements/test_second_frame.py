@@ -1,0 +1,213 @@
+"""The same two points on further frames: stored, revised, proposed, exported, and checked again."""
+
+import csv
+import io
+import json
+from pathlib import Path
+from typing import Any
+from uuid import uuid4
+
+import pytest
+
+from sightline.commands.clicks import heights_csv
+from sightline.export.build import build
+from sightline.export.verify.package import verify_package
+from sightline.geometry.documents import pose_from_dict
+from sightline.infra.csv_package.files import MemoryFiles, Staging
+from sightline.infra.csv_package.schema import CHECKSUMS, sha256_hex
+from sightline.infra.services import Services
+from tests.support.app import Client, error_of
+from tests.support.ground import Ground, add_vehicle, lay_ground, pixel
+
+pytestmark = pytest.mark.once
+
+HEIGHT_M, INSET_M = 1.16, 0.42
+
+
+@pytest.fixture
+def ground(services: Services, survey_id: int, recording_id: int) -> Ground:
+    return lay_ground(services, survey_id, recording_id)
+
+
+@pytest.fixture
+def vehicle_id(operator: Client, ground: Ground) -> int:
+    return int(add_vehicle(operator, ground.recording_id, last_frame=11)["id"])
+
+
+def on_frame(frame: int, travel_m: float) -> dict[str, Any]:
+    """Both points of a vehicle that has come `travel_m`, as they are seen."""
+    return {
+        "frame": frame,
+        "contact": pixel(-1.0 + travel_m, 0.0, 0.0),
+        "point": pixel(-0.6 + travel_m, INSET_M, HEIGHT_M),
+    }
+
+
+def two_frames(**more: Any) -> dict[str, Any]:
+    body = {"target": "driver_eye", **on_frame(2, 0.0), "more_frames": [on_frame(7, 1.8)]}
+    return {**body, "inset_m": 0.9, "u_inset_m": 0.1, **more}
+
+
+def stored_on_two(operator: Client, vehicle_id: int, **more: Any) -> Any:
+    body = {"client_key": str(uuid4()), **two_frames(**more)}
+    return operator.made(f"/vehicles/{vehicle_id}/measurements", body)
+
+
+def test_two_frames_solve_the_inset_live_and_stored_alike(
+    operator: Client, ground: Ground, vehicle_id: int
+) -> None:
+    live = operator.made(f"/recordings/{ground.recording_id}/geometry/height", two_frames())
+    assert live["height_m"] == pytest.approx(HEIGHT_M, abs=1e-6)
+    assert live["solved_inset_m"] == pytest.approx(INSET_M, abs=1e-6)
+    assert live["travel_m"] == pytest.approx(1.8, abs=1e-6) and live["frames"] == 2
+    assert live["single"]["height_m"] == pytest.approx(
+        1.5 + (HEIGHT_M - 1.5) * 3.9 / 3.42, abs=1e-6
+    )  # as the wrong inset has it
+    assert live["u_height_m"] < live["single"]["u_height_m"]
+    stored = stored_on_two(operator, vehicle_id)
+    for name in (
+        "height_m",
+        "u_height_m",
+        "solved_inset_m",
+        "u_solved_inset_m",
+        "budget",
+        "flags",
+        "inset_m",
+    ):
+        assert stored[name] == live[name], name
+    assert stored["uncorrected_height_m"] == pytest.approx(1.5 + (HEIGHT_M - 1.5) * 3 / 3.42, abs=1e-6)
+    (further,) = stored["more_frames"]
+    assert further["frame"] == 7 and further["frame_crc"] > 0 and further["pts"] > stored["pts"]
+
+
+def test_a_frame_is_taken_away_and_brought_back_by_revisions(
+    operator: Client, ground: Ground, vehicle_id: int
+) -> None:
+    stored = stored_on_two(operator, vehicle_id)
+    path = f"/measurements/{stored['id']}"
+    one = operator.put(path, {**two_frames(more_frames=[]), "revision": 1}).json()
+    assert one["more_frames"] == [] and one["solved_inset_m"] is None
+    three = [on_frame(7, 1.8), on_frame(5, 1.0)]
+    back = operator.put(path, {**two_frames(more_frames=three), "revision": 2}).json()
+    assert [f["frame"] for f in back["more_frames"]] == [7, 5]
+    assert back["u_height_m"] < stored["u_height_m"]
+    revisions = operator.seen(f"{path}/history")["revisions"]
+    assert [len(one["more_frames"]) for one in revisions] == [1, 0, 2]
+
+
+def test_no_height_from_two_frames_has_a_reason_and_no_other_number(
+    operator: Client, ground: Ground, vehicle_id: int
+) -> None:
+    near = stored_on_two(operator, vehicle_id, more_frames=[on_frame(3, 0.05)])
+    assert (near["status"], near["height_m"], near["solved_inset_m"]) == ("not_measurable", None, None)
+    assert "further apart" in near["reason"]
+    twice = operator.post(
+        f"/vehicles/{vehicle_id}/measurements",
+        {"client_key": str(uuid4()), **two_frames(more_frames=[on_frame(2, 1.8)])},
+    )
+    assert twice.status_code == 422 and "Frame 2 is clicked twice" in error_of(twice)
+    beyond = operator.post(
+        f"/vehicles/{vehicle_id}/measurements",
+        {"client_key": str(uuid4()), **two_frames(more_frames=[on_frame(999, 1.8)])},
+    )
+    assert beyond.status_code == 404
+
+
+def test_a_fix_keeps_further_frames_unless_the_frame_is_another(
+    operator: Client, reviewer: Client, admin: Client, ground: Ground, vehicle_id: int
+) -> None:
+    stored = stored_on_two(operator, vehicle_id)
+    points = {"contact": stored["contact"], "point": [stored["point"][0], stored["point"][1] + 0.5]}
+    fix = {"verdict": "fixed", "reason": "beside", **points}
+    kept = reviewer.made(f"/measurements/{stored['id']}/reviews", {"revision": 1, **fix})
+    assert [f["frame"] for f in kept["more_frames"]] == [7]
+    other = admin.made(f"/measurements/{stored['id']}/reviews", {"revision": 2, "frame": 3, **fix})
+    assert other["frame"] == 3 and other["more_frames"] == []
+
+
+def test_a_speed_clicked_before_proposes_the_frame(operator: Client, ground: Ground, vehicle_id: int) -> None:
+    """The clip shows no vehicle to follow: another measurement on two frames says how fast it goes."""
+    path = f"/recordings/{ground.recording_id}/geometry/second-frame"
+    wanted = {**two_frames(more_frames=[]), "vehicle_id": vehicle_id}
+    assumed = operator.made(path, wanted)
+    assert assumed["ok"] and assumed["source"] == "assumed" and "assumption" in assumed["words"]
+    assert {spot["assumed_kmh"] for spot in assumed["spots"]} == {50.0}  # either way, as none is known
+    stored_on_two(operator, vehicle_id)
+    found = operator.made(path, wanted)
+    assert found["ok"] and found["source"] == "measured" and found["U95_then_m"] < found["U95_now_m"]
+    spot = next(one for one in found["spots"] if one["frame"] == 7)
+    assert spot["travel_m"] == pytest.approx(1.8, abs=0.05)
+    assert spot["contact"] == pytest.approx(pixel(0.8, 0.0, 0.0), abs=3)
+    third = operator.made(path, {**two_frames(), "vehicle_id": vehicle_id})
+    assert third["frame"] not in (2, 7)
+    assert third["u_then_m"] < third["u_now_m"] if third["ok"] else "would not help" in third["reason"]
+
+
+def test_why_no_second_frame_would_help(operator: Client, ground: Ground, vehicle_id: int) -> None:
+    path = f"/recordings/{ground.recording_id}/geometry/second-frame"
+    short = int(add_vehicle(operator, ground.recording_id, first_frame=2, last_frame=2)["id"])
+    alone = operator.made(path, {**two_frames(more_frames=[]), "vehicle_id": short})
+    assert not alone["ok"] and "no other frame" in alone["reason"] and alone["frame"] is None
+    sky = operator.made(path, {**two_frames(more_frames=[], contact=[160.0, 5.0]), "vehicle_id": vehicle_id})
+    assert not sky["ok"] and "horizon" in sky["reason"] and sky["spots"] == []
+
+
+def exported(services: Services, survey_id: int, place: Path) -> MemoryFiles:
+    place.mkdir()
+    with services.reading() as session:
+        build(Staging(place), session, survey_id, services, crops=False)
+    found = (path for path in place.rglob("*") if path.is_file())
+    return MemoryFiles({path.relative_to(place).as_posix(): path.read_bytes() for path in found})
+
+
+def rewritten(files: MemoryFiles, path: str, column: str, text: str) -> MemoryFiles:
+    """The package with one cell of the first row changed and the checksums made to fit, as a forger would."""
+    rows = list(csv.DictReader(io.StringIO(files[path].decode())))
+    rows[0][column] = text
+    out = io.StringIO()
+    writer = csv.DictWriter(out, list(rows[0]), lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(rows)
+    changed = {**files, path: out.getvalue().encode()}
+    lines = [line.split("  ", 1)[1] for line in changed[CHECKSUMS].decode().splitlines()]
+    sums = "".join(f"{sha256_hex(changed[name])}  {name}\n" for name in lines)
+    return MemoryFiles({**changed, CHECKSUMS: sums.encode()})
+
+
+def test_an_export_holds_all_frames_and_a_changed_one_is_found(
+    operator: Client, services: Services, ground: Ground, vehicle_id: int, tmp_path: Path
+) -> None:
+    stored = stored_on_two(operator, vehicle_id, more_frames=[on_frame(7, 1.8), on_frame(5, 1.0)])
+    files = exported(services, ground.survey_id, tmp_path / "export")
+    assert verify_package(files).ok, verify_package(files).problem
+    (row,) = csv.DictReader(io.StringIO(files["measurements.csv"].decode()))
+    assert (row["frames"], row["frame2"], row["frame3"]) == ("3", "7", "5")
+    assert float(row["solved_inset_m"]) == pytest.approx(INSET_M, abs=2e-6)
+    frames = [one["frame"] for one in csv.DictReader(io.StringIO(files["frames.csv"].decode()))]
+    assert frames == ["2", "5", "7"]
+    described = json.loads(files["datapackage.json"])
+    for resource in (one for one in described["resources"] if "schema" in one):
+        header = files[resource["path"]].decode().splitlines()[0].split(",")
+        assert header == [one["name"] for one in resource["schema"]["fields"]], resource["name"]
+
+    # the command line computes the same from clicks and pose
+    name = f"clicks/pose-{ground.pose_id}.csv"
+    clicks = tmp_path / "clicks.csv"
+    clicks.write_bytes(files[name])
+    text, _ = heights_csv(pose_from_dict(json.loads(files[f"poses/pose-{ground.pose_id}.json"]), "p"), clicks)
+    (again,) = csv.DictReader(io.StringIO(text))
+    assert float(again["height_m"]) == pytest.approx(stored["height_m"], abs=1e-6)
+    assert float(again["solved_inset_m"]) == pytest.approx(stored["solved_inset_m"], abs=1e-6)
+
+    for path, column, words in (
+        ("clicks.csv", "contact2_x_px", "another contact2_x_px"),
+        ("measurements.csv", "target3_y_px", "another target3_y_px"),
+        ("measurements.csv", "solved_inset_m", "another solved_inset_m"),
+        ("measurements.csv", "frame2", "another frame2"),
+    ):
+        forged = verify_package(rewritten(files, path, column, "4"))
+        assert not forged.ok and words in str(forged.problem), (column, forged.problem)
+    both = rewritten(
+        rewritten(files, "clicks.csv", "contact2_x_px", "210"), "measurements.csv", "contact2_x_px", "210"
+    )
+    assert not verify_package(both).ok

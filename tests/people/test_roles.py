@@ -1,0 +1,225 @@
+"""Every route of the API as each role and signed out, against a matrix written by hand."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+from fastapi import FastAPI
+from fastapi.routing import APIRoute
+
+from sightline.app import ROUTERS
+from sightline.infra.web.deps import RANK, anybody, require
+from tests.support.app import TUS, Client, error_of
+
+pytestmark = pytest.mark.once
+# The lowest role that may do it; "" needs no sign-in.
+MATRIX = {
+    "GET /health": "",
+    "POST /session": "",
+    "POST /session/link": "",
+    "DELETE /session": "",
+    "GET /session": "viewer",
+    "PUT /session/password": "viewer",
+    "GET /people": "admin",
+    "POST /people": "admin",
+    "PUT /people/{person_id}": "admin",
+    "POST /people/{person_id}/link": "admin",
+    "GET /surveys": "viewer",
+    "POST /surveys": "operator",
+    "GET /surveys/{survey_id}": "viewer",
+    "PUT /surveys/{survey_id}": "operator",
+    "GET /surveys/{survey_id}/photographs": "viewer",
+    "POST /surveys/{survey_id}/photographs": "operator",
+    "PUT /surveys/{survey_id}/photographs/order": "operator",
+    "PUT /photographs/{photograph_id}": "operator",
+    "DELETE /photographs/{photograph_id}": "operator",
+    "POST /photographs/{photograph_id}/restore": "operator",
+    "GET /photographs/{photograph_id}.jpg": "viewer",
+    "GET /surveys/{survey_id}/cameras": "viewer",
+    "POST /surveys/{survey_id}/cameras": "operator",
+    "GET /cameras/{camera_id}": "viewer",
+    "POST /cameras/{camera_id}/images": "operator",
+    "POST /cameras/{camera_id}/images/detect": "operator",
+    "GET /calibration-images/{image_id}.jpg": "viewer",
+    "DELETE /calibration-images/{image_id}": "operator",
+    "PUT /cameras/{camera_id}/current-calibration": "operator",
+    "POST /cameras/{camera_id}/calibrations": "operator",
+    "POST /cameras/{camera_id}/calibrations/import": "operator",
+    "GET /calibrations/{calibration_id}": "viewer",
+    "OPTIONS /uploads": "",
+    "GET /surveys/{survey_id}/uploads": "viewer",
+    "POST /surveys/{survey_id}/uploads": "operator",
+    "HEAD /uploads/{upload_id}": "operator",
+    "PATCH /uploads/{upload_id}": "operator",
+    "DELETE /uploads/{upload_id}": "operator",
+    "GET /surveys/{survey_id}/recordings": "viewer",
+    "GET /recordings/{recording_id}": "viewer",
+    "PUT /recordings/{recording_id}": "operator",
+    "DELETE /recordings/{recording_id}": "operator",
+    "POST /recordings/{recording_id}/ingest": "operator",
+    "GET /recordings/{recording_id}/frames": "viewer",
+    "GET /recordings/{recording_id}/frames/ready": "viewer",
+    "GET /recordings/{recording_id}/frames/{n}.jpg": "viewer",
+    "GET /recordings/{recording_id}/frames/{n}/crop.png": "viewer",
+    "GET /recordings/{recording_id}/thumbs/{frame}.jpg": "viewer",
+    "POST /recordings/{recording_id}/board": "operator",
+    "POST /recordings/{recording_id}/poses": "operator",
+    "GET /surveys/{survey_id}/poses": "viewer",
+    "GET /poses/{pose_id}": "viewer",
+    "GET /surveys/{survey_id}/checks/insets": "viewer",
+    "GET /surveys/{survey_id}/plan": "viewer",
+    "GET /line-rate-plan": "viewer",
+    "GET /surveys/{survey_id}/checks/traffic": "viewer",
+    "GET /poses/{pose_id}/turn": "viewer",
+    "POST /poses/{pose_id}/turn": "operator",
+    "POST /vehicles/{vehicle_id}/wheel-pair": "operator",
+    "DELETE /vehicles/{vehicle_id}/wheel-pair": "operator",
+    "GET /recordings/{recording_id}/drift": "viewer",
+    "POST /recordings/{recording_id}/drift": "operator",
+    "PUT /recordings/{recording_id}/drift/decision": "operator",
+    "DELETE /recordings/{recording_id}/drift/decision": "operator",
+    "POST /recordings/{recording_id}/frames/{n}/contact": "viewer",
+    "POST /recordings/{recording_id}/geometry/axes": "viewer",
+    "POST /recordings/{recording_id}/geometry/height": "viewer",
+    "POST /recordings/{recording_id}/geometry/second-frame": "viewer",
+    "GET /surveys/{survey_id}/vehicles": "viewer",
+    "POST /recordings/{recording_id}/vehicles": "operator",
+    "GET /vehicles/{vehicle_id}": "viewer",
+    "PUT /vehicles/{vehicle_id}": "operator",
+    "DELETE /vehicles/{vehicle_id}": "operator",
+    "POST /vehicles/{vehicle_id}/restore": "operator",
+    "POST /recordings/{recording_id}/find-passes": "operator",
+    "POST /vehicles/{vehicle_id}/split": "operator",
+    "POST /vehicles/{vehicle_id}/join": "operator",
+    "GET /catalogue": "viewer",
+    "POST /catalogue": "operator",
+    "POST /catalogue/import": "operator",
+    "POST /vehicles/{vehicle_id}/measurements": "operator",
+    "GET /measurements/{measurement_id}": "viewer",
+    "PUT /measurements/{measurement_id}": "operator",
+    "DELETE /measurements/{measurement_id}": "operator",
+    "POST /measurements/{measurement_id}/restore": "operator",
+    "GET /measurements/{measurement_id}/history": "viewer",
+    "GET /surveys/{survey_id}/review-queue": "viewer",
+    "POST /measurements/{measurement_id}/reviews": "reviewer",
+    "GET /surveys/{survey_id}/repeats": "viewer",
+    "GET /surveys/{survey_id}/repeats/sample": "operator",
+    "GET /measurements/{measurement_id}/repeats": "viewer",
+    "PUT /surveys/{survey_id}/people/{person_id}/click-sigma": "reviewer",
+    "GET /surveys/{survey_id}/scans": "viewer",
+    "GET /surveys/{survey_id}/strip-uploads": "viewer",
+    "POST /surveys/{survey_id}/scans": "operator",
+    "POST /surveys/{survey_id}/scans/from-video": "operator",
+    "GET /scans/{scan_id}": "viewer",
+    "GET /scans/{scan_id}/rig-of-traffic": "viewer",
+    "PATCH /scans/{scan_id}": "operator",
+    "DELETE /scans/{scan_id}": "operator",
+    "POST /scans/{scan_id}/read": "operator",
+    "POST /scans/{scan_id}/find": "operator",
+    "POST /scans/{scan_id}/swap": "operator",
+    "GET /scans/{scan_id}/tiles/{camera}/{level}/{index}": "viewer",
+    "GET /scans/{scan_id}/vehicles": "viewer",
+    "POST /scans/{scan_id}/vehicles": "operator",
+    "GET /scan-vehicles/{vehicle_id}": "viewer",
+    "PUT /scan-vehicles/{vehicle_id}/boundaries": "operator",
+    "PUT /scan-vehicles/{vehicle_id}/wheels": "operator",
+    "PUT /scan-vehicles/{vehicle_id}/facts": "operator",
+    "DELETE /scan-vehicles/{vehicle_id}": "operator",
+    "POST /scan-vehicles/{vehicle_id}/restore": "operator",
+    "GET /scan-vehicles/{vehicle_id}/match/{picture}": "viewer",
+    "POST /scan-measurements/{measurement_id}/review": "reviewer",
+    "GET /scans/{scan_id}/line-pose": "viewer",
+    "POST /scans/{scan_id}/line-pose/preview": "viewer",
+    "PUT /scans/{scan_id}/line-pose": "operator",
+    "POST /scans/{scan_id}/line-height": "viewer",
+    "GET /scans/{scan_id}/heights": "viewer",
+    "GET /scan-vehicles/{vehicle_id}/heights": "viewer",
+    "POST /scan-vehicles/{vehicle_id}/heights": "operator",
+    "DELETE /scan-vehicles/{vehicle_id}/heights": "operator",
+    "GET /surveys/{survey_id}/scan-statistics": "viewer",
+    "GET /statistics": "viewer",
+    "GET /statistics/sample-size": "viewer",
+    "GET /surveys/{survey_id}/standards": "viewer",
+    "PUT /surveys/{survey_id}/standards": "operator",
+    "POST /surveys/{survey_id}/exports": "viewer",
+    "GET /surveys/{survey_id}/exports": "viewer",
+    "GET /exports/{export_id}.zip": "viewer",
+    "GET /audit": "viewer",
+    "POST /audit/verify": "viewer",
+    "GET /jobs": "viewer",
+    "GET /jobs/{job_id}": "viewer",
+    "POST /jobs/{job_id}/cancel": "viewer",
+}
+
+
+def routes() -> Iterator[tuple[str, APIRoute]]:
+    """Every route of every module, as "METHOD /path"."""
+    for _, router in ROUTERS:
+        for route in router.routes:
+            assert isinstance(route, APIRoute), route
+            for method in sorted(route.methods):
+                yield f"{method} {route.path}", route
+
+
+def calls(dependant: Any) -> Iterator[Any]:
+    for inner in dependant.dependencies:
+        yield inner.call
+        yield from calls(inner)
+
+
+def declared(route: APIRoute) -> list[str]:
+    """The roles that a route's dependencies ask for."""
+    asked = list(calls(route.dependant))
+    return [one.role for one in asked if isinstance(one, require)] + ["" for one in asked if one is anybody]
+
+
+def test_every_route_declares_exactly_the_role_of_the_matrix() -> None:
+    assert {name: declared(route) for name, route in routes()} == {k: [v] for k, v in MATRIX.items()}
+
+
+def test_no_route_is_served_that_the_matrix_does_not_know(app: FastAPI) -> None:
+    served = {
+        f"{method.upper()} {path.removeprefix('/api')}"
+        for path, methods in app.openapi()["paths"].items()
+        for method in methods
+    }
+    assert served == set(MATRIX)
+
+
+def ask(client: Client, name: str) -> Any:
+    """Ask for things that are not there: what is answered depends on who asks only through the role."""
+    method, path = name.split(" ")
+    for part in ("survey", "camera", "image", "calibration", "upload", "recording", "pose", "vehicle"):
+        path = path.replace(f"{{{part}_id}}", "999999")
+    for part in ("measurement", "export", "job", "person", "scan"):
+        path = path.replace(f"{{{part}_id}}", "999999")
+    path = path.replace("{n}", "0").replace("{frame}", "0").replace("{picture}", "first")
+    path = path.replace("{camera}/{level}/{index}", "1/0/0")
+    query = {"x": 0, "y": 0, "w": 8, "h": 8, "revision": 1} if method in ("GET", "DELETE") else {}
+    return client.http.request(method, f"/api{path}", headers=TUS, params=query)
+
+
+@pytest.mark.parametrize("role", ["viewer", "operator", "reviewer", "admin"])
+def test_roles_are_enforced(clients: dict[str, Client], role: str) -> None:
+    client = clients[role]
+    for name, least in MATRIX.items():
+        if name == "DELETE /session":
+            continue
+        answer = ask(client, name)
+        if least and RANK[role] < RANK[least]:  # type: ignore[index]
+            assert answer.status_code == 403, (name, role, answer.text)
+            if answer.text:
+                assert least in error_of(answer)
+        else:
+            assert answer.status_code not in (403, 405, 500), (name, role, answer.text)
+            assert answer.status_code != 401 or "session" in name, (name, role, answer.text)
+
+
+def test_signed_out_nothing_is_given(nobody: Client) -> None:
+    for name, least in MATRIX.items():
+        answer = ask(nobody, name)
+        if least:
+            assert answer.status_code == 401, (name, answer.text)
+            assert not answer.text or error_of(answer) == "You are not signed in; sign in and try again."
+        else:
+            assert answer.status_code in (200, 204, 422), (name, answer.text)

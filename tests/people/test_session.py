@@ -1,0 +1,192 @@
+"""Signing in and out: links, passwords, limits, and what a cookie is worth."""
+
+import pytest
+from fastapi import FastAPI, Request
+from fastapi.testclient import TestClient
+
+from sightline.errors import BadInput
+from sightline.infra.services import Services
+from sightline.infra.web.cookie import COOKIE
+from sightline.infra.web.person import Person
+from sightline.people.service import first_sign_in_link, new_sign_in_link
+from sightline.people.store import list_people
+from tests.support.app import Client, error_of
+
+pytestmark = pytest.mark.dialect
+
+PASSWORD = "  correct horse battery "
+
+
+def fresh(app: FastAPI) -> Client:
+    return Client(TestClient(app, headers={"X-Sightline": "1"}, raise_server_exceptions=False))
+
+
+def token_of(link: str | None) -> str:
+    assert link is not None
+    assert link.startswith("/sign-in?token=")
+    return link.partition("=")[2]
+
+
+def test_first_start_makes_one_admin_who_signs_in_once(
+    app: FastAPI, services: Services, nobody: Client
+) -> None:
+    first = token_of(first_sign_in_link(services))
+    second = token_of(first_sign_in_link(services))
+    assert nobody.post("/session/link", {"token": first}).status_code == 401
+    me = nobody.made("/session/link", {"token": second})
+    assert me["person"]["role"] == "admin"
+    assert me["needs_password"] is True
+    assert nobody.seen("/session")["person"]["id"] == me["person"]["id"]
+    assert first_sign_in_link(services) is None
+    again = fresh(app).post("/session/link", {"token": second})
+    assert again.status_code == 401
+    assert "used already" in error_of(again)
+    with services.reading() as session:
+        assert len(list_people(session)) == 1
+
+
+def test_the_cookie_is_http_only_and_same_site_strict(admin: Client, nobody: Client) -> None:
+    link = admin.made("/people", {"name": "Ann", "email": "ann@example.org", "role": "viewer"})["link"]
+    answer = nobody.post("/session/link", {"token": token_of(link)})
+    cookie = answer.headers["set-cookie"].lower()
+    assert cookie.startswith(f"{COOKIE}=")
+    assert "httponly" in cookie and "samesite=strict" in cookie and "path=/" in cookie
+    assert answer.headers["cache-control"] == "no-store"
+
+
+def test_a_forged_or_changed_cookie_is_nobody(admin: Client, nobody: Client) -> None:
+    good = admin.http.cookies[COOKIE]
+    for bad in ("", "x", good[:-2] + "aa", good.replace(".", "", 1), "WzEsMSwwXQ.abc.def"):
+        nobody.http.cookies.set(COOKIE, bad)
+        assert nobody.get("/session").status_code == 401
+        nobody.http.cookies.clear()
+
+
+def test_password_then_sign_in(app: FastAPI, operator: Client) -> None:
+    assert operator.put("/session/password", {"new": "short"}).status_code == 422
+    me = operator.put("/session/password", {"new": PASSWORD})
+    assert me.status_code == 200 and me.json()["needs_password"] is False
+    other = fresh(app)
+    wrong = other.post("/session", {"email": "operator@example.org", "password": PASSWORD.strip()})
+    assert wrong.status_code == 401
+    assert "do not fit" in error_of(wrong)
+    me = other.post("/session", {"email": "OPERATOR@example.org ", "password": PASSWORD})
+    assert me.status_code == 200
+    refused = other.put("/session/password", {"current": "not the one", "new": "another password"})
+    assert refused.status_code == 403
+    assert other.put("/session/password", {"current": PASSWORD, "new": "another password"}).status_code == 200
+    # The other browser's session ended with the change.
+    assert operator.get("/session").status_code == 401
+    assert other.get("/session").status_code == 200
+
+
+def test_a_link_for_a_forgotten_password_needs_no_current_one(
+    app: FastAPI, services: Services, operator: Client
+) -> None:
+    operator.put("/session/password", {"new": PASSWORD})
+    back = fresh(app)
+    me = back.made("/session/link", {"token": token_of(new_sign_in_link(services, "operator@example.org"))})
+    assert me["needs_password"] is True
+    assert back.put("/session/password", {"new": "a new password"}).status_code == 200
+    assert back.put("/session/password", {"new": "yet another one"}).status_code == 403
+    with pytest.raises(BadInput):
+        new_sign_in_link(services, "stranger@example.org")
+
+
+@pytest.mark.once
+def test_failures_are_limited_and_say_nothing_about_accounts(app: FastAPI, operator: Client) -> None:
+    operator.put("/session/password", {"new": PASSWORD})
+    client = fresh(app)
+    known = [client.post("/session", {"email": "operator@example.org", "password": "x"}) for _ in range(5)]
+    unknown = [client.post("/session", {"email": "nobody@example.org", "password": "x"}) for _ in range(5)]
+    assert [a.status_code for a in known + unknown] == [401] * 10
+    assert error_of(known[0]) == error_of(unknown[0])
+    # The right password too: otherwise the limit would only slow down whoever is honest.
+    for email in ("operator@example.org", "nobody@example.org"):
+        answer = client.post("/session", {"email": email, "password": PASSWORD})
+        assert answer.status_code == 429
+        assert "five minutes" in error_of(answer)
+    assert client.post("/session", {"email": "viewer@example.org", "password": "x"}).status_code == 401
+
+
+@pytest.mark.once
+def test_success_forgets_failures(app: FastAPI, operator: Client) -> None:
+    operator.put("/session/password", {"new": PASSWORD})
+    client = fresh(app)
+    for _ in range(3):
+        for _ in range(4):
+            assert (
+                client.post("/session", {"email": "operator@example.org", "password": "x"}).status_code == 401
+            )
+        good = client.post("/session", {"email": "operator@example.org", "password": PASSWORD})
+        assert good.status_code == 200
+
+
+def test_sign_out(operator: Client) -> None:
+    assert operator.delete("/session").status_code == 204
+    assert operator.get("/session").status_code == 401
+    assert operator.delete("/session").status_code == 204
+
+
+def test_a_copied_cookie_is_worth_nothing_after_signing_out(app: FastAPI, operator: Client) -> None:
+    copied = fresh(app)
+    copied.http.cookies.set(COOKIE, operator.http.cookies[COOKIE])
+    assert copied.get("/session").status_code == 200
+    assert operator.delete("/session").status_code == 204
+    assert copied.get("/session").status_code == 401
+    # Whoever is nobody any more cannot sign the person out again from wherever they are by then.
+    assert copied.delete("/session").status_code == 204
+
+
+def test_what_was_read_before_a_change_is_not_believed_after_it(app: FastAPI, operator: Client) -> None:
+    """A request that looks the person up while another one ends their session."""
+    cookies = app.state.sign_in
+    request = Request(
+        {"type": "http", "headers": [(b"cookie", f"{COOKIE}={operator.http.cookies[COOKIE]}".encode())]}
+    )
+    look_up, looked_up = cookies._lookup, []
+
+    def and_then_sign_out(person_id: int) -> Person | None:
+        person = look_up(person_id)
+        if not looked_up:
+            looked_up.append(person_id)
+            assert operator.delete("/session").status_code == 204
+        return person  # type: ignore[no-any-return]
+
+    cookies.forget()
+    cookies._lookup = and_then_sign_out
+    cookies.person_of(request)
+    assert looked_up and cookies.person_of(request) is None
+
+
+def test_whoever_is_switched_off_is_out_at_once(admin: Client, operator: Client) -> None:
+    person = next(one for one in admin.seen("/people") if one["role"] == "operator")
+    change = {"name": person["name"], "role": "operator", "active": False}
+    assert admin.put(f"/people/{person['id']}", change).status_code == 200
+    assert operator.get("/surveys").status_code == 401
+    assert operator.post("/surveys", {"name": "no"}).status_code == 401
+
+
+def test_a_new_role_counts_at_once(admin: Client, viewer: Client) -> None:
+    person = next(one for one in admin.seen("/people") if one["role"] == "viewer")
+    assert viewer.post("/surveys", {"name": "no"}).status_code == 403
+    change = {"name": "Vera", "role": "operator", "active": True}
+    assert admin.put(f"/people/{person['id']}", change).json()["role"] == "operator"
+    assert viewer.post("/surveys", {"name": "yes"}).status_code == 201
+
+
+def test_the_last_admin_stays(admin: Client) -> None:
+    me = admin.seen("/session")["person"]
+    for role, active in (("viewer", True), ("admin", False)):
+        answer = admin.put(f"/people/{me['id']}", {"name": me["name"], "role": role, "active": active})
+        assert answer.status_code == 409
+        assert "last admin" in error_of(answer)
+
+
+def test_accounts_need_an_address_of_their_own(admin: Client) -> None:
+    twice = admin.post("/people", {"name": "Bob", "email": "Viewer@example.org", "role": "viewer"})
+    assert twice.status_code == 409
+    assert admin.post("/people", {"name": "Bob", "email": "nowhere", "role": "viewer"}).status_code == 422
+    assert admin.post("/people", {"name": " ", "email": "b@example.org", "role": "viewer"}).status_code == 422
+    assert admin.post("/people", {"name": "B", "email": "b@example.org", "role": "king"}).status_code == 422
+    assert admin.post("/people/999999/link").status_code == 404

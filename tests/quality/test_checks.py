@@ -1,0 +1,194 @@
+"""Checks of a survey by its own vehicles: tyre contacts, turned poses, insets offered with their origin."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from sightline.geometry.camera import project
+from sightline.geometry.road_pose import RoadPose
+from sightline.infra.audit.verification import verify_records
+from sightline.infra.services import Services
+from sightline.measurements.store import list_measurements
+from sightline.vehicles.store import list_vehicles
+from tests.support.app import Client, error_of
+from tests.support.ground import Ground, add_vehicle, lay_ground, measure, pixel, pose_above_road
+
+TURN_RAD = 0.05
+
+
+@pytest.fixture
+def ground(services: Services, survey_id: int, recording_id: int) -> Ground:
+    return lay_ground(services, survey_id, recording_id)
+
+
+def tyres(angle_rad: float, x_m: float = -1.0, y_m: float = 0.0) -> dict[str, Any]:
+    """Clicks on both tyres of a vehicle that travels at this angle to the road's X axis."""
+    end = (x_m + 2.0 * np.cos(angle_rad), y_m + 2.0 * np.sin(angle_rad))
+    return {"frame": 2, "first": pixel(x_m, y_m, 0.0), "second": pixel(*end, 0.0)}
+
+
+def traffic(client: Client, survey_id: int) -> Any:
+    return client.seen(f"/surveys/{survey_id}/checks/traffic")
+
+
+def test_tyre_contacts_are_stored_undone_and_audited(
+    operator: Client, services: Services, ground: Ground
+) -> None:
+    vehicle = add_vehicle(operator, ground.recording_id)
+    path = f"/vehicles/{vehicle['id']}/wheel-pair"
+    first = operator.made(path, tyres(0.0))
+    second = operator.made(path, tyres(0.01))
+    shown = traffic(operator, ground.survey_id)
+    assert [pair["id"] for pair in shown["pairs"]] == [second["id"]] and first["id"] < second["id"]
+    one = shown["poses"][0]["vehicles"][0]
+    assert one["source"] == "tyres" and one["heading_rad"] == pytest.approx(0.01, abs=1e-9)
+    assert 0.001 < one["u_heading_rad"] < 0.05 and one["base_m"] == pytest.approx(2.0)
+    assert shown["poses"][0]["mean_rad"] is None and "at least 3 vehicles" in shown["poses"][0]["verdict"]
+    gone = operator.delete(path)
+    assert gone.status_code == 200 and gone.json()["withdrawn"]
+    assert traffic(operator, ground.survey_id)["pairs"] == []
+    assert operator.delete(path).status_code == 404
+    with services.reading() as session:
+        assert verify_records(session).ok
+
+
+def test_contacts_that_give_no_direction_are_refused_in_a_sentence(
+    operator: Client, viewer: Client, services: Services, ground: Ground
+) -> None:
+    vehicle = add_vehicle(operator, ground.recording_id, first_frame=1)
+    path = f"/vehicles/{vehicle['id']}/wheel-pair"
+    good = tyres(0.0)
+    near = operator.post(path, {**good, "second": pixel(-0.5, 0.0, 0.0)})
+    assert near.status_code == 422 and "0.50 m apart" in error_of(near)
+    far = operator.post(path, {**good, "first": pixel(-30.0, 60.0, 0.0), "second": pixel(30.0, 60.0, 0.0)})
+    assert far.status_code == 422 and "one vehicle" in error_of(far)
+    sky = operator.post(path, {**good, "second": [300.0, 20.0]})
+    assert sky.status_code == 422 and error_of(sky).startswith("The second tyre contact")
+    crc = operator.post(path, {**good, "frame_crc": 1})
+    assert crc.status_code == 409 and "not the picture" in error_of(crc)
+    frame = operator.post(path, {**good, "frame": 0})
+    assert frame.status_code == 422 and "passes in frames 1 to 8" in error_of(frame)
+    assert operator.post(path, {**good, "first": [300.0]}).status_code == 422
+    assert viewer.post(path, good).status_code == 403
+    assert traffic(viewer, ground.survey_id)["pairs"] == []
+
+
+def test_without_a_road_pose_it_says_where_to_make_one(
+    operator: Client, recording_id: int, survey_id: int
+) -> None:
+    vehicle = add_vehicle(operator, recording_id)
+    refused = operator.post(f"/vehicles/{vehicle['id']}/wheel-pair", tyres(0.0))
+    assert refused.status_code == 409 and "no road pose" in error_of(refused)
+    assert traffic(operator, survey_id) == {"poses": [], "pairs": []}
+    insets = operator.seen(f"/surveys/{survey_id}/checks/insets")
+    assert insets["camera_height_m"] == 1.5
+    assert all(one["reason"] for target in insets["targets"] for one in target["estimates"])
+
+
+def test_traffic_turns_a_pose_and_choosing_the_old_one_undoes_it(
+    operator: Client, viewer: Client, services: Services, ground: Ground
+) -> None:
+    rng = np.random.default_rng(3)
+    made = []
+    for index in range(6):
+        vehicle = add_vehicle(operator, ground.recording_id)
+        angle = TURN_RAD + rng.normal(0, 0.001)
+        operator.made(f"/vehicles/{vehicle['id']}/wheel-pair", tyres(angle, -1.0, 0.1 * index))
+        made.append(measure(operator, vehicle["id"]))
+    check = traffic(operator, ground.survey_id)["poses"][0]
+    assert check["proposed"] and check["used"] == 6
+    assert check["mean_rad"] == pytest.approx(TURN_RAD, abs=0.002)
+    assert "turned by 2.8" in check["verdict"] and "6 stored heights" in check["verdict"]
+    # h = Hc + (h - Hc)(...): the target is 0.4 m ahead, so the side plane there moves by 0.4 m x angle
+    expected = (1.2 - 1.5) / 3.0 * 0.4 * np.tan(check["mean_rad"])
+    changes = check["changes"]
+    assert changes["count"] == 6
+    assert changes["listed"][0]["difference_m"] == pytest.approx(expected, rel=0.05)
+    path = f"/poses/{ground.pose_id}/turn"
+    preview = viewer.seen(path)
+    assert preview["turn_rad"] == check["mean_rad"] and len(preview["overlay"]["grid"]) > 5
+    assert preview["summary"].startswith("Turned by +2.8")
+    wanted = {"turn_rad": check["mean_rad"]}
+    assert viewer.post(path, wanted).status_code == 403
+    stale = operator.post(path, {"turn_rad": check["mean_rad"] + 0.001})
+    assert stale.status_code == 409 and "look again" in error_of(stale)
+    new = operator.made(path, wanted)
+    assert operator.seen(f"/surveys/{ground.survey_id}/recordings")[0]["pose_id"] == new["id"]
+    after = traffic(operator, ground.survey_id)["poses"][0]
+    assert (after["pose_id"], after["turned_from"]) == (new["id"], ground.pose_id)
+    assert abs(after["mean_rad"]) < 1e-4 and not after["proposed"]
+    assert operator.post(path, wanted).status_code == 409
+    for one in made:  # what is stored stays as it was measured
+        assert operator.seen(f"/measurements/{one['id']}")["height_m"] == one["height_m"]
+    again = measure(operator, made[0]["vehicle_id"])
+    assert again["pose_id"] == new["id"]
+    assert again["height_m"] == pytest.approx(changes["listed"][0]["turned_height_m"], abs=2e-4)
+    back = operator.put(f"/recordings/{ground.recording_id}", {"pose_id": ground.pose_id})
+    assert back.status_code == 200
+    assert traffic(operator, ground.survey_id)["poses"][0]["pose_id"] == ground.pose_id
+    with services.reading() as session:
+        assert verify_records(session).ok
+
+
+def roof(pose: RoadPose, height_m: float, inset_m: float, across_m: float, rng: np.random.Generator) -> Any:
+    """Clicks of 0.3 px on a roof edge behind the side plane."""
+    points = np.array([[-0.5, across_m, 0.0], [-0.2, across_m + inset_m, height_m]])
+    clicks = project(pose.camera, pose.to_camera(points)) + rng.normal(0, 0.3, (2, 2))
+    return {"contact": clicks[0].tolist(), "point": clicks[1].tolist()}
+
+
+def test_roofs_of_known_height_offer_the_inset_with_its_origin(
+    operator: Client, services: Services, ground: Ground
+) -> None:
+    rng, true_m = np.random.default_rng(4), 0.45
+    for index, height_m in enumerate(rng.uniform(1.85, 2.6, 12)):
+        wrong = 0.30 if index == 7 else 0.0
+        vehicle = add_vehicle(
+            operator,
+            ground.recording_id,
+            manufacturer_height_m=height_m + wrong,
+            u_manufacturer_height_m=0.005,
+        )
+        where = roof(pose_above_road(), height_m, true_m, rng.uniform(0.0, 2.0), rng)
+        measure(operator, vehicle["id"], **where, sigma_px=0.3, inset_m=None, u_inset_m=None)
+    check = operator.seen(f"/surveys/{ground.survey_id}/checks/insets")
+    target = next(one for one in check["targets"] if one["target"] == "roof")
+    assert target["is_default"] and target["in_force"]["inset_m"] == 0.3
+    known = target["estimates"][0]
+    assert known["method"] == "known_heights" and known["vehicles"] == 11
+    assert [one["number"] for one in known["left_out"]] == [8]
+    assert known["inset_m"] == pytest.approx(true_m, abs=2.5 * known["u_inset_m"])
+    assert known["u_inset_m"] < 0.15
+    offer = known["offer"]
+    assert offer["u_inset_m"] >= np.hypot(known["u_inset_m"], 0.10) - 1e-9
+    assert "manufacturers' heights of 11 vehicles" in offer["note"]
+    # larger insets lower what is read too high: here roofs above the camera, so they rise
+    assert known["difference_m"] == pytest.approx(
+        (target["typical_height_m"] - 1.5) / target["typical_distance_m"] * (known["inset_m"] - 0.3), rel=0.25
+    )
+    survey = operator.seen(f"/surveys/{ground.survey_id}")
+    words = {name: survey[name] for name in ("name", "site", "description", "version")}
+    assert (
+        operator.put(f"/surveys/{ground.survey_id}", {**words, "insets": {"roof": offer}}).status_code == 200
+    )
+    assert (
+        operator.put(f"/surveys/{ground.survey_id}", {**words, "insets": {"roof": offer}}).status_code == 409
+    )
+    after = operator.seen(f"/surveys/{ground.survey_id}/checks/insets")
+    target = next(one for one in after["targets"] if one["target"] == "roof")
+    assert not target["is_default"] and target["in_force"] == offer
+    assert target["measured"] == 12  # measured with the inset before: they still count
+    with services.reading() as session:
+        stored = list_measurements(session, ground.survey_id)
+        assert {one.inset_m for one in stored} == {0.3}
+        assert len(list_vehicles(session, ground.survey_id)) == 12
+
+
+def test_cases_are_metrologys_closed_form(viewer: Client, ground: Ground) -> None:
+    check = viewer.seen(f"/surveys/{ground.survey_id}/checks/insets")
+    assert check["camera_height_m"] == pytest.approx(1.5)
+    eye = next(one for one in check["cases"] if one["target"] == "driver_eye")
+    # an eye at 1.16 m, 0.45 m inboard, 3 m away, camera at 1.5 m: +44 mm
+    at_3m = dict(zip(check["cases_at_m"], eye["bias_m"], strict=True))[3.0]
+    assert (eye["height_m"], eye["inset_m"], round(1000 * at_3m)) == (1.16, 0.45, 44)

@@ -1,0 +1,146 @@
+"""A camera that was bumped: found by a job, measurements flagged, a person decides, and takes it back."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from sqlalchemy import select
+
+from sightline.export.columns import RECORDINGS
+from sightline.export.rows import recording_row
+from sightline.infra.audit import trail
+from sightline.infra.jobs.records import Job
+from sightline.infra.services import Services
+from sightline.measurements.tables import measurements
+from sightline.media.video.writer import write_mp4
+from sightline.recordings.store import get_recording
+from tests.support.app import FRAME_HEIGHT, FRAME_WIDTH, Client, error_of, upload
+from tests.support.ground import Ground, add_pose, add_vehicle, flat_camera, lay_ground, measure
+
+BUMP, COUNT = 17, 40
+
+
+def textured(n: int) -> np.ndarray:
+    """A rough wall, moved by (2, -1.5) px from frame BUMP on, with noise of its own in each frame."""
+    rng = np.random.default_rng(1)
+    wall = cv2.GaussianBlur(rng.uniform(0, 255, (FRAME_HEIGHT + 40, FRAME_WIDTH + 40)), (0, 0), 2.0)
+    wall = np.clip((wall - 127.5) * 5 + 127.5, 20, 235).astype(np.float32)
+    x, y = (2.0, -1.5) if n >= BUMP else (0.0, 0.0)
+    matrix = np.array([[1, 0, x - 20], [0, 1, y - 20]], np.float32)
+    seen = cv2.warpAffine(wall, matrix, (FRAME_WIDTH, FRAME_HEIGHT), flags=cv2.INTER_CUBIC)
+    seen = seen + np.random.default_rng(n).normal(0, 2, seen.shape)
+    return np.repeat(np.clip(seen, 0, 255).astype(np.uint8)[:, :, None], 3, axis=2)
+
+
+@pytest.fixture(scope="session")
+def bumped_clip(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("bumped") / "bumped.mp4"
+    write_mp4(path, (textured(n) for n in range(COUNT)), 25, crf=12, gop=10)
+    return path
+
+
+@pytest.fixture
+def ground(
+    operator: Client,
+    services: Services,
+    survey_id: int,
+    bumped_clip: Path,
+    work: Callable[[], list[Job]],
+) -> Ground:
+    recording_id = upload(operator, survey_id, bumped_clip)
+    assert [job.state for job in work()] == ["done"]
+    return lay_ground(services, survey_id, recording_id)
+
+
+def flags(client: Client, measurement_id: int) -> list[str]:
+    found: list[str] = client.seen(f"/measurements/{measurement_id}")["flags"]
+    return [one for one in found if "had moved" in one]
+
+
+def test_a_bump_flags_what_comes_after_it_until_somebody_decides(
+    operator: Client,
+    viewer: Client,
+    services: Services,
+    work: Callable[[], list[Job]],
+    ground: Ground,
+) -> None:
+    vehicle = add_vehicle(operator, ground.recording_id, last_frame=COUNT - 1)["id"]
+    early = measure(operator, vehicle, frame=BUMP - 1)["id"]
+    late = measure(operator, vehicle, frame=BUMP, target="taillight")["id"]
+    path = f"/recordings/{ground.recording_id}/drift"
+    assert viewer.seen(path)["check"] is None and flags(viewer, late) == []
+
+    operator.made(path, {})
+    assert [job.state for job in work()] == ["done"]
+    found = viewer.seen(path)
+    check = found["check"]
+    assert check["state"] == "moved" and check["pose_id"] == ground.pose_id
+    assert [(bump["after"], bump["frame"]) for bump in check["bumps"]] == [(BUMP - 1, BUMP)]
+    assert check["bumps"][0]["by_px"] == pytest.approx(2.5, abs=0.05)
+    assert f"(frame {BUMP}) by 2.5 px: heights are off by up to" in check["words"]
+    assert check["looks"][0]["frame"] == 0 and len(check["looks"]) == 24
+    assert flags(viewer, early) == [] and len(flags(viewer, late)) == 1
+    stored = viewer.seen(f"/measurements/{late}/history")["revisions"]
+    assert len(stored) == 1, "a flag makes no revision"
+
+    assert operator.put(f"{path}/decision", {"reason": " "}).status_code == 422
+    decided = operator.put(f"{path}/decision", {"reason": "Checked on the kerb."}).json()
+    assert decided["flagged"] == [] and decided["decision"]["holds"] is True
+    assert flags(viewer, late) == []
+    with services.reading() as session:
+        cells = recording_row(get_recording(session, ground.recording_id))
+        assert {"drift_state": "moved", "drift_decision": "Checked on the kerb."}.items() <= cells.items()
+        assert (
+            cells["drift_moved_px"] == pytest.approx(2.5, abs=0.05)
+            and str(cells["drift_decided_at"])[-1] == "Z"
+        )
+        assert set(cells) <= {column.name for column in RECORDINGS.columns}
+        events = [event.action for event in trail.listing(session, entity="recording")]
+    assert events[:2] == ["decide_drift", "check_drift"]
+
+    back = operator.delete(f"{path}/decision").json()
+    assert back["decision"] is None and len(back["flagged"]) == 1
+    assert len(flags(viewer, late)) == 1
+    assert operator.delete(f"{path}/decision").status_code == 409
+
+
+def test_withdrawing_stores_no_derived_flag_and_a_new_pose_ends_it(
+    operator: Client, services: Services, work: Callable[[], list[Job]], ground: Ground
+) -> None:
+    vehicle = add_vehicle(operator, ground.recording_id, last_frame=COUNT - 1)["id"]
+    late = measure(operator, vehicle, frame=BUMP + 3)
+    operator.made(f"/recordings/{ground.recording_id}/drift", {})
+    work()
+    assert len(flags(operator, late["id"])) == 1
+    operator.delete(f"/measurements/{late['id']}?revision=1")
+    operator.made(f"/measurements/{late['id']}/restore", {"revision": 2})
+    with services.reading() as session:
+        kept = session.execute(select(measurements.c.flags)).scalars().all()
+    assert all("had moved" not in flag for one in kept for flag in one)
+
+    renewed = add_pose(services, ground.recording_id, ground.calibration_id, flat_camera())
+    seen = operator.seen(f"/recordings/{ground.recording_id}/drift")
+    assert seen["pose_id"] == renewed and seen["check"] is None
+    # what was measured with the old pose stays flagged; what is measured with the new one is not
+    assert len(flags(operator, late["id"])) == 1
+    assert flags(operator, measure(operator, vehicle, frame=BUMP + 3, target="taillight")["id"]) == []
+
+
+def test_choosing_a_pose_looks_by_itself_and_without_one_there_is_nothing_to_look_at(
+    operator: Client, services: Services, work: Callable[[], list[Job]], survey_id: int, bumped_clip: Path
+) -> None:
+    recording_id = upload(operator, survey_id, bumped_clip)
+    work()
+    answer = operator.post(f"/recordings/{recording_id}/drift")
+    assert answer.status_code == 409 and "no road pose" in error_of(answer)
+    assert operator.put(f"/recordings/{recording_id}/drift/decision", {"reason": "x"}).status_code == 409
+    ground = lay_ground(services, survey_id, recording_id)
+    answer = operator.put(f"/recordings/{recording_id}", {"pose_id": ground.pose_id})
+    assert answer.status_code == 200
+    waiting = operator.seen(f"/recordings/{recording_id}/drift")
+    assert waiting["check"] is None and waiting["job"]["state"] == "queued"
+    assert [(job.kind, job.state) for job in work()] == [("drift", "done")]
+    looked = operator.seen(f"/recordings/{recording_id}/drift")
+    assert looked["job"] is None and looked["check"] is not None

@@ -1,0 +1,63 @@
+"""Frames made ready before they are asked for, and work given up when nobody waits for it."""
+
+import asyncio
+import time
+
+import pytest
+from starlette.requests import Request
+
+from sightline.infra.web.disconnect import Wanted, while_wanted
+from sightline.vehicles.passes import prefetch
+from tests.support.app import Client
+
+pytestmark = pytest.mark.once
+
+
+def test_frames_around_passes_are_ready_before_they_are_asked_for(
+    operator: Client, recording_id: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(prefetch, "QUIET_S", 0.05)
+    span = {"first_frame": 7, "last_frame": 11, "best_frame": 9}
+    operator.made(f"/recordings/{recording_id}/vehicles", span)
+    assert operator.seen(f"/recordings/{recording_id}/frames/ready") == {"runs": []}
+    assert operator.get(f"/recordings/{recording_id}/frames/1.jpg").status_code == 200
+    until = time.monotonic() + 20
+    runs: list[list[int]] = []
+    while [7, 11] not in runs and time.monotonic() < until:
+        time.sleep(0.05)
+        runs = operator.seen(f"/recordings/{recording_id}/frames/ready")["runs"]
+    assert runs == [[0, 1], [7, 11]], "what was decoded on the way to frame 1, and the pass"
+
+
+def browser_that_leaves_after(seconds: float) -> Request:
+    async def receive() -> dict[str, str]:
+        await asyncio.sleep(seconds)
+        return {"type": "http.disconnect"}
+
+    return Request({"type": "http", "headers": []}, receive)
+
+
+def test_work_that_nobody_waits_for_is_told() -> None:
+    def work(wanted: Wanted) -> str:
+        until = time.monotonic() + 5
+        while time.monotonic() < until:
+            if not wanted():
+                return "gave up"
+            time.sleep(0.01)
+        return "done for nobody"
+
+    class Leaving(Request):
+        async def is_disconnected(self) -> bool:
+            return time.monotonic() > left_at
+
+    left_at = time.monotonic() + 0.2
+    leaving = Leaving({"type": "http", "headers": []})
+    assert asyncio.run(while_wanted(leaving, work)) == "gave up"
+
+
+def test_an_error_comes_through() -> None:
+    def work(_wanted: object) -> None:
+        raise ValueError("bad")
+
+    with pytest.raises(ValueError, match="bad"):
+        asyncio.run(while_wanted(browser_that_leaves_after(9), work))

@@ -1,0 +1,262 @@
+"""Resumable uploads: whole, broken, killed, twice, too large, not a video."""
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from fastapi.testclient import TestClient
+
+from sightline.app import create_app
+from sightline.infra.jobs.records import Job
+from sightline.infra.services import Services, open_services
+from sightline.media.store import local, upload_parts
+from sightline.recordings.ingest_job import remove_recording
+from sightline.recordings.uploads import service
+from sightline.recordings.uploads.routes import clean_name
+from sightline.recordings.uploads.store import get_upload
+from sightline.settings import Settings
+from tests.support.app import TUS, Client, announce, error_of, send, upload
+
+pytestmark = pytest.mark.dialect
+
+Work = Callable[[], list[Job]]
+
+
+def offset_of(client: Client, location: str) -> int:
+    answer = client.http.head(location, headers=TUS)
+    assert answer.status_code == 200
+    assert answer.headers["cache-control"] == "no-store"
+    return int(answer.headers["Upload-Offset"])
+
+
+def test_what_the_server_can(nobody: Client) -> None:
+    answer = nobody.http.options("/api/uploads")
+    assert answer.headers["Tus-Version"] == "1.0.0"
+    assert set(answer.headers["Tus-Extension"].split(",")) == {"creation", "termination"}
+
+
+def test_in_pieces_and_after_a_break(operator: Client, survey_id: int, clip: Path, work: Work) -> None:
+    content = clip.read_bytes()
+    created = announce(operator, survey_id, "day one.mp4", len(content))
+    assert created.status_code == 201
+    location = created.headers["Location"]
+    assert offset_of(operator, location) == 0
+    assert send(operator, location, 0, content[:4000]).headers["Upload-Offset"] == "4000"
+    waiting = operator.seen(f"/surveys/{survey_id}/uploads")
+    assert [(one["filename"], one["offset"]) for one in waiting] == [("day one.mp4", 4000)]
+    wrong = send(operator, location, 3000, content[3000:])
+    assert wrong.status_code == 409
+    assert "4000" in error_of(wrong)
+    last = send(operator, location, 4000, content[4000:])
+    assert last.status_code == 204
+    recording_id = int(last.headers["Sightline-Recording"])
+    assert operator.seen(f"/surveys/{survey_id}/uploads") == []
+    recording = operator.seen(f"/recordings/{recording_id}")
+    assert recording["state"] == "ingesting" and recording["job"]["state"] == "queued"
+    assert recording["name"] == "day one.mp4" and recording["size_bytes"] == len(content)
+    # A client that did not hear the last answer asks again and is told.
+    again = operator.http.head(location, headers=TUS)
+    assert again.headers["Upload-Offset"] == str(len(content))
+    assert again.headers["Sightline-Recording"] == str(recording_id)
+    assert send(operator, location, len(content), b"").status_code == 409
+    assert [job.state for job in work()] == ["done"]
+    assert operator.seen(f"/recordings/{recording_id}")["state"] == "ready"
+
+
+def test_the_connection_breaks_in_the_middle(
+    operator: Client, survey_id: int, clip: Path, services: Services
+) -> None:
+    content = clip.read_bytes()
+    location = announce(operator, survey_id, "a.mp4", len(content)).headers["Location"]
+
+    class Broken(Exception):
+        pass
+
+    def pieces() -> Iterator[bytes]:
+        yield content[:5000]
+        raise Broken
+
+    upload_id = int(location.rpartition("/")[2])
+    with services.reading() as session:
+        found = get_upload(session, upload_id)
+    with pytest.raises(Broken):
+        service.take_bytes(services, found, 0, pieces())
+    assert offset_of(operator, location) == 5000
+    assert operator.seen(f"/surveys/{survey_id}/uploads")[0]["offset"] == 5000
+    assert send(operator, location, 5000, content[5000:]).headers["Sightline-Recording"]
+
+
+def test_a_server_killed_behind_the_last_byte(
+    operator: Client, survey_id: int, clip: Path, services: Services, settings: Settings
+) -> None:
+    """The bytes are all there, nothing else is: a new server makes the recording without being asked."""
+    content = clip.read_bytes()
+    location = announce(operator, survey_id, "a.mp4", len(content)).headers["Location"]
+    part = f"upload-{location.rpartition('/')[2]}"
+    upload_parts.append(service.upload_folder(services), part, 0, [content])
+    assert operator.seen(f"/surveys/{survey_id}/recordings") == []
+    reborn = open_services(settings)
+    with TestClient(create_app(services=reborn)):
+        pass
+    reborn.close()
+    (recording,) = operator.seen(f"/surveys/{survey_id}/recordings")
+    assert recording["state"] == "ingesting" and recording["job"]["state"] == "queued"
+    assert not list(service.upload_folder(services).iterdir())
+
+
+def test_a_client_that_asks_finishes_what_the_kill_left(
+    operator: Client, survey_id: int, clip: Path, services: Services
+) -> None:
+    content = clip.read_bytes()
+    location = announce(operator, survey_id, "a.mp4", len(content)).headers["Location"]
+    part = f"upload-{location.rpartition('/')[2]}"
+    upload_parts.append(service.upload_folder(services), part, 0, [content])
+    answer = operator.http.head(location, headers=TUS)
+    assert answer.headers["Sightline-Recording"]
+    assert len(operator.seen(f"/surveys/{survey_id}/recordings")) == 1
+
+
+def test_the_same_video_twice_is_stored_once(
+    operator: Client, survey_id: int, clip: Path, work: Work, services: Services
+) -> None:
+    first, second = upload(operator, survey_id, clip), upload(operator, survey_id, clip, "copy.mp4")
+    assert first != second
+    assert [job.state for job in work()] == ["done", "done"]
+    stored = [path for path in (services.settings.data_dir / "media").rglob("*.mp4")]
+    assert len(stored) == 1
+    assert operator.delete(f"/recordings/{first}").status_code == 204
+    assert stored[0].exists()
+    assert operator.get(f"/recordings/{second}/frames/3.jpg").status_code == 200
+    assert operator.delete(f"/recordings/{second}").status_code == 204
+    assert not stored[0].exists()
+    assert operator.get(f"/recordings/{second}/frames/3.jpg").status_code == 404
+
+
+def test_a_twin_deleted_while_an_upload_ends_does_not_take_its_file_along(
+    operator: Client,
+    survey_id: int,
+    clip: Path,
+    services: Services,
+    work: Work,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    first = upload(operator, survey_id, clip)
+    work()
+    put_file, deleted = local.LocalStore.put_file, []
+
+    def then_deleted(store: local.LocalStore, key: str, path: Path, *, link: bool = False) -> None:
+        put_file(store, key, path, link=link)
+        if not deleted:
+            deleted.append(first)
+            remove_recording(services, first, None)
+
+    monkeypatch.setattr(local.LocalStore, "put_file", then_deleted)
+    second = upload(operator, survey_id, clip)
+    assert deleted == [first]
+    assert [job.state for job in work()] == ["done"]
+    assert operator.get(f"/recordings/{second}/frames/3.jpg").status_code == 200
+
+
+def test_what_two_names_of_one_video_share_stays_until_both_are_deleted(
+    operator: Client, survey_id: int, clip: Path, work: Work
+) -> None:
+    one, other = (upload(operator, survey_id, clip, name) for name in ("a.mp4", "a.mov"))
+    work()
+    assert operator.delete(f"/recordings/{one}").status_code == 204
+    assert operator.get(f"/recordings/{other}/frames/3.jpg").status_code == 200
+    thumb = operator.seen(f"/recordings/{other}")["thumbs"][0]["url"]
+    assert operator.http.get(thumb).status_code == 200
+
+
+def test_a_full_disk_is_told_before_a_byte_is_sent(
+    operator: Client, survey_id: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    class Usage:
+        free = 1_000_000
+
+    monkeypatch.setattr(local.shutil, "disk_usage", lambda _path: Usage)
+    answer = announce(operator, survey_id, "a.mp4", 5_000_000_000)
+    assert answer.status_code == 507
+    assert "no room" in error_of(answer)
+    assert operator.seen(f"/surveys/{survey_id}/uploads") == []
+
+
+def test_a_disk_that_fills_up_keeps_what_arrived(
+    operator: Client, survey_id: int, clip: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    content = clip.read_bytes()
+    location = announce(operator, survey_id, "a.mp4", len(content)).headers["Location"]
+    send(operator, location, 0, content[:2000])
+
+    def full(*_: object) -> int:
+        raise OSError(28, "No space left on device")
+
+    with monkeypatch.context() as patched:
+        patched.setattr(upload_parts.os, "write", full)
+        answer = send(operator, location, 2000, content[2000:])
+    assert answer.status_code == 507
+    assert "disk is full" in error_of(answer)
+    assert offset_of(operator, location) == 2000
+    assert send(operator, location, 2000, content[2000:]).status_code == 204
+
+
+def test_giving_up(operator: Client, survey_id: int, services: Services) -> None:
+    location = announce(operator, survey_id, "a.mp4", 100).headers["Location"]
+    send(operator, location, 0, b"x" * 50)
+    assert operator.http.delete(location, headers=TUS).status_code == 204
+    assert operator.http.head(location, headers=TUS).status_code == 404
+    assert send(operator, location, 50, b"x").status_code == 404
+    assert not list(service.upload_folder(services).iterdir())
+
+
+def test_abandoned_uploads_go_after_a_week(operator: Client, survey_id: int, services: Services) -> None:
+    import os
+
+    location = announce(operator, survey_id, "a.mp4", 100).headers["Location"]
+    service.recover_uploads(services)
+    assert offset_of(operator, location) == 0
+    for path in service.upload_folder(services).iterdir():
+        os.utime(path, (1, 1))
+    service.recover_uploads(services)
+    assert operator.seen(f"/surveys/{survey_id}/uploads") == []
+
+
+@pytest.mark.parametrize(
+    ("headers", "status"),
+    [
+        ({"Tus-Resumable": "0.2"}, 412),
+        ({"Upload-Length": ""}, 422),
+        ({"Upload-Length": "-1"}, 422),
+        ({"Upload-Length": "0"}, 422),
+        ({"Upload-Length": "many"}, 422),
+        ({"Upload-Metadata": ""}, 422),
+        ({"Upload-Metadata": "filename %%%"}, 422),
+    ],
+)
+def test_bad_announcements(operator: Client, survey_id: int, headers: dict[str, str], status: int) -> None:
+    good = {**TUS, "Upload-Length": "5", "Upload-Metadata": "filename YS5tcDQ="}
+    answer = operator.http.post(f"/api/surveys/{survey_id}/uploads", headers={**good, **headers})
+    assert answer.status_code == status
+    error_of(answer)
+
+
+def test_bad_pieces(operator: Client, survey_id: int) -> None:
+    location = announce(operator, survey_id, "a.mp4", 10).headers["Location"]
+    too_much = send(operator, location, 0, b"x" * 11)
+    assert too_much.status_code == 422
+    assert "announced" in error_of(too_much)
+    headers = {**TUS, "Upload-Offset": "0", "Content-Type": "video/mp4"}
+    other = operator.http.patch(location, content=b"x", headers=headers)
+    assert other.status_code == 415
+    error_of(other)
+    assert announce(operator, 999_999, "a.mp4", 10).status_code == 404
+
+
+def test_names_are_only_names() -> None:
+    assert clean_name("..\\..\\etc\\passwd.mp4") == "passwd.mp4"
+    assert clean_name("/a/b/\x00c\n.mp4") == "c.mp4"
+    assert clean_name("  ") == "recording"
+    assert len(clean_name("x" * 5000 + ".mp4")) == 400
+    assert service.upload_suffix("a.MP4") == ".mp4"
+    assert service.upload_suffix("a.b/c") == ""
+    assert service.upload_suffix("a.waytoolongsuffix") == ""

@@ -1,0 +1,172 @@
+"""Reviews: never one's own, a rejection goes back with its reason, a fix is a new revision, counts follow."""
+
+from typing import Any
+
+import pytest
+
+from sightline.infra.services import Services
+from tests.support.app import Client, error_of
+from tests.support.ground import Ground, add_vehicle, clicks, lay_ground, measure, pixel
+
+pytestmark = pytest.mark.dialect
+
+
+@pytest.fixture
+def ground(services: Services, survey_id: int, recording_id: int) -> Ground:
+    return lay_ground(services, survey_id, recording_id)
+
+
+@pytest.fixture
+def vehicle_id(operator: Client, ground: Ground) -> int:
+    return int(add_vehicle(operator, ground.recording_id)["id"])
+
+
+def judge(client: Client, measurement: dict[str, Any], verdict: str, **more: Any) -> Any:
+    body = {"revision": measurement["revision"], "verdict": verdict, **more}
+    return client.post(f"/measurements/{measurement['id']}/reviews", body)
+
+
+def test_nobody_reviews_their_own(reviewer: Client, admin: Client, ground: Ground, vehicle_id: int) -> None:
+    own = measure(reviewer, vehicle_id)
+    refused = judge(reviewer, own, "accepted")
+    assert refused.status_code == 403 and "own" in error_of(refused)
+    queue = reviewer.seen(f"/surveys/{ground.survey_id}/review-queue")
+    assert [item["mine"] for item in queue] == [True]
+    assert judge(admin, own, "accepted").json()["review"]["verdict"] == "accepted"
+    assert reviewer.seen(f"/surveys/{ground.survey_id}/review-queue") == []
+
+
+def test_points_stay_ones_own_when_somebody_else_withdraws_and_restores_them(
+    operator: Client, reviewer: Client, admin: Client, vehicle_id: int
+) -> None:
+    own = measure(reviewer, vehicle_id)
+    path = f"/measurements/{own['id']}"
+    assert operator.delete(f"{path}?revision=1").status_code == 200
+    back = operator.post(f"{path}/restore", {"revision": 2}).json()
+    assert back["created_by"]["name"] == "Operator"
+    assert judge(reviewer, back, "accepted").status_code == 403
+    assert judge(admin, back, "accepted").status_code == 201
+
+
+def test_what_was_withdrawn_or_deleted_is_restored_before_it_is_changed(
+    operator: Client, reviewer: Client, vehicle_id: int
+) -> None:
+    made = measure(operator, vehicle_id)
+    points = {name: value for name, value in clicks().items() if name != "target"}
+    assert operator.delete(f"/measurements/{made['id']}?revision=1").status_code == 200
+    changed = operator.put(f"/measurements/{made['id']}", {"revision": 2, **points})
+    assert changed.status_code == 409 and "withdrawn" in error_of(changed)
+    assert operator.post(f"/measurements/{made['id']}/restore", {"revision": 2}).status_code == 200
+    assert operator.delete(f"/vehicles/{vehicle_id}").status_code == 204
+    for answer in (
+        operator.put(f"/measurements/{made['id']}", {"revision": 3, **points}),
+        judge(reviewer, {**made, "revision": 3}, "accepted"),
+    ):
+        assert answer.status_code == 409 and "deleted vehicle" in error_of(answer)
+
+
+def test_a_fix_is_the_reviewers_revision_and_so_not_theirs_to_review(
+    operator: Client, reviewer: Client, ground: Ground, vehicle_id: int
+) -> None:
+    made = measure(operator, vehicle_id, inset_m=0.2, u_inset_m=0.1)
+    points = {"contact": pixel(0.2, 0.0, 0.0), "point": pixel(0.6, 0.2, 1.25)}
+    fixed = judge(reviewer, made, "fixed", **points).json()
+    assert (fixed["revision"], fixed["inset_m"]) == (2, 0.2)
+    assert fixed["height_m"] == pytest.approx(1.25, abs=1e-9)
+    assert fixed["review"]["verdict"] == "fixed" and fixed["created_by"]["name"] == "Reviewer"
+    assert judge(reviewer, fixed, "accepted").status_code == 403
+    assert judge(reviewer, made, "accepted").status_code == 409
+    assert judge(operator, fixed, "accepted").status_code == 403
+
+
+def test_rejected_work_goes_back_until_there_is_a_new_revision(
+    operator: Client, reviewer: Client, ground: Ground, vehicle_id: int
+) -> None:
+    made = measure(operator, vehicle_id)
+    silent = judge(reviewer, made, "rejected", reason="  ")
+    assert silent.status_code == 422 and "reason" in error_of(silent)
+    assert judge(reviewer, made, "rejected", reason="The contact is on the kerb.").status_code == 201
+    assert operator.seen(f"/vehicles/{vehicle_id}")["state"] == "rejected"
+    counts = operator.seen(f"/surveys/{ground.survey_id}")["counts"]
+    assert (counts["rejected"], counts["to_review"]) == (1, 0)
+    again = operator.put(f"/measurements/{made['id']}", {**clicks(1.25), "revision": 1}).json()
+    assert again["review"]["verdict"] == "to_review"
+    assert operator.seen(f"/vehicles/{vehicle_id}")["state"] == "partial"
+    counts = operator.seen(f"/surveys/{ground.survey_id}")["counts"]
+    assert (counts["rejected"], counts["to_review"]) == (0, 1)
+    history = operator.seen(f"/measurements/{made['id']}/history")
+    assert [(one["verdict"], one["revision"]) for one in history["reviews"]] == [("rejected", 1)]
+
+
+def test_reopened_waits_for_a_reviewer_again(
+    operator: Client, reviewer: Client, ground: Ground, vehicle_id: int
+) -> None:
+    made = measure(operator, vehicle_id)
+    assert judge(reviewer, made, "reopened").status_code == 409
+    assert judge(reviewer, made, "accepted").status_code == 201
+    assert judge(reviewer, made, "reopened", reason="Looked again.").status_code == 201
+    queue = reviewer.seen(f"/surveys/{ground.survey_id}/review-queue?state=to_review")
+    assert [item["measurement"]["id"] for item in queue] == [made["id"]]
+    assert "measurements" not in queue[0]["vehicle"]
+
+
+def test_a_fix_needs_points_and_only_a_fix_has_them(
+    operator: Client, reviewer: Client, ground: Ground, vehicle_id: int
+) -> None:
+    made = measure(operator, vehicle_id)
+    assert "points" in error_of(judge(reviewer, made, "fixed"))
+    with_points = judge(reviewer, made, "accepted", contact=[1.0, 2.0], point=[1.0, 2.0])
+    assert with_points.status_code == 422 and "fix" in error_of(with_points)
+    assert operator.seen(f"/measurements/{made['id']}")["revision"] == 1
+
+
+def test_three_targets_make_a_vehicle_measured_and_their_reviews_accept_it(
+    operator: Client, reviewer: Client, ground: Ground, vehicle_id: int
+) -> None:
+    states = []
+    made = []
+    for target in ("roof", "driver_eye", "taillight"):
+        made.append(measure(operator, vehicle_id, target=target))
+        states.append(operator.seen(f"/vehicles/{vehicle_id}")["state"])
+    assert states == ["partial", "partial", "measured"]
+    for one in made:
+        judge(reviewer, one, "accepted")
+    assert operator.seen(f"/vehicles/{vehicle_id}")["state"] == "accepted"
+    assert operator.seen(f"/surveys/{ground.survey_id}")["counts"]["vehicles_measured"] == 1
+
+
+def test_the_queue_comes_in_pages_in_the_order_of_the_vehicles(
+    operator: Client, reviewer: Client, ground: Ground, vehicle_id: int
+) -> None:
+    other = int(add_vehicle(operator, ground.recording_id)["id"])
+    made = [measure(operator, one) for one in (other, vehicle_id, other, vehicle_id)]
+    order = [made[1], made[3], made[0], made[2]]
+    path = f"/surveys/{ground.survey_id}/review-queue"
+
+    def ids(query: str) -> list[int]:
+        return [item["measurement"]["id"] for item in reviewer.seen(f"{path}?{query}")]
+
+    assert ids("limit=3") == [one["id"] for one in order[:3]]
+    assert ids(f"after={order[0]['id']}&limit=2") == [one["id"] for one in order[1:3]]
+    # What left the queue meanwhile still marks the place.
+    assert judge(reviewer, order[1], "accepted").status_code == 201
+    assert ids(f"after={order[1]['id']}") == [one["id"] for one in order[2:]]
+    assert ids(f"measurement={order[3]['id']}") == [order[3]["id"]]
+    assert ids(f"measurement={order[1]['id']}") == []
+    assert reviewer.get(f"{path}?after=99999").status_code == 404
+
+
+def test_points_are_mine_whoever_restored_them(
+    operator: Client, reviewer: Client, admin: Client, ground: Ground, vehicle_id: int
+) -> None:
+    own = measure(reviewer, vehicle_id)
+    assert operator.delete(f"/measurements/{own['id']}?revision=1").status_code == 200
+    assert operator.post(f"/measurements/{own['id']}/restore", {"revision": 2}).status_code == 200
+    path = f"/surveys/{ground.survey_id}/review-queue"
+    assert [item["mine"] for who in (reviewer, operator, admin) for item in who.seen(path)] == [
+        True,
+        True,
+        False,
+    ]
+    assert operator.put(f"/measurements/{own['id']}", {**clicks(1.25), "revision": 3}).status_code == 200
+    assert [item["mine"] for item in reviewer.seen(path)] == [False]

@@ -1,0 +1,102 @@
+"""Heights in a line scan through the API: the rod's calibration, two clicks, revisions, withdrawal."""
+
+from typing import Any
+
+import pytest
+
+from sightline.infra.services import Services
+from sightline.scans.records import ScanMeasurement
+from tests.support import samples, scans_samples
+from tests.support.app import Client, error_of
+
+FOCAL_PX, MIDDLE, CAMERA_M = 280.0, 120.0, 1.2
+STANDS = [(distance, height) for distance in (2.6, 4.5) for height in (0.0, 0.5, 1.0, 1.5)]
+
+
+def row_of(distance_m: float, height_m: float) -> float:
+    """By similar triangles: a level camera 1.2 m above the road."""
+    return MIDDLE - FOCAL_PX * (height_m - CAMERA_M) / distance_m
+
+
+def rod(revision: int = 0, **changed: Any) -> dict[str, Any]:
+    marks = [{"distance_m": d, "height_m": h, "row_px": row_of(d, h), "line": 300 * d} for d, h in STANDS]
+    return {"marks": marks, "sigma_px": 0.5, "u_distance_m": 0.005, "revision": revision, **changed}
+
+
+def clicks(distance_m: float = 3.0, height_m: float = 1.45, **changed: Any) -> dict[str, Any]:
+    """A roof 0.3 m behind its contact."""
+    contact = {"contact_line": 1400.0, "contact_row_px": row_of(distance_m, 0.0)}
+    point = {"target_line": 1600.0, "target_row_px": row_of(distance_m + 0.3, height_m)}
+    return {"target": "roof", **contact, **point, **changed}
+
+
+@pytest.fixture
+def vehicle(services: Services) -> ScanMeasurement:
+    """A measured vehicle of a line scan of 256 rows that was read."""
+    with services.writing() as session:
+        made: ScanMeasurement = scans_samples.measured(session, samples.sample(session))
+    return made
+
+
+def test_from_the_rod_to_a_height_and_back(
+    operator: Client, viewer: Client, vehicle: ScanMeasurement
+) -> None:
+    scan, heights = f"/scans/{vehicle.scan_id}", f"/scan-vehicles/{vehicle.vehicle_id}/heights"
+    refused = operator.post(heights, {**clicks(), "revision": 0})
+    assert refused.status_code == 422 and "Calibrate height" in error_of(refused)
+    assert viewer.seen(f"{scan}/line-pose") == {"current": None, "history": []}
+    given = rod()
+    seen = viewer.made(f"{scan}/line-pose/preview", {k: v for k, v in given.items() if k != "revision"})
+    assert seen["camera_height_m"] == pytest.approx(CAMERA_M, abs=1e-6) and len(seen["residuals_px"]) == 8
+    few = viewer.made(f"{scan}/line-pose/preview", {"marks": given["marks"][:3]})
+    assert few["status"] == "not_solvable" and "too few" in few["reason"]
+    stored = operator.put(f"{scan}/line-pose", given).json()
+    assert stored["revision"] == 1 and stored["solved"] == seen
+    again = operator.put(f"{scan}/line-pose", given)
+    assert again.status_code == 409 and "meanwhile" in error_of(again)
+
+    contact = {name: value for name, value in clicks().items() if not name.startswith("target_")}
+    alone = viewer.made(f"{scan}/line-height", contact)
+    assert alone["status"] == "contact" and alone["distance_m"] == pytest.approx(3.0, abs=1e-6)
+    assert alone["ladder"][1]["row_px"] == pytest.approx(row_of(3.3, 0.5), abs=1e-4)
+    live = viewer.made(f"{scan}/line-height", clicks())
+    made = operator.made(heights, {**clicks(), "revision": 0})
+    assert made["height_m"] == pytest.approx(1.45, abs=1e-6) and made["inset_m"] == 0.3
+    shared = ("height_m", "u_height_m", "U95_height_m", "distance_m", "U95_distance_m", "budget", "warnings")
+    assert {name: made[name] for name in shared} == {name: live[name] for name in shared}
+    assert sum(one["u_m"] ** 2 for one in made["budget"]) == pytest.approx(made["u_height_m"] ** 2)
+
+    # another rod: the height keeps the old one until it is stored again
+    operator.put(f"{scan}/line-pose", rod(1, u_distance_m=0.02))
+    assert viewer.seen(f"{scan}/heights")[0]["older"]
+    second = operator.made(heights, {**clicks(), "revision": 1})
+    assert not second["older"] and second["u_height_m"] > made["u_height_m"]
+    taken = operator.delete(heights, params={"target": "roof", "revision": 2}).json()
+    assert (taken["withdrawn"], taken["revision"], taken["height_m"]) == (True, 3, second["height_m"])
+    assert operator.delete(heights, params={"target": "roof", "revision": 3}).status_code == 409
+    assert [one["withdrawn"] for one in viewer.seen(heights)] == [False, False, True]
+    beside = operator.made(heights, {**clicks(contact_line=3000.0), "revision": 3})
+    assert "outside the vehicle" in beside["warnings"][0]
+    kept = operator.delete(scan)
+    assert kept.status_code == 409 and "worked on" in error_of(kept)
+
+
+def test_what_cannot_be_is_said_in_words(operator: Client, viewer: Client, vehicle: ScanMeasurement) -> None:
+    scan, heights = f"/scans/{vehicle.scan_id}", f"/scan-vehicles/{vehicle.vehicle_id}/heights"
+    one_stand = rod(marks=rod()["marks"][:4])
+    refused = operator.put(f"{scan}/line-pose", one_stand)
+    assert refused.status_code == 422 and "one distance" in error_of(refused)
+    outside = operator.put(f"{scan}/line-pose", rod(marks=[{**one, "row_px": 900} for one in rod()["marks"]]))
+    assert outside.status_code == 422 and "outside the strip" in error_of(outside)
+    operator.put(f"{scan}/line-pose", rod())
+    skyward = operator.made(heights, {**clicks(contact_row_px=row_of(3.0, 1.3)), "revision": 0})
+    assert skyward["status"] == "not_measurable" and "horizon" in skyward["reason"]
+    assert skyward["height_m"] is None and skyward["budget"] == []
+    stale = operator.post(heights, {**clicks(), "revision": 0})
+    assert stale.status_code == 409 and "meanwhile" in error_of(stale)
+    off = operator.post(heights, {**clicks(contact_row_px=5000.0), "revision": 1})
+    assert off.status_code == 422 and "outside the strip" in error_of(off)
+    crooked = viewer.made(
+        f"{scan}/line-pose/preview", {"marks": [{**rod()["marks"][0], "row_px": 300.0}, *rod()["marks"][1:]]}
+    )
+    assert "check the distances" in crooked["warnings"][0]

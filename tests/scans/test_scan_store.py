@@ -1,0 +1,125 @@
+"""Rules of scanned vehicles: append-only, somebody else reviews, a scan on which people worked stays."""
+
+from dataclasses import replace
+
+import pytest
+from sqlalchemy.orm import Session
+
+from sightline.errors import BadInput, Conflict, NotAllowed, NotFound
+from sightline.infra.audit import trail
+from sightline.infra.audit.verification import verify_records
+from sightline.scans.store import get_scan, remove_scan, update_scan
+from sightline.scans.vehicles.measurement_store import (
+    append_scan_measurement,
+    append_scan_measurements,
+    get_scan_measurement,
+    scan_measurement_history,
+)
+from sightline.scans.vehicles.review_store import add_scan_review, scan_reviews_of_vehicle
+from sightline.scans.vehicles.store import (
+    change_scan_vehicle,
+    create_scan_vehicle,
+    create_scan_vehicles,
+    get_scan_vehicle,
+    list_scan_vehicles,
+    list_survey_scan_vehicles,
+)
+from tests.support import samples, scans_samples
+from tests.support.scans_samples import values
+
+pytestmark = pytest.mark.dialect
+
+
+def test_a_measurement_comes_back_to_the_bit(session: Session) -> None:
+    one = samples.sample(session)
+    made = scans_samples.measured(session, one)
+    assert made.values == values()
+    vehicle = get_scan_vehicle(session, made.vehicle_id)
+    assert vehicle.measurement == made and vehicle.state == "to_review"
+    listed = list_scan_vehicles(session, made.scan_id)[0].measurement
+    assert listed is not None and listed.values == replace(values(), profile=None)
+
+
+def test_a_revision_stands_beside_the_one_before_and_waits_for_a_review(session: Session) -> None:
+    one = samples.sample(session)
+    first = scans_samples.measured(session, one)
+    add_scan_review(session, first.id, verdict="accepted", actor=one.rene.id)
+    assert get_scan_vehicle(session, first.vehicle_id).state == "accepted"
+    moved = values(cause="boundaries", placed_by=one.olga.id, front_line_1=1001.0)
+    again = append_scan_measurement(session, first.vehicle_id, moved, version=2, actor=one.olga.id)
+    assert [m.revision for m in scan_measurement_history(session, first.vehicle_id)] == [1, 2]
+    vehicle = get_scan_vehicle(session, first.vehicle_id)
+    assert (vehicle.state, vehicle.version, vehicle.measurement) == ("to_review", 3, again)
+    with pytest.raises(Conflict, match="measured again meanwhile"):
+        add_scan_review(session, first.id, verdict="rejected", reason="Shadow.", actor=one.rene.id)
+    with pytest.raises(Conflict, match="Olga changed vehicle 1"):
+        append_scan_measurement(session, first.vehicle_id, moved, version=2, actor=one.rene.id)
+
+
+def test_nobody_reviews_boundaries_of_their_own(session: Session) -> None:
+    one = samples.sample(session)
+    made = scans_samples.measured(session, one, cause="boundaries", placed_by=one.olga.id)
+    with pytest.raises(NotAllowed, match="placed themselves"):
+        add_scan_review(session, made.id, verdict="accepted", actor=one.olga.id)
+    with pytest.raises(BadInput, match="needs a reason"):
+        add_scan_review(session, made.id, verdict="rejected", reason=" ", actor=one.rene.id)
+    judged = add_scan_review(session, made.id, verdict="rejected", reason="A shadow.", actor=one.rene.id)
+    assert (judged.review.verdict, judged.review.reason) == ("rejected", "A shadow.")
+    add_scan_review(session, made.id, verdict="reopened", actor=one.rene.id)
+    assert get_scan_vehicle(session, made.vehicle_id).state == "to_review"
+    told = scan_reviews_of_vehicle(session, made.vehicle_id)
+    assert [review.verdict for review in told] == ["rejected", "reopened"]
+
+
+def test_other_values_of_the_rig_leave_results_and_mark_them(session: Session) -> None:
+    one = samples.sample(session)
+    made = scans_samples.measured(session, one)
+    assert get_scan(session, made.scan_id).counts.older == 0
+    changed = update_scan(session, made.scan_id, {"baseline_m": 0.594}, version=1, actor=one.olga.id)
+    assert (changed.counts.older, changed.counts.vehicles, changed.version) == (1, 1, 2)
+    assert get_scan_measurement(session, made.id).values.rig["baseline_m"] == 0.593
+    with pytest.raises(Conflict, match="Olga changed Gate"):
+        update_scan(session, made.scan_id, {"name": "Door"}, version=1, actor=one.rene.id)
+    with pytest.raises(BadInput, match="baseline of 0 m"):
+        update_scan(session, made.scan_id, {"baseline_m": 0.0}, version=2, actor=one.rene.id)
+
+
+def test_a_scan_stays_once_people_worked_on_it(session: Session) -> None:
+    one = samples.sample(session)
+    made = scans_samples.measured(session, one)
+    change_scan_vehicle(session, made.vehicle_id, {"make": "Fiat"}, version=2, actor=one.olga.id)
+    with pytest.raises(Conflict, match="so it stays"):
+        remove_scan(session, made.scan_id, actor=one.olga.id)
+    untouched = scans_samples.measured(session, one)
+    remove_scan(session, untouched.scan_id, actor=one.olga.id)
+    with pytest.raises(NotFound):
+        get_scan_vehicle(session, untouched.vehicle_id)
+    with pytest.raises(NotFound):
+        append_scan_measurement(session, untouched.vehicle_id, values(), actor=one.olga.id)
+    assert {v.scan_id for v in list_survey_scan_vehicles(session, one.survey.id)} == {made.scan_id}
+
+
+def test_many_at_once_are_the_same_as_one_by_one(session: Session) -> None:
+    one = samples.sample(session)
+    known = scans_samples.measured(session, one)
+    scan_id, actor = known.scan_id, one.olga.id
+    head = trail.head(session).count
+    made = create_scan_vehicles(session, scan_id, 600, origin="found", actor=actor)
+    fronts = [1000.0 + number for number in range(len(made))]
+    found = [(vehicle_id, values(front_line_1=front)) for vehicle_id, front in zip(made, fronts, strict=True)]
+    again = (known.vehicle_id, values(cause="again", speed_mps=20.0))
+    append_scan_measurements(session, scan_id, [again, *found], actor=actor)
+    vehicles = {vehicle.id: vehicle for vehicle in list_scan_vehicles(session, scan_id)}
+    assert [vehicles[vehicle_id].number for vehicle_id in made] == list(range(2, 602))
+    first_lines = [one.measurement.values.front_line_1 for one in map(vehicles.get, made) if one.measurement]
+    assert first_lines == fronts and {vehicles[one].version for one in made} == {2}
+    revised = vehicles[known.vehicle_id]
+    assert (revised.version, revised.measurement.revision) == (3, 2)
+    alone = create_scan_vehicle(session, scan_id, origin="found", actor=actor)
+    append_scan_measurement(session, alone.id, values(), actor=actor)
+    events = trail.for_export(session)[head:][::-1]
+    assert len(events) == 2 * 600 + 1 + 2 and verify_records(session).ok
+    of_last, of_many = [e for e in events if e.entity == "scan_measurement" and e.action == "create"][:2]
+    assert of_last.after.keys() == of_many.after.keys()
+    told = next(e for e in events if e.action == "revise")
+    assert (told.before["speed_mps"], told.after["speed_mps"]) == (19.31415, 20.0)

@@ -1,0 +1,191 @@
+"""Line-scan recordings through the API: two strips come in, vehicles with their motion come out."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import cv2
+import numpy as np
+import pytest
+
+from sightline.infra.jobs.records import Job
+from sightline.infra.services import Services
+from tests.support.app import Client, error_of
+from tests.support.scanning_ground import RIG, pictures, uploads
+
+pytestmark = pytest.mark.dialect
+
+Work = Callable[[], list[Job]]
+
+
+@pytest.fixture
+def scan(operator: Client, survey_id: int, tmp_path: Path, work: Work) -> dict[str, Any]:
+    """A scan that was read, its vehicles found."""
+    body = {**RIG, **uploads(operator, survey_id, tmp_path), "name": "Gate"}
+    made = operator.made(f"/surveys/{survey_id}/scans", body)
+    assert (made["state"], made["job"]["kind"], made["lines"]) == ("reading", "scan_read", None)
+    for _ in range(2):
+        assert {job.state for job in work()} == {"done"}
+    read: dict[str, Any] = operator.seen(f"/scans/{made['id']}")
+    return read
+
+
+def test_two_strips_become_measured_vehicles(
+    operator: Client, viewer: Client, reviewer: Client, scan: dict[str, Any], services: Services, work: Work
+) -> None:
+    first, _, truth = pictures()
+    assert (scan["state"], scan["lines"], scan["rows_px"], scan["bits"]) == ("ready", *first.shape, 8)
+    assert scan["job"]["kind"] == "scan_find" and scan["counts"]["to_review"] == len(truth)
+    found = viewer.seen(f"/scans/{scan['id']}/vehicles")
+    assert len(found) == len(truth)
+    for one, true in zip(found, truth, strict=True):
+        motion = one["measurement"]
+        assert motion["status"] == "ok", motion["reason"]
+        assert abs(motion["speed_mps"] / true.vehicle.speed_mps - 1) < 0.003
+        assert abs(motion["length_m"] - true.vehicle.length_m) < 0.05
+        assert motion["U95_speed_mps"] == pytest.approx(1.96 * motion["u_speed_mps"])
+    assert found[0]["gap"] is None
+    assert found[1]["gap"]["time_gap_s"] == pytest.approx(truth[1].time_gap_s, abs=0.003)
+    tile_of_strip_and_cache(viewer, scan, first)
+    sources_are_gone(services, scan)
+    marked_by_hand(operator, scan, truth[0])
+    everything_of_one(operator, viewer, reviewer, found[1], truth[1])
+    found_again(operator, scan, work)
+
+
+@pytest.mark.once
+def test_strips_given_the_wrong_way_round_are_told_and_swapped(
+    operator: Client, survey_id: int, tmp_path: Path, work: Work
+) -> None:
+    given = uploads(operator, survey_id, tmp_path)
+    turned = {"first_upload": given["second_upload"], "second_upload": given["first_upload"]}
+    made = operator.made(f"/surveys/{survey_id}/scans", {**RIG, **turned, "name": "Turned"})
+    for _ in range(2):
+        work()
+    address = f"/scans/{made['id']}"
+    wrong = operator.seen(address)
+    assert wrong["counts"]["not_measurable"] == wrong["counts"]["vehicles"] > 0
+    assert "the strips are swapped" in operator.seen(f"{address}/rig-of-traffic")["order"]
+    swapped = operator.post(f"{address}/swap", {"version": wrong["version"]})
+    assert swapped.status_code == 202 and swapped.json()["first_name"] == wrong["second_name"]
+    assert {job.state for job in work()} == {"done"}
+    right = operator.seen(address)
+    _, _, truth = pictures()
+    assert right["counts"]["to_review"] == right["counts"]["vehicles"] == len(truth)
+    assert operator.seen(f"{address}/rig-of-traffic")["order"] is None
+    for one, true in zip(operator.seen(f"{address}/vehicles"), truth, strict=True):
+        assert abs(one["measurement"]["speed_mps"] / true.vehicle.speed_mps - 1) < 0.003
+
+
+def tile_of_strip_and_cache(viewer: Client, scan: dict[str, Any], first: np.ndarray[Any, Any]) -> None:
+    answer = viewer.get(f"/scans/{scan['id']}/tiles/1/0/1")
+    assert answer.status_code == 200 and "immutable" in answer.headers["Cache-Control"]
+    picture = cv2.imdecode(np.frombuffer(answer.content, np.uint8), cv2.IMREAD_GRAYSCALE)
+    assert picture is not None and picture.shape == (64, 1024)
+    assert np.abs(picture.astype(int) - first[1024:2048].T).mean() < 3
+    known = {"If-None-Match": answer.headers["ETag"]}
+    assert viewer.get(f"/scans/{scan['id']}/tiles/1/0/1", headers=known).status_code == 304
+    assert "no tile 9999" in error_of(viewer.get(f"/scans/{scan['id']}/tiles/2/0/9999"))
+    assert scan["levels"][0]["tiles"] == -(-len(first) // 1024) and scan["levels"][-1]["tiles"] == 1
+
+
+def sources_are_gone(services: Services, scan: dict[str, Any]) -> None:
+    """The stored form holds every pixel: the uploads are not kept beside it."""
+    held = [path for path in (services.settings.data_dir / "media").rglob("*") if path.is_file()]
+    assert len(held) == 2 and all(path.name.endswith(".strip.tif") for path in held)
+
+
+def marked_by_hand(operator: Client, scan: dict[str, Any], truth: Any) -> None:
+    """A vehicle told by its span in strip 1 alone is found in strip 2 and measured; taken out again."""
+    span = {"front_line_1": round(truth.front_line_1, 1), "rear_line_1": round(truth.rear_line_1, 1)}
+    made = operator.made(f"/scans/{scan['id']}/vehicles", span)
+    motion = made["measurement"]
+    assert (made["origin"], motion["cause"], motion["status"]) == ("person", "added", "ok"), motion["reason"]
+    assert abs(motion["speed_mps"] / truth.vehicle.speed_mps - 1) < 0.003
+    assert abs(motion["front_line_2"] - truth.front_line_2) < 6
+    assert operator.delete(f"/scan-vehicles/{made['id']}").status_code == 204
+    empty = {"front_line_1": 10.0, "rear_line_1": 200.0}
+    nothing = operator.post(f"/scans/{scan['id']}/vehicles", empty)
+    assert nothing.status_code == 422 and "place its front and rear there by hand" in error_of(nothing)
+    outside = {"front_line_1": 10.0, "rear_line_1": 1e9}
+    assert "outside the strip" in error_of(operator.post(f"/scans/{scan['id']}/vehicles", outside))
+
+
+def everything_of_one(
+    operator: Client, viewer: Client, reviewer: Client, vehicle: dict[str, Any], truth: Any
+) -> None:
+    address = f"/scan-vehicles/{vehicle['id']}"
+    detail = viewer.seen(address)
+    assert len(detail["profile"]["line_1"]) > 3 and detail["budget"]
+    total = sum(entry["u_speed_mps"] ** 2 for entry in detail["budget"]) ** 0.5
+    assert total == pytest.approx(vehicle["measurement"]["u_speed_mps"], rel=1e-6)
+    for word in ("first", "second", "difference"):
+        answer = viewer.get(detail["match"][f"{word}_url"].removeprefix("/api"))
+        assert answer.status_code == 200 and answer.headers["Content-Type"] == "image/jpeg"
+    difference = cv2.imdecode(np.frombuffer(answer.content, np.uint8), cv2.IMREAD_GRAYSCALE)
+    assert difference is not None and np.median(np.abs(difference.astype(int) - 128)) < 12
+
+    wheels = dict(zip(("front_wheel_line", "rear_wheel_line"), truth.wheel_lines_1, strict=True))
+    with_wheels = operator.put(f"{address}/wheels", {**wheels, "version": vehicle["version"]}).json()
+    motion = with_wheels["measurement"]
+    assert abs(motion["wheelbase_m"] - truth.vehicle.wheelbase_m) < 0.02
+    facts = {"make": "Fiat", "true_length_m": truth.vehicle.length_m, "version": with_wheels["version"]}
+    told = operator.put(f"{address}/facts", facts).json()
+    assert told["length_error_m"] == pytest.approx(motion["length_m"] - truth.vehicle.length_m)
+
+    lines = {name: motion[name] for name in motion if name.endswith(("line_1", "line_2"))}
+    lines = {name: lines[name] for name in ("front_line_1", "rear_line_1", "front_line_2", "rear_line_2")}
+    moved = {**lines, "rear_line_1": lines["rear_line_1"] + 5, "version": told["version"]}
+    placed = operator.put(f"{address}/boundaries", moved).json()
+    assert placed["measurement"]["rear_line_1"] == moved["rear_line_1"]
+    assert (placed["measurement"]["cause"], placed["measurement"]["mine"]) == ("boundaries", True)
+    assert placed["measurement"]["wheelbase_m"] == pytest.approx(motion["wheelbase_m"], abs=0.03)
+    stale = operator.put(f"{address}/boundaries", moved)
+    assert stale.status_code == 409 and "changed vehicle" in error_of(stale)
+    upside_down = {**moved, "rear_line_1": 0.0, "version": placed["version"]}
+    assert "must come before the rear" in error_of(operator.put(f"{address}/boundaries", upside_down))
+    measured = placed["measurement"]["id"]
+    bare = reviewer.post(f"/scan-measurements/{measured}/review", {"verdict": "rejected"})
+    assert "needs a reason" in error_of(bare)
+    judged = reviewer.made(f"/scan-measurements/{measured}/review", {"verdict": "accepted"})
+    assert judged["state"] == "accepted"
+    detail = viewer.seen(address)
+    assert [one["cause"] for one in detail["history"]] == ["found", "wheels", "boundaries"]
+    assert [one["verdict"] for one in detail["reviews"]] == ["accepted"]
+
+
+def found_again(operator: Client, scan: dict[str, Any], work: Work) -> None:
+    """What people took out stays out, what they placed stays, an unchanged result gets no revision."""
+    before = operator.seen(f"/scans/{scan['id']}/vehicles")
+    assert operator.delete(f"/scan-vehicles/{before[2]['id']}").status_code == 204
+    operator.made(f"/scans/{scan['id']}/find", {"method": "direct"})
+    busy = operator.post(f"/scans/{scan['id']}/find", {})
+    assert busy.status_code == 409 and "already" in error_of(busy)
+    (job,) = work()
+    assert job.state == "done" and job.result is not None, job.error
+    assert {name: job.result[name] for name in ("added", "discarded", "measured_again")} == {
+        "added": 0,
+        "discarded": 1,
+        "measured_again": 0,
+    }
+    after = operator.seen(f"/scans/{scan['id']}/vehicles")
+    assert [one["measurement"]["id"] for one in after] == [one["measurement"]["id"] for one in before[:2]]
+    operator.made(f"/scan-vehicles/{before[2]['id']}/restore")
+    another_baseline(operator, scan, work)
+
+
+def another_baseline(operator: Client, scan: dict[str, Any], work: Work) -> None:
+    """Results stay with the rig that they were made with, marked, until they are measured again."""
+    change = {"baseline_m": RIG["baseline_m"] * 1.01, "version": scan["version"]}
+    answer = operator.http.patch(f"/api/scans/{scan['id']}", json=change)
+    assert answer.status_code == 200 and answer.json()["counts"]["older"] == 3
+    before = operator.seen(f"/scans/{scan['id']}/vehicles")
+    assert all(one["measurement"]["older"] for one in before)
+    operator.made(f"/scans/{scan['id']}/find", {"method": "direct", "search": False})
+    assert [job.state for job in work()] == ["done"]
+    after = operator.seen(f"/scans/{scan['id']}/vehicles")
+    for one, other in zip(before, after, strict=True):
+        ratio = other["measurement"]["speed_mps"] / one["measurement"]["speed_mps"]
+        assert ratio == pytest.approx(1.01, abs=0.002) and not other["measurement"]["older"]
+    refused = operator.delete(f"/scans/{scan['id']}")
+    assert refused.status_code == 409 and "so it stays" in error_of(refused)

@@ -1,0 +1,215 @@
+"""Ground of the API's tests: the app, people of every role signed in, a tiny recording."""
+
+import base64
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import httpx2
+import numpy as np
+import pytest
+from fastapi import FastAPI
+from fastapi.testclient import TestClient
+from pydantic import SecretStr
+
+from sightline.app import create_app
+from sightline.enums import Role
+from sightline.infra.jobs.records import Job
+from sightline.infra.services import Services, open_services
+from sightline.media.video.writer import write_mp4
+from sightline.people.store import create_person, create_sign_in_link
+from sightline.settings import Settings
+from tests.media.clips import painted
+from tests.support.boards import board_clip
+from tests.support.working import run_jobs
+
+ROLES: tuple[Role, ...] = ("viewer", "operator", "reviewer", "admin")
+FRAMES, FRAME_WIDTH, FRAME_HEIGHT = 12, 320, 240
+TUS = {"Tus-Resumable": "1.0.0"}
+
+
+@pytest.fixture
+def settings(tmp_path: Path, database_url: str) -> Settings:
+    """Settings of a data folder and a database of this test alone."""
+    data_dir = tmp_path / "data"
+    data_dir.mkdir()
+    return Settings(
+        data_dir=data_dir,
+        database_url=database_url,
+        media_url=str(data_dir / "media"),
+        frontend_dir=tmp_path / "pages",
+        secret=SecretStr("a secret for tests only"),
+        find_passes=False,
+    )
+
+
+@pytest.fixture
+def services(settings: Settings, monkeypatch: pytest.MonkeyPatch) -> Iterator[Services]:
+    """The services, stills decoded here: a child each test would cost more than the tests do."""
+    monkeypatch.setattr("sightline.infra.services.DecodeHost", lambda _limit_bytes: None)
+    opened = open_services(settings)
+    yield opened
+    opened.close()
+
+
+@pytest.fixture
+def app(services: Services) -> FastAPI:
+    return create_app(services=services)
+
+
+@dataclass
+class Client:
+    """One person's browser: speaks to /api, with the header that changes need."""
+
+    http: TestClient
+
+    def get(self, path: str, **options: Any) -> httpx2.Response:
+        return self.http.get(f"/api{path}", **options)
+
+    def post(self, path: str, json: Any = None, **options: Any) -> httpx2.Response:
+        return self.http.post(f"/api{path}", json=json, **options)
+
+    def put(self, path: str, json: Any = None, **options: Any) -> httpx2.Response:
+        return self.http.put(f"/api{path}", json=json, **options)
+
+    def delete(self, path: str, **options: Any) -> httpx2.Response:
+        return self.http.delete(f"/api{path}", **options)
+
+    def made(self, path: str, json: Any = None) -> Any:
+        """The answer of a POST that must succeed."""
+        answer = self.post(path, json)
+        assert answer.status_code in (200, 201, 202), answer.text
+        return answer.json()
+
+    def seen(self, path: str) -> Any:
+        """The answer of a GET that must succeed."""
+        answer = self.get(path)
+        assert answer.status_code == 200, answer.text
+        return answer.json()
+
+
+def error_of(answer: httpx2.Response) -> str:
+    """The sentence of an error; fails if the answer is not in the one shape of errors."""
+    body = answer.json()
+    assert set(body["error"]) == {"code", "message"}, body
+    sentence: str = body["error"]["message"]
+    assert sentence[:1].strip() and sentence.endswith("."), sentence
+    assert "Traceback" not in sentence
+    return sentence
+
+
+@pytest.fixture
+def nobody(app: FastAPI) -> Client:
+    """A browser in which nobody is signed in."""
+    return Client(TestClient(app, headers={"X-Sightline": "1"}, raise_server_exceptions=False))
+
+
+class SignedIn(dict[str, Client]):
+    """A browser for each role, signed in when a test first takes it."""
+
+    def __init__(self, app: FastAPI, tokens: dict[str, str]) -> None:
+        self._app, self._tokens = app, tokens
+
+    def __missing__(self, role: str) -> Client:
+        http = TestClient(self._app, headers={"X-Sightline": "1"}, raise_server_exceptions=False)
+        client = self[role] = Client(http)
+        client.made("/session/link", {"token": self._tokens[role]})
+        return client
+
+
+@pytest.fixture
+def clients(app: FastAPI, services: Services) -> dict[str, Client]:
+    """A signed-in browser for each role."""
+    tokens: dict[str, str] = {}
+    with services.writing() as session:
+        for role in ROLES:
+            person = create_person(
+                session, name=role.title(), email=f"{role}@example.org", role=role, actor=None
+            )
+            tokens[role] = create_sign_in_link(session, person.id, actor=None)
+    return SignedIn(app, tokens)
+
+
+@pytest.fixture
+def viewer(clients: dict[str, Client]) -> Client:
+    return clients["viewer"]
+
+
+@pytest.fixture
+def operator(clients: dict[str, Client]) -> Client:
+    return clients["operator"]
+
+
+@pytest.fixture
+def reviewer(clients: dict[str, Client]) -> Client:
+    return clients["reviewer"]
+
+
+@pytest.fixture
+def admin(clients: dict[str, Client]) -> Client:
+    return clients["admin"]
+
+
+@pytest.fixture
+def work(services: Services) -> Callable[[], list[Job]]:
+    """Do all queued jobs, here and now; they are given back as they ended."""
+    return lambda: run_jobs(services)
+
+
+@pytest.fixture
+def survey_id(operator: Client) -> int:
+    return int(operator.made("/surveys", {"name": "Test road"})["id"])
+
+
+def announce(client: Client, survey_id: int, name: str, size: int) -> httpx2.Response:
+    """Begin a tus upload."""
+    metadata = "filename " + base64.b64encode(name.encode()).decode()
+    headers = {**TUS, "Upload-Length": str(size), "Upload-Metadata": metadata}
+    return client.http.post(f"/api/surveys/{survey_id}/uploads", headers=headers)
+
+
+def send(client: Client, location: str, offset: int, content: bytes) -> httpx2.Response:
+    """Continue a tus upload."""
+    headers = {**TUS, "Upload-Offset": str(offset), "Content-Type": "application/offset+octet-stream"}
+    return client.http.patch(location, content=content, headers=headers)
+
+
+def upload(client: Client, survey_id: int, path: Path, name: str | None = None) -> int:
+    """Upload a file whole; the id of its recording."""
+    content = path.read_bytes()
+    location = announce(client, survey_id, name or path.name, len(content)).headers["Location"]
+    answer = send(client, location, 0, content)
+    assert answer.status_code == 204, answer.text
+    return int(answer.headers["Sightline-Recording"])
+
+
+@pytest.fixture(scope="session")
+def clip(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Twelve small frames that carry their number."""
+    path = tmp_path_factory.mktemp("clip") / "road.mp4"
+    write_mp4(path, (painted(n, FRAME_WIDTH, FRAME_HEIGHT) for n in range(FRAMES)), 25, crf=14, gop=6)
+    return path
+
+
+@pytest.fixture(scope="session")
+def boards(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Twenty frames of a checkerboard in ten poses."""
+    return board_clip(tmp_path_factory.mktemp("boards") / "boards.mp4")
+
+
+@pytest.fixture
+def recording_id(operator: Client, survey_id: int, clip: Path, work: Callable[[], list[Job]]) -> int:
+    """A small recording, ingested."""
+    made = upload(operator, survey_id, clip)
+    assert [job.state for job in work()] == ["done"]
+    return made
+
+
+def number_of(content: bytes) -> int:
+    """The number painted into an encoded frame."""
+    import cv2
+
+    from tests.media.clips import read_number
+
+    return read_number(np.asarray(cv2.imdecode(np.frombuffer(content, np.uint8), cv2.IMREAD_COLOR), np.uint8))

@@ -1,0 +1,354 @@
+"""Ways to forge a package, each by somebody who makes all sums fit: each answers what gives it away."""
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+from sightline.export.verify.heights import _clicks
+from sightline.geometry.documents import pose_from_dict
+from sightline.measurements.height_of_clicks import answer
+from tests.support.packages import drop, edit, rederive, rehash, reseal, rewrite, rows
+
+Row = dict[str, str]
+
+
+def roof(row: Row) -> bool:
+    return row["target"] == "roof" and row["height_m"] == "1.310000"
+
+
+def newest(row: Row) -> bool:
+    return roof(row) or row.get("id") == "m1"
+
+
+def a_height(place: Path) -> str:
+    for name in ("measurements.csv", "revisions.csv"):
+        edit(place, name, roof, height_m="1.210000")
+    rederive(place)
+    return "says height 1.210000, its clicks give 1.310000 m"
+
+
+def a_height_in_one_table(place: Path) -> str:
+    edit(place, "measurements.csv", roof, height_m="1.210000")
+    rederive(place)
+    return "another height_m than its last revision"
+
+
+def a_click_and_its_height(place: Path) -> str:
+    """The click moves everywhere, and the height with it: rows agree, the audit event does not."""
+    (row,) = (row for row in rows(place, "measurements.csv") if roof(row))
+    moved = repr(float(row["target_y_px"]) + 5.0)
+    path = f"poses/pose-{row['pose_id']}.json"
+    pose = pose_from_dict(json.loads((place / path).read_text()), path)
+    found = answer(pose, _clicks({**row, "target_y_px": moved}))
+    heights = {name: f"{getattr(found, name):.6f}" for name in ("height_m", "uncorrected_height_m")}
+    u = {name: f"{getattr(found, name):.6f}" for name in ("u_height_m", "U95_height_m")}
+    cells = {"target_y_px": moved, **heights, **u}
+    for name in ("measurements.csv", "revisions.csv"):
+        edit(place, name, roof, **cells)
+    for name in ("clicks.csv", f"clicks/pose-{row['pose_id']}.csv"):
+        edit(place, name, lambda one: one["id"] == f"m{row['id']}", target_y_px=moved)
+    budget = [one for one in rows(place, "budget.csv") if one["measurement_id"] != row["id"]]
+    told = {"measurement_id": row["id"]}
+    budget += [{**told, "source": one["source"], "u_m": f"{one['u_m']:.6f}"} for one in found.budget]
+    rewrite(place, "budget.csv", sorted(budget, key=lambda one: int(one["measurement_id"])))
+    rederive(place)
+    return "differs from its audit event"
+
+
+def a_click_in_one_table(place: Path) -> str:
+    edit(place, "clicks.csv", lambda row: row["target"] == "roof", contact_x_px="141.5")
+    rederive(place)
+    return "another contact_x_px than measurements.csv"
+
+
+def a_pose(place: Path) -> str:
+    path = next(place.glob("poses/*.json"))
+    path.write_text(path.read_text().replace('"rms_px": 0.1', '"rms_px": 0.2'))
+    rederive(place)
+    return f"poses/{path.name} is not the one that the audit chain vouches for"
+
+
+def a_pose_with_its_record(place: Path) -> str:
+    for path in (next(place.glob("poses/*.json")), next(place.glob("records/pose-*.json"))):
+        path.write_text(path.read_text().replace('"rms_px": 0.1', '"rms_px": 0.2'))
+    reseal(place)
+    return "is not what its audit event says"
+
+
+def a_camera(place: Path) -> str:
+    path = next(place.glob("calibrations/*.json"))
+    path.write_text(path.read_text().replace('"fx_px": 150.0', '"fx_px": 151.0'))
+    rederive(place)
+    return f"calibrations/{path.name} is not the one that the audit chain vouches for"
+
+
+def a_row_taken_out(place: Path) -> str:
+    """The rejected taillight, from every table that names it."""
+    (row,) = (row for row in rows(place, "measurements.csv") if row["verdict"] == "rejected")
+    for name, key in (("measurements.csv", "id"), ("clicks.csv", "id"), ("clicks/pose-1.csv", "id")):
+        drop(place, name, lambda one, key=key: one[key].removeprefix("m") == row["id"])  # type: ignore[misc]
+    for name in ("revisions.csv", "budget.csv", "reviews.csv", "crops.csv"):
+        drop(place, name, lambda one: one["measurement_id"] == row["id"])
+    for path in place.glob(f"crops/m{row['id']}-*"):
+        path.unlink()
+    rederive(place)
+    return "is missing, though its audit event is there"
+
+
+def a_row_put_in(place: Path) -> str:
+    """A second roof like the first, under a number of its own."""
+    new = "99"
+    for name in ("measurements.csv", "revisions.csv", "budget.csv", "clicks.csv", "clicks/pose-1.csv"):
+        found = rows(place, name)
+        key = "id" if "id" in found[0] else "measurement_id"
+        mine = [row for row in found if row[key].removeprefix("m") == "1"]
+        same = mine if name == "budget.csv" else mine[-1:]
+        prefix = "m" if mine[0][key].startswith("m") else ""
+        rewrite(place, name, [*found, *({**row, key: f"{prefix}{new}"} for row in same)])
+    rederive(place)
+    return "measurement 99 has no audit event"
+
+
+def a_makers_height(place: Path, drawings: bool = False) -> str:
+    edit(
+        place,
+        "vehicles.csv",
+        lambda row: row["manufacturer_height_m"] != "",
+        manufacturer_height_m="1.310000",
+    )
+    edit(place, "clicks.csv", lambda row: row["target"] == "roof", reference_height_m="1.310000")
+    rederive(place, drawings)
+    return "vehicles.csv: 1 is not what its audit events say"
+
+
+def an_operator(place: Path) -> str:
+    for name in ("measurements.csv", "revisions.csv"):
+        edit(place, name, roof, created_by_id="3")
+    rederive(place)
+    return "differs from its audit event"
+
+
+def an_uncertainty(place: Path) -> str:
+    """The u of the roof halved with its whole budget; the U95 stands in the audit chain."""
+    (row,) = (one for one in rows(place, "measurements.csv") if roof(one))
+    for name in ("measurements.csv", "revisions.csv"):
+        edit(place, name, roof, u_height_m=f"{float(row['u_height_m']) / 2:.6f}")
+    budget = rows(place, "budget.csv")
+    for one in budget:
+        if one["measurement_id"] == row["id"]:
+            one["u_m"] = f"{float(one['u_m']) / 2:.6f}"
+    rewrite(place, "budget.csv", budget)
+    rederive(place)
+    return "has a U95 that is not 1.96 u"
+
+
+def a_verdict(place: Path) -> str:
+    for name in ("measurements.csv", "reviews.csv"):
+        edit(place, name, lambda row: row["verdict"] == "rejected", verdict="accepted")
+    rederive(place)
+    return "is not what its audit event says"
+
+
+def an_event(place: Path) -> str:
+    edit(place, "audit.csv", lambda row: row["action"] == "revise", action="create")
+    rederive(place)
+    return "is not the one that was hashed"
+
+
+def an_event_and_its_hash(place: Path) -> str:
+    """The event and the link of the withheld one after it: that one's hash no longer holds."""
+    events = rows(place, "audit.csv")
+    held = [event["withheld"] for event in events]
+    at = next(n for n in range(len(held) - 2) if held[n : n + 2] == ["false", "true"])
+    events[at]["actor_id"] = str(int(events[at]["actor_id"]) + 1)
+    only = rehash([dict(one) for one in events], at)
+    rewrite(place, "audit.csv", [*only[: at + 1], *events[at + 1 :]])
+    rederive(place)
+    return "does not follow from the one before"
+
+
+def an_event_withheld(place: Path) -> str:
+    """Else a forged row would be vouched for by an event whose content nobody checks."""
+    edit(place, "audit.csv", lambda row: row["action"] == "revise", withheld="true")
+    rederive(place)
+    return "is not the one that was hashed"
+
+
+def a_statistic(place: Path) -> str:
+    def one(row: Row) -> bool:
+        return (row["heights"], row["group"], row["figure"]) == ("inset", "daytime", "bias_m")
+
+    edit(place, "statistics/error_table.csv", one, value="0.001")
+    reseal(place)
+    return "statistics/error_table.csv, line"
+
+
+def an_exclusion(place: Path) -> str:
+    drop(place, "exclusions.csv", lambda row: row["state"] == "rejected")
+    reseal(place)
+    return "exclusions.csv"
+
+
+def crops_exchanged(place: Path) -> str:
+    first, second = sorted(place.glob("crops/*.jpg"))[:2]
+    content = first.read_bytes()
+    first.write_bytes(second.read_bytes())
+    second.write_bytes(content)
+    reseal(place)
+    return "is not the one whose hash crops.csv holds"
+
+
+def a_foreign_key(place: Path) -> str:
+    drop(place, "people.csv", lambda row: row["name"] == "Reviewer")
+    rederive(place)
+    return "is not in people.csv"
+
+
+def a_frame(place: Path) -> str:
+    edit(place, "frames.csv", lambda row: row["frame"] == "2", crc32="1")
+    rederive(place)
+    return "was clicked on another frame than frames.csv tells"
+
+
+def an_inset(place: Path) -> str:
+    edit(place, "insets.csv", lambda row: row["target"] == "driver_eye", inset_m="0.100000")
+    rederive(place)
+    return "insets.csv is not what the survey's audit events say"
+
+
+def a_standard(place: Path) -> str:
+    edit(place, "standards.csv", lambda row: row["name"] == "France", height_m="0.900000")
+    rederive(place)
+    return "standards.csv is not what the survey's audit events say"
+
+
+def the_report(place: Path) -> str:
+    path = place / "report.pdf"
+    path.write_bytes(path.read_bytes().replace(b"Sightline", b"Sightlike", 1) + b"%")
+    reseal(place)
+    return "report.pdf is not the one that these rows and statistics give"
+
+
+def another_time(place: Path) -> str:
+    for name in ("measurements.csv", "revisions.csv"):
+        edit(place, name, roof, created_at="2020-01-01T00:00:00.000000Z")
+    rederive(place)
+    return "differs from its audit event"
+
+
+def another_version(place: Path) -> str:
+    for name in ("measurements.csv", "revisions.csv"):
+        edit(place, name, roof, code_version="9.9.9")
+    rederive(place)
+    return "differs from its audit event"
+
+
+def a_repeat_s_time(place: Path) -> str:
+    edit(place, "repeats.csv", lambda row: True, created_at="2020-01-01T00:00:00.000000Z")
+    rederive(place)
+    return "repeats.csv: "
+
+
+def a_review_s_time(place: Path) -> str:
+    early = "2020-01-01T00:00:00.000000Z"
+    edit(place, "reviews.csv", lambda row: row["verdict"] == "accepted", at=early)
+    edit(place, "measurements.csv", lambda row: row["verdict"] == "accepted", reviewed_at=early)
+    rederive(place)
+    return "is not what its audit event says"
+
+
+def a_pose_s_maker(place: Path) -> str:
+    edit(place, "poses.csv", lambda row: True, created_at="2020-01-01T00:00:00.000000Z")
+    rederive(place)
+    return "was made by others or at another time"
+
+
+def tyres_at_another_time(place: Path) -> str:
+    edit(place, "wheel_pairs.csv", lambda row: True, created_at="2020-01-01T00:00:00.000000Z")
+    rederive(place)
+    return "wheel_pairs.csv: 1 is not what its audit event says"
+
+
+def a_camera_that_stood_still(place: Path) -> str:
+    edit(place, "recordings.csv", lambda row: True, drift_state="still", drift_moved_px="")
+    rederive(place)
+    return "recordings.csv: 1 is not what its audit events say"
+
+
+def a_smaller_motion(place: Path) -> str:
+    edit(place, "recordings.csv", lambda row: True, drift_height_m="0.001000")
+    rederive(place)
+    return "recordings.csv: 1 is not what its audit events say"
+
+
+def a_decision(place: Path) -> str:
+    edit(place, "recordings.csv", lambda row: True, drift_decision="Nobody was there.")
+    rederive(place)
+    return "recordings.csv: 1 is not what its audit events say"
+
+
+def a_figure(place: Path) -> str:
+    path = next(place.glob("figures/*.svg"))
+    path.write_text(path.read_text().replace("</svg>", "<!-- --></svg>"))
+    reseal(place)
+    return f"figures/{path.name} is not the one"
+
+
+def the_description(place: Path) -> str:
+    path = place / "datapackage.json"
+    path.write_text(
+        path.read_text().replace("standard uncertainty of height_m (k = 1)", "half of U95_height_m")
+    )
+    reseal(place)
+    return "datapackage.json describes measurements.csv otherwise"
+
+
+def a_file_put_in(place: Path) -> str:
+    (place / "notes.txt").write_text("Trust me.")
+    return "notes.txt does not belong to the export"
+
+
+def bytes_alone(place: Path) -> str:
+    edit(place, "insets.csv", lambda row: row["target"] == "roof", note="none")
+    return "insets.csv was changed after the export"
+
+
+WAYS: tuple[Callable[[Path], str], ...] = (
+    a_height,
+    a_height_in_one_table,
+    a_click_and_its_height,
+    a_click_in_one_table,
+    a_pose,
+    a_pose_with_its_record,
+    a_camera,
+    a_row_taken_out,
+    a_row_put_in,
+    a_makers_height,
+    an_operator,
+    an_uncertainty,
+    a_verdict,
+    an_event,
+    an_event_and_its_hash,
+    an_event_withheld,
+    a_statistic,
+    an_exclusion,
+    crops_exchanged,
+    a_foreign_key,
+    a_frame,
+    an_inset,
+    a_standard,
+    another_time,
+    another_version,
+    a_repeat_s_time,
+    a_review_s_time,
+    a_pose_s_maker,
+    tyres_at_another_time,
+    a_camera_that_stood_still,
+    a_smaller_motion,
+    a_decision,
+    the_report,
+    a_figure,
+    the_description,
+    a_file_put_in,
+    bytes_alone,
+)

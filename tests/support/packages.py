@@ -1,0 +1,177 @@
+"""A survey with every kind of work, its package, built once for all tests that read it; tools of forgers."""
+
+from __future__ import annotations
+
+import csv
+import json
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from sightline.export.build import build
+from sightline.export.derived import derive_tables, drawn
+from sightline.export.verify.chain import hashed
+from sightline.infra.audit.hashing import event_hash, link_hash
+from sightline.infra.csv_package.files import FolderFiles, Staging, fresh_folder, sum_of
+from sightline.infra.csv_package.schema import CHECKSUMS, DESCRIPTION, Written, json_bytes
+from sightline.infra.services import Services
+from sightline.media.images import jpeg
+from sightline.recordings.store import get_recording, store_drift
+from tests.support.app import Client
+from tests.support.ground import Ground, add_vehicle, clicks, lay_ground, measure, pixel
+
+FORMULA = '=HYPERLINK("http://example.org","x")'
+_BUILT: dict[str, Path] = {}
+Rows = list[dict[str, str]]
+
+
+@pytest.fixture
+def ground(services: Services, survey_id: int, recording_id: int) -> Ground:
+    return lay_ground(services, survey_id, recording_id)
+
+
+@pytest.fixture
+def worked(operator: Client, reviewer: Client, ground: Ground, services: Services) -> Ground:
+    """A survey with every kind of work: measured, revised, fixed, rejected, withdrawn, not measurable.
+
+    An event of another survey, withheld, stands between two of this one.
+    """
+    for n, caption in enumerate(("The rig", "The road"), start=1):
+        picture = jpeg(np.full((60, 80, 3), 80 * n, np.uint8))
+        photograph(operator, ground.survey_id, picture, f"{n}.jpg", caption)
+    known = {"lighting": "daytime", "manufacturer_height_m": 1.3}
+    first = add_vehicle(operator, ground.recording_id, make=FORMULA, model="-1+1", **known)["id"]
+    second = add_vehicle(operator, ground.recording_id, notes="line one\nline two, with comma")["id"]
+    tyres = {"frame": 2, "first": pixel(-1.0, 0.0, 0.0), "second": pixel(1.0, 0.0, 0.0)}
+    operator.made(f"/vehicles/{first}/wheel-pair", tyres)
+    roof = measure(operator, first, inset_m=0.1234567, u_inset_m=0.1)
+    eye = measure(operator, first, target="driver_eye", contact=[140.123456789, 185.987654321])
+    rejected = measure(operator, first, target="taillight")
+    measure(reviewer, first, frame=4, repeat_of=roof["id"], inset_m=None, u_inset_m=None)
+    operator.made("/surveys", {"name": "Other"})
+    gone = measure(operator, second)
+    measure(operator, second, target="other", contact=[160.0, 3.0])
+    operator.put(f"/measurements/{roof['id']}", {**clicks(1.31), "revision": 1})
+    points = {"contact": eye["contact"], "point": eye["point"]}
+    fixed = {"revision": 1, "verdict": "fixed", **points, "reason": "@home"}
+    reviewer.made(f"/measurements/{eye['id']}/reviews", fixed)
+    reviewer.made(f"/measurements/{roof['id']}/reviews", {"revision": 2, "verdict": "accepted"})
+    kerb = {"revision": 1, "verdict": "rejected", "reason": "Kerb."}
+    reviewer.made(f"/measurements/{rejected['id']}/reviews", kerb)
+    operator.delete(f"/measurements/{gone['id']}?revision=1")
+    _moved(services, ground)
+    operator.put(f"/recordings/{ground.recording_id}/drift/decision", {"reason": "A bird sat on it."})
+    return ground
+
+
+def _moved(services: Services, ground: Ground) -> None:
+    """The camera is found to have moved, on frames that nobody clicked on."""
+    span = {"first_frame": 9, "last_frame": 11, "moved": True, "moved_px": 2.5, "change_m": -0.0125}
+    check = {"state": "moved", "words": "Moved.", "bumps": [9], "spans": [span]}
+    stamped = {"floor_px": 0.25, "checked_at": "2026-05-01T12:00:00+00:00"}
+    with services.writing() as session:
+        pose_id = get_recording(session, ground.recording_id).pose_id
+        assert pose_id is not None
+        store_drift(session, ground.recording_id, pose_id, {**check, **stamped}, actor=None)
+
+
+def photograph(client: Client, survey_id: int, content: bytes, name: str, caption: str = "") -> Any:
+    """A photograph of the set-up, added."""
+    path = f"/surveys/{survey_id}/photographs"
+    answer = client.post(path, files={"file": (name, content)}, data={"caption": caption})
+    assert answer.status_code == 201, answer.text
+    return answer.json()
+
+
+def written(services: Services, survey_id: int, place: Path) -> Path:
+    """The package of a survey as a folder."""
+    with services.reading() as session, fresh_folder(place) as folder:
+        build(Staging(folder), session, survey_id, services)
+    return place
+
+
+@pytest.fixture
+def package(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory, tmp_path: Path) -> Path:
+    """A copy of that survey's package; it is built by the first test that asks."""
+    if "place" not in _BUILT:
+        ground: Ground = request.getfixturevalue("worked")
+        services: Services = request.getfixturevalue("services")
+        place = tmp_path_factory.mktemp("package") / "export"
+        _BUILT["place"] = written(services, ground.survey_id, place)
+    return shutil.copytree(_BUILT["place"], tmp_path / "export")
+
+
+def rows(place: Path, name: str) -> Rows:
+    with (place / name).open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def rewrite(place: Path, name: str, changed: Rows) -> None:
+    """Write a table anew."""
+    with (place / name).open("w", encoding="utf-8", newline="") as file:
+        writer = csv.DictWriter(file, list(changed[0]), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(changed)
+
+
+def edit(place: Path, name: str, where: Callable[[dict[str, str]], bool], **cells: str) -> None:
+    """Change cells of some rows of a table."""
+    found = rows(place, name)
+    chosen = [row for row in found if where(row)]
+    assert chosen, f"no such row in {name}"
+    for row in chosen:
+        row.update(cells)
+    rewrite(place, name, found)
+
+
+def drop(place: Path, name: str, where: Callable[[dict[str, str]], bool]) -> None:
+    """Take rows out of a table."""
+    found = rows(place, name)
+    kept = [row for row in found if not where(row)]
+    assert kept and len(kept) < len(found)
+    rewrite(place, name, kept)
+
+
+def reseal(place: Path) -> None:
+    """Make all sums fit, in the description and in the list, as a forger would."""
+    described = json.loads((place / DESCRIPTION).read_text())
+    files = FolderFiles(place)
+    for resource in described["resources"]:
+        found = sum_of(files, resource["path"])
+        resource["bytes"], resource["hash"] = found.size, f"sha256:{found.sha256}"
+    (place / DESCRIPTION).write_bytes(json_bytes(described))
+    staging = Staging(place)
+    staging.written = _sums(place)
+    staging.seal()
+
+
+def rederive(place: Path, drawings: bool = False) -> None:
+    """Compute statistics (and draw figures and report) anew from forged rows, with the program itself; then
+    reseal. A forgery that is found before drawings are looked at need not draw them.
+    """
+    staging = Staging(place)
+    staging.written = _sums(place)
+    found = derive_tables(staging)
+    if drawings:
+        for path, content in drawn(staging.files(), found, staging.written):
+            staging.add(path, content)
+    reseal(place)
+
+
+def _sums(place: Path) -> dict[str, Written]:
+    files = FolderFiles(place)
+    return {path: sum_of(files, path) for path in files.paths - {CHECKSUMS}}
+
+
+def rehash(events: Rows, first: int) -> Rows:
+    """The chain written anew from an event on, withheld ones by the hash of their content."""
+    for before, event in zip(events[first - 1 :], events[first:], strict=False):
+        event["previous_hash"] = before["hash"]
+        if event["withheld"] != "true":
+            event["content_sha256"] = event_hash(hashed(event))
+        event["hash"] = link_hash(event["previous_hash"], event["content_sha256"])
+    return events

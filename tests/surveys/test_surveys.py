@@ -1,0 +1,104 @@
+"""Surveys, the audit trail of what was done, and the list of jobs."""
+
+from collections.abc import Callable
+
+from sqlalchemy import text
+
+from sightline.infra.jobs.records import Job
+from sightline.infra.services import Services
+from tests.support.app import Client, error_of
+
+
+def test_a_survey_tells_what_comes_next(operator: Client, survey_id: int) -> None:
+    survey = operator.seen(f"/surveys/{survey_id}")
+    assert [step["key"] for step in survey["steps"]] == [
+        "camera",
+        "recordings",
+        "pose",
+        "vehicles",
+        "review",
+        "results",
+    ]
+    assert survey["steps"][0]["state"] == "next"
+    assert set(survey["insets"]) == {"roof", "driver_eye", "taillight", "headlight", "other"}
+    assert set(survey["counts"].values()) == {0}
+
+
+def test_two_people_change_one_survey(operator: Client, reviewer: Client, survey_id: int) -> None:
+    path = f"/surveys/{survey_id}"
+    first = operator.put(path, {"name": "Rouen", "site": "Lane 1", "version": 1})
+    assert first.json()["version"] == 2
+    second = reviewer.put(path, {"name": "Paris", "version": 1})
+    assert second.status_code == 409
+    assert "Operator" in error_of(second)
+    assert operator.seen(path)["name"] == "Rouen"
+
+
+def test_text_with_nul_is_refused_on_every_database(operator: Client, viewer: Client) -> None:
+    refused = operator.post("/surveys", {"name": "a\x00b", "site": "", "description": ""})
+    assert refused.status_code == 422
+    assert "NUL" in error_of(refused)
+    # In an address SQLite looks for it and PostgreSQL refuses it; neither breaks.
+    assert viewer.get("/catalogue?q=%00").status_code in (200, 422)
+
+
+def test_insets_left_out_stay(operator: Client, survey_id: int) -> None:
+    path = f"/surveys/{survey_id}"
+    before = operator.seen(path)["insets"]
+    body = {
+        "name": "Rouen",
+        "version": 1,
+        "insets": {"roof": {"inset_m": 0.2, "u_inset_m": 0.05, "note": "tape"}},
+    }
+    after = operator.put(path, body).json()["insets"]
+    assert after["roof"] == {"inset_m": 0.2, "u_inset_m": 0.05, "note": "tape"}
+    assert {k: v for k, v in after.items() if k != "roof"} == {k: v for k, v in before.items() if k != "roof"}
+    for bad in ({"bonnet": {"inset_m": 0, "u_inset_m": 0}}, {"roof": {"inset_m": 0.1, "u_inset_m": -0.1}}):
+        assert operator.put(path, {"name": "Rouen", "version": 2, "insets": bad}).status_code == 422
+
+
+def test_the_audit_trail(operator: Client, viewer: Client, survey_id: int) -> None:
+    operator.put(f"/surveys/{survey_id}", {"name": "Rouen", "version": 1})
+    events = viewer.seen(f"/audit?survey_id={survey_id}")
+    assert [one["action"] for one in events] == ["update", "create"]
+    assert events[0]["before"]["name"] == "Test road" and events[0]["after"]["name"] == "Rouen"
+    assert events[0]["actor"]["name"] == "Operator"
+    assert events[0]["previous_hash"] == viewer.seen(f"/audit?before_id={events[0]['id']}&limit=1")[0]["hash"]
+    assert viewer.seen(f"/audit?before_id={events[0]['id']}&survey_id={survey_id}") == events[1:]
+    assert {one["entity"] for one in viewer.seen("/audit?entity=person")} == {"person"}
+    assert viewer.get("/audit?limit=0").status_code == 422
+
+
+def test_a_tampered_row_is_found(viewer: Client, survey_id: int, services: Services) -> None:
+    good = viewer.made("/audit/verify")
+    assert good["ok"] is True and good["checked"] > 0 and good["problem"] is None
+    with services.engine.begin() as connection:
+        if connection.dialect.name == "sqlite":
+            connection.exec_driver_sql("DROP TRIGGER IF EXISTS audit_events_refuse_update")
+            names = connection.exec_driver_sql(
+                "SELECT name FROM sqlite_master WHERE type = 'trigger' AND tbl_name = 'audit_events'"
+            )
+            for (name,) in names.fetchall():
+                connection.exec_driver_sql(f'DROP TRIGGER "{name}"')
+        else:
+            connection.execute(text("SET LOCAL session_replication_role = replica"))
+        connection.execute(text("UPDATE audit_events SET action = 'nothing' WHERE id = 2"))
+    bad = viewer.made("/audit/verify")
+    assert bad["ok"] is False and bad["problem"]
+
+
+def test_jobs(
+    operator: Client, viewer: Client, survey_id: int, recording_id: int, work: Callable[[], list[Job]]
+) -> None:
+    (job,) = viewer.seen(f"/jobs?survey_id={survey_id}")
+    assert job["kind"] == "ingest" and job["state"] == "done" and job["progress"] == 1.0
+    assert viewer.seen(f"/jobs/{job['id']}") == job
+    assert viewer.seen("/jobs?state=queued") == []
+    assert viewer.seen("/jobs?survey_id=999") == []
+    assert viewer.get("/jobs?state=odd").status_code == 422
+    mine = viewer.made(f"/surveys/{survey_id}/exports")
+    assert viewer.made(f"/jobs/{mine['id']}/cancel")["state"] == "cancelled"
+    theirs = operator.made(f"/recordings/{recording_id}/ingest")
+    refused = viewer.post(f"/jobs/{theirs['id']}/cancel")
+    assert refused.status_code == 403
+    error_of(refused)
