@@ -1,4 +1,4 @@
-import { dismiss, toasts } from "../state/toasts";
+import { dismiss, toasts } from "../core/toasts";
 import { Button } from "./Button";
 
 export function Toasts() {

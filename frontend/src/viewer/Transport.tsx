@@ -1,8 +1,8 @@
 /** Step buttons, play, the frame box, the time. */
 import { useLayoutEffect, useRef } from "preact/hooks";
 import { Button } from "../components";
-import { type ActionId, hint, type KeyHandlers } from "../keys";
-import { formatFrameTime } from "../times";
+import { type ActionId, hint, type KeyHandlers } from "../core/commands";
+import { formatFrameTime } from "../core/times";
 import { toggleBright } from "./display";
 import type { Player } from "./player";
 import type { Stage } from "./stage";

@@ -84,7 +84,7 @@ export class Stage {
  * Read-only helper for browser tests: `imageToScreen(x, y)` answers the client coordinates `{x, y}`
  * at which to click to hit an image pixel; null while no frame view is shown.
  */
-export interface SightlineHelper {
+interface SightlineHelper {
   imageToScreen(x: number, y: number): { x: number; y: number } | null;
 }
 

@@ -1,4 +1,4 @@
-import { markerPath } from "../../boards/markers";
+import { markerPath } from "../../parts/boards/markers";
 
 interface Props {
   columns: number;

@@ -1,8 +1,8 @@
-import { KindField, MarkerFields } from "../../boards/MarkerFields";
-import { PLAIN } from "../../boards/markers";
 import { TextField } from "../../components";
-import type { CameraDetail } from "../../types";
-import { parseNumber } from "../../units";
+import type { CameraDetail } from "../../core/types";
+import { parseNumber } from "../../core/units";
+import { KindField, MarkerFields } from "../../parts/boards/MarkerFields";
+import { PLAIN } from "../../parts/boards/markers";
 import { BoardDrawing } from "./BoardDrawing";
 import { problemsOf, type TypedBoard } from "./board";
 

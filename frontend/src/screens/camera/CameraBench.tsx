@@ -1,9 +1,9 @@
 import { useState } from "preact/hooks";
 import { Button, DropFiles, Icon, JobProgress, Notice, Problem, Segments } from "../../components";
-import { cancelJob } from "../../state/jobs";
-import { may } from "../../state/session";
-import type { CalibrationImage, CameraDetail } from "../../types";
-import { plural } from "../../units";
+import { cancelJob } from "../../core/jobs";
+import { may } from "../../core/session";
+import type { CalibrationImage, CameraDetail } from "../../core/types";
+import { plural } from "../../core/units";
 import { BoardFields, firstBoard } from "./BoardFields";
 import { type Board, readBoard } from "./board";
 import { CalibrateForm, type Source } from "./CalibrateForm";

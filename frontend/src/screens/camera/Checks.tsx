@@ -1,4 +1,4 @@
-import type { Calibration } from "../../types";
+import type { Calibration } from "../../core/types";
 import { apart, boardInWords, halvesInWords, heldOutInWords } from "./checks";
 
 /** What speaks for or against a calibration: two halves calibrated apart, and how flat the board was. */

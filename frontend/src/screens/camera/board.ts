@@ -1,6 +1,7 @@
 /** The checkerboard as a person types it, and what is wrong with it in words. */
-import { type BoardKind, markerProblem, markersTold } from "../../boards/markers";
-import { parseNumber } from "../../units";
+
+import { parseNumber } from "../../core/units";
+import { type BoardKind, markerProblem, markersTold } from "../../parts/boards/markers";
 
 export interface TypedBoard {
   columns: string;

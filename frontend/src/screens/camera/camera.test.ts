@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { PLAIN } from "../../boards/markers";
-import type { CameraDocument, CameraView } from "../../types";
+import type { CameraDocument, CameraView } from "../../core/types";
+import { PLAIN } from "../../parts/boards/markers";
 import { problemsOf, readBoard } from "./board";
 import { readSpan } from "./CalibrateForm";
 import { boardInWords, type Halves, halvesInWords, heldOutInWords } from "./checks";

@@ -1,9 +1,9 @@
 import { useState } from "preact/hooks";
-import { api, explain } from "../../api";
-import { useJob } from "../../state/jobs";
-import { refreshSurvey } from "../../state/survey";
-import { toast } from "../../state/toasts";
-import type { Calibration, CalibrationImage, CameraDetail, Job } from "../../types";
+import { api, explain } from "../../core/api";
+import { useJob } from "../../core/jobs";
+import { refreshSurvey } from "../../core/survey";
+import { toast } from "../../core/toasts";
+import type { Calibration, CalibrationImage, CameraDetail, Job } from "../../core/types";
 import type { Board } from "./board";
 import type { Recipe } from "./CalibrateForm";
 

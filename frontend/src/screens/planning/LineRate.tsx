@@ -1,13 +1,12 @@
 /** Equation (2) of the line-scan paper, as printed and corrected, with what both say of a rig. */
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef } from "preact/hooks";
-import { api } from "../../api";
 import { Loading, Problem, TableScroll } from "../../components";
-import { current, query, setQuery } from "../../router";
-import { formatSpeed } from "../../scan/words";
-import { useResource } from "../../state/resource";
-import type { Scan } from "../../types";
-import { fixed, formatCount, formatSmall, lengthUnit } from "../../units";
+import { current, query, setQuery } from "../../core/address";
+import { api } from "../../core/api";
+import { useResource } from "../../core/resource";
+import type { Scan } from "../../core/types";
+import { fixed, formatCount, formatSmall, formatSpeed, lengthUnit } from "../../core/units";
 import { Advice } from "./Advice";
 import type { LinePlan } from "./model";
 import { Value } from "./PlanForm";
@@ -21,7 +20,7 @@ export function LineRate({ surveyId }: { surveyId: number }) {
   const values = scans.data && completedLines(valuesOf(query.value, LINE_NAMES), scans.data);
   const address = JSON.stringify(values);
   useEffect(() => {
-    if (values && current.value?.route.name === "planning") setQuery({ ...values });
+    if (values && current.value?.place.name === "planning") setQuery({ ...values });
   }, [address]);
   if (!values)
     return scans.error ? (

@@ -1,9 +1,10 @@
 import { useEffect, useRef } from "preact/hooks";
-import { api } from "../../api";
 import { Loading, Notice, Problem, Segments } from "../../components";
-import { current, query, type ScreenProps, setQuery } from "../../router";
-import { useResource } from "../../state/resource";
-import type { Camera } from "../../types";
+import { current, query, setQuery } from "../../core/address";
+import { api } from "../../core/api";
+import type { ScreenProps } from "../../core/places";
+import { useResource } from "../../core/resource";
+import type { Camera } from "../../core/types";
 import { Advice } from "./Advice";
 import { BiasFigure, DistanceFigure } from "./Figures";
 import { LineRate } from "./LineRate";
@@ -56,7 +57,7 @@ function Heights({ surveyId }: { surveyId: number }) {
   const address = JSON.stringify(values);
   useEffect(() => {
     // a link copied from the address bar holds every value
-    if (values && current.value?.route.name === "planning") setQuery({ ...values });
+    if (values && current.value?.place.name === "planning") setQuery({ ...values });
   }, [address]);
   return (
     <>

@@ -1,10 +1,10 @@
 /** What is planned with, as the address of the page holds it: the same names and units as the server's, so that a link tells all. */
-import type { Camera, Scan } from "../../types";
-import { type LengthUnit, lengthUnit, METRES_PER_FOOT, parseNumber } from "../../units";
+import type { Camera, Scan } from "../../core/types";
+import { type LengthUnit, lengthUnit, METRES_PER_FOOT, parseNumber } from "../../core/units";
 
 const SITE_LENGTHS = ["camera_height_m", "distance_m", "board_distance_m", "travel_m"] as const;
 const LENGTHS: readonly string[] = [...SITE_LENGTHS, "baseline_m", "u_baseline_m"];
-export const NAMES = [
+const NAMES = [
   "calibration_id",
   "width_px",
   "height_px",

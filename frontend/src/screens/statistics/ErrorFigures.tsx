@@ -7,10 +7,11 @@ import {
   ecdfRows,
   ecdfWord,
   endOf,
-} from "./curves";
-import { type Density, type Ecdf, type Errors, GROUP_WORDS, isThere, type Reason } from "./model";
-import { fixedRange, smallUnit } from "./numbers";
-import { type LegendEntry, PlotFigure } from "./PlotFigure";
+} from "../../parts/figures/curves";
+import { fixedRange, smallUnit } from "../../parts/figures/numbers";
+import { type LegendEntry, PlotFigure } from "../../parts/figures/PlotFigure";
+import type { Density, Ecdf } from "../../parts/figures/types";
+import { type Errors, GROUP_WORDS, isThere, type Reason } from "./model";
 import { TrendFigure } from "./TrendFigure";
 
 const CURVES: Record<string, Curve> = {

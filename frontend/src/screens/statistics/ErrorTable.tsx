@@ -1,8 +1,8 @@
 import { Button } from "../../components";
-import { formatCount, formatSmall } from "../../units";
-import { csvOf, download } from "./csv";
+import { formatCount, formatSmall } from "../../core/units";
+import { csvOf, download } from "../../parts/figures/csv";
+import { NONE, range, scaled, smallUnit, squareUnit } from "../../parts/figures/numbers";
 import { type ErrorGroup, type Errors, GROUP_WORDS, isThere } from "./model";
-import { NONE, range, scaled, smallUnit, squareUnit } from "./numbers";
 
 interface Column {
   key: string;

@@ -1,10 +1,10 @@
 import { useState } from "preact/hooks";
 import { Button, Field, SelectField, TextField } from "../../components";
-import { query } from "../../router";
-import { parseNumber, plural } from "../../units";
+import { query } from "../../core/address";
+import { parseNumber, plural } from "../../core/units";
+import { fixedRange } from "../../parts/figures/numbers";
 import { CORRECTIONS, type Correction, narrowed, type SingleName, setFilter, WIDE } from "./filters";
 import { CATEGORY_WORDS, LIGHTING_WORDS, type Statistics, TARGET_TITLES } from "./model";
-import { fixedRange } from "./numbers";
 
 const CORRECTION_WORDS: Record<Correction, string> = {
   inset: "inset of each (default)",

@@ -1,10 +1,11 @@
 import { useState } from "preact/hooks";
 import { Segments } from "../../components";
-import { formatCount } from "../../units";
-import { type Curve, ECDF_COLUMNS, ecdfMarks, ecdfRows, ecdfWord } from "./curves";
-import { type Ecdf, groupWord, isThere, type OfTarget, TARGET_TITLES } from "./model";
-import { heightUnit, NONE, scaled } from "./numbers";
-import { PlotFigure } from "./PlotFigure";
+import { formatCount } from "../../core/units";
+import { type Curve, ECDF_COLUMNS, ecdfMarks, ecdfRows, ecdfWord } from "../../parts/figures/curves";
+import { heightUnit, NONE, scaled } from "../../parts/figures/numbers";
+import { PlotFigure } from "../../parts/figures/PlotFigure";
+import type { Ecdf } from "../../parts/figures/types";
+import { groupWord, isThere, type OfTarget, TARGET_TITLES } from "./model";
 
 const DASHES = [undefined, "8 4", "2 3", "9 3 2 3", "4 4", "12 3 2 3 2 3"];
 const MOST_DRAWN = DASHES.length;

@@ -1,7 +1,7 @@
 import { useEffect, useState } from "preact/hooks";
-import { api } from "../../api";
 import { Problem, TextField } from "../../components";
-import { lengthUnit, METRES_PER_FOOT, parseLength, parseNumber } from "../../units";
+import { api } from "../../core/api";
+import { lengthUnit, METRES_PER_FOOT, parseLength, parseNumber } from "../../core/units";
 import type { SampleSize } from "./model";
 
 const PAUSE_MS = 300;

@@ -1,6 +1,6 @@
 import { Button, Notice } from "../../components";
-import { formatCount, formatLength, plural } from "../../units";
-import { csvOf, download } from "./csv";
+import { formatCount, formatLength, plural } from "../../core/units";
+import { csvOf, download } from "../../parts/figures/csv";
 import {
   type Curve,
   densityMarks,
@@ -12,18 +12,11 @@ import {
   nearby,
   standardMarks,
   valueAt,
-} from "./curves";
-import {
-  type Density,
-  type Ecdf,
-  isThere,
-  type OfTarget,
-  type Percentile,
-  type Standard,
-  TARGET_TITLES,
-} from "./model";
-import { heightUnit, NONE, percent, scaled } from "./numbers";
-import { type Plot, PlotFigure } from "./PlotFigure";
+} from "../../parts/figures/curves";
+import { heightUnit, NONE, percent, scaled } from "../../parts/figures/numbers";
+import { type Plot, PlotFigure } from "../../parts/figures/PlotFigure";
+import type { Density, Ecdf, Standard } from "../../parts/figures/types";
+import { isThere, type OfTarget, type Percentile, TARGET_TITLES } from "./model";
 
 const RAW: Curve = { word: "as the paper measures", dash: "6 4", faint: true, band: true };
 const CORRECTED: Curve = { word: "corrected", band: true };

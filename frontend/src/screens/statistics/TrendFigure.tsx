@@ -1,6 +1,6 @@
+import { heightUnit, range, scaled, smallUnit } from "../../parts/figures/numbers";
+import { type LegendEntry, PlotFigure } from "../../parts/figures/PlotFigure";
 import { type Errors, GROUP_WORDS, isThere, type Trend } from "./model";
-import { heightUnit, range, scaled, smallUnit } from "./numbers";
-import { type LegendEntry, PlotFigure } from "./PlotFigure";
 
 const SYMBOLS = { daytime: "circle", low_light: "triangle", unknown: "square" } as const;
 

@@ -1,9 +1,9 @@
 import { useState } from "preact/hooks";
-import { api } from "../../api";
 import { FormDialog, TextField } from "../../components";
-import { refreshSurvey } from "../../state/survey";
-import type { Inset, Survey, Target } from "../../types";
-import { parseNumber } from "../../units";
+import { api } from "../../core/api";
+import { refreshSurvey } from "../../core/survey";
+import type { Inset, Survey, Target } from "../../core/types";
+import { parseNumber } from "../../core/units";
 
 const TARGETS: { key: Target; label: string }[] = [
   { key: "roof", label: "Roof" },

@@ -1,10 +1,10 @@
 import { useEffect, useState } from "preact/hooks";
-import { api, explain } from "../../api";
 import { Button, DropFiles, Icon, Problem } from "../../components";
-import { useResource } from "../../state/resource";
-import { may } from "../../state/session";
-import { toast, toastProblem } from "../../state/toasts";
-import type { Photograph } from "../../types";
+import { api, explain } from "../../core/api";
+import { useResource } from "../../core/resource";
+import { may } from "../../core/session";
+import { toast, toastProblem } from "../../core/toasts";
+import type { Photograph } from "../../core/types";
 import "./photographs.css";
 
 /** Pictures of the set-up: added, captioned, put in order; the report shows them in this order. */
