@@ -31,7 +31,7 @@ export function BoardDrawing({ columns, rows, square, markers, share }: Props) {
   const label = { "font-size": 11, fill: "var(--ink)", "text-anchor": "middle" } as const;
   return (
     <svg
-      class="board-drawing"
+      class="board__drawing"
       width={x0 + width + 40}
       height={y0 + height + 24}
       role="img"

@@ -44,7 +44,7 @@ export function CameraBench({ camera, surveyId, reload, set }: Props) {
             <h2>{camera.calibrations.length > 0 ? "Calibrate again" : "Calibrate"}</h2>
             <ImportButton take={(file) => void work.importFile(file)} />
           </header>
-          <div class="panel__body stack">
+          <div class="panel__body stack camera-panel">
             <BoardFields board={typed} change={setTyped} />
             <Segments<Source>
               label="Where the boards are"
