@@ -207,3 +207,19 @@ describe("an address that leads nowhere", () => {
     await shown("There is nothing at this address");
   });
 });
+
+describe("going to another page", () => {
+  it("announces its title and puts the focus on its heading, but not when the app is loaded", async () => {
+    answers = { "/session": person("operator"), "/surveys": [], "/jobs": [] };
+    show("/");
+    await shown("No surveys yet");
+    const announced = () => document.querySelector("[data-testid=arrival]")?.textContent;
+    expect(document.activeElement?.tagName).toBe("BODY");
+    expect(announced()).toBe("");
+    navigate("/account");
+    await shown("Account");
+    await vi.waitFor(() => expect(document.activeElement?.tagName).toBe("H1"));
+    expect(document.activeElement?.textContent).toBe("Account");
+    expect(announced()).toBe("Account");
+  });
+});

@@ -6,6 +6,7 @@ import { current, navigate } from "../core/address";
 import { useKeys } from "../core/commands";
 import { loadSession, me, sessionProblem } from "../core/session";
 import { loadSurvey, survey, surveyProblem } from "../core/survey";
+import { Arrival } from "./arrival";
 import { keysShown } from "./KeysDialog.state";
 import { Offline } from "./Offline";
 import { Rail } from "./Rail";
@@ -24,6 +25,7 @@ export function App() {
   return (
     <>
       <Body />
+      <Arrival />
       <AskDialog />
       {keysShown.value && <Keys />}
       <Toasts />

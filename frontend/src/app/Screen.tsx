@@ -1,5 +1,6 @@
-import { useEffect, useState } from "preact/hooks";
-import { Empty, Loading, Notice } from "../components";
+import type { ComponentChildren } from "preact";
+import { useEffect, useErrorBoundary, useState } from "preact/hooks";
+import { Empty, Loading, Notice, Problem } from "../components";
 import type { Match } from "../core/places";
 import { loadedScreen, loadScreen } from "./screens";
 
@@ -24,7 +25,13 @@ export function Screen({ here }: { here: Match }) {
     };
   }, [place.name]);
   const Shown = loadedScreen(place.name);
-  if (Shown) return <Shown key={surveyId} surveyId={surveyId} />;
+  if (Shown) {
+    return (
+      <Guarded key={`${place.name} ${surveyId}`}>
+        <Shown surveyId={surveyId} />
+      </Guarded>
+    );
+  }
   if (failed) {
     return (
       <div class="page">
@@ -35,6 +42,17 @@ export function Screen({ here }: { here: Match }) {
     );
   }
   return <Loading what={place.title.toLowerCase()} />;
+}
+
+/** A page that breaks says so in one sentence; the bar above it and the other pages go on working. */
+function Guarded({ children }: { children: ComponentChildren }) {
+  const [error, tryAgain] = useErrorBoundary();
+  if (!error) return children;
+  return (
+    <div class="page">
+      <Problem error={error} again={tryAgain} />
+    </div>
+  );
 }
 
 export function NotFound() {

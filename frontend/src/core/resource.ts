@@ -5,20 +5,28 @@ export interface Resource<T> {
   error: unknown;
   loading: boolean;
   reload: () => Promise<void>;
-  /** Puts in a newer value that an answer brought, without asking again. */
-  set: (value: T) => void;
+  /** Puts in a newer value that an answer brought, or changes the value that is there now, without asking again. */
+  set: (next: T | ((now: T) => T)) => void;
 }
 
-/** Something read from the server, read again when `deps` change. Old data stays while new data is on its way. */
+interface Options {
+  /** Keep showing what is there while an answer for new `deps` is on its way; otherwise it goes at once. */
+  keep?: boolean;
+}
+
+interface State<T> {
+  data: T | null;
+  error: unknown;
+  loading: boolean;
+}
+
+/** Something read from the server, read again when `deps` change or on `reload`, during which old data stays. */
 export function useResource<T>(
   read: (signal: AbortSignal) => Promise<T>,
   deps: readonly unknown[],
+  { keep = false }: Options = {},
 ): Resource<T> {
-  const [state, setState] = useState<{ data: T | null; error: unknown; loading: boolean }>({
-    data: null,
-    error: null,
-    loading: true,
-  });
+  const [state, setState] = useState<State<T>>({ data: null, error: null, loading: true });
   const latest = useRef(read);
   latest.current = read;
   const stop = useRef<AbortController | null>(null);
@@ -35,11 +43,17 @@ export function useResource<T>(
     }
   }, []);
   useEffect(() => {
-    setState({ data: null, error: null, loading: true });
+    if (!keep) setState({ data: null, error: null, loading: true });
     void load();
     return () => stop.current?.abort();
   }, deps);
-  return { ...state, reload: load, set: (data) => setState({ data, error: null, loading: false }) };
+  const set = useCallback((next: T | ((now: T) => T)) => setState((old) => withNext(old, next)), []);
+  return { ...state, reload: load, set };
+}
+
+function withNext<T>(old: State<T>, next: T | ((now: T) => T)): State<T> {
+  if (!(next instanceof Function)) return { data: next, error: null, loading: false };
+  return old.data === null ? old : { ...old, data: next(old.data) };
 }
 
 /** Runs something regularly while the component is shown; the next run waits for the one before. */

@@ -16,7 +16,7 @@ interface Props {
   camera: CameraDetail;
   surveyId: number;
   reload: () => Promise<void>;
-  set: (camera: CameraDetail) => void;
+  set: (change: (now: CameraDetail) => CameraDetail) => void;
 }
 
 /** One camera: the result, its history, and the bench to calibrate it on. */

@@ -15,13 +15,14 @@ import { TrafficSide } from "./TrafficSide";
 
 export function TrafficTab({ surveyId }: { surveyId: number }) {
   const model = useMemo(() => new TrafficModel(surveyId), [surveyId]);
+  const load = () => void model.load(Number(query.value.get("vehicle")) || null);
   useEffect(() => {
-    void model.load(Number(query.value.get("vehicle")) || null);
+    load();
     return () => model.close();
   }, [model]);
   useTrafficKeys(model);
   const player = model.player.value;
-  if (model.problem.value) return <Problem error={model.problem.value} />;
+  if (model.problem.value) return <Problem error={model.problem.value} again={load} />;
   if (!model.loaded.value) return <Loading what="the vehicles" />;
   if (!player || model.vehicles.value.length === 0) {
     return (

@@ -103,6 +103,7 @@ export class TrafficModel {
   }
 
   async load(vehicleId: number | null): Promise<void> {
+    this.problem.value = null;
     try {
       const [recordings, vehicles, check] = await Promise.all([
         api.get<Recording[]>(`/surveys/${this.surveyId}/recordings`),

@@ -1,6 +1,7 @@
 /** Equation (2) of the line-scan paper, as printed and corrected, with what both say of a rig. */
+
 import type { ComponentChildren } from "preact";
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect } from "preact/hooks";
 import { Loading, Problem, TableScroll } from "../../components";
 import { current, query, setQuery } from "../../core/address";
 import { api } from "../../core/api";
@@ -65,13 +66,7 @@ function Form({ values }: { values: Values }) {
 /** What the server makes of the values; what it says last stays until the next answer is there. */
 function Planned({ values }: { values: Values }) {
   const path = linePlanPath(values);
-  const plan = useResource((signal) => api.get<LinePlan>(path, { signal }), []);
-  const asked = useRef(path);
-  useEffect(() => {
-    if (asked.current === path) return;
-    asked.current = path;
-    void plan.reload();
-  }, [path]);
+  const plan = useResource((signal) => api.get<LinePlan>(path, { signal }), [path], { keep: true });
   if (plan.error) return <Problem error={plan.error} />;
   if (!plan.data) return <Loading what="the plan" />;
   return <Result plan={plan.data} />;

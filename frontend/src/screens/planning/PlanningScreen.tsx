@@ -1,4 +1,4 @@
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect } from "preact/hooks";
 import { Loading, Notice, Problem, Segments } from "../../components";
 import { current, query, setQuery } from "../../core/address";
 import { api } from "../../core/api";
@@ -77,13 +77,7 @@ function Heights({ surveyId }: { surveyId: number }) {
 /** What the server makes of the values; what it says last stays until the next answer is there. */
 function Planned({ surveyId, values }: { surveyId: number; values: Values }) {
   const path = planPath(surveyId, values);
-  const plan = useResource((signal) => api.get<Plan>(path, { signal }), [surveyId]);
-  const asked = useRef(path);
-  useEffect(() => {
-    if (asked.current === path) return;
-    asked.current = path;
-    void plan.reload();
-  }, [path]);
+  const plan = useResource((signal) => api.get<Plan>(path, { signal }), [path], { keep: true });
   if (plan.error) return <Problem error={plan.error} />;
   if (!plan.data) return <Loading what="the plan" />;
   return <Result plan={plan.data} />;

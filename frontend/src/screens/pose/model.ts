@@ -85,6 +85,7 @@ export class PoseModel {
   }
 
   async load(): Promise<void> {
+    this.problem.value = null;
     try {
       const [recordings, cameras, poses] = await Promise.all([
         api.get<Recording[]>(`/surveys/${this.surveyId}/recordings`),

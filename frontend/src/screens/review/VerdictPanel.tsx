@@ -1,5 +1,5 @@
 /** What is known of the reviewed measurement, and the verdict: accept, fix, reject with a reason. */
-import { useState } from "preact/hooks";
+import { useEffect, useRef, useState } from "preact/hooks";
 import { Button, Icon, Notice, StateMark } from "../../components";
 import { hint } from "../../core/commands";
 import { may } from "../../core/session";
@@ -231,6 +231,8 @@ function Verdict({ model, item }: { model: ReviewModel; item: ReviewItem }) {
 /** A rejection needs a reason that the operator can act on. */
 function Reject({ model }: { model: ReviewModel }) {
   const [reason, setReason] = useState("");
+  const box = useRef<HTMLTextAreaElement>(null);
+  useEffect(() => box.current?.focus(), []);
   const send = (): void => {
     if (reason.trim()) void model.judge("rejected", reason.trim());
   };
@@ -250,7 +252,7 @@ function Reject({ model }: { model: ReviewModel }) {
           class="input"
           rows={2}
           value={reason}
-          ref={(box) => box?.focus()}
+          ref={box}
           onInput={(event) => setReason(event.currentTarget.value)}
           onKeyDown={(event) => {
             if (event.key === "Escape") model.cancel();

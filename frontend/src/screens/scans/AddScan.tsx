@@ -1,5 +1,5 @@
 /** A new line scan: two uploaded strips, or two pixel columns of a recording; and the rig's values. */
-import { useState } from "preact/hooks";
+import { useRef, useState } from "preact/hooks";
 import { Button, DropFiles, Problem, Segments, SelectField, TextField } from "../../components";
 import { api } from "../../core/api";
 import { useResource } from "../../core/resource";
@@ -100,22 +100,22 @@ function Strips({ surveyId, choose }: { surveyId: number; choose: (chosen: objec
     (signal) => api.get<StripUpload[]>(`/surveys/${surveyId}/strip-uploads`, { signal }),
     [surveyId],
   );
-  const [first, setFirst] = useState("");
-  const [second, setSecond] = useState("");
-  const [axis, setAxis] = useState<"width" | "height">("width");
+  const [picked, setPicked] = useState<PickedStrips>({ first: "", second: "", axis: "width" });
+  // an upload that ends asks what is chosen then, not what was chosen when it began
+  const latest = useRef(picked);
   const here = waiting.data ?? [];
-  const pick = (one: string, two: string, along: "width" | "height"): void => {
-    setFirst(one);
-    setSecond(two);
-    setAxis(along);
-    const both = one !== "" && two !== "" && one !== two;
-    choose(both ? { first_upload: Number(one), second_upload: Number(two), time_axis: along } : null);
+  const pick = (part: Partial<PickedStrips>): void => {
+    const next = { ...latest.current, ...part };
+    latest.current = next;
+    setPicked(next);
+    choose(requestOf(next));
   };
   const arrived = async (): Promise<void> => {
     await waiting.reload();
-    const now = await api.get<StripUpload[]>(`/surveys/${surveyId}/strip-uploads`);
-    const [one, two] = [...now].sort((a, b) => a.filename.localeCompare(b.filename));
-    if (one && two && first === "" && second === "") pick(String(one.id), String(two.id), axis);
+    const uploaded = await api.get<StripUpload[]>(`/surveys/${surveyId}/strip-uploads`);
+    const [first, second] = [...uploaded].sort((a, b) => a.filename.localeCompare(b.filename));
+    const untouched = latest.current.first === "" && latest.current.second === "";
+    if (first && second && untouched) pick({ first: String(first.id), second: String(second.id) });
   };
   const add = (files: File[]): void => {
     for (const file of files) void startUpload(surveyId, file, () => void arrived(), "strip");
@@ -144,29 +144,46 @@ function Strips({ surveyId, choose }: { surveyId: number; choose: (chosen: objec
       <div class="scan__fields">
         <SelectField
           label="Camera 1, which a vehicle reaches first"
-          value={first}
+          value={picked.first}
           options={options}
-          onChange={(value) => pick(value, second, axis)}
+          onChange={(first) => pick({ first })}
         />
         <SelectField
           label="Camera 2"
-          value={second}
+          value={picked.second}
           options={options}
-          problem={first !== "" && first === second ? "Both cameras cannot have the same strip." : null}
-          onChange={(value) => pick(first, value, axis)}
+          problem={sameStrip(picked) ? "Both cameras cannot have the same strip." : null}
+          onChange={(second) => pick({ second })}
         />
         <SelectField
           label="Time runs along the picture’s"
-          value={axis}
+          value={picked.axis}
           options={[
             { value: "width", label: "width, as usual" },
             { value: "height", label: "height" },
           ]}
-          onChange={(value) => pick(first, second, value)}
+          onChange={(axis) => pick({ axis })}
         />
       </div>
     </>
   );
+}
+
+interface PickedStrips {
+  /** Ids of uploads, as the boxes hold them; empty while none is chosen. */
+  readonly first: string;
+  readonly second: string;
+  readonly axis: "width" | "height";
+}
+
+function sameStrip({ first, second }: PickedStrips): boolean {
+  return first !== "" && first === second;
+}
+
+function requestOf(picked: PickedStrips): object | null {
+  const { first, second, axis } = picked;
+  if (first === "" || second === "" || sameStrip(picked)) return null;
+  return { first_upload: Number(first), second_upload: Number(second), time_axis: axis };
 }
 
 function Columns({ surveyId, choose }: { surveyId: number; choose: (chosen: object | null) => void }) {

@@ -1,5 +1,5 @@
 /** Errors against known heights and the distributions of what was measured, for the measurements a filter leaves. */
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect } from "preact/hooks";
 import { Button, Empty, Loading, Problem } from "../../components";
 import { query } from "../../core/address";
 import { api } from "../../core/api";
@@ -19,16 +19,10 @@ import "./statistics.css";
 
 export default function StatisticsScreen() {
   const path = statisticsPath(query.value);
-  const found = useResource((signal) => api.get<Statistics>(path, { signal }), []);
-  const asked = useRef(path);
+  const found = useResource((signal) => api.get<Statistics>(path, { signal }), [path], { keep: true });
   useEffect(() => {
     loadPlot().catch(() => null); // while the server counts; who draws tells what is wrong
   }, []);
-  useEffect(() => {
-    if (asked.current === path) return;
-    asked.current = path;
-    void found.reload();
-  }, [path]);
   const data = found.data;
   const only = query.value.getAll("survey").length === 1 ? query.value.get("survey") : null;
   return (

@@ -118,7 +118,7 @@ function Card({ one, mayChange, earlier, later, caption, remove }: CardProps) {
 function usePhotographs(
   where: string,
   all: Photograph[],
-  set: (all: Photograph[]) => void,
+  set: (change: (now: Photograph[]) => Photograph[]) => void,
   reload: () => Promise<void>,
 ) {
   const [waiting, setWaiting] = useState(0);
@@ -133,12 +133,11 @@ function usePhotographs(
   };
   const add = async (files: File[]) => {
     const problems: string[] = [];
-    let shown = all;
     for (const [index, file] of files.entries()) {
       setWaiting(files.length - index);
       try {
-        shown = [...shown, await api.file<Photograph>(where, file)];
-        set(shown);
+        const added = await api.file<Photograph>(where, file);
+        set((now) => [...now, added]);
       } catch (error) {
         problems.push(explain(error));
       }
