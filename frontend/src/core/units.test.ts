@@ -1,16 +1,24 @@
 import { beforeEach, describe, expect, it } from "vitest";
 import {
   fixed,
+  formatAcceleration,
   formatBytes,
   formatCount,
   formatHeight,
   formatLength,
   formatSmall,
+  formatSpeed,
+  heads,
   inUnits,
   lengthUnit,
   parseLength,
   parseNumber,
+  parseSmall,
+  plainAcceleration,
+  plainLength,
+  plainSpeed,
   plural,
+  smallText,
 } from "./units";
 
 const plain = (text: string) => text.replace(/[  ]/g, " ");
@@ -91,5 +99,29 @@ describe("numbers", () => {
     expect(plain(formatSmall(0.018))).toBe("18 mm");
     expect(plain(formatSmall(0.0042))).toBe("4.2 mm");
     expect(plain(formatSmall(0.0254, "ft"))).toBe("1.00 in");
+  });
+});
+
+describe("speeds and accelerations", () => {
+  it("are read in km/h and m/s², or in mph and ft/s²", () => {
+    expect(plain(formatSpeed(17.6, 0.05))).toBe("63.4 ± 0.2 km/h");
+    expect(plain(formatAcceleration(-1.4))).toBe("−1.40 m/s²");
+    lengthUnit.value = "ft";
+    expect(plain(formatSpeed(17.6))).toBe("39.4 mph");
+    expect(plain(formatAcceleration(-1.4, 0.1))).toBe("−4.59 ± 0.33 ft/s²");
+    expect([plainSpeed(17.6), plainLength(4.66), plainAcceleration(null)]).toEqual(["39.4", "15.29", "–"]);
+    expect(heads()).toEqual({ speed: "mph", acceleration: "ft/s²", length: "ft" });
+  });
+});
+
+describe("small lengths in fields", () => {
+  it("are typed in millimetres, or in inches", () => {
+    expect(smallText(0.0173)).toBe("17.3");
+    expect(parseSmall("17,3")).toBeCloseTo(0.0173, 12);
+    lengthUnit.value = "ft";
+    expect(smallText(0.0254)).toBe("1");
+    expect(parseSmall("0.5")).toBeCloseTo(0.0127, 12);
+    expect(parseSmall("wide")).toBeNull();
+    expect(smallText(null)).toBe("");
   });
 });

@@ -1,8 +1,10 @@
-/** Lengths as people read them. The server speaks metres; feet are only shown. */
+/** Lengths and speeds as people read and type them. The server speaks metres and seconds; feet and miles are only shown. */
 import { stored } from "./stored";
 
 export type LengthUnit = "m" | "ft";
-export const METRES_PER_FOOT = 0.3048;
+const METRES_PER_FOOT = 0.3048;
+const METRES_PER_MILE = 5280 * METRES_PER_FOOT;
+const SECONDS_PER_HOUR = 3600;
 
 /** Metres by default, feet on request, everywhere. */
 export const lengthUnit = stored<LengthUnit>("unit", "m", (v) => v === "m" || v === "ft");
@@ -10,8 +12,28 @@ export const lengthUnit = stored<LengthUnit>("unit", "m", (v) => v === "m" || v 
 const NBSP = " ";
 const THIN = " ";
 
+/** What a number of the server is multiplied by to be shown, and the name of the unit it then has. */
+export type Scale = readonly [factor: number, unit: string];
+
+export function lengthScale(unit: LengthUnit = lengthUnit.value): Scale {
+  return unit === "ft" ? [1 / METRES_PER_FOOT, "ft"] : [1, "m"];
+}
+
+/** For uncertainties, differences, and the squares of a board. */
+export function smallScale(unit: LengthUnit = lengthUnit.value): Scale {
+  return unit === "ft" ? [12 / METRES_PER_FOOT, "in"] : [1000, "mm"];
+}
+
+export function speedScale(unit: LengthUnit = lengthUnit.value): Scale {
+  return unit === "ft" ? [SECONDS_PER_HOUR / METRES_PER_MILE, "mph"] : [SECONDS_PER_HOUR / 1000, "km/h"];
+}
+
+export function accelerationScale(unit: LengthUnit = lengthUnit.value): Scale {
+  return unit === "ft" ? [1 / METRES_PER_FOOT, "ft/s²"] : [1, "m/s²"];
+}
+
 function convert(metres: number, unit: LengthUnit): number {
-  return unit === "ft" ? metres / METRES_PER_FOOT : metres;
+  return metres * lengthScale(unit)[0];
 }
 
 /** A number with a true minus sign and fixed decimals. */
@@ -43,9 +65,10 @@ export function formatHeight(
 /** A small length: "18 mm", or "0.71 in" for those who read feet. */
 export function formatSmall(metres: number | null, unit = lengthUnit.value): string {
   if (metres === null) return "–";
-  if (unit === "ft") return `${fixed((metres / METRES_PER_FOOT) * 12, 2)}${NBSP}in`;
-  const mm = metres * 1000;
-  return `${fixed(mm, Math.abs(mm) < 10 ? 1 : 0)}${NBSP}mm`;
+  const [factor, name] = smallScale(unit);
+  const value = metres * factor;
+  const digits = unit === "ft" ? 2 : Math.abs(value) < 10 ? 1 : 0;
+  return `${fixed(value, digits)}${NBSP}${name}`;
 }
 
 /** A sentence of the server, which speaks millimetres, with its small lengths in the shown unit. */
@@ -96,8 +119,22 @@ export function formatBytes(bytes: number): string {
 /* -- lengths in input fields, as a person would type them -- */
 
 export function lengthText(metres: number | null | undefined, unit = lengthUnit.value, decimals = 4): string {
-  if (metres === null || metres === undefined) return "";
-  return String(Number((unit === "ft" ? metres / METRES_PER_FOOT : metres).toFixed(decimals)));
+  return metres === null || metres === undefined ? "" : typedNumber(convert(metres, unit), decimals);
+}
+
+/** A small length, without its unit. */
+export function smallText(metres: number | null | undefined, unit = lengthUnit.value, decimals = 3): string {
+  return metres === null || metres === undefined ? "" : typedNumber(metres * smallScale(unit)[0], decimals);
+}
+
+/** What a person typed as a small length in the shown unit, in metres; null when it is no number. */
+export function parseSmall(text: string, unit = lengthUnit.value): number | null {
+  const value = parseNumber(text);
+  return value === null ? null : unit === "ft" ? (value * METRES_PER_FOOT) / 12 : value / 1000;
+}
+
+function typedNumber(value: number, decimals: number): string {
+  return String(Number(value.toFixed(decimals)));
 }
 
 /** What is wrong with a typed length, or null. Empty is allowed where a value may be unknown. */
@@ -109,43 +146,45 @@ export function lengthProblem(text: string, options: { empty: boolean }): string
 
 /* -- speeds and accelerations -- */
 
-const KMH = 3.6;
-const MPH = 2.2369362920544;
-
 /** "63.3 ± 0.1 km/h", or mph for those who read feet; a missing value is an en dash. */
 export function formatSpeed(mps: number | null, U95_mps: number | null = null, digits = 1): string {
-  if (mps === null) return "–";
-  const [by, unit] = lengthUnit.value === "ft" ? [MPH, "mph"] : [KMH, "km/h"];
-  const value = fixed(mps * by, digits);
-  if (U95_mps === null) return `${value}${NBSP}${unit}`;
-  return `${value}${NBSP}±${NBSP}${(U95_mps * by).toFixed(digits)}${NBSP}${unit}`;
+  return withInterval(mps, U95_mps, speedScale(), digits);
 }
 
 /** "−1.40 ± 0.10 m/s²" */
 export function formatAcceleration(mps2: number | null, U95_mps2: number | null = null): string {
-  if (mps2 === null) return "–";
-  const [by, unit] = lengthUnit.value === "ft" ? [1 / METRES_PER_FOOT, "ft/s²"] : [1, "m/s²"];
-  const value = fixed(mps2 * by, 2);
-  return U95_mps2 === null
-    ? `${value}${NBSP}${unit}`
-    : `${value}${NBSP}±${NBSP}${(U95_mps2 * by).toFixed(2)}${NBSP}${unit}`;
+  return withInterval(mps2, U95_mps2, accelerationScale(), 2);
 }
 
-/** A number of the table without its unit, which the column's head names. */
+function withInterval(
+  value: number | null,
+  U95: number | null,
+  [factor, unit]: Scale,
+  digits: number,
+): string {
+  if (value === null) return "–";
+  const half = U95 === null ? "" : `${NBSP}±${NBSP}${(U95 * factor).toFixed(digits)}`;
+  return `${fixed(value * factor, digits)}${half}${NBSP}${unit}`;
+}
+
+/* -- numbers of a table, without the unit that the column's head names -- */
+
 export function plainSpeed(mps: number | null): string {
-  return mps === null ? "–" : fixed(mps * (lengthUnit.value === "ft" ? MPH : KMH), 1);
+  return plain(mps, speedScale(), 1);
 }
 
 export function plainAcceleration(mps2: number | null): string {
-  return mps2 === null ? "–" : fixed(mps2 * (lengthUnit.value === "ft" ? 1 / METRES_PER_FOOT : 1), 2);
+  return plain(mps2, accelerationScale(), 2);
 }
 
 export function plainLength(metres: number | null, digits = 2): string {
-  return formatLength(metres, digits).split(NBSP)[0] ?? "–";
+  return plain(metres, lengthScale(), digits);
+}
+
+function plain(value: number | null, [factor]: Scale, digits: number): string {
+  return value === null ? "–" : fixed(value * factor, digits);
 }
 
 export function heads(): { speed: string; acceleration: string; length: string } {
-  return lengthUnit.value === "ft"
-    ? { speed: "mph", acceleration: "ft/s²", length: "ft" }
-    : { speed: "km/h", acceleration: "m/s²", length: "m" };
+  return { speed: speedScale()[1], acceleration: accelerationScale()[1], length: lengthScale()[1] };
 }

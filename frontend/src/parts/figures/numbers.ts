@@ -1,23 +1,11 @@
 /** Numbers of the tables and axes, in the unit that the person reads. */
-import { fixed, type LengthUnit, lengthUnit, METRES_PER_FOOT } from "../../core/units";
+import { fixed, type LengthUnit, lengthUnit, type Scale, smallScale } from "../../core/units";
 import type { Interval } from "./types";
 
 export const NONE = "–";
-const INCHES_PER_METRE = 12 / METRES_PER_FOOT;
-
-/** Factor and name for small lengths: millimetres, or inches. */
-export function smallUnit(unit: LengthUnit = lengthUnit.value): [number, string] {
-  return unit === "ft" ? [INCHES_PER_METRE, "in"] : [1000, "mm"];
-}
-
-/** Factor and name for heights. */
-export function heightUnit(unit: LengthUnit = lengthUnit.value): [number, string] {
-  return unit === "ft" ? [1 / METRES_PER_FOOT, "ft"] : [1, "m"];
-}
-
 /** Factor and name for squares of small lengths. */
-export function squareUnit(unit: LengthUnit = lengthUnit.value): [number, string] {
-  return unit === "ft" ? [INCHES_PER_METRE ** 2, "in²"] : [1e4, "cm²"];
+export function squareScale(unit: LengthUnit = lengthUnit.value): Scale {
+  return unit === "ft" ? [smallScale("ft")[0] ** 2, "in²"] : [1e4, "cm²"];
 }
 
 export function scaled(value: number | null, factor: number, digits: number): string {
@@ -37,6 +25,6 @@ export function percent(share: number, digits = 1): string {
 
 /** "4.2 mm" */
 export function fixedRange(metres: number): string {
-  const [factor, unit] = smallUnit();
+  const [factor, unit] = smallScale();
   return `${fixed(metres * factor, unit === "in" ? 2 : 1)} ${unit}`;
 }

@@ -3,6 +3,7 @@ import { markerPath } from "../../parts/boards/markers";
 interface Props {
   columns: number;
   rows: number;
+  /** Its side in words. */
   square: string;
   markers: boolean;
   /** Side of a marker over the side of a square. */
@@ -65,7 +66,7 @@ export function BoardDrawing({ columns, rows, square, markers, share }: Props) {
         stroke="var(--ink-2)"
       />
       <text x={x0 + width - u / 2} y={y0 + height + 20} {...label} text-anchor="end" dx={u / 2 + 4}>
-        square {square || "?"} mm
+        square {square}
       </text>
     </svg>
   );

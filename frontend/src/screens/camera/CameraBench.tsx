@@ -4,7 +4,7 @@ import { cancelJob } from "../../core/jobs";
 import { may } from "../../core/session";
 import type { CalibrationImage, CameraDetail } from "../../core/types";
 import { plural } from "../../core/units";
-import { BoardFields, firstBoard } from "./BoardFields";
+import { BoardFields, useTypedBoard } from "./BoardFields";
 import { type Board, readBoard } from "./board";
 import { CalibrateForm, type Source } from "./CalibrateForm";
 import { CalibrationPanel } from "./CalibrationPanel";
@@ -21,7 +21,7 @@ interface Props {
 
 /** One camera: the result, its history, and the bench to calibrate it on. */
 export function CameraBench({ camera, surveyId, reload, set }: Props) {
-  const [typed, setTyped] = useState(() => firstBoard(camera));
+  const [typed, setTyped] = useTypedBoard(camera);
   const [source, setSource] = useState<Source>("images");
   const board = readBoard(typed);
   const work = useCameraWork(camera, board, reload, set);

@@ -5,7 +5,7 @@ import { explain } from "../../core/api";
 import { hint } from "../../core/commands";
 import { canWork } from "../../core/session";
 import type { HeightAnswer, Measurement, SecondFrameAnswer } from "../../core/types";
-import { formatHeight, formatLength, formatSmall } from "../../core/units";
+import { formatHeight, formatLength, formatSmall, formatSpeed, speedScale } from "../../core/units";
 import { askHeight, askSecondFrame } from "../../viewer/geometry";
 import { PointMark } from "../../viewer/Overlay";
 import { fromServer, type ImagePoint } from "../../viewer/points";
@@ -23,7 +23,10 @@ export function SecondMarks({ model }: { model: MeasureModel }) {
   return (
     <g data-testid="second-frame-spots">
       {second.spots.value.map((spot) => {
-        const word = spot.assumed_kmh === null ? "expected about here" : `at ${spot.assumed_kmh} km/h`;
+        const word =
+          spot.assumed_kmh === null
+            ? "expected about here"
+            : `at ${formatSpeed(spot.assumed_kmh / speedScale("m")[0], null, 0)}`;
         const key = `${spot.assumed_kmh} ${spot.travel_m}`;
         return (
           <g key={key}>

@@ -7,7 +7,7 @@ import { current, query, setQuery } from "../../core/address";
 import { api } from "../../core/api";
 import { useResource } from "../../core/resource";
 import type { Scan } from "../../core/types";
-import { fixed, formatCount, formatSmall, formatSpeed, lengthUnit } from "../../core/units";
+import { fixed, formatCount, formatSmall, formatSpeed, lengthUnit, speedScale } from "../../core/units";
 import { Advice } from "./Advice";
 import type { LinePlan } from "./model";
 import { Value } from "./PlanForm";
@@ -42,12 +42,7 @@ function Form({ values }: { values: Values }) {
   return (
     <form class="panel plan-form" onSubmit={(event) => event.preventDefault()}>
       <div class="plan-form__lines">
-        <Value
-          name="speed_mps"
-          label="Fastest vehicle"
-          unit={length === "ft" ? "mph" : "km/h"}
-          values={values}
-        />
+        <Value name="speed_mps" label="Fastest vehicle" unit={speedScale()[1]} values={values} />
         <Value name="error" label="Speed off by" unit="%" values={values} />
         <Value name="baseline_m" label="Baseline" unit={length} values={values} />
         <Value name="u_baseline_m" label="Its u (k = 1)" unit={length} values={values} />

@@ -3,7 +3,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import { Problem } from "../../components";
 import { theme } from "../../core/theme";
 import type { RepeatDifference, Target } from "../../core/types";
-import { lengthUnit, METRES_PER_FOOT } from "../../core/units";
+import { lengthScale, lengthUnit, smallScale } from "../../core/units";
 import { TARGET_WORDS } from "../../core/words";
 
 type Plot = typeof import("../../parts/figures/plot");
@@ -66,8 +66,8 @@ const GLYPHS: Record<Target, string> = {
 };
 
 function draw(plot: Plot, differences: readonly RepeatDifference[], width: number, unit: "m" | "ft") {
-  const [perX, perY, small] =
-    unit === "ft" ? [1 / METRES_PER_FOOT, 12 / METRES_PER_FOOT, "in"] : [1, 1000, "mm"];
+  const [perX] = lengthScale(unit);
+  const [perY, small] = smallScale(unit);
   const points = differences.map((one) => ({
     x: one.mean_m * perX,
     y: one.difference_m * perY,

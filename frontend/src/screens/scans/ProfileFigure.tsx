@@ -1,16 +1,12 @@
 /** Speed along the vehicle with the fitted motion, and what is left over; blocks outside the fit are hollow. */
 
 import type { ScanVehicleDetail } from "../../core/types";
-import { heads, lengthUnit } from "../../core/units";
+import { speedScale } from "../../core/units";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
-
-const KMH = 3.6;
-const MPH = 2.2369362920544;
 
 export function ProfileFigure({ detail }: { detail: ScanVehicleDetail }) {
   const profile = detail.profile;
-  const by = lengthUnit.value === "ft" ? MPH : KMH;
-  const unit = heads().speed;
+  const [by, unit] = speedScale();
   const rows =
     profile?.time_s.map((time_s, n) => ({
       time_s,

@@ -1,7 +1,7 @@
 /** The cumulative distribution of one quantity with its band, and the percentiles that are asked for. */
 
 import type { ScanSpread } from "../../core/types";
-import { fixed, lengthUnit } from "../../core/units";
+import { fixed, lengthScale, type Scale, speedScale } from "../../core/units";
 import { ecdfMarks } from "../../parts/figures/curves";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
 
@@ -16,10 +16,9 @@ const TITLES: Record<string, string> = {
 const ASKED = [15, 50, 85];
 
 /** Factor from the server's unit, and the unit that is shown. */
-function shown(unit: string): [number, string] {
-  const feet = lengthUnit.value === "ft";
-  if (unit === "m/s") return feet ? [2.2369362920544, "mph"] : [3.6, "km/h"];
-  if (unit === "m") return feet ? [1 / 0.3048, "ft"] : [1, "m"];
+function shown(unit: string): Scale {
+  if (unit === "m/s") return speedScale();
+  if (unit === "m") return lengthScale();
   return [1, unit];
 }
 

@@ -1,9 +1,7 @@
 /** The vehicles in the layout of the paper's Table I, the printed table beside them. */
 import { TableScroll } from "../../components";
 import type { ScanStatistics } from "../../core/types";
-import { fixed, heads, plainAcceleration, plainLength, plainSpeed } from "../../core/units";
-
-const KMH = 3.6;
+import { fixed, heads, plainAcceleration, plainLength, plainSpeed, speedScale } from "../../core/units";
 
 export function TableOne({ found }: { found: ScanStatistics }) {
   return (
@@ -68,7 +66,7 @@ function Printed({ found }: { found: ScanStatistics }) {
           {found.paper.map((row) => (
             <tr key={row.car_id}>
               <td>{row.car_id}</td>
-              <td class="num">{plainSpeed(row.speed_kmh / KMH)}</td>
+              <td class="num">{plainSpeed(row.speed_kmh / speedScale("m")[0])}</td>
               <td class="num">{plainAcceleration(row.acceleration_mps2)}</td>
               <td class="num">{plainLength(row.size_m)}</td>
               <td>{row.counter ?? ""}</td>

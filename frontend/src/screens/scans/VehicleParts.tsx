@@ -5,13 +5,13 @@ import { canWork } from "../../core/session";
 import { formatMoment } from "../../core/times";
 import type { ScanVehicle, ScanVehicleDetail } from "../../core/types";
 import {
-  fixed,
   formatAcceleration,
   formatLength,
   formatSmall,
   formatSpeed,
   lengthUnit,
   parseLength,
+  plainLength,
 } from "../../core/units";
 import { CatalogueField } from "../../parts/vehicles/CatalogueField";
 import type { ScanModel } from "./model";
@@ -20,8 +20,7 @@ import { causeWords } from "./words";
 export function Known({ model, vehicle }: { model: ScanModel; vehicle: ScanVehicle }) {
   const disabled = !canWork.value;
   const unit = lengthUnit.value;
-  const length = (value: number | null) =>
-    value === null ? "" : fixed(unit === "ft" ? value / 0.3048 : value, 3);
+  const length = (value: number | null) => (value === null ? "" : plainLength(value, 3));
   const wrong = (text: string) => (text === "" || (parseLength(text) ?? 0) > 0 ? null : "This is no length.");
   const put = (name: "true_length_m" | "true_wheelbase_m") => (text: string) =>
     void model.fillIn({ [name]: text.trim() === "" ? null : parseLength(text) });

@@ -1,7 +1,7 @@
 /** The rig's values as they are typed, and what is wrong with them. */
 import type { components } from "../../core/schema";
 import type { Scan } from "../../core/types";
-import { fixed, lengthUnit, METRES_PER_FOOT, parseLength, parseNumber } from "../../core/units";
+import { fixed, lengthScale, parseLength, parseNumber } from "../../core/units";
 
 export type RigOfTraffic = components["schemas"]["RigOfTrafficBody"];
 
@@ -38,7 +38,7 @@ const PER_M_RAD = 1000;
 
 /** A length as it is typed, in the shown unit. */
 export function typedLength(metres: number, digits = 4): string {
-  return fixed(lengthUnit.value === "ft" ? metres / METRES_PER_FOOT : metres, digits);
+  return fixed(metres * lengthScale()[0], digits);
 }
 
 export function typedOf({ rig }: Pick<Scan, "rig">): RigTyped {

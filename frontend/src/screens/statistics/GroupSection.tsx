@@ -1,8 +1,8 @@
 import { useState } from "preact/hooks";
 import { Segments } from "../../components";
-import { formatCount } from "../../core/units";
+import { formatCount, lengthScale } from "../../core/units";
 import { type Curve, ECDF_COLUMNS, ecdfMarks, ecdfRows, ecdfWord } from "../../parts/figures/curves";
-import { heightUnit, NONE, scaled } from "../../parts/figures/numbers";
+import { NONE, scaled } from "../../parts/figures/numbers";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
 import type { Ecdf } from "../../parts/figures/types";
 import { groupWord, isThere, type OfTarget, TARGET_TITLES } from "./model";
@@ -56,7 +56,7 @@ export function GroupSection({ targets }: { targets: readonly OfTarget[] }) {
           reason={curves.length === 0 ? `Nothing to draw: no vehicle has a ${grouping}.` : null}
           data={[target, grouping]}
           options={(plot, unit) => {
-            const [perX, long] = heightUnit(unit);
+            const [perX, long] = lengthScale(unit);
             return {
               x: {
                 label: `height above the road (${long})`,
@@ -103,7 +103,7 @@ function drawn(groups: readonly Group[], grouping: string): { ecdf: Ecdf; curve:
 }
 
 function GroupTable({ groups, grouping }: { groups: readonly Group[]; grouping: string }) {
-  const [factor, unit] = heightUnit();
+  const [factor, unit] = lengthScale();
   const at = (one: Group, percent: number) =>
     one.percentiles.find((p) => p.percent === percent)?.value ?? null;
   return (

@@ -3,7 +3,7 @@ import { Button, Loading, Problem, SelectField, TextField } from "../../componen
 import { api } from "../../core/api";
 import { useResource } from "../../core/resource";
 import type { components } from "../../core/schema";
-import { lengthUnit, METRES_PER_FOOT, parseLength } from "../../core/units";
+import { lengthText, lengthUnit, parseLength } from "../../core/units";
 import type { Standard } from "../../parts/figures/types";
 import { STANDARD_OF } from "./model";
 
@@ -79,8 +79,7 @@ export function StandardsEditor({ surveyId, done }: { surveyId: string; done: (s
   );
 }
 
-const shown = (metres: number) =>
-  String(Number((lengthUnit.value === "ft" ? metres / METRES_PER_FOOT : metres).toFixed(3)));
+const shown = (metres: number) => lengthText(metres, lengthUnit.value, 3);
 const example = () => `${shown(1.08)} ${lengthUnit.value}`;
 const rowOf = ({ name, what, height_m, source }: Standard): Row => ({
   name,

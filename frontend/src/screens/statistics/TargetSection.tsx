@@ -1,5 +1,5 @@
 import { Button, Notice } from "../../components";
-import { formatCount, formatLength, plural } from "../../core/units";
+import { formatCount, formatLength, lengthScale, plural } from "../../core/units";
 import { csvOf, download } from "../../parts/figures/csv";
 import {
   type Curve,
@@ -13,7 +13,7 @@ import {
   standardMarks,
   valueAt,
 } from "../../parts/figures/curves";
-import { heightUnit, NONE, percent, scaled } from "../../parts/figures/numbers";
+import { NONE, percent, scaled } from "../../parts/figures/numbers";
 import { type Plot, PlotFigure } from "../../parts/figures/PlotFigure";
 import type { Density, Ecdf, Standard } from "../../parts/figures/types";
 import { isThere, type OfTarget, type Percentile, TARGET_TITLES } from "./model";
@@ -75,7 +75,7 @@ function EcdfFigure({ target, standards, title }: Props & { title: string }) {
       reason={both.length === 0 ? "Nothing to draw: no height of this target is left by the filter." : null}
       data={[target, shown.map((one) => one.name + one.height_m).join()]}
       options={(plot, unit) => {
-        const [perX, long] = heightUnit(unit);
+        const [perX, long] = lengthScale(unit);
         return {
           x: {
             label: `height above the road (${long})`,
@@ -132,7 +132,7 @@ function HeightDensity({ target, title }: { target: OfTarget; title: string }) {
       reason={"reason" in target.density ? target.density.reason : null}
       data={target}
       options={(plot, unit) => {
-        const [perX, long] = heightUnit(unit);
+        const [perX, long] = lengthScale(unit);
         return {
           x: {
             label: `height above the road (${long})`,
@@ -185,7 +185,7 @@ function Percentiles({ target }: { target: OfTarget }) {
   const rows = target.corrected.percentiles;
   const raw = new Map(target.raw.percentiles.map((one) => [one.percent, one]));
   if (raw.size === 0) return null;
-  const [factor, unit] = heightUnit();
+  const [factor, unit] = lengthScale();
   const shown = rows.length > 0 ? rows : target.raw.percentiles;
   return (
     <div class="stat-percentiles">
