@@ -42,6 +42,64 @@ def test_no_file_carries_a_path_of_one_machine() -> None:
     assert not found
 
 
+STYLES = ROOT / "frontend" / "src"
+
+
+def selectors(style: str) -> list[str]:
+    """The selectors of a sheet, one by one; those inside a media query too."""
+    rules = re.findall(r"([^{};]+)\{", re.sub(r"/\*.*?\*/", "", style, flags=re.DOTALL))
+    return [
+        selector.strip()
+        for rule in rules
+        if not rule.lstrip().startswith("@")
+        for selector in re.split(r",(?![^(]*\))", rule)
+    ]
+
+
+def blocks_by_file(styles: dict[str, str]) -> dict[str, set[str]]:
+    """The files that declare each class block: `name` owns `name__part` and `name--kind`.
+
+    The first class of a selector says whose rule it is; what follows it is where the rule applies, so that
+    `.facts-form .input` is a rule of `facts-form` and does not declare `input`.
+    """
+    files: dict[str, set[str]] = {}
+    for file, style in styles.items():
+        for selector in selectors(style):
+            if name := re.search(r"\.([A-Za-z][\w-]*)", selector):
+                files.setdefault(re.split("__|--", name[1])[0], set()).add(file)
+    return files
+
+
+def our_styles() -> dict[str, str]:
+    return {str(path.relative_to(STYLES)): path.read_text(encoding="utf-8") for path in STYLES.rglob("*.css")}
+
+
+def test_a_class_block_is_declared_in_one_file() -> None:
+    """A screen's sheet stays when another screen is opened: a name in two of them breaks the second."""
+    styles = our_styles()
+    assert len(styles) > 20
+    assert {name: files for name, files in blocks_by_file(styles).items() if len(files) > 1} == {}
+
+
+def test_a_planted_second_declaration_is_found() -> None:
+    styles = {
+        "a.css": ".card { gap: 0 } .card__name, .card--wide:has(.list, .row) { gap: 0 }",
+        "b.css": "@media (max-width: 1px) { .list .card { gap: 0 } h2.card__name { gap: 0 } }",
+    }
+    assert blocks_by_file(styles) == {"card": {"a.css", "b.css"}, "list": {"b.css"}}
+
+
+def test_sheets_of_screens_style_nothing_but_their_own_classes() -> None:
+    bare = [
+        f"{file}: {selector}"
+        for file, style in our_styles().items()
+        if not file.startswith(("style/", "app/"))
+        for selector in selectors(style)
+        if "." not in selector
+    ]
+    assert bare == []
+
+
 def test_the_papers_are_there_and_name_the_two_commands() -> None:
     for paper in ("CONVENTIONS.md", "DECISIONS.md", "CHANGELOG.md", "CONTRIBUTING.md", "LICENSE"):
         assert (ROOT / paper).stat().st_size > 200, paper

@@ -4,12 +4,13 @@ import "./style/base.css";
 import "./style/components.css";
 import "./style/forms.css";
 import "./style/layers.css";
-import "./style/shell.css";
-import { App } from "./app";
-import { current } from "./router";
+import "./app/shell.css";
+import { App } from "./app/App";
+import { loadScreen } from "./app/screens";
+import { current } from "./core/address";
 
 // the screen's code comes while the server is still asked who this is; a failure is told when the screen is shown
-current.value?.route.load().catch(() => undefined);
+if (current.value) loadScreen(current.value.place.name).catch(() => undefined);
 
 const root = document.getElementById("app");
 if (root) render(<App />, root);

@@ -33,6 +33,7 @@ from web_ground import (  # noqa: E402
     signed_in,
 )
 
+from tests.browser.picture import on_screen  # noqa: E402
 from tests.real.client import Client  # noqa: E402
 
 PROBE = (Path(__file__).parent / "web_probe.js").read_text()
@@ -211,10 +212,10 @@ _CLICK_MS = f"{_POSTED}.at(-1).at - window.__probe.clicks.at(-1)"
 
 
 def _click(page: Page, pixel: list[float]) -> None:
-    spot = page.evaluate("([x, y]) => window.__sightline.imageToScreen(x, y)", pixel)
-    page.mouse.move(spot["x"], spot["y"])
+    spot = on_screen(page, pixel)
+    page.mouse.move(*spot)
     page.get_by_test_id("frame-view").evaluate("() => new Promise(requestAnimationFrame)")
-    page.mouse.click(spot["x"], spot["y"])
+    page.mouse.click(*spot)
 
 
 PARTS = (first_picture, steps, clicks, steps_hd, steps_4k)

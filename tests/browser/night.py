@@ -9,6 +9,7 @@ from typing import Any
 from playwright.sync_api import Page
 
 from .conftest import wait_for_demonstration
+from .picture import on_screen
 from .server import Server
 
 TARGETS = ("roof", "driver_eye", "taillight")
@@ -71,14 +72,8 @@ def until(page: Page, vehicle_id: int, wanted: Callable[[dict[str, dict[str, Any
         page.wait_for_timeout(50)
 
 
-def at(page: Page, pixel: Pixel) -> tuple[float, float]:
-    """Where an image pixel lies in the window."""
-    spot = page.evaluate("([x, y]) => window.__sightline.imageToScreen(x, y)", list(pixel))
-    return float(spot["x"]), float(spot["y"])
-
-
 def click_at(page: Page, pixel: Pixel) -> None:
     """Moves the pointer to an image pixel and clicks."""
-    x, y = at(page, pixel)
+    x, y = on_screen(page, pixel)
     page.mouse.move(x, y)
     page.mouse.click(x, y)

@@ -7,6 +7,7 @@ from typing import Any
 from playwright.sync_api import Page, expect
 
 from .conftest import wait_for_demonstration
+from .picture import on_screen
 from .server import Server
 
 
@@ -45,9 +46,7 @@ def test_still_cameras_a_proposal_and_a_brightened_picture(page: Page, demonstra
     number = f"{last['vehicle_number']:02d}"
     page.get_by_role("button", name=number).or_(page.get_by_role("option", name=number)).first.click()
     expect(page.locator("#measure-hint")).to_contain_text("click where the tyre meets the road")
-    page.wait_for_function("() => window.__sightline !== undefined")
-    at = page.evaluate("([x, y]) => window.__sightline.imageToScreen(x, y)", [x + 6, y - 5])
-    page.mouse.move(at["x"], at["y"])
+    page.mouse.move(*on_screen(page, (x + 6, y - 5)))
     page.keyboard.press("a")
     expect(page.get_by_test_id("contact-proposal")).to_contain_text("proposal: expect about")
     expect(page.get_by_test_id("axes")).to_have_count(0)

@@ -17,6 +17,7 @@ from tests.media.clips import Spec, write
 from tests.support.boards import POSES, picture_bytes, view
 
 from .night import Untouched, click_at, stored, untouched
+from .picture import on_screen
 from .server import Server
 
 HEADERS = {"X-Sightline": "1"}
@@ -193,7 +194,7 @@ def opened(page: Page, demonstration: Server) -> Untouched:
     one = untouched(page, demonstration)
     page.goto(one.address)
     expect(page.get_by_test_id(f"pass-{one.vehicle['number']}")).to_have_attribute("aria-current", "true")
-    page.wait_for_function("window.__sightline?.imageToScreen(0, 0)")
+    on_screen(page, (0, 0))
     return one
 
 
@@ -277,7 +278,7 @@ def test_a_click_outside_the_lens_models_valid_radius_gives_a_reason_and_no_numb
     one = folding_lens
     page.goto(one.address)
     expect(page.get_by_test_id(f"pass-{one.vehicle['number']}")).to_have_attribute("aria-current", "true")
-    page.wait_for_function("window.__sightline?.imageToScreen(0, 0)")
+    on_screen(page, (0, 0))
     page.get_by_test_id("target-roof").click()
     click_at(page, (6, 474))
     expect(page.locator("#measure-hint")).to_contain_text("outside the lens model's valid radius")

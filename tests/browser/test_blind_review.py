@@ -7,6 +7,7 @@ import pytest
 from playwright.sync_api import Browser, Locator, Page, expect
 
 from .conftest import wait_for_demonstration
+from .picture import on_screen
 from .server import Server
 from .test_journey import invited
 
@@ -19,9 +20,7 @@ def survey_id(page: Page) -> int:
 
 def click_at(page: Page, point: list[float]) -> None:
     """A click on a point of the picture, wherever the picture is on the screen."""
-    page.wait_for_function("window.__sightline?.imageToScreen(0, 0)")
-    spot = page.evaluate("([x, y]) => window.__sightline.imageToScreen(x, y)", point)
-    page.mouse.click(spot["x"], spot["y"])
+    page.mouse.click(*on_screen(page, point))
 
 
 def again(page: Page, first: dict[str, Any], dx: float = 0.4) -> None:

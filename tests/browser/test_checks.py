@@ -7,14 +7,15 @@ from typing import Any
 from playwright.sync_api import Page, expect
 
 from .conftest import wait_for_demonstration
+from .picture import on_screen
 from .server import Server
 
 
 def press_at(page: Page, point: list[float]) -> None:
     """Click on a pixel of the picture."""
-    at = page.evaluate("([x, y]) => window.__sightline.imageToScreen(x, y)", point)
-    page.mouse.move(at["x"], at["y"])
-    page.mouse.click(at["x"], at["y"])
+    x, y = on_screen(page, point)
+    page.mouse.move(x, y)
+    page.mouse.click(x, y)
 
 
 def both_tyres(demonstration: Server, number: int) -> tuple[int, list[float], list[float]]:

@@ -14,6 +14,7 @@ import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, expect
 
 from .conftest import wait_for_demonstration
+from .picture import on_screen
 from .server import Server
 
 TARGETS = {"roof": "1", "driver_eye": "2", "taillight": "3"}
@@ -112,9 +113,9 @@ def find_pose(
 
 
 def click_pixel(page: Page, x: float, y: float) -> None:
-    spot = page.evaluate("([x, y]) => window.__sightline.imageToScreen(x, y)", [x, y])
-    page.mouse.move(spot["x"], spot["y"])
-    page.mouse.click(spot["x"], spot["y"])
+    spot = on_screen(page, (x, y))
+    page.mouse.move(*spot)
+    page.mouse.click(*spot)
 
 
 def candidates(
@@ -150,10 +151,10 @@ def measure(page: Page, one: dict[str, Any], frame: dict[str, Any], rng: np.rand
             expect(page.get_by_test_id("axes")).to_be_visible()
             expect(page.get_by_test_id("ladder")).to_be_visible()
         x, y = np.array(frame["pixels"][target]) + rng.normal(0, CLICK_NOISE_PX, 2)
-        spot = page.evaluate("([x, y]) => window.__sightline.imageToScreen(x, y)", [float(x), float(y)])
-        page.mouse.move(spot["x"], spot["y"])
+        spot = on_screen(page, (float(x), float(y)))
+        page.mouse.move(*spot)
         expect(page.get_by_test_id("live-height")).to_contain_text(re.compile(r"\d\.\d{3} ± 0\.\d{3}"))
-        page.mouse.click(spot["x"], spot["y"])
+        page.mouse.click(*spot)
         expect(page.get_by_test_id(f"measurement-row-{target}")).to_contain_text(re.compile(r"\d\.\d{3}"))
     expect(page.get_by_test_id("save-state")).to_contain_text(re.compile(r"saved \d", re.I))
 

@@ -4,7 +4,8 @@ import re
 
 from playwright.sync_api import Page, expect
 
-from .night import TARGETS, Pixel, at, stored, until, untouched
+from .night import TARGETS, Pixel, stored, until, untouched
+from .picture import on_screen
 from .server import Server
 
 MOVES = (10.0, "Shift+"), (1.0, ""), (0.1, "Alt+")
@@ -31,7 +32,7 @@ def cursor(page: Page) -> Pixel:
     frame = page.get_by_test_id("frame-view").bounding_box()
     assert frame
     x, y = frame["x"] + float(found[2]), frame["y"] + float(found[1])
-    (x0, y0), (x1, y1) = at(page, (0, 0)), at(page, (100, 100))
+    (x0, y0), (x1, y1) = on_screen(page, (0, 0)), on_screen(page, (100, 100))
     return 100 * (x - x0) / (x1 - x0), 100 * (y - y0) / (y1 - y0)
 
 

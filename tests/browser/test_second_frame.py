@@ -9,6 +9,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from .conftest import wait_for_demonstration
+from .picture import on_screen
 from .server import Server
 
 
@@ -40,9 +41,9 @@ def pixels(one: dict[str, Any], frame: int) -> dict[str, list[float]]:
 
 def point_at(page: Page, at: list[float]) -> tuple[float, float]:
     """The pointer over a pixel of the picture; where that is on the screen."""
-    spot = page.evaluate("([x, y]) => window.__sightline.imageToScreen(x, y)", at)
-    page.mouse.move(spot["x"], spot["y"])
-    return spot["x"], spot["y"]
+    x, y = on_screen(page, at)
+    page.mouse.move(x, y)
+    return x, y
 
 
 def click(page: Page, at: list[float]) -> None:

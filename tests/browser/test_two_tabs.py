@@ -8,6 +8,7 @@ import pytest
 from playwright.sync_api import Browser, BrowserContext, Locator, Page, Route, expect
 
 from .night import Untouched, click_at, stored, until, untouched
+from .picture import on_screen
 from .server import Server
 
 
@@ -38,7 +39,7 @@ def opened(page: Page, one: Untouched) -> Page:
     page.goto(one.address)
     expect(page.get_by_test_id(f"pass-{one.vehicle['number']}")).to_have_attribute("aria-current", "true")
     expect(page.get_by_label("Year")).to_be_visible()
-    page.wait_for_function("window.__sightline?.imageToScreen(0, 0)")
+    on_screen(page, (0, 0))
     return page
 
 

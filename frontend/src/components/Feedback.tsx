@@ -1,7 +1,7 @@
 /** What a screen says while it loads, when it is empty, when something is wrong, and how far work has come. */
 import type { ComponentChildren } from "preact";
-import { explain } from "../api";
-import type { Job } from "../types";
+import { explain } from "../core/api";
+import type { Job } from "../core/types";
 import { Button } from "./Button";
 import { Icon } from "./Icon";
 

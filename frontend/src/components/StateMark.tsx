@@ -1,3 +1,5 @@
+import { STATE_WORDS, type StateName } from "../core/words";
+
 /** States are told by shape and word, never by colour: a mark looks the same in any print and to any eye. */
 export type MarkShape =
   | "empty"
@@ -12,46 +14,39 @@ export type MarkShape =
   | "dash"
   | "wait";
 
-const MARKS = {
+const SHAPES: Record<StateName, MarkShape> = {
   // vehicles
-  to_do: ["empty", "to do"],
-  partial: ["half", "partly measured"],
-  measured: ["full", "measured"],
+  to_do: "empty",
+  partial: "half",
+  measured: "full",
   // reviews
-  to_review: ["empty", "to review"],
-  accepted: ["check", "accepted"],
-  fixed: ["diamond", "fixed"],
-  rejected: ["cross", "rejected"],
-  reopened: ["back", "reopened"],
-  withdrawn: ["dash", "withdrawn"],
-  not_measurable: ["warning", "not measurable"],
+  to_review: "empty",
+  accepted: "check",
+  fixed: "diamond",
+  rejected: "cross",
+  reopened: "back",
+  withdrawn: "dash",
+  not_measurable: "warning",
   // steps
-  done: ["check", "done"],
-  next: ["arrow", "next"],
-  waiting: ["dash", "waiting"],
+  done: "check",
+  next: "arrow",
+  waiting: "dash",
   // recordings and jobs
-  ingesting: ["wait", "being read"],
-  ready: ["check", "ready"],
-  failed: ["cross", "failed"],
-  queued: ["dash", "queued"],
-  running: ["wait", "running"],
-  cancelled: ["dash", "cancelled"],
+  ingesting: "wait",
+  ready: "check",
+  failed: "cross",
+  queued: "dash",
+  running: "wait",
+  cancelled: "dash",
   // calibrations
-  trusted: ["check", "trusted"],
-  not_trusted: ["warning", "not to be trusted"],
-  used: ["check", "used"],
-  left_out: ["cross", "left out"],
+  trusted: "check",
+  not_trusted: "warning",
+  used: "check",
+  left_out: "cross",
   // people
-  active: ["full", "active"],
-  inactive: ["empty", "switched off"],
-} as const satisfies Record<string, readonly [MarkShape, string]>;
-
-export type StateName = keyof typeof MARKS;
-
-/** The word of a state, for lists and titles. */
-export function stateWord(state: StateName): string {
-  return MARKS[state][1];
-}
+  active: "full",
+  inactive: "empty",
+};
 
 export function StateMark({
   state,
@@ -62,11 +57,10 @@ export function StateMark({
   word?: string;
   hideWord?: boolean;
 }) {
-  const [shape, usual] = MARKS[state];
-  const text = word ?? usual;
+  const text = word ?? STATE_WORDS[state];
   return (
     <span class="mark" title={hideWord ? text : undefined}>
-      <Shape shape={shape} />
+      <Shape shape={SHAPES[state]} />
       <span class={hideWord ? "visually-hidden" : undefined}>{text}</span>
     </span>
   );

@@ -1,11 +1,12 @@
-import { dismiss, toasts } from "../state/toasts";
+import { dismiss, toasts } from "../core/toasts";
 import { Button } from "./Button";
 
+/** One live region for all of them, so that each is read once and the ones that stay are not read again. */
 export function Toasts() {
   return (
-    <div class="toasts" role="status" aria-live="polite">
+    <div class="toasts" role="status" aria-atomic="false">
       {toasts.value.map((toast) => (
-        <div key={toast.id} class="toast" role={toast.kind === "problem" ? "alert" : undefined}>
+        <div key={toast.id} class="toast">
           <span class="grow">{toast.text}</span>
           {toast.action && (
             <Button

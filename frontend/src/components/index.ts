@@ -1,10 +1,11 @@
-export { Button, type ButtonProps } from "./Button";
+export { Button } from "./Button";
 export { AskDialog, ask, Dialog } from "./Dialog";
 export { DropFiles } from "./DropFiles";
 export { Empty, JobProgress, Loading, Notice, Problem, Progress } from "./Feedback";
 export { Field, Segments, SelectField, TextField } from "./Field";
 export { FormDialog } from "./FormDialog";
 export { Icon, type IconName } from "./Icon";
+export { Mark } from "./Mark";
 export { Menu } from "./Menu";
-export { type MarkShape, Shape, StateMark, type StateName, stateWord } from "./StateMark";
+export { type MarkShape, Shape, StateMark } from "./StateMark";
 export { TableScroll } from "./TableScroll";

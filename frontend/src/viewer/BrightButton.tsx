@@ -1,6 +1,6 @@
 /** Brightens the picture for the eye; the label on the picture says so. */
 import { Button } from "../components";
-import { hint } from "../keys";
+import { hint } from "../core/commands";
 import { bright, toggleBright } from "./display";
 
 export function BrightButton() {

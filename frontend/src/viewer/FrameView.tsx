@@ -227,6 +227,8 @@ function nearest(handles: readonly Handle[], at: ScreenPoint, stage: Stage): Han
 
 function draw(canvas: HTMLCanvasElement, picture: ImageBitmap | null, stage: Stage): void {
   const { screen, image, left, top, scale } = stage.viewport.value;
+  // where the picture lies, for who reads the page from outside, as the browser tests do
+  canvas.dataset["picture"] = `${left} ${top} ${scale}`;
   const ratio = window.devicePixelRatio || 1;
   const width = Math.round(screen.width * ratio);
   const height = Math.round(screen.height * ratio);

@@ -2,7 +2,7 @@
  * Shapes above the frame, all given in image pixels. Lines ride on the viewport's transform with strokes that do not scale;
  * marks and words keep their size on the screen. Colours: the three axes, white, and the accent for what is selected.
  */
-import type { AxisLines, Px } from "../types";
+import type { AxisLines, Px } from "../core/types";
 import { fromServer, type ImagePoint } from "./points";
 import type { Stage } from "./stage";
 

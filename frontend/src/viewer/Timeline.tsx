@@ -1,8 +1,8 @@
 /** The recording as a strip: thumbnails, spans (passes, the board), what is loaded, where we are. Click or drag to go. */
 import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import { formatFrameTime } from "../times";
-import type { Recording } from "../types";
+import { formatFrameTime } from "../core/times";
+import type { Recording } from "../core/types";
 import { nearestThumb } from "./ahead";
 import type { Player } from "./player";
 import { clamp } from "./viewport";

@@ -1,8 +1,8 @@
 /** Step buttons, play, the frame box, the time. */
-import { useLayoutEffect, useRef } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { Button } from "../components";
-import { type ActionId, hint, type KeyHandlers } from "../keys";
-import { formatFrameTime } from "../times";
+import { type ActionId, hint, type KeyHandlers } from "../core/commands";
+import { formatFrameTime } from "../core/times";
 import { toggleBright } from "./display";
 import type { Player } from "./player";
 import type { Stage } from "./stage";
@@ -18,6 +18,12 @@ export function Transport({ player, stage }: { player: Player; stage: Stage }) {
     if (Number.isFinite(wanted)) player.go(wanted);
     if (box.current) box.current.value = String(player.frame.value);
   };
+  useEffect(() => {
+    stage.frameBox = box.current;
+    return () => {
+      stage.frameBox = null;
+    };
+  }, [stage]);
   // A frame that arrives while the box has the focus keeps its text selected, and never mixes with typed digits.
   useLayoutEffect(() => {
     const input = box.current;
@@ -100,7 +106,7 @@ export function frameKeys(player: Player, stage: Stage): KeyHandlers {
     secondPrevious: () => player.stepSeconds(-1),
     frameFirst: () => player.step(Number.NEGATIVE_INFINITY),
     frameLast: () => player.step((player.count.value ?? 1) - 1 - player.frame.value),
-    frameGo: () => document.querySelector<HTMLInputElement>("[data-testid=frame-box]")?.focus(),
+    frameGo: () => stage.frameBox?.focus(),
     play: (_event, down) => {
       if (!down && !stage.panned) player.toggle();
       if (down) stage.panned = false;

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Recording } from "../types";
+import type { Recording } from "../core/types";
 import { around, standIn, worthHaving } from "./ahead";
 
 const of = (width_px: number, height_px: number): Recording =>

@@ -1,5 +1,5 @@
 /** What is worth having before it is asked for, and what stands in until it is here. */
-import type { Recording } from "../types";
+import type { Recording } from "../core/types";
 import { neighbours } from "./frameCache";
 
 const BYTES_PER_PIXEL = 4;

@@ -1,7 +1,10 @@
 /** How pictures are shown: as they are, or brightened by the server. For the eye only; clicks and measurements are the same. */
-import { stored } from "../state/stored";
+import { stored } from "../core/stored";
 
 export const bright = stored<boolean>("bright", false, (value) => typeof value === "boolean");
+
+/** Whether the lines of the road's axes are drawn over the picture. */
+export const linesShown = stored<boolean>("lines", true);
 
 export const BRIGHT_WORDS = "display only: brightened";
 

@@ -1,5 +1,5 @@
 /** Fetches stills and lossless crops of one recording; the server is the only decoder. */
-import { ApiError, toApiError } from "../api";
+import { ApiError, toApiError } from "../core/api";
 import { displayQuery } from "./display";
 
 /** Address of a frame; with its checksum it may be kept for ever. */

@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import type { Recording } from "../types";
+import type { Recording } from "../core/types";
 import { Player } from "./player";
 
 /** Frames come only when let go, so that a test decides who overtakes whom. */

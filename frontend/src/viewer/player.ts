@@ -3,8 +3,8 @@
  * What is shown lags behind what is asked for while it loads; clicks belong to what is shown.
  */
 import { batch, computed, signal } from "@preact/signals";
-import { api, explain } from "../api";
-import type { FrameTable, ReadyFrames, Recording } from "../types";
+import { api, explain } from "../core/api";
+import type { FrameTable, ReadyFrames, Recording } from "../core/types";
 import { standIn, worthHaving } from "./ahead";
 import { bright } from "./display";
 import { FrameCache } from "./frameCache";

@@ -1,6 +1,6 @@
-/** What a frame view shares with its loupe, overlay and screen: the viewport, the pointer, and a way in for tests. */
+/** What a frame view shares with its loupe, overlay and screen: the viewport and the pointer. */
 import { signal } from "@preact/signals";
-import { type ImagePoint, imagePoint, type ScreenPoint, screenPoint } from "./points";
+import { type ImagePoint, type ScreenPoint, screenPoint } from "./points";
 import { type Size, Viewport } from "./viewport";
 
 const NOTHING: Size = { width: 1, height: 1 };
@@ -14,6 +14,8 @@ export class Stage {
   readonly dragging = signal(false);
   /** Set when Space was held to pan, so that letting it go does not play. */
   panned = false;
+  /** The box of the transport in which a frame's number is typed, while it is shown. */
+  frameBox: HTMLInputElement | null = null;
   private element: HTMLElement | null = null;
   private known = false;
 
@@ -22,10 +24,8 @@ export class Stage {
     const watcher = new ResizeObserver(() => this.measure());
     watcher.observe(element);
     this.measure();
-    const withdraw = expose(this);
     return () => {
       watcher.disconnect();
-      withdraw();
       this.element = null;
     };
   }
@@ -58,12 +58,6 @@ export class Stage {
     return screenPoint(clientX - (box?.left ?? 0), clientY - (box?.top ?? 0));
   }
 
-  toClient(point: ImagePoint): { x: number; y: number } {
-    const box = this.element?.getBoundingClientRect();
-    const [x, y] = this.viewport.value.toScreen(point);
-    return { x: x + (box?.left ?? 0), y: y + (box?.top ?? 0) };
-  }
-
   centre(): ImagePoint {
     const { screen } = this.viewport.value;
     return this.viewport.value.toImage(screenPoint(screen.width / 2, screen.height / 2));
@@ -78,30 +72,4 @@ export class Stage {
     const screen = { width: this.element.clientWidth, height: this.element.clientHeight };
     if (screen.width > 0) this.viewport.value = this.viewport.value.resized(screen);
   }
-}
-
-/**
- * Read-only helper for browser tests: `imageToScreen(x, y)` answers the client coordinates `{x, y}`
- * at which to click to hit an image pixel; null while no frame view is shown.
- */
-export interface SightlineHelper {
-  imageToScreen(x: number, y: number): { x: number; y: number } | null;
-}
-
-declare global {
-  interface Window {
-    __sightline?: SightlineHelper;
-  }
-}
-
-const stages: Stage[] = [];
-
-function expose(stage: Stage): () => void {
-  stages.push(stage);
-  window.__sightline = Object.freeze({
-    imageToScreen: (x: number, y: number) => stages.at(-1)?.toClient(imagePoint(x, y)) ?? null,
-  });
-  return () => {
-    stages.splice(stages.indexOf(stage), 1);
-  };
 }

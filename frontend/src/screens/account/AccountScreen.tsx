@@ -1,9 +1,9 @@
 import { useState } from "preact/hooks";
-import { api } from "../../api";
 import { Button, Notice, Problem, TextField } from "../../components";
-import { me } from "../../state/session";
-import { toast } from "../../state/toasts";
-import { type Me, ROLE_NAMES } from "../../types";
+import { api } from "../../core/api";
+import { me } from "../../core/session";
+import { toast } from "../../core/toasts";
+import { type Me, ROLE_NAMES } from "../../core/types";
 import "./account.css";
 
 const LEAST = 10;

@@ -1,11 +1,11 @@
 import { useState } from "preact/hooks";
-import { api, explain } from "../../api";
 import { Button, Empty, Loading, Notice, Problem, SelectField, TableScroll } from "../../components";
-import { query, setQuery } from "../../router";
-import { useResource } from "../../state/resource";
-import { formatClock, formatDay } from "../../times";
-import type { AuditCheck, AuditEvent, Survey } from "../../types";
-import { formatCount } from "../../units";
+import { query, setQuery } from "../../core/address";
+import { api, explain } from "../../core/api";
+import { useResource } from "../../core/resource";
+import { formatClock, formatDay } from "../../core/times";
+import type { AuditCheck, AuditEvent, Survey } from "../../core/types";
+import { formatCount } from "../../core/units";
 import { changesOf } from "./changes";
 import "./audit.css";
 

@@ -1,7 +1,7 @@
 import { useState } from "preact/hooks";
-import { api } from "../../api";
 import { FormDialog, TextField } from "../../components";
-import type { Camera } from "../../types";
+import { api } from "../../core/api";
+import type { Camera } from "../../core/types";
 
 interface AddProps {
   surveyId: number;

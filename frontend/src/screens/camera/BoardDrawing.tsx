@@ -1,8 +1,9 @@
-import { markerPath } from "../../boards/markers";
+import { markerPath } from "../../parts/boards/markers";
 
 interface Props {
   columns: number;
   rows: number;
+  /** Its side in words. */
   square: string;
   markers: boolean;
   /** Side of a marker over the side of a square. */
@@ -31,7 +32,7 @@ export function BoardDrawing({ columns, rows, square, markers, share }: Props) {
   const label = { "font-size": 11, fill: "var(--ink)", "text-anchor": "middle" } as const;
   return (
     <svg
-      class="board-drawing"
+      class="board__drawing"
       width={x0 + width + 40}
       height={y0 + height + 24}
       role="img"
@@ -65,7 +66,7 @@ export function BoardDrawing({ columns, rows, square, markers, share }: Props) {
         stroke="var(--ink-2)"
       />
       <text x={x0 + width - u / 2} y={y0 + height + 20} {...label} text-anchor="end" dx={u / 2 + 4}>
-        square {square || "?"} mm
+        square {square}
       </text>
     </svg>
   );

@@ -1,40 +1,54 @@
-import { KindField, MarkerFields } from "../../boards/MarkerFields";
-import { PLAIN } from "../../boards/markers";
+import { useEffect, useRef, useState } from "preact/hooks";
 import { TextField } from "../../components";
-import type { CameraDetail } from "../../types";
-import { parseNumber } from "../../units";
+import type { CameraDetail } from "../../core/types";
+import { lengthUnit, parseNumber, parseSmall, smallScale, smallText } from "../../core/units";
+import { KindField, MarkerFields } from "../../parts/boards/MarkerFields";
+import { PLAIN } from "../../parts/boards/markers";
 import { BoardDrawing } from "./BoardDrawing";
-import { problemsOf, type TypedBoard } from "./board";
+import { boardText, inUnit, problemsOf, type TypedBoard } from "./board";
 
 /** The board as it was for this camera's images; the square as it was typed last on this machine. */
 export function firstBoard(camera: CameraDetail): TypedBoard {
   const image = camera.images.find((one) => !one.found) ?? camera.images[0];
-  const square = lastSquare();
+  const square_m = lastSquare();
   const share = image?.marker_share ?? null;
-  const side = parseNumber(square);
   return {
     columns: String(image?.columns ?? 9),
     rows: String(image?.rows ?? 6),
-    square,
+    square: boardText(square_m),
     kind: image?.dictionary ? "charuco" : "checkerboard",
     dictionary: image?.dictionary ?? PLAIN.dictionary,
-    marker: share === null || side === null ? "" : String(Number((share * side).toFixed(3))),
+    marker: share === null ? "" : boardText(share * square_m),
   };
 }
 
-const SQUARE = "sightline.square_mm";
+/** The board being typed; when the person turns to another unit, its lengths are turned with it. */
+export function useTypedBoard(camera: CameraDetail): [TypedBoard, (board: TypedBoard) => void] {
+  const [typed, setTyped] = useState(() => firstBoard(camera));
+  const unit = lengthUnit.value;
+  const before = useRef(unit);
+  useEffect(() => {
+    const from = before.current;
+    before.current = unit;
+    if (from !== unit) setTyped((board) => inUnit(board, from, unit));
+  }, [unit]);
+  return [typed, setTyped];
+}
 
-function lastSquare(): string {
+const SQUARE = "sightline.square_mm";
+const USUAL_SQUARE_M = 0.025;
+
+function lastSquare(): number {
   try {
-    return localStorage.getItem(SQUARE) ?? "25";
+    return parseSmall(localStorage.getItem(SQUARE) ?? "", "m") ?? USUAL_SQUARE_M;
   } catch {
-    return "25";
+    return USUAL_SQUARE_M;
   }
 }
 
 function keepSquare(square: string): void {
   try {
-    localStorage.setItem(SQUARE, square);
+    localStorage.setItem(SQUARE, smallText(parseSmall(square), "m"));
   } catch {
     // it is only a convenience
   }
@@ -43,6 +57,7 @@ function keepSquare(square: string): void {
 /** Asks for the board in words, and draws what is meant. */
 export function BoardFields({ board, change }: { board: TypedBoard; change: (board: TypedBoard) => void }) {
   const problems = problemsOf(board);
+  const [, unit] = smallScale();
   const set = (part: Partial<TypedBoard>) => {
     const next = { ...board, ...part };
     change(next);
@@ -76,13 +91,13 @@ export function BoardFields({ board, change }: { board: TypedBoard; change: (boa
           <TextField
             label="Side of one square"
             numeric
-            unit="mm"
+            unit={unit}
             value={board.square}
             onInput={(square) => set({ square })}
             problem={problems.square}
           />
         </div>
-        <MarkerFields value={board} unit="mm" problem={problems.marker} change={set} />
+        <MarkerFields value={board} unit={unit} problem={problems.marker} change={set} />
         <p class="field__hint">
           Measure across ten squares with a ruler and divide by ten: printers rarely keep the size.
         </p>
@@ -90,7 +105,7 @@ export function BoardFields({ board, change }: { board: TypedBoard; change: (boa
       <BoardDrawing
         columns={Number(board.columns) || 9}
         rows={Number(board.rows) || 6}
-        square={board.square}
+        square={`${board.square || "?"} ${unit}`}
         markers={board.kind === "charuco"}
         share={markerShare(board)}
       />

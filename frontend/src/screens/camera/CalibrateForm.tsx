@@ -1,9 +1,9 @@
 import { useState } from "preact/hooks";
-import { api } from "../../api";
 import { Button, Segments, SelectField, TextField } from "../../components";
-import { useResource } from "../../state/resource";
-import type { Recording } from "../../types";
-import { parseNumber, plural } from "../../units";
+import { api } from "../../core/api";
+import { useResource } from "../../core/resource";
+import type { Recording } from "../../core/types";
+import { parseNumber, plural } from "../../core/units";
 
 export interface Recipe {
   model: "brown" | "fisheye";

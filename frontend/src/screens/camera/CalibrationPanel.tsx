@@ -1,10 +1,10 @@
 import { useState } from "preact/hooks";
-import { api } from "../../api";
 import { Button, Loading, Notice, Problem, StateMark } from "../../components";
-import { useResource } from "../../state/resource";
-import { formatMoment } from "../../times";
-import type { Calibration, CameraDetail, CameraView } from "../../types";
-import { fixed, plural } from "../../units";
+import { api } from "../../core/api";
+import { useResource } from "../../core/resource";
+import { formatMoment } from "../../core/times";
+import type { Calibration, CameraDetail, CameraView } from "../../core/types";
+import { fixed, plural } from "../../core/units";
 import { Checks } from "./Checks";
 import { CoverageMap } from "./CoverageMap";
 import { angleOfView, coveredShare, type Figure, figuresOf, worstView } from "./lens";

@@ -1,10 +1,10 @@
 import { useState } from "preact/hooks";
 import { Button, DropFiles, Icon, JobProgress, Notice, Problem, Segments } from "../../components";
-import { cancelJob } from "../../state/jobs";
-import { may } from "../../state/session";
-import type { CalibrationImage, CameraDetail } from "../../types";
-import { plural } from "../../units";
-import { BoardFields, firstBoard } from "./BoardFields";
+import { cancelJob } from "../../core/jobs";
+import { may } from "../../core/session";
+import type { CalibrationImage, CameraDetail } from "../../core/types";
+import { plural } from "../../core/units";
+import { BoardFields, useTypedBoard } from "./BoardFields";
 import { type Board, readBoard } from "./board";
 import { CalibrateForm, type Source } from "./CalibrateForm";
 import { CalibrationPanel } from "./CalibrationPanel";
@@ -16,12 +16,12 @@ interface Props {
   camera: CameraDetail;
   surveyId: number;
   reload: () => Promise<void>;
-  set: (camera: CameraDetail) => void;
+  set: (change: (now: CameraDetail) => CameraDetail) => void;
 }
 
 /** One camera: the result, its history, and the bench to calibrate it on. */
 export function CameraBench({ camera, surveyId, reload, set }: Props) {
-  const [typed, setTyped] = useState(() => firstBoard(camera));
+  const [typed, setTyped] = useTypedBoard(camera);
   const [source, setSource] = useState<Source>("images");
   const board = readBoard(typed);
   const work = useCameraWork(camera, board, reload, set);
@@ -44,7 +44,7 @@ export function CameraBench({ camera, surveyId, reload, set }: Props) {
             <h2>{camera.calibrations.length > 0 ? "Calibrate again" : "Calibrate"}</h2>
             <ImportButton take={(file) => void work.importFile(file)} />
           </header>
-          <div class="panel__body stack">
+          <div class="panel__body stack camera-panel">
             <BoardFields board={typed} change={setTyped} />
             <Segments<Source>
               label="Where the boards are"

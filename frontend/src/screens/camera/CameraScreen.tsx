@@ -1,11 +1,12 @@
 import { useState } from "preact/hooks";
-import { api } from "../../api";
 import { Button, Empty, Loading, Problem } from "../../components";
-import { query, type ScreenProps, setQuery } from "../../router";
-import { useResource } from "../../state/resource";
-import { may } from "../../state/session";
-import { refreshSurvey } from "../../state/survey";
-import type { Camera, CameraDetail } from "../../types";
+import { query, setQuery } from "../../core/address";
+import { api } from "../../core/api";
+import type { ScreenProps } from "../../core/places";
+import { useResource } from "../../core/resource";
+import { may } from "../../core/session";
+import { refreshSurvey } from "../../core/survey";
+import type { Camera, CameraDetail } from "../../core/types";
 import { AddCamera } from "./AddCamera";
 import { CameraBench } from "./CameraBench";
 import "./camera.css";

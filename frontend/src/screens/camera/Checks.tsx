@@ -1,4 +1,4 @@
-import type { Calibration } from "../../types";
+import type { Calibration } from "../../core/types";
 import { apart, boardInWords, halvesInWords, heldOutInWords } from "./checks";
 
 /** What speaks for or against a calibration: two halves calibrated apart, and how flat the board was. */
@@ -6,7 +6,7 @@ export function Checks({ calibration }: { calibration: Calibration }) {
   const { cross_validation: halves, board_shape: shape } = calibration;
   if (!halves && !shape) return null;
   return (
-    <section class="checks" aria-label="Checks">
+    <section class="lens-checks" aria-label="Checks">
       {halves && (
         <div>
           <h3>Two halves, calibrated apart</h3>
@@ -14,7 +14,7 @@ export function Checks({ calibration }: { calibration: Calibration }) {
           {halves.held_out_rms_px !== null && <p>{heldOutInWords(halves)}</p>}
           {halves.height_differences.length > 0 && (
             <>
-              <table class="table checks__table">
+              <table class="table lens-checks__table">
                 <thead>
                   <tr>
                     <th>vehicle at</th>

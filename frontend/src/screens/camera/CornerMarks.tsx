@@ -1,4 +1,4 @@
-import type { Px } from "../../types";
+import type { Px } from "../../core/types";
 
 interface Props {
   width: number;

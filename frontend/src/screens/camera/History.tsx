@@ -1,6 +1,6 @@
 import { Button, StateMark, TableScroll } from "../../components";
-import { formatMoment } from "../../times";
-import type { CameraDetail } from "../../types";
+import { formatMoment } from "../../core/times";
+import type { CameraDetail } from "../../core/types";
 
 interface Props {
   camera: CameraDetail;

@@ -1,5 +1,5 @@
 import { Button, StateMark } from "../../components";
-import type { CalibrationImage } from "../../types";
+import type { CalibrationImage } from "../../core/types";
 import { CornerMarks } from "./CornerMarks";
 
 /** Each image with what was found in it drawn over. */

@@ -1,4 +1,4 @@
-import type { CameraDocument, CameraView } from "../../types";
+import type { CameraDocument, CameraView } from "../../core/types";
 
 interface Props {
   view: CameraView;

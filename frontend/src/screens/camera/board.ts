@@ -1,15 +1,16 @@
 /** The checkerboard as a person types it, and what is wrong with it in words. */
-import { type BoardKind, markerProblem, markersTold } from "../../boards/markers";
-import { parseNumber } from "../../units";
+
+import { type LengthUnit, lengthUnit, parseNumber, parseSmall, smallText } from "../../core/units";
+import { type BoardKind, markerProblem, markersTold } from "../../parts/boards/markers";
 
 export interface TypedBoard {
   columns: string;
   rows: string;
-  /** side of one square, millimetres */
+  /** side of one square, as a small length in the shown unit */
   square: string;
   kind: BoardKind;
   dictionary: string;
-  /** side of one marker, millimetres */
+  /** side of one marker, likewise */
   marker: string;
 }
 
@@ -29,6 +30,11 @@ export interface BoardProblems {
   marker: string | null;
 }
 
+const EXAMPLES: Record<LengthUnit, { unit: string; square: string; marker: string }> = {
+  m: { unit: "millimetres", square: "25", marker: "18" },
+  ft: { unit: "inches", square: "1", marker: "0.75" },
+};
+
 function countProblem(text: string, what: string): string | null {
   const value = parseNumber(text);
   if (value === null || !Number.isInteger(value)) return `Give the number of ${what} as a whole number.`;
@@ -37,15 +43,16 @@ function countProblem(text: string, what: string): string | null {
 }
 
 export function problemsOf(typed: TypedBoard): BoardProblems {
-  const square = parseNumber(typed.square);
+  const square = parseSmall(typed.square);
+  const example = EXAMPLES[lengthUnit.value];
   return {
     columns: countProblem(typed.columns, "columns"),
     rows: countProblem(typed.rows, "rows"),
     square:
-      square === null || square <= 0 || square > 2000
-        ? "Give the side of one square in millimetres, for example 25."
+      square === null || square <= 0 || square > 2
+        ? `Give the side of one square in ${example.unit}, for example ${example.square}.`
         : null,
-    marker: markerProblem(typed.kind, parseNumber(typed.marker), square, "18"),
+    marker: markerProblem(typed.kind, parseSmall(typed.marker), square, example.marker),
   };
 }
 
@@ -54,10 +61,22 @@ export function readBoard(typed: TypedBoard): Board | null {
   const problems = problemsOf(typed);
   if (Object.values(problems).some((problem) => problem !== null)) return null;
   const number = (text: string) => parseNumber(text) ?? 0;
+  const length = (text: string) => parseSmall(text) ?? 0;
   return {
     columns: number(typed.columns),
     rows: number(typed.rows),
-    square_m: number(typed.square) / 1000,
-    ...markersTold(typed.kind, typed.dictionary, number(typed.marker) / 1000),
+    square_m: length(typed.square),
+    ...markersTold(typed.kind, typed.dictionary, length(typed.marker)),
   };
+}
+
+/** A length of the board as it is typed: to a micrometre or finer, so that turning the unit and back changes nothing. */
+export function boardText(metres: number | null | undefined, unit = lengthUnit.value): string {
+  return smallText(metres, unit, unit === "ft" ? 5 : 3);
+}
+
+/** The same board typed in another unit; what is no number stays as it is. */
+export function inUnit(typed: TypedBoard, from: LengthUnit, to: LengthUnit): TypedBoard {
+  const turned = (text: string) => boardText(parseSmall(text, from), to) || text;
+  return { ...typed, square: turned(typed.square), marker: turned(typed.marker) };
 }

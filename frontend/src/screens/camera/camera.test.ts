@@ -1,7 +1,8 @@
 import { describe, expect, it } from "vitest";
-import { PLAIN } from "../../boards/markers";
-import type { CameraDocument, CameraView } from "../../types";
-import { problemsOf, readBoard } from "./board";
+import type { CameraDocument, CameraView } from "../../core/types";
+import { lengthUnit } from "../../core/units";
+import { PLAIN } from "../../parts/boards/markers";
+import { inUnit, problemsOf, readBoard } from "./board";
 import { readSpan } from "./CalibrateForm";
 import { boardInWords, type Halves, halvesInWords, heldOutInWords } from "./checks";
 import { angleOfView, coveredShare, figuresOf, listed, worstView } from "./lens";
@@ -36,6 +37,17 @@ describe("the board as typed", () => {
       rows: 6,
       square_m: 0.0245,
     });
+  });
+
+  it("is typed in inches where lengths are in feet, and turned with the unit", () => {
+    const typed = { ...PLAIN, columns: "9", rows: "6", square: "25" };
+    const inches = inUnit(typed, "m", "ft");
+    expect(inches.square).toBe("0.98425");
+    lengthUnit.value = "ft";
+    expect(readBoard({ ...typed, square: "1" })?.square_m).toBeCloseTo(0.0254, 12);
+    expect(problemsOf({ ...typed, square: "" }).square).toContain("inches, for example 1.");
+    lengthUnit.value = "m";
+    expect(inUnit(inches, "ft", "m")).toEqual(typed);
   });
 
   it("has markers only where it is told so", () => {

@@ -1,6 +1,6 @@
 /** The checks of a calibration in words. Pure; the numbers are the server's. */
-import type { Calibration } from "../../types";
-import { formatSmall } from "../../units";
+import type { Calibration } from "../../core/types";
+import { formatSmall } from "../../core/units";
 import { listed } from "./lens";
 
 export type Halves = NonNullable<Calibration["cross_validation"]>;

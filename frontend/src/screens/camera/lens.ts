@@ -1,5 +1,5 @@
 /** Figures of a calibration made ready to be read. Pure. */
-import type { CameraDocument, CameraView } from "../../types";
+import type { CameraDocument, CameraView } from "../../core/types";
 
 export interface Figure {
   name: string;

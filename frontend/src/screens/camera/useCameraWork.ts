@@ -1,9 +1,9 @@
 import { useState } from "preact/hooks";
-import { api, explain } from "../../api";
-import { useJob } from "../../state/jobs";
-import { refreshSurvey } from "../../state/survey";
-import { toast } from "../../state/toasts";
-import type { Calibration, CalibrationImage, CameraDetail, Job } from "../../types";
+import { api, explain } from "../../core/api";
+import { useJob } from "../../core/jobs";
+import { refreshSurvey } from "../../core/survey";
+import { toast } from "../../core/toasts";
+import type { Calibration, CalibrationImage, CameraDetail, Job } from "../../core/types";
 import type { Board } from "./board";
 import type { Recipe } from "./CalibrateForm";
 
@@ -18,7 +18,7 @@ export function useCameraWork(
   camera: CameraDetail,
   board: Board | null,
   reload: () => Promise<void>,
-  set: (camera: CameraDetail) => void,
+  set: (change: (now: CameraDetail) => CameraDetail) => void,
 ) {
   const [sending, setSending] = useState<Sending[]>([]);
   const [busy, setBusy] = useState(false);
@@ -67,15 +67,13 @@ export function useCameraWork(
   /** One after the other: the server looks for the board in each before it takes the next. */
   const addImages = async (files: File[]) => {
     if (!board) return;
-    const images = [...camera.images];
     const refused: Sending[] = [];
     setProblem(null);
     setSending(files.map(waiting));
     for (const [index, file] of files.entries()) {
       const sent = await sendImage(camera.id, board, file);
       if (typeof sent === "string") refused.push({ name: file.name, problem: sent });
-      else images.push(sent);
-      set({ ...camera, images: [...images] });
+      else set((now) => ({ ...now, images: [...now.images, sent] }));
       setSending([...refused, ...files.slice(index + 1).map(waiting)]);
     }
     await refreshSurvey();
@@ -98,12 +96,12 @@ export function useCameraWork(
         if (!board) return;
         const where = `/cameras/${camera.id}/images/detect`;
         const images = await api.post<CalibrationImage[]>(where, board);
-        set({ ...camera, images });
+        set((now) => ({ ...now, images }));
       }),
     removeImage: (image: CalibrationImage) =>
       run(async () => {
         await api.del(`/calibration-images/${image.id}`);
-        set({ ...camera, images: camera.images.filter((other) => other.id !== image.id) });
+        set((now) => ({ ...now, images: now.images.filter((other) => other.id !== image.id) }));
       }),
     calibrate: (recipe: Recipe) =>
       run(async () => {

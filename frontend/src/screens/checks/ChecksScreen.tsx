@@ -1,7 +1,8 @@
 /** What a survey's own vehicles say of its insets and of its road poses. */
 import { Loading, Segments } from "../../components";
-import { query, type ScreenProps, setQuery } from "../../router";
-import { survey as openSurvey } from "../../state/survey";
+import { query, setQuery } from "../../core/address";
+import type { ScreenProps } from "../../core/places";
+import { survey as openSurvey } from "../../core/survey";
 import { InsetsTab } from "./InsetsTab";
 import { TrafficTab } from "./TrafficTab";
 import "./checks.css";

@@ -1,13 +1,13 @@
 /** Per target: the inset in force, what the survey itself says of it, and a button to use that. */
 import { useState } from "preact/hooks";
-import { api } from "../../api";
 import { Button, Loading, Problem, TableScroll } from "../../components";
-import { useResource } from "../../state/resource";
-import { canWork } from "../../state/session";
-import { refreshSurvey } from "../../state/survey";
-import { toast } from "../../state/toasts";
-import type { Survey, Target } from "../../types";
-import { formatLength, formatSmall, plural } from "../../units";
+import { api } from "../../core/api";
+import { useResource } from "../../core/resource";
+import { canWork } from "../../core/session";
+import { refreshSurvey } from "../../core/survey";
+import { toast } from "../../core/toasts";
+import type { Survey, Target } from "../../core/types";
+import { formatLength, formatSmall, plural } from "../../core/units";
 import { InsetDrawing } from "./InsetDrawing";
 import { type Estimate, type InsetCheck, TARGET_NAMES, TARGETS_MANY, type TargetInsets } from "./types";
 

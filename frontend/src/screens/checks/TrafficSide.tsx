@@ -1,8 +1,8 @@
 /** What the traffic says of the pose, the vehicles with their headings, and the turn before it is accepted. */
 import { Button, SelectField } from "../../components";
-import { canWork } from "../../state/session";
-import type { Vehicle } from "../../types";
-import { formatLength, formatSmall, plural } from "../../units";
+import { canWork } from "../../core/session";
+import type { Vehicle } from "../../core/types";
+import { formatLength, formatSmall, plural } from "../../core/units";
 import { formatDegrees } from "./angles";
 import type { TrafficModel } from "./model";
 import { TARGET_NAMES, type TurnedPose } from "./types";

@@ -1,11 +1,11 @@
 /** Both tyres of each vehicle, clicked pass by pass: the direction of travel against the road's X axis. */
 import { useEffect, useMemo } from "preact/hooks";
 import { Button, Empty, Loading, Notice, Problem } from "../../components";
-import { hint, useKeys } from "../../keys";
-import { RoadOverlay } from "../../pose/PoseOverlay";
-import { query } from "../../router";
+import { query } from "../../core/address";
+import { hint, useKeys } from "../../core/commands";
 import { FrameView } from "../../viewer/FrameView";
 import { AxesLayer, InImage, KeyboardCursor, Line, PointMark } from "../../viewer/Overlay";
+import { RoadOverlay } from "../../viewer/PoseOverlay";
 import type { Player } from "../../viewer/player";
 import { fromServer, pair } from "../../viewer/points";
 import { frameKeys, HELD_KEYS, Transport } from "../../viewer/Transport";
@@ -15,13 +15,14 @@ import { TrafficSide } from "./TrafficSide";
 
 export function TrafficTab({ surveyId }: { surveyId: number }) {
   const model = useMemo(() => new TrafficModel(surveyId), [surveyId]);
+  const load = () => void model.load(Number(query.value.get("vehicle")) || null);
   useEffect(() => {
-    void model.load(Number(query.value.get("vehicle")) || null);
+    load();
     return () => model.close();
   }, [model]);
   useTrafficKeys(model);
   const player = model.player.value;
-  if (model.problem.value) return <Problem error={model.problem.value} />;
+  if (model.problem.value) return <Problem error={model.problem.value} again={load} />;
   if (!model.loaded.value) return <Loading what="the vehicles" />;
   if (!player || model.vehicles.value.length === 0) {
     return (

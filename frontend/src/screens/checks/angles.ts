@@ -1,5 +1,5 @@
 /** Angles as people read them; the server speaks radians. */
-import { fixed } from "../../units";
+import { fixed } from "../../core/units";
 
 /** "−0.80°"; a missing value is an en dash. */
 export function formatDegrees(rad: number | null, digits = 2): string {

@@ -1,13 +1,13 @@
 /** The click tool's state: recording, vehicle, tyre contacts, what the traffic says, and a turn under consideration. */
 import { batch, computed, effect, signal } from "@preact/signals";
-import { api } from "../../api";
-import { Latest } from "../../measure/latest";
-import { bestFrame, neighbour } from "../../measure/passes";
-import { setQuery } from "../../router";
-import { canWork } from "../../state/session";
-import { refreshSurvey } from "../../state/survey";
-import { toast, toastProblem } from "../../state/toasts";
-import type { AxesAnswer, Recording, Vehicle } from "../../types";
+import { setQuery } from "../../core/address";
+import { api } from "../../core/api";
+import { Latest } from "../../core/latest";
+import { canWork } from "../../core/session";
+import { refreshSurvey } from "../../core/survey";
+import { toast, toastProblem } from "../../core/toasts";
+import type { AxesAnswer, Recording, Vehicle } from "../../core/types";
+import { bestFrame, neighbour } from "../../parts/vehicles/passes";
 import { Player } from "../../viewer/player";
 import { fromServer, type ImagePoint, imagePoint, pair } from "../../viewer/points";
 import { Stage } from "../../viewer/stage";
@@ -103,6 +103,7 @@ export class TrafficModel {
   }
 
   async load(vehicleId: number | null): Promise<void> {
+    this.problem.value = null;
     try {
       const [recordings, vehicles, check] = await Promise.all([
         api.get<Recording[]>(`/surveys/${this.surveyId}/recordings`),

@@ -1,16 +1,12 @@
 /** What the checks send, with points as points. */
-import type { components } from "../../schema";
-import type { PoseOverlay, Px, Target } from "../../types";
+import type { components } from "../../core/schema";
+import type { PoseOverlay, Px, Target } from "../../core/types";
 
 type Schemas = components["schemas"];
 
 export type InsetCheck = Schemas["InsetCheckBody"];
 export type TargetInsets = Schemas["TargetInsetsBody"];
 export type Estimate = Schemas["EstimateBody"];
-export type InsetCase = Schemas["InsetCaseBody"];
-export type PoseCheck = Schemas["PoseCheckBody"];
-export type VehicleHeading = Schemas["VehicleHeadingBody"];
-export type HeightChange = Schemas["HeightChangeBody"];
 export type WheelPair = Omit<Schemas["WheelPairBody"], "first" | "second"> & { first: Px; second: Px };
 export type TrafficCheck = Omit<Schemas["TrafficCheckBody"], "pairs"> & { pairs: WheelPair[] };
 export type TurnedPose = Omit<Schemas["TurnedPose"], "overlay"> & { overlay: PoseOverlay };

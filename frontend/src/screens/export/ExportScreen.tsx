@@ -1,14 +1,14 @@
 import { useEffect, useState } from "preact/hooks";
-import { api } from "../../api";
 import { Button, Empty, JobProgress, Loading, Notice, Problem, TableScroll } from "../../components";
-import type { ScreenProps } from "../../router";
-import { cancelJob, isOver, useJob } from "../../state/jobs";
-import { useResource } from "../../state/resource";
-import { survey } from "../../state/survey";
-import { toast } from "../../state/toasts";
-import { formatMoment } from "../../times";
-import type { ExportPackage, Job } from "../../types";
-import { formatBytes, plural } from "../../units";
+import { api } from "../../core/api";
+import { cancelJob, isOver, useJob } from "../../core/jobs";
+import type { ScreenProps } from "../../core/places";
+import { useResource } from "../../core/resource";
+import { survey } from "../../core/survey";
+import { formatMoment } from "../../core/times";
+import { toast } from "../../core/toasts";
+import type { ExportPackage, Job } from "../../core/types";
+import { formatBytes, plural } from "../../core/units";
 import "./export.css";
 
 const CONTENTS: [file: string, what: string][] = [

@@ -1,7 +1,7 @@
 import { useState } from "preact/hooks";
-import { api } from "../../api";
 import { FormDialog, SelectField, TextField } from "../../components";
-import type { Person, Role } from "../../types";
+import { api } from "../../core/api";
+import type { Person, Role } from "../../core/types";
 import { ROLES } from "./roles";
 import type { Invitation } from "./ShowLink";
 

@@ -1,11 +1,11 @@
 import { Fragment } from "preact";
 import { useState } from "preact/hooks";
-import { api } from "../../api";
 import { ask, Button, Loading, Notice, Problem, SelectField, StateMark } from "../../components";
-import { useResource } from "../../state/resource";
-import { may, me } from "../../state/session";
-import { formatAgo } from "../../times";
-import type { Person } from "../../types";
+import { api } from "../../core/api";
+import { useResource } from "../../core/resource";
+import { may, me } from "../../core/session";
+import { formatAgo } from "../../core/times";
+import type { Person } from "../../core/types";
 import { AddPerson } from "./AddPerson";
 import "./people.css";
 import { ROLES } from "./roles";

@@ -1,5 +1,5 @@
 import { Button, Dialog } from "../../components";
-import { toast } from "../../state/toasts";
+import { toast } from "../../core/toasts";
 
 export interface Invitation {
   name: string;

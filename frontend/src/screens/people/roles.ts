@@ -1,4 +1,4 @@
-import { ROLE_NAMES, type Role } from "../../types";
+import { ROLE_NAMES, type Role } from "../../core/types";
 
 const DOES: Record<Role, string> = {
   viewer: "sees everything, exports packages",

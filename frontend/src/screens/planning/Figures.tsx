@@ -1,10 +1,10 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { Problem } from "../../components";
-import { theme } from "../../state/theme";
-import { lengthUnit, METRES_PER_FOOT } from "../../units";
+import { theme } from "../../core/theme";
+import { lengthScale, lengthUnit, smallScale } from "../../core/units";
 import { type Curve, type Plan, wordOf } from "./model";
 
-type Plot = typeof import("./plot");
+type Plot = typeof import("../../parts/figures/plot");
 
 /** Dashes and symbols tell the targets apart: colours belong to the road's axes. */
 const DASHES: Record<string, string> = {
@@ -75,7 +75,7 @@ function Figure({ title, note, curves, across, up, marker, fromZero }: FigurePro
   const [width, setWidth] = useState(0);
   const unit = lengthUnit.value;
   useEffect(() => {
-    import("./plot").then(setPlot, setProblem);
+    import("../../parts/figures/plot").then(setPlot, setProblem);
   }, []);
   useEffect(() => {
     if (!box.current) return;
@@ -85,8 +85,8 @@ function Figure({ title, note, curves, across, up, marker, fromZero }: FigurePro
   }, []);
   useEffect(() => {
     if (!plot || !box.current || width < 200) return;
-    const [perX, perY, small] =
-      unit === "ft" ? [1 / METRES_PER_FOOT, 12 / METRES_PER_FOOT, "in"] : [1, 1000, "mm"];
+    const [perX] = lengthScale(unit);
+    const [perY, small] = smallScale(unit);
     const points: Point[] = curves.flatMap((curve) =>
       curve.at_m.map((x, i) => {
         const y = curve.value_m[i] ?? null;

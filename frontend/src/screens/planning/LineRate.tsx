@@ -1,13 +1,13 @@
 /** Equation (2) of the line-scan paper, as printed and corrected, with what both say of a rig. */
+
 import type { ComponentChildren } from "preact";
-import { useEffect, useRef } from "preact/hooks";
-import { api } from "../../api";
+import { useEffect } from "preact/hooks";
 import { Loading, Problem, TableScroll } from "../../components";
-import { current, query, setQuery } from "../../router";
-import { formatSpeed } from "../../scan/words";
-import { useResource } from "../../state/resource";
-import type { Scan } from "../../types";
-import { fixed, formatCount, formatSmall, lengthUnit } from "../../units";
+import { current, query, setQuery } from "../../core/address";
+import { api } from "../../core/api";
+import { useResource } from "../../core/resource";
+import type { Scan } from "../../core/types";
+import { fixed, formatCount, formatSmall, formatSpeed, lengthUnit, speedScale } from "../../core/units";
 import { Advice } from "./Advice";
 import type { LinePlan } from "./model";
 import { Value } from "./PlanForm";
@@ -21,7 +21,7 @@ export function LineRate({ surveyId }: { surveyId: number }) {
   const values = scans.data && completedLines(valuesOf(query.value, LINE_NAMES), scans.data);
   const address = JSON.stringify(values);
   useEffect(() => {
-    if (values && current.value?.route.name === "planning") setQuery({ ...values });
+    if (values && current.value?.place.name === "planning") setQuery({ ...values });
   }, [address]);
   if (!values)
     return scans.error ? (
@@ -42,12 +42,7 @@ function Form({ values }: { values: Values }) {
   return (
     <form class="panel plan-form" onSubmit={(event) => event.preventDefault()}>
       <div class="plan-form__lines">
-        <Value
-          name="speed_mps"
-          label="Fastest vehicle"
-          unit={length === "ft" ? "mph" : "km/h"}
-          values={values}
-        />
+        <Value name="speed_mps" label="Fastest vehicle" unit={speedScale()[1]} values={values} />
         <Value name="error" label="Speed off by" unit="%" values={values} />
         <Value name="baseline_m" label="Baseline" unit={length} values={values} />
         <Value name="u_baseline_m" label="Its u (k = 1)" unit={length} values={values} />
@@ -66,13 +61,7 @@ function Form({ values }: { values: Values }) {
 /** What the server makes of the values; what it says last stays until the next answer is there. */
 function Planned({ values }: { values: Values }) {
   const path = linePlanPath(values);
-  const plan = useResource((signal) => api.get<LinePlan>(path, { signal }), []);
-  const asked = useRef(path);
-  useEffect(() => {
-    if (asked.current === path) return;
-    asked.current = path;
-    void plan.reload();
-  }, [path]);
+  const plan = useResource((signal) => api.get<LinePlan>(path, { signal }), [path], { keep: true });
   if (plan.error) return <Problem error={plan.error} />;
   if (!plan.data) return <Loading what="the plan" />;
   return <Result plan={plan.data} />;

@@ -1,8 +1,8 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { SelectField, TextField } from "../../components";
-import { setQuery } from "../../router";
-import type { Camera } from "../../types";
-import { lengthUnit } from "../../units";
+import { setQuery } from "../../core/address";
+import type { Camera } from "../../core/types";
+import { lengthUnit } from "../../core/units";
 import { type Name, shown, typed, type Values, withCamera } from "./values";
 
 interface Props {

@@ -1,9 +1,10 @@
-import { useEffect, useRef } from "preact/hooks";
-import { api } from "../../api";
+import { useEffect } from "preact/hooks";
 import { Loading, Notice, Problem, Segments } from "../../components";
-import { current, query, type ScreenProps, setQuery } from "../../router";
-import { useResource } from "../../state/resource";
-import type { Camera } from "../../types";
+import { current, query, setQuery } from "../../core/address";
+import { api } from "../../core/api";
+import type { ScreenProps } from "../../core/places";
+import { useResource } from "../../core/resource";
+import type { Camera } from "../../core/types";
 import { Advice } from "./Advice";
 import { BiasFigure, DistanceFigure } from "./Figures";
 import { LineRate } from "./LineRate";
@@ -56,7 +57,7 @@ function Heights({ surveyId }: { surveyId: number }) {
   const address = JSON.stringify(values);
   useEffect(() => {
     // a link copied from the address bar holds every value
-    if (values && current.value?.route.name === "planning") setQuery({ ...values });
+    if (values && current.value?.place.name === "planning") setQuery({ ...values });
   }, [address]);
   return (
     <>
@@ -76,13 +77,7 @@ function Heights({ surveyId }: { surveyId: number }) {
 /** What the server makes of the values; what it says last stays until the next answer is there. */
 function Planned({ surveyId, values }: { surveyId: number; values: Values }) {
   const path = planPath(surveyId, values);
-  const plan = useResource((signal) => api.get<Plan>(path, { signal }), [surveyId]);
-  const asked = useRef(path);
-  useEffect(() => {
-    if (asked.current === path) return;
-    asked.current = path;
-    void plan.reload();
-  }, [path]);
+  const plan = useResource((signal) => api.get<Plan>(path, { signal }), [path], { keep: true });
   if (plan.error) return <Problem error={plan.error} />;
   if (!plan.data) return <Loading what="the plan" />;
   return <Result plan={plan.data} />;

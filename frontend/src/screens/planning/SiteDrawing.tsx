@@ -1,5 +1,5 @@
 import type { ComponentChildren } from "preact";
-import { formatLength } from "../../units";
+import { formatLength } from "../../core/units";
 import type { Plan } from "./model";
 
 /** Typical sizes of a passenger car, for the drawing only. */

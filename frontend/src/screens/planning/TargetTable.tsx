@@ -1,6 +1,6 @@
 import { useState } from "preact/hooks";
 import { TableScroll } from "../../components";
-import { formatHeight, formatLength, formatSmall } from "../../units";
+import { formatHeight, formatLength, formatSmall } from "../../core/units";
 import { type PlannedTarget, wordOf } from "./model";
 
 interface Props {

@@ -1,4 +1,4 @@
-import type { components } from "../../schema";
+import type { components } from "../../core/schema";
 
 type Schemas = components["schemas"];
 export type Plan = Schemas["PlanBody"];
@@ -6,7 +6,7 @@ export type PlannedTarget = Schemas["PlannedTargetBody"];
 export type LinePlan = Schemas["LinePlanBody"];
 export type Curve = Schemas["CurveBody"];
 
-export const TARGET_WORDS: Record<string, string> = {
+const TARGET_WORDS: Record<string, string> = {
   roof: "Roof",
   driver_eye: "Driver’s eye, near side",
   driver_eye_far: "Driver’s eye, far side",

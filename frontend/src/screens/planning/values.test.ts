@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Camera, Scan } from "../../types";
+import type { Camera, Scan } from "../../core/types";
 import {
   completed,
   completedLines,

@@ -1,10 +1,10 @@
 /** What is planned with, as the address of the page holds it: the same names and units as the server's, so that a link tells all. */
-import type { Camera, Scan } from "../../types";
-import { type LengthUnit, lengthUnit, METRES_PER_FOOT, parseNumber } from "../../units";
+import type { Camera, Scan } from "../../core/types";
+import { type LengthUnit, lengthScale, lengthUnit, parseNumber, speedScale } from "../../core/units";
 
 const SITE_LENGTHS = ["camera_height_m", "distance_m", "board_distance_m", "travel_m"] as const;
 const LENGTHS: readonly string[] = [...SITE_LENGTHS, "baseline_m", "u_baseline_m"];
-export const NAMES = [
+const NAMES = [
   "calibration_id",
   "width_px",
   "height_px",
@@ -73,7 +73,7 @@ export function completedLines(values: Values, scans: readonly Pick<Scan, "rig">
     : { baseline_m: "1", u_baseline_m: "0.002" };
   // a rig of the address is not mixed with another one's line rate
   const own = values.baseline_m !== undefined || values.speed_mps !== undefined;
-  return { speed_mps: String(120 / 3.6), error: "0.01", ...(own ? {} : known), ...values };
+  return { speed_mps: String(120 / speedScale("m")[0]), error: "0.01", ...(own ? {} : known), ...values };
 }
 
 export function linePlanPath(values: Values): string {
@@ -82,8 +82,8 @@ export function linePlanPath(values: Values): string {
 
 /** Shown over stored: feet, km/h or mph, per cent. */
 function factorOf(name: Name, unit: LengthUnit): number {
-  if (LENGTHS.includes(name)) return unit === "ft" ? 1 / METRES_PER_FOOT : 1;
-  if (name === "speed_mps") return unit === "ft" ? 3600 / 5280 / METRES_PER_FOOT : 3.6;
+  if (LENGTHS.includes(name)) return lengthScale(unit)[0];
+  if (name === "speed_mps") return speedScale(unit)[0];
   return name === "error" ? 100 : 1;
 }
 

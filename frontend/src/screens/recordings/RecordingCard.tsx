@@ -1,14 +1,14 @@
 import { useState } from "preact/hooks";
-import { api } from "../../api";
 import { ask, Button, JobProgress, Notice, Problem, StateMark } from "../../components";
-import { FindPasses } from "../../measure/passes/FindPasses";
-import { cancelJob } from "../../state/jobs";
-import { may } from "../../state/session";
-import { toast } from "../../state/toasts";
-import { formatDuration, formatMoment } from "../../times";
-import type { Camera, Recording } from "../../types";
-import { formatBytes, plural } from "../../units";
-import { DriftVerdict } from "./Drift";
+import { api } from "../../core/api";
+import { cancelJob } from "../../core/jobs";
+import { may } from "../../core/session";
+import { formatDuration, formatMoment } from "../../core/times";
+import { toast } from "../../core/toasts";
+import type { Camera, Recording } from "../../core/types";
+import { formatBytes, plural } from "../../core/units";
+import { DriftVerdict } from "../../parts/drift/Drift";
+import { FindPasses } from "../../parts/vehicles/FindPasses";
 import { CameraPick, LightPick } from "./pickers";
 
 interface Props {

@@ -1,16 +1,16 @@
 import { useRef } from "preact/hooks";
-import { api } from "../../api";
 import { DropFiles, Empty, Loading, Problem } from "../../components";
-import type { ScreenProps } from "../../router";
-import { useEvery, useResource } from "../../state/resource";
-import { may } from "../../state/session";
-import { refreshSurvey } from "../../state/survey";
-import { toastProblem } from "../../state/toasts";
-import type { Camera, Recording, UnfinishedUpload } from "../../types";
+import { api } from "../../core/api";
+import type { ScreenProps } from "../../core/places";
+import { useEvery, useResource } from "../../core/resource";
+import { may } from "../../core/session";
+import { refreshSurvey } from "../../core/survey";
+import { toastProblem } from "../../core/toasts";
+import type { Camera, Recording, UnfinishedUpload } from "../../core/types";
 import { RecordingCard } from "./RecordingCard";
 import "./recordings.css";
-import { UnfinishedRow, UploadRow } from "./UploadRow";
-import { startUpload, uploads } from "./uploads";
+import { UnfinishedRow, UploadRow } from "../../parts/uploads/UploadRow";
+import { startUpload, uploads } from "../../parts/uploads/uploads";
 
 /** Video in: drop files, watch them arrive and be read, say which camera and which light. */
 export default function RecordingsScreen({ surveyId }: ScreenProps) {

@@ -1,6 +1,6 @@
 import { Segments, SelectField } from "../../components";
-import { may } from "../../state/session";
-import type { Camera, Lighting, Recording } from "../../types";
+import { may } from "../../core/session";
+import type { Camera, Lighting, Recording } from "../../core/types";
 
 export function CameraPick({
   recording,

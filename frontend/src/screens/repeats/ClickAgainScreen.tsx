@@ -1,15 +1,15 @@
 /** Ten measurements to click again, one after the other, without their points; Esc stops, Ctrl+Z takes the last back. */
 import { useEffect, useMemo } from "preact/hooks";
 import { Button, Empty, Loading, Problem } from "../../components";
-import { hint, useKeys } from "../../keys";
-import { TARGET_WORDS } from "../../measure/flow";
-import { linesShown } from "../../measure/model";
-import { BlindFrame } from "../../review/BlindFrame";
-import { navigate, query, type ScreenProps } from "../../router";
-import { plural } from "../../units";
+import { navigate, query } from "../../core/address";
+import { hint, useKeys } from "../../core/commands";
+import type { ScreenProps } from "../../core/places";
+import { plural } from "../../core/units";
+import { TARGET_WORDS } from "../../core/words";
+import { BlindFrame } from "../../viewer/BlindFrame";
+import { linesShown } from "../../viewer/display";
 import { frameKeys, HELD_KEYS, Transport } from "../../viewer/Transport";
 import { AgainSession } from "./session";
-import "../../measure/measure.css";
 import "./repeats.css";
 
 export default function ClickAgainScreen({ surveyId }: ScreenProps) {

@@ -1,12 +1,12 @@
 /** Each repeat's difference from what it repeats, with the bar that the clicks' uncertainty lets one expect. */
 import { useEffect, useRef, useState } from "preact/hooks";
 import { Problem } from "../../components";
-import { TARGET_WORDS } from "../../measure/flow";
-import { theme } from "../../state/theme";
-import type { RepeatDifference, Target } from "../../types";
-import { lengthUnit, METRES_PER_FOOT } from "../../units";
+import { theme } from "../../core/theme";
+import type { RepeatDifference, Target } from "../../core/types";
+import { lengthScale, lengthUnit, smallScale } from "../../core/units";
+import { TARGET_WORDS } from "../../core/words";
 
-type Plot = typeof import("../planning/plot");
+type Plot = typeof import("../../parts/figures/plot");
 
 /** Symbols tell the targets apart: colours belong to the road's axes. */
 const SYMBOLS: Record<Target, string> = {
@@ -24,7 +24,7 @@ export function DifferenceFigure({ differences }: { differences: readonly Repeat
   const box = useRef<HTMLDivElement>(null);
   const unit = lengthUnit.value;
   useEffect(() => {
-    import("../planning/plot").then(setPlot, setProblem);
+    import("../../parts/figures/plot").then(setPlot, setProblem);
   }, []);
   useEffect(() => {
     if (!box.current) return;
@@ -66,8 +66,8 @@ const GLYPHS: Record<Target, string> = {
 };
 
 function draw(plot: Plot, differences: readonly RepeatDifference[], width: number, unit: "m" | "ft") {
-  const [perX, perY, small] =
-    unit === "ft" ? [1 / METRES_PER_FOOT, 12 / METRES_PER_FOOT, "in"] : [1, 1000, "mm"];
+  const [perX] = lengthScale(unit);
+  const [perY, small] = smallScale(unit);
   const points = differences.map((one) => ({
     x: one.mean_m * perX,
     y: one.difference_m * perY,

@@ -1,7 +1,7 @@
 import { Button, TableScroll } from "../../components";
-import { may } from "../../state/session";
-import type { PersonRepeats } from "../../types";
-import { fixed, formatSmall, plural } from "../../units";
+import { may } from "../../core/session";
+import type { PersonRepeats } from "../../core/types";
+import { fixed, formatSmall, plural } from "../../core/units";
 import { SpreadCell } from "./TargetTable";
 import { pixelWords } from "./words";
 

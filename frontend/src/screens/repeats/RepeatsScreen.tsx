@@ -1,13 +1,13 @@
 /** What clicking again shows: per target and per person, beside what the budgets claim. */
 import { useState } from "preact/hooks";
-import { api } from "../../api";
 import { Button, Empty, Loading, Problem } from "../../components";
-import type { ScreenProps } from "../../router";
-import { useResource } from "../../state/resource";
-import { canWork } from "../../state/session";
-import { toastProblem } from "../../state/toasts";
-import type { PersonRepeats, Repeats } from "../../types";
-import { plural } from "../../units";
+import { api } from "../../core/api";
+import type { ScreenProps } from "../../core/places";
+import { useResource } from "../../core/resource";
+import { canWork } from "../../core/session";
+import { toastProblem } from "../../core/toasts";
+import type { PersonRepeats, Repeats } from "../../core/types";
+import { plural } from "../../core/units";
 import { DifferenceFigure } from "./DifferenceFigure";
 import { PeopleTable } from "./PeopleTable";
 import { TargetTable } from "./TargetTable";

@@ -1,7 +1,7 @@
 import { TableScroll } from "../../components";
-import { TARGET_WORDS } from "../../measure/flow";
-import type { RepeatSpread, Repeats, TargetRepeats } from "../../types";
-import { fixed, formatSmall, plural } from "../../units";
+import type { RepeatSpread, Repeats, TargetRepeats } from "../../core/types";
+import { fixed, formatSmall, plural } from "../../core/units";
+import { TARGET_WORDS } from "../../core/words";
 import { claimVerdict, spreadWords } from "./words";
 
 /** Per target: the same person again, another person, and what the budgets claim for the clicks. */

@@ -1,10 +1,10 @@
 /** A run of second clicks: a random few, each shown without its points; the last can be taken back. */
 import { computed, signal } from "@preact/signals";
-import { api } from "../../api";
-import { Geometry } from "../../measure/geometry";
-import { BlindClicks } from "../../review/blind";
-import { toastProblem } from "../../state/toasts";
-import type { Measurement, Recording, ToClickAgain } from "../../types";
+import { api } from "../../core/api";
+import { toastProblem } from "../../core/toasts";
+import type { Measurement, Recording, ToClickAgain } from "../../core/types";
+import { BlindClicks } from "../../viewer/blind";
+import { Geometry } from "../../viewer/geometry";
 import { Player } from "../../viewer/player";
 import { Stage } from "../../viewer/stage";
 

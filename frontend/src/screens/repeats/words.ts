@@ -1,6 +1,6 @@
 /** Figures of repeats in words; every number is the server's. */
-import type { RepeatSpread, TargetRepeats } from "../../types";
-import { fixed, formatSmall } from "../../units";
+import type { RepeatSpread, TargetRepeats } from "../../core/types";
+import { fixed, formatSmall } from "../../core/units";
 
 /** "4.1 mm" with "3.2 to 5.6 mm"; null where there is none. */
 export function spreadWords(one: RepeatSpread): { value: string; interval: string } | null {

@@ -1,10 +1,9 @@
 import { useEffect, useState } from "preact/hooks";
-import { ApiError, api, explain } from "../../api";
-import { Button, Loading, Notice, TextField } from "../../components";
-import { navigate, query } from "../../router";
-import { Mark } from "../../shell/TopBar";
-import { me, safeNext } from "../../state/session";
-import type { Me } from "../../types";
+import { Button, Loading, Mark, Notice, TextField } from "../../components";
+import { navigate, query } from "../../core/address";
+import { ApiError, api, explain } from "../../core/api";
+import { me, safeNext } from "../../core/session";
+import type { Me } from "../../core/types";
 import "./signin.css";
 
 /** Signs in with a one-time link (`/sign-in?token=...`) or with e-mail and password. */

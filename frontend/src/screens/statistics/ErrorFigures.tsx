@@ -1,3 +1,4 @@
+import { smallScale } from "../../core/units";
 import {
   type Curve,
   densityMarks,
@@ -7,10 +8,11 @@ import {
   ecdfRows,
   ecdfWord,
   endOf,
-} from "./curves";
-import { type Density, type Ecdf, type Errors, GROUP_WORDS, isThere, type Reason } from "./model";
-import { fixedRange, smallUnit } from "./numbers";
-import { type LegendEntry, PlotFigure } from "./PlotFigure";
+} from "../../parts/figures/curves";
+import { fixedRange } from "../../parts/figures/numbers";
+import { type LegendEntry, PlotFigure } from "../../parts/figures/PlotFigure";
+import type { Density, Ecdf } from "../../parts/figures/types";
+import { type Errors, GROUP_WORDS, isThere, type Reason } from "./model";
 import { TrendFigure } from "./TrendFigure";
 
 const CURVES: Record<string, Curve> = {
@@ -80,7 +82,7 @@ function AbsoluteFigure({ errors }: { errors: Errors }) {
       reason={reasonOf(errors.absolute)}
       data={errors}
       options={(plot, unit) => {
-        const [perX, small] = smallUnit(unit);
+        const [perX, small] = smallScale(unit);
         return {
           x: {
             label: `absolute error (${small})`,
@@ -164,7 +166,7 @@ function DensityFigure({ errors }: { errors: Errors }) {
       reason={reasonOf(errors.density)}
       data={errors}
       options={(plot, unit) => {
-        const [perX, small] = smallUnit(unit);
+        const [perX, small] = smallScale(unit);
         return {
           x: { label: `signed error (${small})`, labelArrow: "none", labelAnchor: "center", labelOffset: 34 },
           y: { label: `density (per ${small})`, labelArrow: "none", grid: true, zero: true, nice: true },

@@ -1,8 +1,8 @@
 import { Button } from "../../components";
-import { formatCount, formatSmall } from "../../units";
-import { csvOf, download } from "./csv";
+import { formatCount, formatSmall, smallScale } from "../../core/units";
+import { csvOf, download } from "../../parts/figures/csv";
+import { NONE, range, scaled, squareScale } from "../../parts/figures/numbers";
 import { type ErrorGroup, type Errors, GROUP_WORDS, isThere } from "./model";
-import { NONE, range, scaled, smallUnit, squareUnit } from "./numbers";
 
 interface Column {
   key: string;
@@ -13,8 +13,8 @@ interface Column {
   paper?: "mae_m" | "rmse_m" | "mse_m2" | "sd_m";
 }
 
-const length = (): [number, number] => [smallUnit()[0], smallUnit()[1] === "in" ? 2 : 1];
-const inSmall = () => smallUnit()[1];
+const length = (): [number, number] => [smallScale()[0], smallScale()[1] === "in" ? 2 : 1];
+const inSmall = () => smallScale()[1];
 const COLUMNS: readonly Column[] = [
   { key: "bias_m", head: "bias", scale: length, unit: inSmall },
   { key: "mae_m", head: "MAE", scale: length, unit: inSmall, paper: "mae_m" },
@@ -22,8 +22,8 @@ const COLUMNS: readonly Column[] = [
   {
     key: "mse_m2",
     head: "MSE",
-    scale: () => [squareUnit()[0], 2],
-    unit: () => squareUnit()[1],
+    scale: () => [squareScale()[0], 2],
+    unit: () => squareScale()[1],
     paper: "mse_m2",
   },
   { key: "sd_m", head: "SD", scale: length, unit: inSmall, paper: "sd_m" },
@@ -146,7 +146,7 @@ function NoIntervals({ group }: { group: ErrorGroup }) {
 function Agreement({ errors }: { errors: Errors }) {
   const part = errors.reference_part;
   const limits = errors.bland_altman;
-  const [factor, unit] = smallUnit();
+  const [factor, unit] = smallScale();
   const digits = unit === "in" ? 2 : 1;
   return (
     <>

@@ -1,10 +1,10 @@
 import { useState } from "preact/hooks";
 import { Button, Field, SelectField, TextField } from "../../components";
-import { query } from "../../router";
-import { parseNumber, plural } from "../../units";
+import { query } from "../../core/address";
+import { lengthUnit, parseSmall, plural, smallScale, smallText } from "../../core/units";
+import { fixedRange } from "../../parts/figures/numbers";
 import { CORRECTIONS, type Correction, narrowed, type SingleName, setFilter, WIDE } from "./filters";
 import { CATEGORY_WORDS, LIGHTING_WORDS, type Statistics, TARGET_TITLES } from "./model";
-import { fixedRange } from "./numbers";
 
 const CORRECTION_WORDS: Record<Correction, string> = {
   inset: "inset of each (default)",
@@ -127,26 +127,28 @@ function Day({ name, label, value }: { name: "first_day" | "last_day"; label: st
 
 const USUAL_U_M = 0.0173;
 
-/** The standard uncertainty of reference heights that have none of their own, in millimetres. */
+/** The standard uncertainty of reference heights that have none of their own, as a small length. */
 function ReferenceU({ value }: { value: string | null }) {
   const [problem, setProblem] = useState<string | null>(null);
-  const shown = String(Number(((value === null ? USUAL_U_M : Number(value)) * 1000).toFixed(2)));
+  const now = value === null ? USUAL_U_M : Number(value);
+  const [, unit] = smallScale();
   const [text, setText] = useState<string | null>(null);
   const send = (typed: string) => {
-    const read = typed.trim() ? parseNumber(typed) : USUAL_U_M * 1000;
-    setProblem(read === null || read < 0 ? "Give a number of millimetres." : null);
-    if (read === null || read < 0) return;
+    const read = typed.trim() ? parseSmall(typed) : USUAL_U_M;
+    const wrong = read === null || read < 0;
+    setProblem(wrong ? `Give a number of ${unit === "in" ? "inches" : "millimetres"}.` : null);
+    if (wrong) return;
     setText(null);
-    const metres = Number((read / 1000).toFixed(6));
+    const metres = Number(read.toFixed(6));
     setFilter({ u_reference_m: metres === USUAL_U_M ? null : String(metres) });
   };
   return (
     <TextField
       label="u of a reference height"
-      hint={`as if within ±${fixedRange(Math.sqrt(3) * (value === null ? USUAL_U_M : Number(value)))}, all alike`}
+      hint={`as if within ±${fixedRange(Math.sqrt(3) * now)}, all alike`}
       numeric
-      unit="mm"
-      value={text ?? shown}
+      unit={unit}
+      value={text ?? smallText(now, lengthUnit.value, 2)}
       problem={problem}
       onInput={setText}
       onChange={send}

@@ -1,10 +1,11 @@
 import { useState } from "preact/hooks";
 import { Segments } from "../../components";
-import { formatCount } from "../../units";
-import { type Curve, ECDF_COLUMNS, ecdfMarks, ecdfRows, ecdfWord } from "./curves";
-import { type Ecdf, groupWord, isThere, type OfTarget, TARGET_TITLES } from "./model";
-import { heightUnit, NONE, scaled } from "./numbers";
-import { PlotFigure } from "./PlotFigure";
+import { formatCount, lengthScale } from "../../core/units";
+import { type Curve, ECDF_COLUMNS, ecdfMarks, ecdfRows, ecdfWord } from "../../parts/figures/curves";
+import { NONE, scaled } from "../../parts/figures/numbers";
+import { PlotFigure } from "../../parts/figures/PlotFigure";
+import type { Ecdf } from "../../parts/figures/types";
+import { groupWord, isThere, type OfTarget, TARGET_TITLES } from "./model";
 
 const DASHES = [undefined, "8 4", "2 3", "9 3 2 3", "4 4", "12 3 2 3 2 3"];
 const MOST_DRAWN = DASHES.length;
@@ -55,7 +56,7 @@ export function GroupSection({ targets }: { targets: readonly OfTarget[] }) {
           reason={curves.length === 0 ? `Nothing to draw: no vehicle has a ${grouping}.` : null}
           data={[target, grouping]}
           options={(plot, unit) => {
-            const [perX, long] = heightUnit(unit);
+            const [perX, long] = lengthScale(unit);
             return {
               x: {
                 label: `height above the road (${long})`,
@@ -102,7 +103,7 @@ function drawn(groups: readonly Group[], grouping: string): { ecdf: Ecdf; curve:
 }
 
 function GroupTable({ groups, grouping }: { groups: readonly Group[]; grouping: string }) {
-  const [factor, unit] = heightUnit();
+  const [factor, unit] = lengthScale();
   const at = (one: Group, percent: number) =>
     one.percentiles.find((p) => p.percent === percent)?.value ?? null;
   return (

@@ -1,7 +1,7 @@
 import { useEffect, useState } from "preact/hooks";
-import { api } from "../../api";
 import { Problem, TextField } from "../../components";
-import { lengthUnit, METRES_PER_FOOT, parseLength, parseNumber } from "../../units";
+import { api } from "../../core/api";
+import { lengthText, lengthUnit, parseLength, parseNumber } from "../../core/units";
 import type { SampleSize } from "./model";
 
 const PAUSE_MS = 300;
@@ -9,8 +9,7 @@ const PAUSE_MS = 300;
 /** How many vehicles a percentile's interval of a wanted width takes. */
 export function SamplePlan({ sdM }: { sdM: number | null }) {
   const unit = lengthUnit.value;
-  const shown = (metres: number) =>
-    String(Number((unit === "ft" ? metres / METRES_PER_FOOT : metres).toFixed(3)));
+  const shown = (metres: number) => lengthText(metres, unit, 3);
   const [percent, setPercent] = useState("10");
   const [width, setWidth] = useState(() => shown(0.02));
   const [sd, setSd] = useState(() => shown(sdM ?? 0.08));

@@ -1,10 +1,11 @@
 import { useState } from "preact/hooks";
 import { Button, SelectField, TextField } from "../../components";
-import { query } from "../../router";
-import { canWork } from "../../state/session";
-import { formatLength, lengthUnit, parseLength } from "../../units";
+import { query } from "../../core/address";
+import { canWork } from "../../core/session";
+import { formatLength, lengthUnit, parseLength } from "../../core/units";
+import type { Standard } from "../../parts/figures/types";
 import { setFilter } from "./filters";
-import { type Standard, standardKey, STANDARD_OF as WHAT } from "./model";
+import { standardKey, STANDARD_OF as WHAT } from "./model";
 import { StandardsEditor } from "./StandardsEditor";
 
 const OWN = "own value";

@@ -1,10 +1,11 @@
 import { useState } from "preact/hooks";
-import { api } from "../../api";
 import { Button, Loading, Problem, SelectField, TextField } from "../../components";
-import type { components } from "../../schema";
-import { useResource } from "../../state/resource";
-import { lengthUnit, METRES_PER_FOOT, parseLength } from "../../units";
-import { STANDARD_OF, type Standard } from "./model";
+import { api } from "../../core/api";
+import { useResource } from "../../core/resource";
+import type { components } from "../../core/schema";
+import { lengthText, lengthUnit, parseLength } from "../../core/units";
+import type { Standard } from "../../parts/figures/types";
+import { STANDARD_OF } from "./model";
 
 type Table = components["schemas"]["StandardsBody"];
 interface Row {
@@ -78,8 +79,7 @@ export function StandardsEditor({ surveyId, done }: { surveyId: string; done: (s
   );
 }
 
-const shown = (metres: number) =>
-  String(Number((lengthUnit.value === "ft" ? metres / METRES_PER_FOOT : metres).toFixed(3)));
+const shown = (metres: number) => lengthText(metres, lengthUnit.value, 3);
 const example = () => `${shown(1.08)} ${lengthUnit.value}`;
 const rowOf = ({ name, what, height_m, source }: Standard): Row => ({
   name,

@@ -1,17 +1,17 @@
 /** Errors against known heights and the distributions of what was measured, for the measurements a filter leaves. */
-import { useEffect, useRef } from "preact/hooks";
-import { api } from "../../api";
+import { useEffect } from "preact/hooks";
 import { Button, Empty, Loading, Problem } from "../../components";
-import { query } from "../../router";
-import { useResource } from "../../state/resource";
-import { formatCount, plural } from "../../units";
+import { query } from "../../core/address";
+import { api } from "../../core/api";
+import { useResource } from "../../core/resource";
+import { formatCount, plural } from "../../core/units";
+import { loadPlot } from "../../parts/figures/PlotFigure";
 import { ErrorFigures } from "./ErrorFigures";
 import { ErrorTable } from "./ErrorTable";
 import { FilterBar } from "./FilterBar";
 import { narrowed, setFilter, statisticsPath, WIDE } from "./filters";
 import { GroupSection } from "./GroupSection";
 import type { Statistics } from "./model";
-import { loadPlot } from "./PlotFigure";
 import { SamplePlan } from "./SamplePlan";
 import { Standards, switchedOn } from "./Standards";
 import { TargetSection } from "./TargetSection";
@@ -19,16 +19,10 @@ import "./statistics.css";
 
 export default function StatisticsScreen() {
   const path = statisticsPath(query.value);
-  const found = useResource((signal) => api.get<Statistics>(path, { signal }), []);
-  const asked = useRef(path);
+  const found = useResource((signal) => api.get<Statistics>(path, { signal }), [path], { keep: true });
   useEffect(() => {
     loadPlot().catch(() => null); // while the server counts; who draws tells what is wrong
   }, []);
-  useEffect(() => {
-    if (asked.current === path) return;
-    asked.current = path;
-    void found.reload();
-  }, [path]);
   const data = found.data;
   const only = query.value.getAll("survey").length === 1 ? query.value.get("survey") : null;
   return (

@@ -1,6 +1,6 @@
 import { Button, Notice } from "../../components";
-import { formatCount, formatLength, plural } from "../../units";
-import { csvOf, download } from "./csv";
+import { formatCount, formatLength, lengthScale, plural } from "../../core/units";
+import { csvOf, download } from "../../parts/figures/csv";
 import {
   type Curve,
   densityMarks,
@@ -12,18 +12,11 @@ import {
   nearby,
   standardMarks,
   valueAt,
-} from "./curves";
-import {
-  type Density,
-  type Ecdf,
-  isThere,
-  type OfTarget,
-  type Percentile,
-  type Standard,
-  TARGET_TITLES,
-} from "./model";
-import { heightUnit, NONE, percent, scaled } from "./numbers";
-import { type Plot, PlotFigure } from "./PlotFigure";
+} from "../../parts/figures/curves";
+import { NONE, percent, scaled } from "../../parts/figures/numbers";
+import { type Plot, PlotFigure } from "../../parts/figures/PlotFigure";
+import type { Density, Ecdf, Standard } from "../../parts/figures/types";
+import { isThere, type OfTarget, type Percentile, TARGET_TITLES } from "./model";
 
 const RAW: Curve = { word: "as the paper measures", dash: "6 4", faint: true, band: true };
 const CORRECTED: Curve = { word: "corrected", band: true };
@@ -82,7 +75,7 @@ function EcdfFigure({ target, standards, title }: Props & { title: string }) {
       reason={both.length === 0 ? "Nothing to draw: no height of this target is left by the filter." : null}
       data={[target, shown.map((one) => one.name + one.height_m).join()]}
       options={(plot, unit) => {
-        const [perX, long] = heightUnit(unit);
+        const [perX, long] = lengthScale(unit);
         return {
           x: {
             label: `height above the road (${long})`,
@@ -139,7 +132,7 @@ function HeightDensity({ target, title }: { target: OfTarget; title: string }) {
       reason={"reason" in target.density ? target.density.reason : null}
       data={target}
       options={(plot, unit) => {
-        const [perX, long] = heightUnit(unit);
+        const [perX, long] = lengthScale(unit);
         return {
           x: {
             label: `height above the road (${long})`,
@@ -192,7 +185,7 @@ function Percentiles({ target }: { target: OfTarget }) {
   const rows = target.corrected.percentiles;
   const raw = new Map(target.raw.percentiles.map((one) => [one.percent, one]));
   if (raw.size === 0) return null;
-  const [factor, unit] = heightUnit();
+  const [factor, unit] = lengthScale();
   const shown = rows.length > 0 ? rows : target.raw.percentiles;
   return (
     <div class="stat-percentiles">

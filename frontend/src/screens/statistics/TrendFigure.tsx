@@ -1,6 +1,7 @@
+import { lengthScale, smallScale } from "../../core/units";
+import { range, scaled } from "../../parts/figures/numbers";
+import { type LegendEntry, PlotFigure } from "../../parts/figures/PlotFigure";
 import { type Errors, GROUP_WORDS, isThere, type Trend } from "./model";
-import { heightUnit, range, scaled, smallUnit } from "./numbers";
-import { type LegendEntry, PlotFigure } from "./PlotFigure";
 
 const SYMBOLS = { daytime: "circle", low_light: "triangle", unknown: "square" } as const;
 
@@ -28,8 +29,8 @@ export function TrendFigure({ errors }: { errors: Errors }) {
       reason={rows.length === 0 ? "Nothing to draw: no vehicle has a reference height." : null}
       data={errors}
       options={(plot, unit) => {
-        const [perX, long] = heightUnit(unit);
-        const [perY, small] = smallUnit(unit);
+        const [perX, long] = lengthScale(unit);
+        const [perY, small] = smallScale(unit);
         const fit = line?.at.map((at, i) => ({
           x: at * perX,
           y: (line.value[i] ?? 0) * perY,
@@ -91,9 +92,9 @@ export function TrendFigure({ errors }: { errors: Errors }) {
 /** "−12 mm per m (−20 to −4), r = −0.31 (…)." */
 function trendWords({ trend, absolute_trend }: Errors): string {
   if (!isThere<Trend>(trend)) return trend.reason;
-  const [factor, small] = smallUnit();
-  const [, long] = heightUnit();
-  const per = long === "ft" ? factor / (1 / 0.3048) : factor;
+  const [factor, small] = smallScale();
+  const [toLong, long] = lengthScale();
+  const per = factor / toLong;
   const signed = `Slope ${scaled(trend.slope, per, 1)} ${small} per ${long} (${range(trend.slope_ci95, per, 1)}), r = ${scaled(trend.correlation, 1, 2)} (${range(trend.correlation_ci95, 1, 2)}).`;
   if (!isThere<Trend>(absolute_trend)) return signed;
   return `${signed} Absolute error: r = ${scaled(absolute_trend.correlation, 1, 2)} (${range(absolute_trend.correlation_ci95, 1, 2)}).`;

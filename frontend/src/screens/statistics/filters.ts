@@ -1,5 +1,5 @@
 /** The filter as the page's address holds it: the server's own names, so that a link tells all. */
-import { navigate } from "../../router";
+import { navigate } from "../../core/address";
 
 export const CORRECTIONS = ["inset", "shift", "none", "regression", "deconvolution"] as const;
 export type Correction = (typeof CORRECTIONS)[number];

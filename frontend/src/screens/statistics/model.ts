@@ -1,22 +1,17 @@
 /** What the server says of many measurements; lengths in metres. */
-import type { components } from "../../schema";
-import type { Category, Lighting, Target } from "../../types";
+
+import type { components } from "../../core/schema";
+import type { Category, Lighting, Target } from "../../core/types";
+import type { Standard } from "../../parts/figures/types";
 
 type Schemas = components["schemas"];
 export type Statistics = Schemas["StatisticsBody"];
 export type Errors = Schemas["ErrorsBody"];
 export type ErrorGroup = Schemas["ErrorGroupBody"];
-export type Figure = Schemas["FigureBody"];
-export type Interval = Schemas["IntervalBody"];
-export type Ecdf = Schemas["EcdfBody"];
-export type Density = Schemas["DensityBody"];
 export type Trend = Schemas["TrendBody"];
 export type Reason = Schemas["ReasonBody"];
-export type Distribution = Schemas["DistributionBody"];
 export type OfTarget = Schemas["TargetBody"];
 export type Percentile = Schemas["PercentileBody"];
-export type Share = Schemas["ShareBody"];
-export type Standard = Schemas["StandardBody"];
 export type SampleSize = Schemas["SampleSizeBody"];
 
 /** Whether a part was computed, or is only the reason why not. */

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
-import { csvOf } from "./csv";
+import { csvOf } from "../../parts/figures/csv";
+import { resolved } from "../../parts/figures/svg";
 import { changed, narrowed, statisticsPath } from "./filters";
-import { resolved } from "./svg";
 
 describe("the address", () => {
   it("goes to the server without what only the page knows", () => {

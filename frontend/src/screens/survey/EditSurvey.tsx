@@ -1,9 +1,9 @@
 import { useState } from "preact/hooks";
-import { api } from "../../api";
 import { FormDialog, TextField } from "../../components";
-import { refreshSurvey } from "../../state/survey";
-import type { Inset, Survey, Target } from "../../types";
-import { parseNumber } from "../../units";
+import { api } from "../../core/api";
+import { refreshSurvey } from "../../core/survey";
+import type { Inset, Survey, Target } from "../../core/types";
+import { lengthText, lengthUnit, parseLength } from "../../core/units";
 
 const TARGETS: { key: Target; label: string }[] = [
   { key: "roof", label: "Roof" },
@@ -60,8 +60,8 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
           <thead>
             <tr>
               <th>Target</th>
-              <th class="num">inset (m)</th>
-              <th class="num">± u (m)</th>
+              <th class="num">inset ({lengthUnit.value})</th>
+              <th class="num">± u ({lengthUnit.value})</th>
             </tr>
           </thead>
           <tbody>
@@ -75,7 +75,7 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
                   <TextField
                     hideLabel
                     numeric
-                    label={`${label}: inset in metres`}
+                    label={`${label}: inset in ${unitWord()}`}
                     value={insets[key].inset}
                     onInput={(v) => change(key, "inset", v)}
                   />
@@ -84,7 +84,7 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
                   <TextField
                     hideLabel
                     numeric
-                    label={`${label}: uncertainty in metres`}
+                    label={`${label}: uncertainty in ${unitWord()}`}
                     value={insets[key].u}
                     onInput={(v) => change(key, "u", v)}
                   />
@@ -103,7 +103,7 @@ function typedInsets(survey: Survey): Typed {
   const typed = {} as Typed;
   for (const { key } of TARGETS) {
     const inset = survey.insets[key];
-    typed[key] = { inset: String(inset?.inset_m ?? 0), u: String(inset?.u_inset_m ?? 0) };
+    typed[key] = { inset: lengthText(inset?.inset_m ?? 0), u: lengthText(inset?.u_inset_m ?? 0) };
   }
   return typed;
 }
@@ -111,12 +111,23 @@ function typedInsets(survey: Survey): Typed {
 function readInsets(typed: Typed, survey: Survey): Record<Target, Inset> | string {
   const read = {} as Record<Target, Inset>;
   for (const { key, label } of TARGETS) {
-    const inset_m = parseNumber(typed[key].inset);
-    const u_inset_m = parseNumber(typed[key].u);
+    const before = survey.insets[key];
+    const inset_m = metresOf(typed[key].inset, before?.inset_m);
+    const u_inset_m = metresOf(typed[key].u, before?.u_inset_m);
     if (inset_m === null || u_inset_m === null || u_inset_m < 0) {
-      return `${label}: give the inset and its uncertainty as numbers in metres, for example 0.12 and 0.05.`;
+      const example = `${lengthText(0.12, lengthUnit.value, 2)} and ${lengthText(0.05, lengthUnit.value, 2)}`;
+      return `${label}: give the inset and its uncertainty as numbers in ${unitWord()}, for example ${example}.`;
     }
-    read[key] = { inset_m, u_inset_m, note: survey.insets[key]?.note ?? "" };
+    read[key] = { inset_m, u_inset_m, note: before?.note ?? "" };
   }
   return read;
+}
+
+/** A typed length; one that was left as it stood is not rounded by having been shown. */
+function metresOf(text: string, before: number | undefined): number | null {
+  return before !== undefined && text === lengthText(before) ? before : parseLength(text);
+}
+
+function unitWord(): string {
+  return lengthUnit.value === "ft" ? "feet" : "metres";
 }

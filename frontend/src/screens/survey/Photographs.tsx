@@ -1,10 +1,10 @@
 import { useEffect, useState } from "preact/hooks";
-import { api, explain } from "../../api";
 import { Button, DropFiles, Icon, Problem } from "../../components";
-import { useResource } from "../../state/resource";
-import { may } from "../../state/session";
-import { toast, toastProblem } from "../../state/toasts";
-import type { Photograph } from "../../types";
+import { api, explain } from "../../core/api";
+import { useResource } from "../../core/resource";
+import { may } from "../../core/session";
+import { toast, toastProblem } from "../../core/toasts";
+import type { Photograph } from "../../core/types";
 import "./photographs.css";
 
 /** Pictures of the set-up: added, captioned, put in order; the report shows them in this order. */
@@ -118,7 +118,7 @@ function Card({ one, mayChange, earlier, later, caption, remove }: CardProps) {
 function usePhotographs(
   where: string,
   all: Photograph[],
-  set: (all: Photograph[]) => void,
+  set: (change: (now: Photograph[]) => Photograph[]) => void,
   reload: () => Promise<void>,
 ) {
   const [waiting, setWaiting] = useState(0);
@@ -133,12 +133,11 @@ function usePhotographs(
   };
   const add = async (files: File[]) => {
     const problems: string[] = [];
-    let shown = all;
     for (const [index, file] of files.entries()) {
       setWaiting(files.length - index);
       try {
-        shown = [...shown, await api.file<Photograph>(where, file)];
-        set(shown);
+        const added = await api.file<Photograph>(where, file);
+        set((now) => [...now, added]);
       } catch (error) {
         problems.push(explain(error));
       }

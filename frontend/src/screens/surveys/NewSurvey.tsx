@@ -1,8 +1,8 @@
 import { useState } from "preact/hooks";
-import { api } from "../../api";
 import { FormDialog, TextField } from "../../components";
-import { navigate } from "../../router";
-import type { Survey } from "../../types";
+import { navigate } from "../../core/address";
+import { api } from "../../core/api";
+import type { Survey } from "../../core/types";
 
 export function NewSurvey({ close }: { close: () => void }) {
   const [name, setName] = useState("");

@@ -1,24 +1,24 @@
+import type { ComponentChildren } from "preact";
 import { useState } from "preact/hooks";
-import { api } from "../../api";
 import { Button, Empty, JobProgress, Loading, Notice, Problem, StateMark } from "../../components";
-import { isOver } from "../../state/jobs";
-import { useEvery, useResource } from "../../state/resource";
-import { may, me } from "../../state/session";
-import { formatDay } from "../../times";
-import type { Job, Survey } from "../../types";
-import { formatCount, plural } from "../../units";
+import { api } from "../../core/api";
+import { isOver } from "../../core/jobs";
+import { useEvery, useResource } from "../../core/resource";
+import { may, me } from "../../core/session";
+import { formatDay } from "../../core/times";
+import type { Job, Survey } from "../../core/types";
+import { formatCount, plural } from "../../core/units";
 import { NewSurvey } from "./NewSurvey";
 import "./surveys.css";
 
 /** Home: every survey with its progress. While the demonstration survey is being made, its card shows how far it is. */
 export default function SurveysScreen() {
-  const [making, setMaking] = useState(false);
   const surveys = useResource((signal) => api.get<Survey[]>("/surveys", { signal }), []);
   const jobs = useResource((signal) => api.get<Job[]>("/jobs", { signal }), []);
   // newest first: the last try to make the demonstration survey is the one that counts
   const lastDemo = jobs.data?.find((job) => job.kind === "demonstration") ?? null;
-  const demoJob = lastDemo && !isOver(lastDemo) ? lastDemo : null;
-  useEvery(demoJob ? 1000 : null, async () => {
+  const underWay = lastDemo !== null && !isOver(lastDemo);
+  useEvery(underWay ? 1000 : null, async () => {
     await jobs.reload();
     await surveys.reload(); // after the job, so that its survey is not missed when it ends
   });
@@ -31,10 +31,28 @@ export default function SurveysScreen() {
     );
   }
   if (!surveys.data) return <Loading what="surveys" />;
-  const demo = surveys.data.find((survey) => survey.is_demo) ?? null;
-  const shown = surveys.data.filter((survey) => !(demoJob && survey.is_demo));
-  const nothing = surveys.data.length === 0 && !demoJob;
-  const onlyDemo = surveys.data.every((survey) => survey.is_demo);
+  return (
+    <SurveyList surveys={surveys.data} lastDemo={lastDemo}>
+      <Problem error={surveys.error} again={surveys.reload} />
+    </SurveyList>
+  );
+}
+
+interface SurveyListProps {
+  surveys: readonly Survey[];
+  /** The newest job that makes the demonstration survey. */
+  lastDemo: Job | null;
+  children: ComponentChildren;
+}
+
+function SurveyList({ surveys, lastDemo, children }: SurveyListProps) {
+  const [making, setMaking] = useState(false);
+  const make = () => setMaking(true);
+  const demoJob = lastDemo && !isOver(lastDemo) ? lastDemo : null;
+  const demo = surveys.find((survey) => survey.is_demo) ?? null;
+  const listed = surveys.filter((survey) => !(demoJob && survey.is_demo));
+  const nothing = surveys.length === 0 && !demoJob;
+  const onlyDemo = surveys.every((survey) => survey.is_demo);
   return (
     <div class="page page--alone">
       <header class="page__head">
@@ -46,42 +64,14 @@ export default function SurveysScreen() {
             </p>
           )}
         </div>
-        {may("operator") && !nothing && (
-          <Button kind={onlyDemo ? "plain" : "primary"} icon="add" onClick={() => setMaking(true)}>
-            New survey
-          </Button>
-        )}
+        {!nothing && may("operator") && <AddSurvey primary={!onlyDemo} make={make} />}
       </header>
-      {me.value?.needs_password && (
-        <Notice
-          actions={
-            <Button small href="/account">
-              Choose a password
-            </Button>
-          }
-        >
-          Your sign-in link is used up now; choose a password to be able to come back.
-        </Notice>
-      )}
-      <Problem error={surveys.error} again={surveys.reload} />
+      {me.value?.needs_password && <ChoosePassword />}
+      {children}
       {lastDemo?.state === "failed" && !demo && (
         <Notice kind="problem">{lastDemo.error ?? "The demonstration survey could not be made."}</Notice>
       )}
-      {nothing && <NoSurvey make={() => setMaking(true)} />}
-      {(demoJob || shown.length > 0) && (
-        <ul class="cards">
-          {demoJob && (
-            <li>
-              <DemoCard job={demoJob} />
-            </li>
-          )}
-          {shown.map((survey) => (
-            <li key={survey.id}>
-              <SurveyCard survey={survey} />
-            </li>
-          ))}
-        </ul>
-      )}
+      {nothing ? <NoSurvey make={make} /> : <Cards demoJob={demoJob} surveys={listed} />}
       {onlyDemo && demo && may("operator") && (
         <p class="muted">
           The demonstration survey is rendered from a known scene, so every height you measure in it can be
@@ -90,6 +80,44 @@ export default function SurveysScreen() {
       )}
       {making && <NewSurvey close={() => setMaking(false)} />}
     </div>
+  );
+}
+
+function AddSurvey({ primary, make }: { primary: boolean; make: () => void }) {
+  return (
+    <Button kind={primary ? "primary" : "plain"} icon="add" onClick={make}>
+      New survey
+    </Button>
+  );
+}
+
+function ChoosePassword() {
+  const toAccount = (
+    <Button small href="/account">
+      Choose a password
+    </Button>
+  );
+  return (
+    <Notice actions={toAccount}>
+      Your sign-in link is used up now; choose a password to be able to come back.
+    </Notice>
+  );
+}
+
+function Cards({ demoJob, surveys }: { demoJob: Job | null; surveys: readonly Survey[] }) {
+  return (
+    <ul class="cards">
+      {demoJob && (
+        <li>
+          <DemoCard job={demoJob} />
+        </li>
+      )}
+      {surveys.map((survey) => (
+        <li key={survey.id}>
+          <SurveyCard survey={survey} />
+        </li>
+      ))}
+    </ul>
   );
 }
 

@@ -1,0 +1,225 @@
+import { render } from "preact";
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { navigate } from "../core/address";
+import { me } from "../core/session";
+import type { Job, Me, Recording, Role, Survey } from "../core/types";
+import { App } from "./App";
+
+type Answer = unknown | (() => Response);
+let answers: Record<string, Answer> = {};
+const asked: string[] = [];
+
+const person = (role: Role): Me => ({
+  person: {
+    id: 1,
+    name: "Ada Byron",
+    email: "ada@example.org",
+    role,
+    active: true,
+    created_at: "2026-11-21T10:00:00Z",
+    last_seen_at: null,
+    has_password: true,
+  },
+  version: "0.1.0",
+  needs_password: false,
+  demo_survey_id: null,
+});
+
+const inset = { inset_m: 0, u_inset_m: 0, note: "" };
+const survey: Survey = {
+  id: 5,
+  name: "Rouen south",
+  site: "",
+  description: "",
+  is_demo: false,
+  version: 1,
+  created_at: "2026-11-21T10:00:00Z",
+  insets: { roof: inset, driver_eye: inset, taillight: inset, headlight: inset, other: inset },
+  counts: {
+    recordings: 1,
+    vehicles: 4,
+    vehicles_measured: 3,
+    measurements: 9,
+    to_review: 2,
+    accepted: 6,
+    rejected: 1,
+  },
+  steps: [
+    { key: "camera", state: "done", summary: "1 camera calibrated." },
+    { key: "recordings", state: "next", summary: "Drop the day's video here." },
+  ],
+  scans: {
+    state: "none",
+    summary: "None here.",
+    scans: 0,
+    ready: 0,
+    vehicles: 0,
+    to_review: 0,
+    accepted: 0,
+    rejected: 0,
+    not_measurable: 0,
+  },
+};
+
+const job = (part: Partial<Job>): Job => ({
+  id: 1,
+  kind: "demonstration",
+  state: "running",
+  progress: 0.4,
+  message: "drawing daytime.mp4",
+  error: null,
+  result: null,
+  survey_id: null,
+  recording_id: null,
+  created_at: "2026-11-21T10:00:00Z",
+  finished_at: null,
+  ...part,
+});
+
+beforeEach(() => {
+  answers = {};
+  asked.length = 0;
+  vi.stubGlobal("fetch", async (path: string, init: RequestInit) => {
+    asked.push(`${init.method} ${path}`);
+    const known = answers[path.replace("/api", "").replace(/\?.*/, "")];
+    if (typeof known === "function") return known();
+    const found = known !== undefined;
+    const body = found ? known : { error: { code: "not_found", message: `nothing at ${path}` } };
+    return new Response(JSON.stringify(body), { status: found ? 200 : 404 });
+  });
+});
+
+afterEach(() => {
+  render(null, document.body);
+  me.value = undefined;
+  navigate("/");
+  vi.unstubAllGlobals();
+});
+
+const show = (path: string) => {
+  navigate(path);
+  render(<App />, document.body);
+};
+const text = () => document.body.textContent ?? "";
+const shown = (words: string) => vi.waitFor(() => expect(text()).toContain(words), { timeout: 5000 });
+
+describe("who is not signed in", () => {
+  it("is led to the sign-in page, and back afterwards", async () => {
+    const refusal = { error: { code: "not_signed_in", message: "Sign in first." } };
+    answers["/session"] = () => new Response(JSON.stringify(refusal), { status: 401 });
+    show("/surveys/5/camera");
+    await shown("No password yet?");
+    expect(location.pathname + location.search).toBe("/sign-in?next=%2Fsurveys%2F5%2Fcamera");
+  });
+});
+
+describe("the surveys", () => {
+  it("tell an operator what to do when there are none", async () => {
+    answers = { "/session": person("operator"), "/surveys": [], "/jobs": [] };
+    show("/");
+    await shown("No surveys yet");
+    expect(text()).toContain("New survey");
+  });
+
+  it("offer a viewer nothing that a viewer may not do", async () => {
+    answers = { "/session": person("viewer"), "/surveys": [], "/jobs": [] };
+    show("/");
+    await shown("Nobody has made a survey yet");
+    expect(text()).not.toContain("New survey");
+  });
+
+  it("show how far each is", async () => {
+    answers = { "/session": person("operator"), "/surveys": [survey], "/jobs": [] };
+    show("/");
+    await shown("Rouen south");
+    expect(text()).toContain("3 of 4");
+    expect(text()).toContain("7 of 9");
+    expect(text()).toContain("Drop the day's video here.");
+  });
+
+  it("show the demonstration survey while it is made, also while its job waits", async () => {
+    answers = {
+      "/session": person("operator"),
+      "/surveys": [],
+      "/jobs": [job({ state: "queued", message: "" })],
+    };
+    show("/");
+    await shown("being made");
+    expect(text()).not.toContain("No surveys yet");
+  });
+
+  it("say why it could not be made", async () => {
+    const failed = job({ state: "failed", error: "The disk is full; make room and start again." });
+    answers = { "/session": person("operator"), "/surveys": [], "/jobs": [failed] };
+    show("/");
+    await shown("The disk is full");
+  });
+});
+
+describe("a recording that failed", () => {
+  const recording: Recording = {
+    id: 3,
+    survey_id: 5,
+    name: "bad.mp4",
+    state: "failed",
+    error: "bad.mp4 is a text file, not a video; choose a video file.",
+    job: null,
+    sha256: "0936",
+    size_bytes: 18,
+    width_px: null,
+    height_px: null,
+    frame_count: null,
+    duration_s: null,
+    codec: null,
+    container: null,
+    vfr: false,
+    notes: [],
+    camera_id: null,
+    pose_id: null,
+    lighting: null,
+    lighting_proposed: null,
+    created_at: "2026-11-21T10:00:00Z",
+    thumbs: [],
+  };
+
+  it("says why, and can be read again", async () => {
+    answers = {
+      "/session": person("operator"),
+      "/surveys/5": survey,
+      "/surveys/5/recordings": [recording],
+      "/surveys/5/cameras": [],
+      "/surveys/5/uploads": [],
+      "/recordings/3/ingest": job({ kind: "ingest" }),
+    };
+    show("/surveys/5/recordings");
+    await shown("is a text file, not a video");
+    [...document.querySelectorAll("button")]
+      .find((button) => button.textContent === "Read it again")
+      ?.click();
+    await vi.waitFor(() => expect(asked).toContain("POST /api/recordings/3/ingest"));
+  });
+});
+
+describe("an address that leads nowhere", () => {
+  it("says so and leads back", async () => {
+    answers = { "/session": person("operator") };
+    show("/surveys/0");
+    await shown("There is nothing at this address");
+  });
+});
+
+describe("going to another page", () => {
+  it("announces its title and puts the focus on its heading, but not when the app is loaded", async () => {
+    answers = { "/session": person("operator"), "/surveys": [], "/jobs": [] };
+    show("/");
+    await shown("No surveys yet");
+    const announced = () => document.querySelector("[data-testid=arrival]")?.textContent;
+    expect(document.activeElement?.tagName).toBe("BODY");
+    expect(announced()).toBe("");
+    navigate("/account");
+    await shown("Account");
+    await vi.waitFor(() => expect(document.activeElement?.tagName).toBe("H1"));
+    expect(document.activeElement?.textContent).toBe("Account");
+    expect(announced()).toBe("Account");
+  });
+});

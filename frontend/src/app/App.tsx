@@ -1,0 +1,122 @@
+import type { ComponentType } from "preact";
+import { useEffect, useState } from "preact/hooks";
+import { AskDialog, Loading, Problem } from "../components";
+import { Toasts } from "../components/Toasts";
+import { current, navigate } from "../core/address";
+import { useKeys } from "../core/commands";
+import { loadSession, me, sessionProblem } from "../core/session";
+import { loadSurvey, survey, surveyProblem } from "../core/survey";
+import { Arrival } from "./arrival";
+import { keysShown } from "./KeysDialog.state";
+import { Offline } from "./Offline";
+import { Rail } from "./Rail";
+import { NotFound, Screen } from "./Screen";
+import { TopBar } from "./TopBar";
+
+export function App() {
+  useEffect(() => {
+    void loadSession();
+  }, []);
+  useKeys({
+    help: () => {
+      keysShown.value = true;
+    },
+  });
+  return (
+    <>
+      <Body />
+      <Arrival />
+      <AskDialog />
+      {keysShown.value && <Keys />}
+      <Toasts />
+    </>
+  );
+}
+
+function Body() {
+  const here = current.value;
+  const person = me.value;
+  const surveyId = here?.surveyId ?? 0;
+  useEffect(() => {
+    const place = here?.place.title ?? "Not found";
+    const name = surveyId && survey.value ? ` – ${survey.value.name}` : "";
+    document.title = `${place}${name} – Sightline`;
+  }, [here?.place.name, survey.value?.name]);
+  useEffect(() => {
+    if (person && surveyId) void loadSurvey(surveyId);
+  }, [person?.person.id, surveyId, here?.place.name]);
+  useEffect(() => {
+    if (person === null && here?.place.name !== "sign-in") {
+      const back = location.pathname + location.search;
+      navigate(back === "/" ? "/sign-in" : `/sign-in?next=${encodeURIComponent(back)}`, { replace: true });
+    }
+  }, [person, here?.place.name]);
+
+  if (here?.place.layout === "bare") return <Screen here={here} />;
+  if (sessionProblem.value) {
+    return (
+      <div class="page page--alone">
+        <Problem error={sessionProblem.value} again={() => void loadSession()} />
+      </div>
+    );
+  }
+  if (!person) {
+    return (
+      <>
+        <Offline />
+        <Loading what="Sightline" />
+      </>
+    );
+  }
+  const full = here?.place.layout === "full";
+  return (
+    <div class="shell">
+      <a class="skip btn" href="#main">
+        Skip to the page
+      </a>
+      <TopBar />
+      <Offline />
+      <main id="main" class={`main${full ? " main--full" : ""}`} tabIndex={-1}>
+        {here === null ? (
+          <NotFound />
+        ) : surveyId && surveyProblem.value ? (
+          <SurveyProblem id={surveyId} />
+        ) : (
+          <Laid />
+        )}
+      </main>
+    </div>
+  );
+}
+
+function Laid() {
+  const here = current.value;
+  if (!here) return null;
+  if (here.place.layout !== "bench") return <Screen here={here} />;
+  return (
+    <div class="bench">
+      <Rail surveyId={here.surveyId} name={here.place.name} />
+      <Screen here={here} />
+    </div>
+  );
+}
+
+function SurveyProblem({ id }: { id: number }) {
+  return (
+    <div class="page">
+      <Problem error={surveyProblem.value} again={() => void loadSurvey(id)} />
+      <p>
+        <a href="/">Go to the surveys</a>
+      </p>
+    </div>
+  );
+}
+
+/** The key map's code comes when it is first asked for. */
+function Keys() {
+  const [Shown, setShown] = useState<ComponentType | null>(null);
+  useEffect(() => {
+    void import("./KeysDialog").then((module) => setShown(() => module.default));
+  }, []);
+  return Shown && <Shown />;
+}

@@ -1,0 +1,58 @@
+import { Icon, type IconName, StateMark } from "../components";
+import { survey } from "../core/survey";
+import { stepState, WORK } from "../core/work";
+
+const ICONS: Record<(typeof WORK)[number]["name"], IconName> = {
+  survey: "overview",
+  planning: "search",
+  camera: "camera",
+  recordings: "film",
+  pose: "road",
+  measure: "ruler",
+  checks: "check",
+  review: "review",
+  repeats: "retry",
+  scans: "scan",
+  export: "package",
+};
+
+/** The order of work beside the quiet screens: each step with its state. */
+export function Rail({ surveyId, name }: { surveyId: number; name: string }) {
+  return (
+    <nav class="rail" aria-label="Order of work">
+      <ul>
+        {WORK.map((entry) => {
+          const state = stepState(survey.value, entry.step);
+          return (
+            <li key={entry.name}>
+              <a
+                class="rail__item"
+                href={`/surveys/${surveyId}${entry.path}`}
+                aria-current={entry.name === name ? "page" : undefined}
+              >
+                <Icon name={ICONS[entry.name]} />
+                <span class="grow">{entry.title}</span>
+                {state && <StateMark state={state} hideWord />}
+              </a>
+            </li>
+          );
+        })}
+      </ul>
+      <div class="rail__sep" />
+      <ul>
+        <li>
+          <a class="rail__item" href={`/statistics?survey=${surveyId}`}>
+            <Icon name="chart" />
+            <span class="grow">Statistics</span>
+          </a>
+        </li>
+        <li>
+          <a class="rail__item" href={`/audit?survey_id=${surveyId}`}>
+            <Icon name="audit" />
+            <span class="grow">Audit trail</span>
+          </a>
+        </li>
+      </ul>
+    </nav>
+  );
+}

@@ -1,0 +1,64 @@
+import type { ComponentChildren } from "preact";
+import { useEffect, useErrorBoundary, useState } from "preact/hooks";
+import { Empty, Loading, Notice, Problem } from "../components";
+import type { Match } from "../core/places";
+import { loadedScreen, loadScreen } from "./screens";
+
+/** Loads a screen's code when it is first shown. */
+export function Screen({ here }: { here: Match }) {
+  const { place, surveyId } = here;
+  const [, redraw] = useState(0);
+  const [failed, setFailed] = useState(false);
+  useEffect(() => {
+    setFailed(false);
+    if (loadedScreen(place.name)) return;
+    let stale = false;
+    loadScreen(place.name).then(
+      () => !stale && redraw((n) => n + 1),
+      (error) => {
+        console.error(error);
+        if (!stale) setFailed(true);
+      },
+    );
+    return () => {
+      stale = true;
+    };
+  }, [place.name]);
+  const Shown = loadedScreen(place.name);
+  if (Shown) {
+    return (
+      <Guarded key={`${place.name} ${surveyId}`}>
+        <Shown surveyId={surveyId} />
+      </Guarded>
+    );
+  }
+  if (failed) {
+    return (
+      <div class="page">
+        <Notice kind="problem">
+          This page could not be loaded, perhaps because a newer version was installed; reload it.
+        </Notice>
+      </div>
+    );
+  }
+  return <Loading what={place.title.toLowerCase()} />;
+}
+
+/** A page that breaks says so in one sentence; the bar above it and the other pages go on working. */
+function Guarded({ children }: { children: ComponentChildren }) {
+  const [error, tryAgain] = useErrorBoundary();
+  if (!error) return children;
+  return (
+    <div class="page">
+      <Problem error={error} again={tryAgain} />
+    </div>
+  );
+}
+
+export function NotFound() {
+  return (
+    <Empty title="There is nothing at this address" actions={<a href="/">Go to the surveys</a>}>
+      <p>The link may be old, or the survey may have been removed.</p>
+    </Empty>
+  );
+}

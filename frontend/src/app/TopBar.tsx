@@ -1,0 +1,210 @@
+import { Button, Mark, Menu } from "../components";
+import { current } from "../core/address";
+import { hint } from "../core/commands";
+import { saveState } from "../core/save";
+import { may, me, signOut } from "../core/session";
+import { survey } from "../core/survey";
+import { type ThemeChoice, themeChoice } from "../core/theme";
+import { formatClock } from "../core/times";
+import { toastProblem } from "../core/toasts";
+import { topTools } from "../core/topbar";
+import { ROLE_NAMES } from "../core/types";
+import { type LengthUnit, lengthUnit } from "../core/units";
+import { WORK } from "../core/work";
+import { keysShown } from "./KeysDialog.state";
+
+export function TopBar() {
+  return (
+    <header class="topbar">
+      <Crumbs />
+      <SaveWord />
+      {topTools.value && <div class="topbar__tools">{topTools.value}</div>}
+      <span class="topbar__rule" aria-hidden="true" />
+      <Button
+        kind="quiet"
+        label={`Keys${hint("help")}`}
+        onClick={() => {
+          keysShown.value = true;
+        }}
+        class="btn--icon"
+      >
+        ?
+      </Button>
+      <PersonMenu />
+    </header>
+  );
+}
+
+function Crumbs() {
+  const here = current.value;
+  const inSurvey = here !== null && here.surveyId > 0;
+  return (
+    <nav class="crumbs" aria-label="Where you are">
+      <a class="topbar__mark" href="/">
+        <Mark />
+        Sightline
+      </a>
+      <ol>
+        {inSurvey && (
+          <li>
+            <a class="clip" href={`/surveys/${here.surveyId}`}>
+              {survey.value?.name ?? "Survey"}
+            </a>
+          </li>
+        )}
+        {here && here.place.name !== "surveys" && (
+          <li>
+            {inSurvey && here.place.layout === "full" ? (
+              <WorkMenu surveyId={here.surveyId} name={here.place.name} title={here.place.title} />
+            ) : (
+              <span aria-current="page">{here.place.title}</span>
+            )}
+          </li>
+        )}
+      </ol>
+    </nav>
+  );
+}
+
+/** On the full-window screens the order of work hides in the last crumb. */
+function WorkMenu({ surveyId, name, title }: { surveyId: number; name: string; title: string }) {
+  return (
+    <Menu
+      left
+      label={`${title}: go to another step`}
+      button={
+        <>
+          <strong>{title}</strong>
+          <Chevron />
+        </>
+      }
+    >
+      {WORK.map((entry) => (
+        <a
+          key={entry.name}
+          class="menu__item"
+          href={`/surveys/${surveyId}${entry.path}`}
+          aria-current={entry.name === name ? "page" : undefined}
+        >
+          {entry.title}
+        </a>
+      ))}
+    </Menu>
+  );
+}
+
+function SaveWord() {
+  const { pending, waiting, savedAt, failed } = saveState.value;
+  const word =
+    waiting > 0
+      ? `${waiting} not yet saved`
+      : pending > 0
+        ? "saving…"
+        : failed
+          ? "last change not saved"
+          : savedAt
+            ? `saved ${formatClock(savedAt)}`
+            : "";
+  return (
+    <span class="topbar__save" role="status" data-testid="save-state">
+      {word}
+    </span>
+  );
+}
+
+const THEMES: { value: ThemeChoice; label: string }[] = [
+  { value: "system", label: "System" },
+  { value: "light", label: "Light" },
+  { value: "dark", label: "Dark" },
+];
+
+function PersonMenu() {
+  const person = me.value?.person;
+  if (!person) return null;
+  const initials = person.name
+    .split(/\s+/)
+    .map((part) => part[0] ?? "")
+    .join("")
+    .slice(0, 2)
+    .toUpperCase();
+  return (
+    <Menu
+      class="topbar__person"
+      label={`${person.name}: account and settings`}
+      button={<span class="avatar">{initials}</span>}
+    >
+      <div class="menu__head">
+        <strong class="clip">{person.name}</strong>
+        <span class="muted small">
+          {ROLE_NAMES[person.role]} · Sightline {me.value?.version}
+        </span>
+      </div>
+      <div class="menu__sep" />
+      <a class="menu__item" href="/account">
+        Account
+      </a>
+      {may("admin") && (
+        <a class="menu__item" href="/people">
+          People
+        </a>
+      )}
+      <a class="menu__item" href="/audit">
+        Audit trail
+      </a>
+      <div class="menu__sep" />
+      <Choice
+        label="Theme"
+        value={themeChoice.value}
+        options={THEMES}
+        set={(v) => {
+          themeChoice.value = v;
+        }}
+      />
+      <Choice<LengthUnit>
+        label="Lengths"
+        value={lengthUnit.value}
+        options={[
+          { value: "m", label: "Metres" },
+          { value: "ft", label: "Feet" },
+        ]}
+        set={(v) => {
+          lengthUnit.value = v;
+        }}
+      />
+      <div class="menu__sep" />
+      <button type="button" class="menu__item" onClick={() => signOut().catch(toastProblem)}>
+        Sign out
+      </button>
+    </Menu>
+  );
+}
+
+interface ChoiceProps<T extends string> {
+  label: string;
+  value: T;
+  options: { value: T; label: string }[];
+  set: (value: T) => void;
+}
+
+function Choice<T extends string>({ label, value, options, set }: ChoiceProps<T>) {
+  return (
+    <label class="menu__choice">
+      {label}
+      <select class="input" value={value} onChange={(event) => set(event.currentTarget.value as T)}>
+        {options.map((option) => (
+          <option key={option.value} value={option.value}>
+            {option.label}
+          </option>
+        ))}
+      </select>
+    </label>
+  );
+}
+
+function Chevron() {
+  return (
+    <svg width="10" height="10" viewBox="0 0 10 10" fill="none" aria-hidden="true">
+      <path d="M2 3.5l3 3 3-3" stroke="currentColor" stroke-width="1.5" />
+    </svg>
+  );
+}

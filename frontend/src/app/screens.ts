@@ -1,0 +1,39 @@
+/** The code of each place; it comes when the place is first shown. */
+import type { ComponentType } from "preact";
+import type { PlaceName, ScreenProps } from "../core/places";
+
+type Screen = ComponentType<ScreenProps>;
+
+const LOADERS: Record<PlaceName, () => Promise<{ default: Screen }>> = {
+  "sign-in": () => import("../screens/signin/SignInScreen"),
+  surveys: () => import("../screens/surveys/SurveysScreen"),
+  survey: () => import("../screens/survey/SurveyScreen"),
+  planning: () => import("../screens/planning/PlanningScreen"),
+  camera: () => import("../screens/camera/CameraScreen"),
+  recordings: () => import("../screens/recordings/RecordingsScreen"),
+  pose: () => import("../screens/pose/PoseScreen"),
+  measure: () => import("../screens/measure/MeasureScreen"),
+  checks: () => import("../screens/checks/ChecksScreen"),
+  review: () => import("../screens/review/ReviewScreen"),
+  repeats: () => import("../screens/repeats/RepeatsScreen"),
+  "click-again": () => import("../screens/repeats/ClickAgainScreen"),
+  scans: () => import("../screens/scans/ScansScreen"),
+  "scan-results": () => import("../screens/scans/ResultsScreen"),
+  scan: () => import("../screens/scans/BenchScreen"),
+  export: () => import("../screens/export/ExportScreen"),
+  statistics: () => import("../screens/statistics/StatisticsScreen"),
+  audit: () => import("../screens/audit/AuditScreen"),
+  people: () => import("../screens/people/PeopleScreen"),
+  account: () => import("../screens/account/AccountScreen"),
+};
+
+const loaded = new Map<PlaceName, Screen>();
+
+/** The screen of a place whose code is here. */
+export function loadedScreen(name: PlaceName): Screen | undefined {
+  return loaded.get(name);
+}
+
+export async function loadScreen(name: PlaceName): Promise<void> {
+  loaded.set(name, (await LOADERS[name]()).default);
+}

@@ -1,0 +1,56 @@
+/** Where the person is: the address bar as signals. Links are plain `<a href>`; a click on one is taken here. */
+import { computed, signal } from "@preact/signals";
+import { match } from "./places";
+
+const here = signal(location.pathname + location.search);
+
+export const pathname = computed(() => here.value.split("?")[0] ?? "/");
+export const query = computed(() => new URLSearchParams(here.value.split("?")[1] ?? ""));
+export const current = computed(() => match(pathname.value));
+
+/** Goes to a path of this app; `replace` leaves no step to go back to. */
+export function navigate(to: string, options: { replace?: boolean } = {}): void {
+  if (to === location.pathname + location.search) return;
+  history[options.replace ? "replaceState" : "pushState"](null, "", to);
+  const samePage = to.split("?")[0] === pathname.value;
+  here.value = location.pathname + location.search;
+  if (!samePage) document.getElementById("main")?.scrollTo(0, 0);
+}
+
+/** Changes query parameters in place, for deep links; null removes one. */
+export function setQuery(changes: Record<string, string | number | null>): void {
+  const params = new URLSearchParams(location.search);
+  for (const [key, value] of Object.entries(changes)) {
+    if (value === null) params.delete(key);
+    else params.set(key, String(value));
+  }
+  const text = params.toString();
+  navigate(location.pathname + (text ? `?${text}` : ""), { replace: true });
+}
+
+window.addEventListener("popstate", () => {
+  here.value = location.pathname + location.search;
+});
+
+/** True for a click that should stay a click: a new tab, a download, another site, the API. */
+export function isOurs(anchor: HTMLAnchorElement, event: MouseEvent): boolean {
+  if (
+    event.defaultPrevented ||
+    event.button !== 0 ||
+    event.metaKey ||
+    event.ctrlKey ||
+    event.shiftKey ||
+    event.altKey
+  )
+    return false;
+  if (anchor.target || anchor.hasAttribute("download") || anchor.origin !== location.origin) return false;
+  if (anchor.hash && anchor.pathname === location.pathname) return false;
+  return match(anchor.pathname) !== null;
+}
+
+document.addEventListener("click", (event) => {
+  const anchor = event.target instanceof Element ? event.target.closest("a") : null;
+  if (!anchor || !isOurs(anchor, event)) return;
+  event.preventDefault();
+  navigate(anchor.pathname + anchor.search);
+});

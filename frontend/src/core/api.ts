@@ -1,0 +1,203 @@
+/** The only door to the server. One error shape, one header against cross-site requests, retries that are never silent. */
+import { computed, signal } from "@preact/signals";
+import { changeSave } from "./save";
+
+export class ApiError extends Error {
+  /** @param status HTTP status; 0 when the server could not be reached
+   *  @param body the whole answer, for errors that carry more (a 409 carries `current`) */
+  constructor(
+    message: string,
+    readonly status: number,
+    readonly code = "unknown",
+    readonly body: unknown = null,
+  ) {
+    super(message);
+    this.name = "ApiError";
+  }
+}
+
+export interface RequestOptions {
+  signal?: AbortSignal;
+  /** Send again when the connection breaks. On by default for GET, PUT and DELETE, which may be sent twice; switch it on for a
+   *  POST only if the server treats a repeated one as the same (a measurement carries its `client_key`). */
+  retry?: boolean;
+  /** Do not count as a write in the top bar (live geometry while the pointer moves). */
+  quiet?: boolean;
+  /** Do not lead to the sign-in page on 401. */
+  allowSignedOut?: boolean;
+}
+
+interface Waiting {
+  again: () => void;
+}
+
+const waiting = signal<Waiting[]>([]);
+const nextTryAt = signal<number | null>(null);
+let attempt = 0;
+let timer: ReturnType<typeof setTimeout> | undefined;
+
+/** The connection as the notice under the top bar shows it. */
+export const connection = computed(() => ({
+  lost: waiting.value.length > 0,
+  waiting: waiting.value.length,
+  nextTryAt: nextTryAt.value,
+}));
+
+/** Sends everything that waits for the connection again, now. */
+export function tryAgainNow(): void {
+  clearTimeout(timer);
+  timer = undefined;
+  nextTryAt.value = null;
+  const batch = waiting.value;
+  waiting.value = [];
+  for (const entry of batch) entry.again();
+}
+
+window.addEventListener("online", tryAgainNow);
+
+function waitForConnection(abort?: AbortSignal): Promise<void> {
+  return new Promise((resolve, reject) => {
+    const entry: Waiting = { again: resolve };
+    abort?.addEventListener("abort", () => {
+      waiting.value = waiting.value.filter((other) => other !== entry);
+      reject(abort.reason);
+    });
+    waiting.value = [...waiting.value, entry];
+    if (timer === undefined) {
+      const delay = Math.min(15_000, 1_000 * 2 ** Math.min(attempt++, 4));
+      nextTryAt.value = Date.now() + delay;
+      timer = setTimeout(tryAgainNow, delay);
+    }
+  });
+}
+
+const signedOutListeners = new Set<() => void>();
+
+/** Called when the server answers that nobody is signed in. */
+export function onSignedOut(listener: () => void): () => void {
+  signedOutListeners.add(listener);
+  return () => signedOutListeners.delete(listener);
+}
+
+const SAFE = new Set(["GET", "HEAD"]);
+
+async function request<T>(method: string, path: string, body: unknown, options: RequestOptions): Promise<T> {
+  const write = !SAFE.has(method) && !options.quiet;
+  if (write) changeSave((s) => ({ pending: s.pending + 1, failed: false }));
+  try {
+    const answer = await send(method, path, body, options, write);
+    const value = await read<T>(answer, options);
+    if (write) changeSave(() => ({ savedAt: new Date() }));
+    return value;
+  } catch (error) {
+    if (write) changeSave(() => ({ failed: true }));
+    throw error;
+  } finally {
+    if (write) changeSave((s) => ({ pending: s.pending - 1 }));
+  }
+}
+
+/** What a proxy in front of a restarting server answers: the same as no connection. */
+const SERVER_AWAY = [502, 503, 504];
+
+async function send(
+  method: string,
+  path: string,
+  body: unknown,
+  options: RequestOptions,
+  write: boolean,
+): Promise<Response> {
+  const { signal } = options;
+  const init: RequestInit = { method, ...contentOf(body), signal, credentials: "same-origin" };
+  const mayRepeat = options.retry ?? method !== "POST";
+  for (;;) {
+    const answer = await fetchOnce(path, init, mayRepeat);
+    if (answer && !(mayRepeat && SERVER_AWAY.includes(answer.status))) {
+      attempt = 0;
+      return answer;
+    }
+    if (write) changeSave((s) => ({ waiting: s.waiting + 1 }));
+    try {
+      await waitForConnection(signal);
+    } finally {
+      if (write) changeSave((s) => ({ waiting: s.waiting - 1 }));
+    }
+  }
+}
+
+function contentOf(body: unknown): Pick<RequestInit, "headers" | "body"> {
+  const headers: Record<string, string> = { Accept: "application/json", "X-Sightline": "1" };
+  if (body === undefined || body instanceof FormData) return { headers, body };
+  headers["Content-Type"] = "application/json";
+  return { headers, body: JSON.stringify(body) };
+}
+
+/** The answer; null where there is no connection and the request may be repeated. */
+async function fetchOnce(path: string, init: RequestInit, mayRepeat: boolean): Promise<Response | null> {
+  try {
+    return await fetch(`/api${path}`, init);
+  } catch (error) {
+    if (init.signal?.aborted) throw error;
+    if (mayRepeat) return null;
+    throw new ApiError(
+      "The server could not be reached, so this was not done; check the connection and try again.",
+      0,
+      "unreachable",
+    );
+  }
+}
+
+async function read<T>(answer: Response, options: RequestOptions): Promise<T> {
+  if (answer.status === 204) return undefined as T;
+  const text = await answer.text();
+  const body = parse(text);
+  if (answer.ok) return body as T;
+  if (answer.status === 401 && !options.allowSignedOut) for (const tell of signedOutListeners) tell();
+  throw toApiError(answer.status, body);
+}
+
+function parse(text: string): unknown {
+  try {
+    return JSON.parse(text);
+  } catch {
+    return null;
+  }
+}
+
+/** The server's error shape as an ApiError; an answer of another shape (a proxy's page) still gives a sentence. */
+export function toApiError(status: number, body: unknown): ApiError {
+  const error = (body as { error?: { code?: string; message?: string } } | null)?.error;
+  const message =
+    error?.message ??
+    (status >= 500
+      ? `The server could not do this (status ${status}); try again, and tell the administrator if it stays.`
+      : `The server refused this (status ${status}).`);
+  return new ApiError(message, status, error?.code, body);
+}
+
+/** One sentence for any error, to show to a person. */
+export function explain(error: unknown): string {
+  if (error instanceof ApiError) return error.message;
+  if (error instanceof Error && error.name === "AbortError") return "This was stopped.";
+  console.error(error);
+  return "Something went wrong in this page; reload it, and tell the administrator if it happens again.";
+}
+
+export const api = {
+  get: <T>(path: string, options: RequestOptions = {}) => request<T>("GET", path, undefined, options),
+  post: <T>(path: string, body?: unknown, options: RequestOptions = {}) =>
+    request<T>("POST", path, body, options),
+  put: <T>(path: string, body?: unknown, options: RequestOptions = {}) =>
+    request<T>("PUT", path, body, options),
+  /** Changes some fields of a version that was seen; sent once, since a second one would be of an older version. */
+  patch: <T>(path: string, body?: unknown, options: RequestOptions = {}) =>
+    request<T>("PATCH", path, body, { retry: false, ...options }),
+  del: <T = void>(path: string, options: RequestOptions = {}) =>
+    request<T>("DELETE", path, undefined, options),
+  /** Sends one file as multipart form data, with the field name `file`. */
+  file: <T>(path: string, file: File, options: RequestOptions = {}) => {
+    const form = new FormData();
+    form.append("file", file, file.name);
+    return request<T>("POST", path, form, options);
+  },
+};

@@ -1,0 +1,55 @@
+/** Long work: poll the server's job table, tell progress, tell the end once. */
+import { useEffect, useState } from "preact/hooks";
+import { api } from "./api";
+import type { Job } from "./types";
+
+export function isOver(job: Job): boolean {
+  return job.state === "done" || job.state === "failed" || job.state === "cancelled";
+}
+
+/** Follows one job until it is over. Polls quickly at first, then every two seconds. */
+export async function followJob(
+  id: number,
+  onChange: (job: Job) => void,
+  signal?: AbortSignal,
+): Promise<Job> {
+  for (let wait = 250; ; wait = Math.min(2000, wait * 1.3)) {
+    const job = await api.get<Job>(`/jobs/${id}`, { signal });
+    onChange(job);
+    if (isOver(job)) return job;
+    await sleep(wait, signal);
+  }
+}
+
+export function cancelJob(id: number): Promise<Job> {
+  return api.post<Job>(`/jobs/${id}/cancel`, undefined, { retry: true });
+}
+
+/** A job as it stands now; `onOver` is called once when it ends. */
+export function useJob(
+  id: number | null,
+  onOver: (job: Job) => void,
+  onProblem: (error: unknown) => void,
+): Job | null {
+  const [job, setJob] = useState<Job | null>(null);
+  useEffect(() => {
+    setJob(null);
+    if (id === null) return;
+    const stop = new AbortController();
+    followJob(id, setJob, stop.signal).then(onOver, (error) => {
+      if (!stop.signal.aborted) onProblem(error);
+    });
+    return () => stop.abort();
+  }, [id]);
+  return job;
+}
+
+function sleep(ms: number, signal?: AbortSignal): Promise<void> {
+  return new Promise((resolve, reject) => {
+    const timer = setTimeout(resolve, ms);
+    signal?.addEventListener("abort", () => {
+      clearTimeout(timer);
+      reject(signal.reason);
+    });
+  });
+}

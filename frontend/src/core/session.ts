@@ -1,0 +1,46 @@
+import { computed, signal } from "@preact/signals";
+import { navigate, pathname } from "./address";
+import { ApiError, api, onSignedOut } from "./api";
+import type { Me, Role } from "./types";
+
+/** undefined while it is not yet known, null when nobody is signed in */
+export const me = signal<Me | null | undefined>(undefined);
+export const sessionProblem = signal<unknown>(null);
+
+const RANK: Record<Role, number> = { viewer: 0, operator: 1, reviewer: 2, admin: 3 };
+
+/** Whether the person may do what `role` may. The server decides; this only keeps buttons honest. */
+export function may(role: Role): boolean {
+  const have = me.value?.person.role;
+  return have !== undefined && RANK[have] >= RANK[role];
+}
+
+export const canWork = computed(() => may("operator"));
+
+export async function loadSession(): Promise<void> {
+  try {
+    sessionProblem.value = null;
+    me.value = await api.get<Me>("/session", { allowSignedOut: true });
+  } catch (error) {
+    if (error instanceof ApiError && error.status === 401) me.value = null;
+    else sessionProblem.value = error;
+  }
+}
+
+export async function signOut(): Promise<void> {
+  await api.del("/session", { quiet: true });
+  me.value = null;
+  navigate("/sign-in");
+}
+
+onSignedOut(() => {
+  if (pathname.value === "/sign-in") return;
+  const back = location.pathname + location.search;
+  me.value = null;
+  navigate(`/sign-in?next=${encodeURIComponent(back)}`, { replace: true });
+});
+
+/** Where to go after signing in: a path of this site and nothing else. */
+export function safeNext(next: string | null): string {
+  return next && /^\/(?![/\\])/.test(next) && !next.startsWith("/sign-in") ? next : "/";
+}

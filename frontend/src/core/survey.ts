@@ -1,0 +1,29 @@
+/** The survey whose pages are open: its name for the breadcrumbs, its steps for the rail. */
+import { signal } from "@preact/signals";
+import { api } from "./api";
+import { toastProblem } from "./toasts";
+import type { Survey } from "./types";
+
+export const survey = signal<Survey | null>(null);
+export const surveyProblem = signal<unknown>(null);
+let wanted = 0;
+
+/** Loads the survey, or loads it again when it is the open one already. Call it after anything that changes counts or steps. */
+export async function loadSurvey(id: number): Promise<void> {
+  if (survey.value?.id !== id) survey.value = null;
+  surveyProblem.value = null;
+  wanted = id;
+  try {
+    const found = await api.get<Survey>(`/surveys/${id}`);
+    if (wanted === id) survey.value = found; // another one may have been opened meanwhile
+  } catch (error) {
+    if (wanted !== id) return;
+    // what is open stays open: a failed refresh must not take a half-done measurement off the screen
+    if (survey.value?.id === id) toastProblem(error);
+    else surveyProblem.value = error;
+  }
+}
+
+export async function refreshSurvey(): Promise<void> {
+  if (survey.value) await loadSurvey(survey.value.id);
+}

@@ -1,0 +1,127 @@
+import { beforeEach, describe, expect, it } from "vitest";
+import {
+  fixed,
+  formatAcceleration,
+  formatBytes,
+  formatCount,
+  formatHeight,
+  formatLength,
+  formatSmall,
+  formatSpeed,
+  heads,
+  inUnits,
+  lengthUnit,
+  parseLength,
+  parseNumber,
+  parseSmall,
+  plainAcceleration,
+  plainLength,
+  plainSpeed,
+  plural,
+  smallText,
+} from "./units";
+
+const plain = (text: string) => text.replace(/[  ]/g, " ");
+
+beforeEach(() => {
+  lengthUnit.value = "m";
+});
+
+describe("heights", () => {
+  it("reads as value ± U95 in metres", () => {
+    expect(plain(formatHeight(1.1718, 0.0179))).toBe("1.172 ± 0.018 m");
+  });
+
+  it("converts value and uncertainty to feet", () => {
+    expect(plain(formatHeight(0.3048, 0.03048, 3, "ft"))).toBe("1.000 ± 0.100 ft");
+  });
+
+  it("follows the chosen unit", () => {
+    lengthUnit.value = "ft";
+    expect(plain(formatLength(3.048))).toBe("10.000 ft");
+  });
+
+  it("never shows a missing value as a number", () => {
+    expect(formatHeight(null, 0.01)).toBe("–");
+    expect(formatLength(null)).toBe("–");
+    expect(formatSmall(null)).toBe("–");
+  });
+
+  it("leaves the uncertainty out where it is unknown", () => {
+    expect(plain(formatHeight(1.5, null))).toBe("1.500 m");
+  });
+});
+
+describe("numbers", () => {
+  it("uses a true minus, and none for what rounds to zero", () => {
+    expect(fixed(-0.12, 2)).toBe("−0.12");
+    expect(fixed(-0.0004, 2)).toBe("0.00");
+  });
+
+  it.each([
+    ["1,5", 1.5],
+    [" 1 000.25 ", 1000.25],
+    ["−3", -3],
+    [".5", 0.5],
+    ["1e-3", 0.001],
+  ])("reads %s", (text, value) => {
+    expect(parseNumber(text)).toBe(value);
+  });
+
+  it.each(["", "abc", "1.2.3", "1,2,3", "--1", "0x10", "NaN", "Infinity"])("refuses %j", (text) => {
+    expect(parseNumber(text)).toBeNull();
+  });
+
+  it("reads feet as metres when feet are shown", () => {
+    lengthUnit.value = "ft";
+    expect(parseLength("10")).toBeCloseTo(3.048, 12);
+  });
+
+  it("groups thousands and counts in words", () => {
+    expect(plain(formatCount(1234567))).toBe("1 234 567");
+    expect(plain(plural(1, "frame"))).toBe("1 frame");
+    expect(plain(plural(0, "frame"))).toBe("0 frames");
+  });
+
+  it("puts the millimetres of a sentence into inches for those who read feet", () => {
+    const words = "The camera moved by 2.5 px: heights are off by up to 25.4 mm on frames 17 to 39.";
+    expect(inUnits(words, "m")).toBe(words);
+    expect(plain(inUnits(words, "ft"))).toContain("off by up to 1.00 in on frames 17");
+  });
+
+  it("rounds bytes into the next unit rather than 1000 of the last", () => {
+    expect(plain(formatBytes(999))).toBe("999 B");
+    expect(plain(formatBytes(999_999))).toBe("1.0 MB");
+    expect(plain(formatBytes(14_200_000))).toBe("14.2 MB");
+  });
+
+  it("shows small lengths in millimetres or inches", () => {
+    expect(plain(formatSmall(0.018))).toBe("18 mm");
+    expect(plain(formatSmall(0.0042))).toBe("4.2 mm");
+    expect(plain(formatSmall(0.0254, "ft"))).toBe("1.00 in");
+  });
+});
+
+describe("speeds and accelerations", () => {
+  it("are read in km/h and m/s², or in mph and ft/s²", () => {
+    expect(plain(formatSpeed(17.6, 0.05))).toBe("63.4 ± 0.2 km/h");
+    expect(plain(formatAcceleration(-1.4))).toBe("−1.40 m/s²");
+    lengthUnit.value = "ft";
+    expect(plain(formatSpeed(17.6))).toBe("39.4 mph");
+    expect(plain(formatAcceleration(-1.4, 0.1))).toBe("−4.59 ± 0.33 ft/s²");
+    expect([plainSpeed(17.6), plainLength(4.66), plainAcceleration(null)]).toEqual(["39.4", "15.29", "–"]);
+    expect(heads()).toEqual({ speed: "mph", acceleration: "ft/s²", length: "ft" });
+  });
+});
+
+describe("small lengths in fields", () => {
+  it("are typed in millimetres, or in inches", () => {
+    expect(smallText(0.0173)).toBe("17.3");
+    expect(parseSmall("17,3")).toBeCloseTo(0.0173, 12);
+    lengthUnit.value = "ft";
+    expect(smallText(0.0254)).toBe("1");
+    expect(parseSmall("0.5")).toBeCloseTo(0.0127, 12);
+    expect(parseSmall("wide")).toBeNull();
+    expect(smallText(null)).toBe("");
+  });
+});

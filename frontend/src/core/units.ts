@@ -1,0 +1,190 @@
+/** Lengths and speeds as people read and type them. The server speaks metres and seconds; feet and miles are only shown. */
+import { stored } from "./stored";
+
+export type LengthUnit = "m" | "ft";
+const METRES_PER_FOOT = 0.3048;
+const METRES_PER_MILE = 5280 * METRES_PER_FOOT;
+const SECONDS_PER_HOUR = 3600;
+
+/** Metres by default, feet on request, everywhere. */
+export const lengthUnit = stored<LengthUnit>("unit", "m", (v) => v === "m" || v === "ft");
+
+const NBSP = " ";
+const THIN = " ";
+
+/** What a number of the server is multiplied by to be shown, and the name of the unit it then has. */
+export type Scale = readonly [factor: number, unit: string];
+
+export function lengthScale(unit: LengthUnit = lengthUnit.value): Scale {
+  return unit === "ft" ? [1 / METRES_PER_FOOT, "ft"] : [1, "m"];
+}
+
+/** For uncertainties, differences, and the squares of a board. */
+export function smallScale(unit: LengthUnit = lengthUnit.value): Scale {
+  return unit === "ft" ? [12 / METRES_PER_FOOT, "in"] : [1000, "mm"];
+}
+
+export function speedScale(unit: LengthUnit = lengthUnit.value): Scale {
+  return unit === "ft" ? [SECONDS_PER_HOUR / METRES_PER_MILE, "mph"] : [SECONDS_PER_HOUR / 1000, "km/h"];
+}
+
+export function accelerationScale(unit: LengthUnit = lengthUnit.value): Scale {
+  return unit === "ft" ? [1 / METRES_PER_FOOT, "ft/s²"] : [1, "m/s²"];
+}
+
+function convert(metres: number, unit: LengthUnit): number {
+  return metres * lengthScale(unit)[0];
+}
+
+/** A number with a true minus sign and fixed decimals. */
+export function fixed(value: number, digits: number): string {
+  const text = value.toFixed(digits);
+  if (!text.startsWith("-")) return text;
+  return Number(text) === 0 ? text.slice(1) : `−${text.slice(1)}`;
+}
+
+/** "1.172 m"; a missing value is an en dash. */
+export function formatLength(metres: number | null, digits = 3, unit = lengthUnit.value): string {
+  if (metres === null) return "–";
+  return `${fixed(convert(metres, unit), digits)}${NBSP}${unit}`;
+}
+
+/** "1.172 ± 0.018 m", where the second number is the half-width of the 95 % interval. */
+export function formatHeight(
+  metres: number | null,
+  U95_m: number | null,
+  digits = 3,
+  unit = lengthUnit.value,
+): string {
+  if (metres === null) return "–";
+  if (U95_m === null) return formatLength(metres, digits, unit);
+  const value = fixed(convert(metres, unit), digits);
+  return `${value}${NBSP}±${NBSP}${convert(U95_m, unit).toFixed(digits)}${NBSP}${unit}`;
+}
+
+/** A small length: "18 mm", or "0.71 in" for those who read feet. */
+export function formatSmall(metres: number | null, unit = lengthUnit.value): string {
+  if (metres === null) return "–";
+  const [factor, name] = smallScale(unit);
+  const value = metres * factor;
+  const digits = unit === "ft" ? 2 : Math.abs(value) < 10 ? 1 : 0;
+  return `${fixed(value, digits)}${NBSP}${name}`;
+}
+
+/** A sentence of the server, which speaks millimetres, with its small lengths in the shown unit. */
+export function inUnits(words: string, unit = lengthUnit.value): string {
+  if (unit === "m") return words;
+  return words.replace(/(\d+(?:\.\d+)?) mm\b/g, (_, mm: string) => formatSmall(Number(mm) / 1000, unit));
+}
+
+/** What a person typed as a length in the shown unit, in metres; null when it is no number. Takes a comma for the point. */
+export function parseLength(text: string, unit = lengthUnit.value): number | null {
+  const value = parseNumber(text);
+  return value === null ? null : unit === "ft" ? value * METRES_PER_FOOT : value;
+}
+
+/** A typed number, comma or point, blanks allowed; null when it is none. */
+export function parseNumber(text: string): number | null {
+  const cleaned = text
+    .trim()
+    .replace(/[\s  ]/g, "")
+    .replace("−", "-")
+    .replace(",", ".");
+  if (!/^-?(\d+\.?\d*|\.\d+)(e-?\d+)?$/i.test(cleaned)) return null;
+  return Number(cleaned);
+}
+
+/** A count with thin spaces between thousands. */
+export function formatCount(value: number): string {
+  return String(Math.round(value)).replace(/\B(?=(\d{3})+(?!\d))/g, THIN);
+}
+
+/** "3 images", "1 image". */
+export function plural(count: number, one: string, many = `${one}s`): string {
+  return `${formatCount(count)}${NBSP}${count === 1 ? one : many}`;
+}
+
+/** "14.2 MB" (decimal). */
+export function formatBytes(bytes: number): string {
+  const names = ["B", "kB", "MB", "GB", "TB"];
+  let value = bytes;
+  let step = 0;
+  while (value >= 999.5 && step < names.length - 1) {
+    value /= 1000;
+    step++;
+  }
+  return `${value.toFixed(step === 0 || value >= 99.5 ? 0 : 1)}${NBSP}${names[step]}`;
+}
+
+/* -- lengths in input fields, as a person would type them -- */
+
+export function lengthText(metres: number | null | undefined, unit = lengthUnit.value, decimals = 4): string {
+  return metres === null || metres === undefined ? "" : typedNumber(convert(metres, unit), decimals);
+}
+
+/** A small length, without its unit. */
+export function smallText(metres: number | null | undefined, unit = lengthUnit.value, decimals = 3): string {
+  return metres === null || metres === undefined ? "" : typedNumber(metres * smallScale(unit)[0], decimals);
+}
+
+/** What a person typed as a small length in the shown unit, in metres; null when it is no number. */
+export function parseSmall(text: string, unit = lengthUnit.value): number | null {
+  const value = parseNumber(text);
+  return value === null ? null : unit === "ft" ? (value * METRES_PER_FOOT) / 12 : value / 1000;
+}
+
+function typedNumber(value: number, decimals: number): string {
+  return String(Number(value.toFixed(decimals)));
+}
+
+/** What is wrong with a typed length, or null. Empty is allowed where a value may be unknown. */
+export function lengthProblem(text: string, options: { empty: boolean }): string | null {
+  if (text.trim() === "") return options.empty ? null : "A length, such as 0.60.";
+  const value = parseLength(text);
+  return value === null || value > 10 || value < -10 ? "A length, such as 1.624." : null;
+}
+
+/* -- speeds and accelerations -- */
+
+/** "63.3 ± 0.1 km/h", or mph for those who read feet; a missing value is an en dash. */
+export function formatSpeed(mps: number | null, U95_mps: number | null = null, digits = 1): string {
+  return withInterval(mps, U95_mps, speedScale(), digits);
+}
+
+/** "−1.40 ± 0.10 m/s²" */
+export function formatAcceleration(mps2: number | null, U95_mps2: number | null = null): string {
+  return withInterval(mps2, U95_mps2, accelerationScale(), 2);
+}
+
+function withInterval(
+  value: number | null,
+  U95: number | null,
+  [factor, unit]: Scale,
+  digits: number,
+): string {
+  if (value === null) return "–";
+  const half = U95 === null ? "" : `${NBSP}±${NBSP}${(U95 * factor).toFixed(digits)}`;
+  return `${fixed(value * factor, digits)}${half}${NBSP}${unit}`;
+}
+
+/* -- numbers of a table, without the unit that the column's head names -- */
+
+export function plainSpeed(mps: number | null): string {
+  return plain(mps, speedScale(), 1);
+}
+
+export function plainAcceleration(mps2: number | null): string {
+  return plain(mps2, accelerationScale(), 2);
+}
+
+export function plainLength(metres: number | null, digits = 2): string {
+  return plain(metres, lengthScale(), digits);
+}
+
+function plain(value: number | null, [factor]: Scale, digits: number): string {
+  return value === null ? "–" : fixed(value * factor, digits);
+}
+
+export function heads(): { speed: string; acceleration: string; length: string } {
+  return { speed: speedScale()[1], acceleration: accelerationScale()[1], length: lengthScale()[1] };
+}

@@ -1,0 +1,130 @@
+/** Did the camera move: the verdict in words, a plot over the recording's time, looking again, and a person's decision. */
+import { useState } from "preact/hooks";
+import { Button, JobProgress, type MarkShape, Problem, Shape, TextField } from "../../components";
+import { api } from "../../core/api";
+import { useJob } from "../../core/jobs";
+import { useResource } from "../../core/resource";
+import { may } from "../../core/session";
+import type { Drift, Job } from "../../core/types";
+import { inUnits } from "../../core/units";
+import { DriftPlot } from "./DriftPlot";
+import "./drift.css";
+
+interface Props {
+  recordingId: number;
+  poseId: number | null;
+  /** Open at once where the page is about the pose. */
+  open?: boolean;
+}
+
+export function DriftVerdict({ recordingId, poseId, open }: Props) {
+  const drift = useResource<Drift>(
+    (signal) => api.get<Drift>(`/recordings/${recordingId}/drift`, { signal }),
+    [recordingId, poseId],
+  );
+  const [jobId, setJobId] = useState<number | null>(null);
+  const [problem, setProblem] = useState<unknown>(null);
+  const over = (ended: Job): void => {
+    setJobId(null);
+    if (ended.state === "failed") setProblem(new Error(ended.error ?? "The check stopped."));
+    void drift.reload();
+  };
+  const job = useJob(jobId ?? drift.data?.job?.id ?? null, over, setProblem);
+  if (poseId === null || !drift.data) return null;
+  const { check, decision, flagged } = drift.data;
+  const look = async (): Promise<void> => {
+    setProblem(null);
+    try {
+      setJobId((await api.post<Job>(`/recordings/${recordingId}/drift`)).id);
+    } catch (error) {
+      setProblem(error);
+    }
+  };
+  const lookButton = (words: string) =>
+    may("operator") &&
+    !job && (
+      <Button small onClick={() => void look()}>
+        {words}
+      </Button>
+    );
+  return (
+    <section class="drift" aria-label="Did the camera move?" data-testid="drift">
+      <p class="drift__words">
+        <Shape shape={shapeOf(drift.data)} />
+        <span>{check ? inUnits(check.words) : job ? UNDER_WAY : NOT_YET}</span>
+      </p>
+      {decision?.holds && (
+        <p class="small">
+          Still good, says {decision.by}: {decision.reason}
+        </p>
+      )}
+      {job && <JobProgress job={job} />}
+      <Problem error={problem} />
+      {check ? (
+        <details open={open ?? flagged.length > 0}>
+          <summary>Over the recording's time</summary>
+          <DriftPlot check={check} />
+          <div class="row row--wrap">
+            <Decide recordingId={recordingId} drift={drift.data} set={drift.set} onProblem={setProblem} />
+            {lookButton("Look again")}
+          </div>
+        </details>
+      ) : (
+        lookButton("Did the camera move?")
+      )}
+    </section>
+  );
+}
+
+const UNDER_WAY = "Whether the camera moved since its road pose is being looked at.";
+const NOT_YET = "Whether the camera moved since its road pose has not been looked at.";
+
+function shapeOf({ check, flagged }: Drift): MarkShape {
+  if (check === null) return "empty";
+  if (check.state === "unknown") return "dash";
+  return flagged.length > 0 ? "warning" : "check";
+}
+
+interface DecideProps {
+  recordingId: number;
+  drift: Drift;
+  set(drift: Drift): void;
+  onProblem(error: unknown): void;
+}
+
+function Decide({ recordingId, drift, set, onProblem }: DecideProps) {
+  const [reason, setReason] = useState("");
+  if (!may("operator")) return null;
+  const path = `/recordings/${recordingId}/drift/decision`;
+  const send = async (work: () => Promise<Drift>): Promise<void> => {
+    onProblem(null);
+    try {
+      set(await work());
+      setReason("");
+    } catch (error) {
+      onProblem(error);
+    }
+  };
+  if (drift.decision) {
+    return (
+      <Button small onClick={() => void send(() => api.del<Drift>(path))}>
+        Take the decision back
+      </Button>
+    );
+  }
+  if (drift.flagged.length === 0) return null;
+  return (
+    <form
+      class="drift__decide"
+      onSubmit={(event) => {
+        event.preventDefault();
+        void send(() => api.put<Drift>(path, { reason }));
+      }}
+    >
+      <TextField label="The pose is still good, because" value={reason} onInput={setReason} />
+      <Button small type="submit" disabled={reason.trim() === ""}>
+        Decide: still good
+      </Button>
+    </form>
+  );
+}

@@ -1,0 +1,177 @@
+import type { ComponentChildren } from "preact";
+import { useEffect, useRef, useState } from "preact/hooks";
+import { Button, Problem } from "../../components";
+import { theme } from "../../core/theme";
+import { type LengthUnit, lengthUnit } from "../../core/units";
+import { type Cell, csvOf, download } from "./csv";
+import { svgFile } from "./svg";
+import "./figures.css";
+
+export type Plot = typeof import("./plot");
+/** The library that draws, fetched once. */
+export const loadPlot = (): Promise<Plot> => import("./plot");
+type PlotOptions = Parameters<Plot["plot"]>[0];
+
+interface Table {
+  columns: readonly string[];
+  rows: readonly (readonly Cell[])[];
+}
+
+interface Props {
+  /** Of the downloaded files. */
+  name: string;
+  title: string;
+  /** What the picture shows, in words, for those who do not see it. */
+  says: string;
+  note?: ComponentChildren;
+  legend?: readonly LegendEntry[];
+  /** Drawn again when it changes. */
+  data: unknown;
+  options: (plot: Plot, unit: LengthUnit) => PlotOptions;
+  table: () => Table;
+  /** Why there is nothing to draw. */
+  reason?: string | null;
+}
+
+export interface LegendEntry {
+  word: string;
+  dash?: string;
+  faint?: boolean;
+  dot?: "circle" | "triangle" | "square";
+}
+
+const HEIGHT = 320;
+/** Widths on A4 at 96 pixels an inch, within the margins: drawn anew, so that words keep their size on paper. */
+const HALF_A_PAGE = 310;
+const A_PAGE = 640;
+const HEIGHT_ON_PAPER = 230;
+
+/** Draws for paper before a print, and for the screen after it; at once, for a browser waits for nothing else. */
+function useOnPaper(before: () => void, after: () => void): void {
+  const latest = useRef({ before, after });
+  latest.current = { before, after };
+  useEffect(() => {
+    const toPaper = () => latest.current.before();
+    const toScreen = () => latest.current.after();
+    window.addEventListener("beforeprint", toPaper);
+    window.addEventListener("afterprint", toScreen);
+    return () => {
+      window.removeEventListener("beforeprint", toPaper);
+      window.removeEventListener("afterprint", toScreen);
+    };
+  }, []);
+}
+
+function inView(box: HTMLElement | null): boolean {
+  return !!box && box.getBoundingClientRect().top < window.innerHeight;
+}
+
+/** One figure with its legend, its words and its two downloads. */
+export function PlotFigure({ name, title, says, note, legend, data, options, table, reason }: Props) {
+  const [plot, setPlot] = useState<Plot | null>(null);
+  const [problem, setProblem] = useState<unknown>(null);
+  const [width, setWidth] = useState(0);
+  const box = useRef<HTMLDivElement>(null);
+  const unit = lengthUnit.value;
+  useEffect(() => {
+    loadPlot().then(setPlot, setProblem);
+  }, []);
+  useEffect(() => {
+    if (!box.current) return;
+    const watch = new ResizeObserver(([entry]) => entry && setWidth(Math.round(entry.contentRect.width)));
+    watch.observe(box.current);
+    return () => watch.disconnect();
+  }, [reason]);
+  const draw = (wide: number, height: number) => {
+    if (!plot || !box.current || wide < 200) return;
+    const drawn = plot.plot({
+      width: wide,
+      height,
+      marginLeft: 48,
+      marginBottom: 40,
+      marginTop: 24,
+      marginRight: 16,
+      ariaLabel: says,
+      className: "figure",
+      style: { background: "transparent", color: "var(--ink)", fontSize: "12px", fontFamily: "var(--font)" },
+      ...options(plot, unit),
+    });
+    drawn.setAttribute("role", "img");
+    for (const part of drawn.querySelectorAll("g[aria-label]")) part.removeAttribute("aria-label"); // one picture
+    box.current.replaceChildren(drawn);
+  };
+  useEffect(() => {
+    if (inView(box.current)) return draw(width, HEIGHT);
+    const later = setTimeout(() => draw(width, HEIGHT)); // what is in view is drawn and shown first
+    return () => clearTimeout(later);
+  }, [plot, width, data, unit, theme.value, reason]);
+  useOnPaper(
+    () => draw(box.current?.closest(".stat-figures") ? HALF_A_PAGE : A_PAGE, HEIGHT_ON_PAPER),
+    () => draw(width, HEIGHT),
+  );
+  const saveSvg = () => {
+    const drawn = box.current?.querySelector("svg");
+    if (drawn) download(`sightline-${name}.svg`, "image/svg+xml", svgFile(drawn, title));
+  };
+  const saveCsv = () => {
+    const { columns, rows } = table();
+    download(`sightline-${name}.csv`, "text/csv;charset=utf-8", csvOf(columns, rows));
+  };
+  return (
+    <figure class="panel stat-figure">
+      <header class="stat-figure__head">
+        <h3>{title}</h3>
+        {!reason && (
+          <div class="row stat-noprint">
+            <Button small icon="download" onClick={saveSvg} title={`${title} as SVG`}>
+              SVG
+            </Button>
+            <Button small icon="download" onClick={saveCsv} title={`${title} as CSV`}>
+              CSV
+            </Button>
+          </div>
+        )}
+      </header>
+      {reason ? (
+        <p class="stat-reason">{reason}</p>
+      ) : (
+        <>
+          {legend && <Legend entries={legend} />}
+          <Problem error={problem} />
+          <div ref={box} class="stat-figure__box" data-testid={`figure-${name}`} />
+        </>
+      )}
+      {note && <figcaption class="field__hint">{note}</figcaption>}
+    </figure>
+  );
+}
+
+const DOTS = {
+  circle: "M4,0A4,4,0,1,1,-4,0A4,4,0,1,1,4,0Z",
+  triangle: "M0,-5L4.4,2.6L-4.4,2.6Z",
+  square: "M-3.5,-3.5H3.5V3.5H-3.5Z",
+};
+
+function Legend({ entries }: { entries: readonly LegendEntry[] }) {
+  return (
+    <ul class="stat-legend">
+      {entries.map((one) => (
+        <li key={one.word}>
+          <svg width="30" height="12" viewBox="-15 -6 30 12" aria-hidden="true">
+            {one.dot ? (
+              <path d={DOTS[one.dot]} fill="none" stroke="currentColor" stroke-width="1.5" />
+            ) : (
+              <path
+                d="M-15 0H15"
+                stroke={one.faint ? "var(--ink-3)" : "currentColor"}
+                stroke-width="2"
+                stroke-dasharray={one.dash}
+              />
+            )}
+          </svg>
+          {one.word}
+        </li>
+      ))}
+    </ul>
+  );
+}

@@ -1,0 +1,8 @@
+/** What the server sends for the curves of a figure; lengths in metres. */
+import type { components } from "../../core/schema";
+
+type Schemas = components["schemas"];
+export type Ecdf = Schemas["EcdfBody"];
+export type Density = Schemas["DensityBody"];
+export type Interval = Schemas["IntervalBody"];
+export type Standard = Schemas["StandardBody"];

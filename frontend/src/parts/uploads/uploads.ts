@@ -1,0 +1,170 @@
+/** Uploads of video: several at once, paused and resumed, going on after a broken connection or a reload (tus 1.0). They live
+ *  beside the screens, so that going to another page does not stop them. */
+import { signal } from "@preact/signals";
+import { DetailedError, Upload } from "tus-js-client";
+import { toApiError } from "../../core/api";
+
+type UploadState = "waiting" | "sending" | "paused" | "retrying" | "done" | "failed";
+
+/** A video becomes a recording; a strip waits for its line scan. */
+export type UploadPurpose = "video" | "strip";
+
+export interface UploadItem {
+  key: number;
+  surveyId: number;
+  purpose: UploadPurpose;
+  name: string;
+  size: number;
+  sent: number;
+  /** bytes per second over the last seconds; null when not known yet */
+  speed: number | null;
+  state: UploadState;
+  problem: string | null;
+  /** bytes that were already on the server when it began */
+  resumedFrom: number;
+  recordingId: number | null;
+}
+
+export const uploads = signal<UploadItem[]>([]);
+
+/** Bytes in one request; small enough for proxies with limits, large enough to be quick. */
+const CHUNK_BYTES = 16 * 2 ** 20;
+const RETRY_DELAYS_MS = [0, 500, 1000, 2000, 4000, 8000, 15000, 15000, 15000, 15000, 15000, 15000];
+
+const running = new Map<number, { upload: Upload; samples: [at: number, sent: number][] }>();
+let nextKey = 1;
+
+function change(key: number, part: Partial<UploadItem>): void {
+  uploads.value = uploads.value.map((item) => (item.key === key ? { ...item, ...part } : item));
+}
+
+function itemOf(key: number): UploadItem | undefined {
+  return uploads.value.find((item) => item.key === key);
+}
+
+/** Starts to send a file; `onDone` is called with the recording that the server made of it. */
+export async function startUpload(
+  surveyId: number,
+  file: File,
+  onDone: (recordingId: number | null) => void,
+  purpose: UploadPurpose = "video",
+): Promise<void> {
+  const key = nextKey++;
+  uploads.value = [
+    ...uploads.value,
+    {
+      key,
+      surveyId,
+      purpose,
+      name: file.name,
+      size: file.size,
+      sent: 0,
+      speed: null,
+      state: "waiting",
+      problem: null,
+      resumedFrom: 0,
+      recordingId: null,
+    },
+  ];
+  if (file.size === 0) {
+    change(key, {
+      state: "failed",
+      problem: `${file.name} is empty; choose the file again after checking the copy.`,
+    });
+    return;
+  }
+  let recordingId: number | null = null;
+  const upload = new Upload(file, {
+    endpoint: `/api/surveys/${surveyId}/uploads`,
+    headers: { "X-Sightline": "1" },
+    metadata: { filename: file.name, ...(purpose === "strip" ? { purpose } : {}) },
+    chunkSize: CHUNK_BYTES,
+    retryDelays: RETRY_DELAYS_MS,
+    removeFingerprintOnSuccess: true,
+    onShouldRetry: (error) => {
+      const status = error.originalResponse?.getStatus() ?? 0;
+      const again = status === 0 || status === 409 || status === 423 || status === 429 || status >= 502;
+      if (again) change(key, { state: "retrying", speed: null });
+      return again;
+    },
+    onAfterResponse: (_request, response) => {
+      const made = response.getHeader("Sightline-Recording");
+      if (made) recordingId = Number(made);
+    },
+    onProgress: (sent) => progress(key, sent),
+    onError: (error) => {
+      change(key, { state: "failed", problem: sentence(error, file.name), speed: null });
+    },
+    onSuccess: () => {
+      running.delete(key);
+      change(key, { state: "done", sent: file.size, recordingId });
+      onDone(recordingId);
+      setTimeout(() => forget(key), 4000);
+    },
+  });
+  running.set(key, { upload, samples: [] });
+  const before = await upload.findPreviousUploads().catch(() => []);
+  const last = before[0];
+  if (last) {
+    upload.resumeFromPreviousUpload(last);
+    change(key, { resumedFrom: -1 });
+  }
+  change(key, { state: "sending" });
+  upload.start();
+}
+
+function progress(key: number, sent: number): void {
+  const own = running.get(key);
+  const item = itemOf(key);
+  if (!own || !item) return;
+  if (item.resumedFrom === -1) change(key, { resumedFrom: sent });
+  const now = performance.now();
+  own.samples = [...own.samples.filter(([at]) => now - at < 5000), [now, sent]];
+  const [first] = own.samples;
+  const seconds = first ? (now - first[0]) / 1000 : 0;
+  const speed = first && seconds > 0.5 ? (sent - first[1]) / seconds : null;
+  change(key, { sent, speed, state: item.state === "paused" ? "paused" : "sending" });
+}
+
+function sentence(error: Error | DetailedError, name: string): string {
+  if (error instanceof DetailedError && error.originalResponse) {
+    let body: unknown = null;
+    try {
+      body = JSON.parse(error.originalResponse.getBody());
+    } catch {
+      // a proxy's page: the status has to do
+    }
+    return toApiError(error.originalResponse.getStatus(), body).message;
+  }
+  return `The connection broke while ${name} was sent; what arrived is kept, so press “Resume” when the connection is back.`;
+}
+
+export async function pauseUpload(key: number): Promise<void> {
+  change(key, { state: "paused", speed: null });
+  await running.get(key)?.upload.abort();
+}
+
+export function resumeUpload(key: number): void {
+  const own = running.get(key);
+  if (!own) return;
+  own.samples = [];
+  change(key, { state: "sending", problem: null });
+  own.upload.start();
+}
+
+/** Stops it and throws away what has arrived. */
+export async function cancelUpload(key: number): Promise<void> {
+  const own = running.get(key);
+  running.delete(key);
+  forget(key);
+  await own?.upload.abort(true).catch(() => undefined);
+}
+
+export function forget(key: number): void {
+  uploads.value = uploads.value.filter((item) => item.key !== key);
+}
+
+window.addEventListener("beforeunload", (event) => {
+  if (uploads.value.some((item) => item.state === "sending" || item.state === "retrying"))
+    event.preventDefault();
+});

@@ -1,0 +1,73 @@
+/** "Find the passes": starts the search in a recording, follows it, says what came of it. */
+import { useEffect, useState } from "preact/hooks";
+import { Button, JobProgress, Problem } from "../../components";
+import { api } from "../../core/api";
+import { cancelJob, isOver, useJob } from "../../core/jobs";
+import { may } from "../../core/session";
+import { toast } from "../../core/toasts";
+import type { Job, Recording } from "../../core/types";
+import "./passes.css";
+
+interface Props {
+  recording: Pick<Recording, "id" | "name" | "state" | "job">;
+  /** Called once when passes may have been added. */
+  found: () => void | Promise<void>;
+}
+
+export function FindPasses({ recording, found }: Props) {
+  const known = recording.job;
+  const underWay = known?.kind === "passes" && !isOver(known) ? known.id : null;
+  const [jobId, setJobId] = useState<number | null>(underWay);
+  // a search that began by itself when the video was read
+  useEffect(() => {
+    if (underWay !== null) setJobId(underWay);
+  }, [underWay]);
+  const [problem, setProblem] = useState<unknown>(null);
+  const job = useJob(
+    jobId,
+    (over) => {
+      setJobId(null);
+      if (over.state === "failed") setProblem(new Error(over.error ?? "The search failed; try it again."));
+      else toast(told(recording.name, over));
+      void found();
+    },
+    (error) => {
+      setJobId(null);
+      setProblem(error);
+    },
+  );
+  if (!may("operator") || recording.state !== "ready") return null;
+  const start = async () => {
+    setProblem(null);
+    try {
+      setJobId((await api.post<Job>(`/recordings/${recording.id}/find-passes`)).id);
+    } catch (error) {
+      setProblem(error);
+    }
+  };
+  const stop = () => void cancelJob(jobId ?? 0).catch(setProblem);
+  return (
+    <div class="find-passes">
+      {jobId !== null && job ? (
+        <JobProgress job={job} onCancel={stop} />
+      ) : (
+        <Button
+          kind="plain"
+          icon="search"
+          disabled={jobId !== null}
+          title="Looks through the video for vehicles; passes that are there or were discarded stay as they are"
+          onClick={() => void start()}
+        >
+          Find the passes
+        </Button>
+      )}
+      <Problem error={problem} />
+    </div>
+  );
+}
+
+function told(name: string, job: Job): string {
+  const message = job.result?.message;
+  if (job.state === "cancelled") return `The search for passes in ${name} was cancelled.`;
+  return `${name}: ${typeof message === "string" ? message : "the search is over."}`;
+}

@@ -1,0 +1,55 @@
+import { useEffect, useState } from "preact/hooks";
+import { Problem, StateMark } from "../../components";
+import { api } from "../../core/api";
+import { formatMoment } from "../../core/times";
+import type { History, Measurement } from "../../core/types";
+import { formatHeight } from "../../core/units";
+import "./vehicle.css";
+
+function revisionWords(m: Measurement): string {
+  if (m.withdrawn) return "withdrawn";
+  return m.status === "ok" ? formatHeight(m.height_m, m.U95_height_m) : "not measurable";
+}
+
+/** Every revision with its value and every verdict, newest first. */
+export function Revisions({ id, revision }: { id: number; revision: number }) {
+  const [history, setHistory] = useState<History | null>(null);
+  const [error, setError] = useState<unknown>(null);
+  useEffect(() => {
+    const stop = new AbortController();
+    api.get<History>(`/measurements/${id}/history`, { signal: stop.signal }).then(setHistory, (problem) => {
+      if (!stop.signal.aborted) setError(problem);
+    });
+    return () => stop.abort();
+  }, [id, revision]);
+  if (error) return <Problem error={error} />;
+  if (!history) return null;
+  return (
+    <div class="revisions small">
+      <p>
+        <strong>History</strong>
+      </p>
+      <ol>
+        {[...history.revisions].reverse().map((m) => (
+          <li key={m.revision}>
+            <span class="revisions__line">
+              <span class="muted">{m.revision}</span>
+              <span class="grow">{revisionWords(m)}</span>
+            </span>
+            <span class="revisions__who muted">
+              {m.created_by?.name ?? "unknown"}, {formatMoment(m.created_at)}
+            </span>
+            {history.reviews
+              .filter((review) => review.revision === m.revision)
+              .map((review) => (
+                <span key={review.id} class="revisions__review">
+                  <StateMark state={review.verdict} /> {review.reviewer?.name}{" "}
+                  {review.reason && `– ${review.reason}`}
+                </span>
+              ))}
+          </li>
+        ))}
+      </ol>
+    </div>
+  );
+}

@@ -1,0 +1,88 @@
+/** The list of passes as the operator wants to see it: filter, order, next and previous. */
+import type { Vehicle } from "../../core/types";
+
+export type Filter = "all" | "to_do" | "rejected" | "measured";
+export type Order = "number" | "time" | "state";
+
+export const FILTERS: readonly { value: Filter; label: string }[] = [
+  { value: "all", label: "All" },
+  { value: "to_do", label: "To do" },
+  { value: "rejected", label: "Rejected" },
+  { value: "measured", label: "Measured" },
+];
+
+export const ORDERS: readonly { value: Order; label: string }[] = [
+  { value: "number", label: "by number" },
+  { value: "time", label: "by time" },
+  { value: "state", label: "by state" },
+];
+
+const RANK: Record<Vehicle["state"], number> = {
+  rejected: 0,
+  partial: 1,
+  to_do: 2,
+  measured: 3,
+  accepted: 4,
+};
+
+/** True if the operator has something to do here. */
+export function isOpen(vehicle: Vehicle): boolean {
+  return RANK[vehicle.state] <= RANK.to_do;
+}
+
+export function listed(vehicles: readonly Vehicle[], filter: Filter, order: Order): Vehicle[] {
+  return vehicles.filter((vehicle) => passesFilter(vehicle, filter)).sort(COMPARE[order]);
+}
+
+function passesFilter(vehicle: Vehicle, filter: Filter): boolean {
+  if (filter === "all") return true;
+  if (filter === "to_do") return isOpen(vehicle);
+  if (filter === "rejected") return vehicle.state === "rejected";
+  return !isOpen(vehicle);
+}
+
+const byTime = (a: Vehicle, b: Vehicle): number =>
+  a.recording_id - b.recording_id || a.first_frame - b.first_frame || a.number - b.number;
+
+const COMPARE: Record<Order, (a: Vehicle, b: Vehicle) => number> = {
+  number: (a, b) => a.number - b.number,
+  time: byTime,
+  state: (a, b) => RANK[a.state] - RANK[b.state] || a.number - b.number,
+};
+
+/** The pass after (or before) one, in the order of the list; from one that is not listed, by number. */
+export function neighbour(
+  list: readonly Vehicle[],
+  from: Vehicle | undefined,
+  step: 1 | -1,
+): Vehicle | undefined {
+  if (!from) return step === 1 ? list[0] : list.at(-1);
+  const at = list.findIndex((vehicle) => vehicle.id === from.id);
+  if (at >= 0) return list[at + step];
+  return step === 1
+    ? list.find((vehicle) => vehicle.number > from.number)
+    : list.findLast((vehicle) => vehicle.number < from.number);
+}
+
+/** The next pass with something to do, searching on from one and then from the start. */
+export function nextOpen(list: readonly Vehicle[], from: Vehicle | undefined): Vehicle | undefined {
+  const at = from ? list.findIndex((vehicle) => vehicle.id === from.id) : -1;
+  const round = [...list.slice(at + 1), ...list.slice(0, at + 1)];
+  return round.find((vehicle) => isOpen(vehicle) && vehicle.id !== from?.id);
+}
+
+/** Where to look first: the best frame, else the middle of the span. */
+export function bestFrame(vehicle: Vehicle): number {
+  return vehicle.best_frame ?? Math.round((vehicle.first_frame + vehicle.last_frame) / 2);
+}
+
+/** True for a pass that the search found and nobody has touched yet. */
+export function isUnconfirmed(vehicle: Vehicle): boolean {
+  return vehicle.origin === "found" && vehicle.version === 1 && vehicle.measurements.length === 0;
+}
+
+/** What the search proposes from the luminance of the best frame. */
+export function lightingProposed(vehicle: Vehicle): Vehicle["lighting"] {
+  const proposed = vehicle.detection?.lighting_proposed;
+  return proposed === "daytime" || proposed === "low_light" ? proposed : null;
+}

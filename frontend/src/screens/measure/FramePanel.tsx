@@ -1,0 +1,220 @@
+/** The frame with axes, ladder, points and the height under the pointer. */
+import { useSignal, useSignalEffect } from "@preact/signals";
+import { showChord } from "../../core/commands";
+import { canWork } from "../../core/session";
+import type { HeightAnswer } from "../../core/types";
+import { formatHeight, formatLength } from "../../core/units";
+import { TARGET_HINTS, TARGET_WORDS } from "../../core/words";
+import { linesShown } from "../../viewer/display";
+import { FrameView, type Handle } from "../../viewer/FrameView";
+import { loupeBelow } from "../../viewer/Loupe";
+import { AxesLayer, InImage, KeyboardCursor, LadderLayer, Line, PointMark } from "../../viewer/Overlay";
+import type { Player } from "../../viewer/player";
+import { pair, samePoint } from "../../viewer/points";
+import { AssistLayer, AssistNote } from "./assist/AssistLayer";
+import type { Assist } from "./assist/assist";
+import { DriftLine } from "./assist/DriftLine";
+import type { Selection } from "./flow";
+import type { MeasureModel } from "./model";
+import { SecondMarks } from "./SecondFrameParts";
+
+export function FramePanel(props: { model: MeasureModel; player: Player; assist: Assist }) {
+  const { model, player, assist } = props;
+  const { stage, points } = model;
+  const placing = canWork.value && model.hasPose.value && model.awaiting.value !== null;
+  const selections = points.selectable();
+  const handles: Handle[] = selections.flatMap((one) => {
+    const at = points.positionOf(one);
+    return at ? [{ id: idOf(one), at }] : [];
+  });
+  const selectionOf = (id: string): Selection | undefined => selections.find((one) => idOf(one) === id);
+  return (
+    <section class="measure__frame" aria-label="Frame">
+      <FrameView
+        player={player}
+        stage={stage}
+        label={`Frame ${player.frame.value}`}
+        describedBy="measure-hint"
+        handles={handles}
+        placing={placing}
+        onPlace={(point) => {
+          if (placing) points.place(assist.snapped(point));
+          else model.dispatch({ type: "select", selection: null });
+        }}
+        onHover={(point) => {
+          points.cursor.value = null;
+          points.hover(point);
+        }}
+        onPick={(id) => {
+          const selection = selectionOf(id);
+          if (selection) points.pick(selection);
+        }}
+        onDrag={
+          canWork.value
+            ? (id, point, phase) => {
+                const selection = selectionOf(id);
+                if (selection) points.drag(selection, point, phase);
+              }
+            : undefined
+        }
+        above={
+          <>
+            <Hint model={model} />
+            <LiveHeight model={model} />
+            <DriftLine
+              surveyId={model.surveyId}
+              recordingId={player.recordingId}
+              frame={model.seenFrame.value}
+            />
+            <AssistNote assist={assist} />
+          </>
+        }
+      >
+        <Lines model={model} />
+        <Marks model={model} selections={selections} />
+        <AssistLayer assist={assist} stage={stage} />
+      </FrameView>
+      <Spoken model={model} />
+    </section>
+  );
+}
+
+const idOf = (selection: Selection): string => `${selection.role}:${selection.key ?? ""}`;
+
+function Lines({ model }: { model: MeasureModel }) {
+  const answer = model.geometry.axes.value;
+  if (!linesShown.value || !answer?.axes) return null;
+  const rungs = answer.ladder.map((rung) => ({ ...rung, words: formatLength(rung.height_m, 1) }));
+  return (
+    <>
+      <LadderLayer rungs={rungs} stage={model.stage} />
+      <AxesLayer axes={answer.axes} stage={model.stage} />
+    </>
+  );
+}
+
+function Marks({ model, selections }: { model: MeasureModel; selections: readonly Selection[] }) {
+  const { stage, points } = model;
+  const selected = model.flow.value.selection;
+  const here = points.entriesHere();
+  const renew = model.flow.value.renew;
+  const isSelected = (one: Selection): boolean => {
+    if (!selected || selected.role !== one.role) return false;
+    return selected.key === one.key || samePoint(points.positionOf(selected), points.positionOf(one));
+  };
+  return (
+    <>
+      {selected && (
+        <InImage stage={stage}>
+          {here
+            .filter(({ key }) => key === selected.key)
+            .map((entry) => {
+              const { contact, point } = points.here(entry);
+              return <Line key={entry.key} points={[pair(contact), pair(point)]} kind="guide" />;
+            })}
+        </InImage>
+      )}
+      {selections.map((one) => {
+        const at = points.positionOf(one);
+        const entry = here.find((candidate) => candidate.key === one.key);
+        return (
+          at && (
+            <PointMark
+              key={idOf(one)}
+              stage={stage}
+              at={at}
+              kind={one.role}
+              selected={isSelected(one)}
+              faint={one.role === "contact" && renew}
+              text={
+                one.role === "point" && entry ? TARGET_WORDS[entry.values.target].toLowerCase() : undefined
+              }
+            />
+          )
+        );
+      })}
+      <SecondMarks model={model} />
+      {points.cursor.value && <KeyboardCursor stage={stage} at={points.cursor.value} />}
+    </>
+  );
+}
+
+/** One line at the top of the frame: what the next click does. */
+function Hint({ model }: { model: MeasureModel }) {
+  const vehicle = model.vehicle.value;
+  const target = model.second.now.value?.target ?? model.flow.value.target;
+  return (
+    <p class="frame-hint" id="measure-hint">
+      {vehicle && <strong>{String(vehicle.number).padStart(2, "0")}</strong>}
+      {target && model.hasPose.value && <strong>{TARGET_WORDS[target]}</strong>}
+      <span>{hintWords(model)}</span>
+      {!model.hasPose.value && (
+        <a href={`/surveys/${model.surveyId}/pose?recording=${model.player.value?.recordingId ?? ""}`}>
+          Find the road pose
+        </a>
+      )}
+    </p>
+  );
+}
+
+function hintWords(model: MeasureModel): string {
+  const { target } = model.flow.value;
+  const second = model.second.words.value;
+  if (second) return second;
+  if (!model.hasPose.value) return "This recording has no road pose yet, so nothing can be measured on it.";
+  if (model.vehicleId.value === null) return "Choose a pass on the left, or mark a new one with [ and ].";
+  if (!canWork.value) return "You may look, not measure.";
+  if (model.geometry.problem.value) return model.geometry.problem.value;
+  if (target === null) {
+    const done = model.points.missing().length === 0;
+    const next = `${showChord("Ctrl+Enter")} goes to the next pass`;
+    return done ? `All three are measured. ${next}, 1 to 5 measure again.` : "Choose a target: 1 to 5.";
+  }
+  if (model.awaiting.value === "contact") return "click where the tyre meets the road";
+  return `click ${TARGET_HINTS[target]}`;
+}
+
+/** The height beside the pointer, as the server last answered it. */
+function LiveHeight({ model }: { model: MeasureModel }) {
+  const live = model.geometry.live.value;
+  const at = model.stage.pointer.value;
+  if (!live || !at || model.awaiting.value !== "point") return null;
+  const view = model.stage.viewport.value;
+  const [x, y] = view.toScreen(at);
+  const flip = x > view.screen.width - 190;
+  const above = y > view.screen.height - 60 || loupeBelow(model.stage, at);
+  return (
+    <output
+      class={`live-height${flip ? " live-height--left" : ""}`}
+      data-testid="live-height"
+      aria-hidden="true"
+      style={{ left: `${x + (flip ? -16 : 16)}px`, top: `${y + (above ? -44 : 14)}px` }}
+    >
+      {words(live.answer, live.problem)}
+    </output>
+  );
+}
+
+function words(answer: HeightAnswer | null, problem: string | null): string {
+  if (!answer) return problem ?? "";
+  return answer.status === "ok"
+    ? formatHeight(answer.height_m, answer.U95_height_m)
+    : (answer.reason ?? "not measurable");
+}
+
+/** The same for screen readers: said once the pointer rests, not at every pixel. */
+function Spoken({ model }: { model: MeasureModel }) {
+  const text = useSignal("");
+  useSignalEffect(() => {
+    const live = model.geometry.live.value;
+    const timer = setTimeout(() => {
+      text.value = live ? words(live.answer, live.problem) : "";
+    }, 450);
+    return () => clearTimeout(timer);
+  });
+  return (
+    <p class="visually-hidden" role="status" data-testid="live-height-spoken">
+      {text}
+    </p>
+  );
+}

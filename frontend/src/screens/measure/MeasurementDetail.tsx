@@ -1,0 +1,99 @@
+import { Button } from "../../components";
+import { CommitField } from "../../components/CommitField";
+import { canWork } from "../../core/session";
+import { fixed, formatLength, lengthProblem, lengthText, lengthUnit, parseLength } from "../../core/units";
+import { Budget } from "../../parts/vehicles/Budget";
+import { Revisions } from "../../parts/vehicles/Revisions";
+import type { Inset } from "../../viewer/values";
+import type { MeasureModel } from "./model";
+import type { Entry } from "./records";
+import { Frames } from "./SecondFrameParts";
+
+export function MeasurementDetail({ model, entry }: { model: MeasureModel; entry: Entry }) {
+  const source = entry.preview ?? entry.saved;
+  return (
+    <div class="height-detail">
+      <Frames model={model} entry={entry} />
+      <InsetEditor model={model} entry={entry} />
+      {source && source.budget.length > 0 && <Budget entries={source.budget} total_m={source.u_height_m} />}
+      <dl class="facts small">
+        <dt>Frame</dt>
+        <dd>{entry.values.frame}</dd>
+        <dt>Contact</dt>
+        <dd>{pixels(entry.values.contact)}</dd>
+        <dt>Target</dt>
+        <dd>{pixels(entry.values.point)}</dd>
+        {entry.saved && (
+          <>
+            <dt>Distance</dt>
+            <dd>{formatLength(entry.saved.distance_m, 2)}</dd>
+            <dt>Without inset</dt>
+            <dd>{formatLength(entry.saved.uncorrected_height_m)}</dd>
+          </>
+        )}
+      </dl>
+      {entry.saved && <Revisions id={entry.saved.id} revision={entry.saved.revision} />}
+      {canWork.value && (
+        <Button small icon="trash" onClick={() => model.points.withdraw(entry.key)}>
+          Withdraw
+        </Button>
+      )}
+    </div>
+  );
+}
+
+function pixels(point: readonly number[]): string {
+  return `${fixed(point[0] ?? 0, 1)}, ${fixed(point[1] ?? 0, 1)} px`;
+}
+
+/** How far the target lies behind the side plane: an estimate, with its own uncertainty. */
+function InsetEditor({ model, entry }: { model: MeasureModel; entry: Entry }) {
+  const unit = lengthUnit.value;
+  const usual = model.usualInset(entry.values.target);
+  const now: Inset | null = entry.values.inset ?? usual;
+  if (!now) return null;
+  const set = (change: Partial<Inset>): void => model.points.setInset(entry.key, { ...now, ...change });
+  const check = (text: string) => lengthProblem(text, { empty: false });
+  const own = usual && (usual.inset_m !== now.inset_m || usual.u_inset_m !== now.u_inset_m);
+  return (
+    <div>
+      <p class="small">
+        <strong>Inset</strong> <span class="badge">estimate</span>{" "}
+        <span class="muted">
+          {entry.values.more.length > 0
+            ? "not used while several frames are clicked: they solve for it"
+            : "how far the target lies behind the side of the vehicle"}
+        </span>
+      </p>
+      <div class="height-detail__inset">
+        <CommitField
+          label="Inset"
+          unit={unit}
+          numeric
+          disabled={!canWork.value}
+          value={lengthText(now.inset_m, unit)}
+          check={check}
+          onCommit={(text) => set({ inset_m: parseLength(text) ?? now.inset_m })}
+        />
+        <CommitField
+          label="± u"
+          unit={unit}
+          numeric
+          disabled={!canWork.value}
+          value={lengthText(now.u_inset_m, unit)}
+          check={check}
+          onCommit={(text) => set({ u_inset_m: parseLength(text) ?? now.u_inset_m })}
+        />
+      </div>
+      {own && usual && canWork.value && (
+        <Button
+          small
+          kind="quiet"
+          onClick={() => set({ inset_m: usual.inset_m, u_inset_m: usual.u_inset_m })}
+        >
+          As the survey has it: {formatLength(usual.inset_m, 2)} ± {formatLength(usual.u_inset_m, 2)}
+        </Button>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,173 @@
+/** What has been measured of a vehicle: one line per target, its value, its state; more on demand. */
+import { useSignal } from "@preact/signals";
+import { Button, Icon, StateMark } from "../../components";
+import { hint, keyMap, showChord } from "../../core/commands";
+import { canWork } from "../../core/session";
+import type { Target } from "../../core/types";
+import { inUnits } from "../../core/units";
+import { REQUIRED, TARGET_WORDS, TARGETS } from "../../core/words";
+import { MeasurementConflict } from "./Conflicts";
+import { InsetChoice } from "./InsetChoice";
+import { MeasurementDetail } from "./MeasurementDetail";
+import type { MeasureModel } from "./model";
+import type { Entry } from "./records";
+import { FramesSaid } from "./SecondFrameParts";
+import { heightWords } from "./words";
+
+export function MeasurementList({ model }: { model: MeasureModel }) {
+  const entries = model.entries.value.filter((entry) => !entry.values.withdrawn);
+  const open = useSignal<string | null>(null);
+  const detail = (entry: Entry) =>
+    open.value === entry.key && <MeasurementDetail model={model} entry={entry} />;
+  return (
+    <section class="heights" aria-label="Measurements">
+      <ul>
+        {TARGETS.map((target, i) => {
+          const own = entries.filter((entry) => entry.values.target === target);
+          return (
+            <li key={target} class={REQUIRED.includes(target) ? "" : "heights__optional"}>
+              {own.length === 0 ? (
+                <Row model={model} target={target} index={i} entry={null} open={false} />
+              ) : (
+                own.map((entry) => (
+                  <div key={entry.key}>
+                    <Row
+                      model={model}
+                      target={target}
+                      index={i}
+                      entry={entry}
+                      open={open.value === entry.key}
+                      onOpen={() => {
+                        open.value = open.value === entry.key ? null : entry.key;
+                      }}
+                    />
+                    <Said model={model} entry={entry} />
+                    {detail(entry)}
+                  </div>
+                ))
+              )}
+              <InsetChoice model={model} target={target} entry={own.at(-1) ?? null} />
+            </li>
+          );
+        })}
+      </ul>
+    </section>
+  );
+}
+
+interface RowProps {
+  model: MeasureModel;
+  target: Target;
+  index: number;
+  entry: Entry | null;
+  open: boolean;
+  onOpen?(): void;
+}
+
+function Row({ model, target, index, entry, open, onOpen }: RowProps) {
+  const active = model.flow.value.target === target;
+  const selected = entry !== null && model.flow.value.selection?.key === entry.key;
+  const key = keyMap.value[KEYS[index] ?? "target1"][0];
+  return (
+    <div
+      class={`height-row${active ? " height-row--active" : ""}${selected ? " height-row--selected" : ""}`}
+      data-testid={`measurement-row-${target}`}
+      data-state={entry?.state ?? "missing"}
+    >
+      <button
+        type="button"
+        class="height-row__target"
+        data-testid={`target-${target}`}
+        aria-pressed={active}
+        disabled={!canWork.value}
+        title={`${entry ? "Measure afresh" : "Measure"}: ${TARGET_WORDS[target].toLowerCase()}`}
+        onClick={() => {
+          model.dispatch({ type: "choose", target });
+          model.stage.focus();
+        }}
+      >
+        <kbd>{key ? showChord(key) : ""}</kbd>
+        <span>{TARGET_WORDS[target]}</span>
+      </button>
+      {entry ? (
+        <button
+          type="button"
+          class="height-row__value"
+          title="Show and select the point"
+          onClick={() => {
+            model.player.value?.go(entry.values.frame);
+            model.second.last = entry.key;
+            model.points.pick({ key: entry.key, role: "point" });
+            model.stage.focus();
+          }}
+        >
+          {heightWords(entry)}
+        </button>
+      ) : (
+        <span class="height-row__value muted">
+          {active && model.hasPose.value ? "click on the frame" : "–"}
+        </span>
+      )}
+      {entry && (
+        <Button
+          small
+          kind="quiet"
+          icon={open ? "chevron" : "right"}
+          label={`${open ? "Hide" : "Show"} the details of ${TARGET_WORDS[target].toLowerCase()}`}
+          onClick={() => onOpen?.()}
+        />
+      )}
+    </div>
+  );
+}
+
+const KEYS = ["target1", "target2", "target3", "target4", "target5"] as const;
+
+/** The line under a row, when there is something to say. */
+function Said({ model, entry }: { model: MeasureModel; entry: Entry }) {
+  if (entry.state === "conflict") return <MeasurementConflict model={model} entry={entry} />;
+  if (entry.state === "failed") {
+    return (
+      <div class="height-row__said" role="alert">
+        <Icon name="warning" size={14} />
+        <span class="grow">{entry.problem}</span>
+        <Button small onClick={() => model.records.retry(entry.key)}>
+          Try again
+        </Button>
+        <Button small kind="quiet" onClick={() => model.records.discard(entry.key)}>
+          Discard
+        </Button>
+      </div>
+    );
+  }
+  if (entry.state === "saving") return <p class="height-row__said muted">not yet saved…</p>;
+  const m = entry.saved;
+  if (!m) return null;
+  const verdict = m.review.verdict;
+  return (
+    <>
+      <FramesSaid m={m} />
+      {m.status !== "ok" && (
+        <p class="height-row__said">
+          <Icon name="warning" size={14} />
+          <span class="grow">{m.reason && inUnits(m.reason)}</span>
+        </p>
+      )}
+      {m.flags.map((flag) => (
+        <p key={flag} class="height-row__said">
+          <Icon name="info" size={14} />
+          <span class="grow">{inUnits(flag)}</span>
+        </p>
+      ))}
+      {verdict !== "to_review" && (
+        <p class="height-row__said">
+          <StateMark state={verdict} />
+          {m.review.reason && <span>{m.review.reason}</span>}
+          {verdict === "rejected" && canWork.value && (
+            <span class="muted">Click it again{hint(KEYS[TARGETS.indexOf(m.target)] ?? "target1")}.</span>
+          )}
+        </p>
+      )}
+    </>
+  );
+}

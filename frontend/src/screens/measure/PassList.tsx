@@ -1,0 +1,186 @@
+/** The passes of the survey with their state; filter, order, a new pass. */
+import { useComputed, useSignalEffect } from "@preact/signals";
+import { useRef } from "preact/hooks";
+import { Button, StateMark } from "../../components";
+import { hint } from "../../core/commands";
+import { canWork } from "../../core/session";
+import type { Vehicle } from "../../core/types";
+import { plural } from "../../core/units";
+import { REQUIRED } from "../../core/words";
+import { FindPasses } from "../../parts/vehicles/FindPasses";
+import { FILTERS, type Filter, isOpen, ORDERS, type Order } from "../../parts/vehicles/passes";
+import { filter, type MeasureModel, order } from "./model";
+import { readAgain } from "./passes/actions";
+import { PassMark } from "./passes/marks";
+import { PassMenu } from "./passes/PassMenu";
+import "../../parts/vehicles/passes.css";
+
+export function PassList({ model }: { model: MeasureModel }) {
+  const all = model.vehicles.list.value;
+  const list = model.list.value;
+  const open = all.filter(isOpen).length;
+  const recording = model.recording.value;
+  const box = useRef<HTMLUListElement>(null);
+  useSignalEffect(() => {
+    const id = model.vehicleId.value;
+    requestAnimationFrame(() =>
+      box.current?.querySelector(`[data-vehicle="${id}"]`)?.scrollIntoView({ block: "nearest" }),
+    );
+  });
+  return (
+    <nav class="passes" aria-label="Passes">
+      <header class="passes__head">
+        <h2>
+          Passes <span class="muted small">{open} to do</span>
+        </h2>
+        <div class="passes__choose">
+          <select
+            class="input"
+            aria-label="Show"
+            value={filter.value}
+            onChange={(event) => {
+              filter.value = event.currentTarget.value as Filter;
+            }}
+          >
+            {FILTERS.map((one) => (
+              <option key={one.value} value={one.value}>
+                {one.label}
+              </option>
+            ))}
+          </select>
+          <select
+            class="input"
+            aria-label="Order"
+            value={order.value}
+            onChange={(event) => {
+              order.value = event.currentTarget.value as Order;
+            }}
+          >
+            {ORDERS.map((one) => (
+              <option key={one.value} value={one.value}>
+                {one.label}
+              </option>
+            ))}
+          </select>
+        </div>
+      </header>
+      <ul class="passes__list" ref={box}>
+        {list.map((vehicle) => (
+          <Row key={vehicle.id} model={model} vehicle={vehicle} />
+        ))}
+        {list.length === 0 && (
+          <li class="passes__none muted">
+            {all.length === 0
+              ? "No passes yet. Let them be found, or go to the first frame of a vehicle and mark it."
+              : "No pass is in this state."}
+            {all.length === 0 && recording && (
+              <FindPasses recording={recording} found={() => readAgain(model)} />
+            )}
+          </li>
+        )}
+      </ul>
+      {canWork.value && <NewPass model={model} />}
+    </nav>
+  );
+}
+
+function Row({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
+  // computed, so that a moving point or another row's change draws this row only if it reads differently
+  const current = useComputed(() => model.vehicleId.value === vehicle.id).value;
+  const word = useComputed(() => progress(model, vehicle)).value;
+  const name = useComputed(() => {
+    const shown = model.vehicles.shown(vehicle.id) ?? vehicle;
+    return [shown.make, shown.model].filter(Boolean).join(" ");
+  }).value;
+  return (
+    <li>
+      <button
+        type="button"
+        class="pass"
+        data-testid={`pass-${vehicle.number}`}
+        data-vehicle={vehicle.id}
+        data-state={vehicle.state}
+        aria-current={current ? "true" : undefined}
+        onClick={() => {
+          model.open(vehicle);
+          model.stage.focus();
+        }}
+      >
+        <strong class="pass__number">{String(vehicle.number).padStart(2, "0")}</strong>
+        <span class="pass__state">
+          <StateMark state={vehicle.state} word={word} />
+        </span>
+        <PassMark vehicle={vehicle} />
+        {vehicle.lighting === "low_light" && (
+          <span class="pass__light" title="Low light">
+            <Moon />
+            <span class="visually-hidden">, low light</span>
+          </span>
+        )}
+        {name && <span class="pass__name clip">{name}</span>}
+      </button>
+    </li>
+  );
+}
+
+/** "2 of 3" while it is being measured, else the state's own word. */
+function progress(model: MeasureModel, vehicle: Vehicle): string | undefined {
+  if (vehicle.state === "rejected") return "rejected";
+  if (vehicle.state === "accepted") return undefined;
+  const have = new Set(
+    model.records
+      .of(vehicle.id)
+      .filter((entry) => !entry.values.withdrawn)
+      .map((entry) => entry.values.target),
+  );
+  const count = REQUIRED.filter((target) => have.has(target)).length;
+  return count > 0 && count < REQUIRED.length ? `${count} of ${REQUIRED.length}` : undefined;
+}
+
+function NewPass({ model }: { model: MeasureModel }) {
+  const from = model.passFrom.value;
+  return (
+    <footer class="passes__foot">
+      {from === null ? (
+        <Button
+          small
+          icon="add"
+          title={`The pass begins on this frame${hint("passBegin")}`}
+          onClick={() => model.markPass("first")}
+        >
+          New pass here
+        </Button>
+      ) : (
+        <>
+          <Button
+            small
+            kind="primary"
+            title={`The pass ends on this frame${hint("passEnd")}`}
+            onClick={() => model.markPass("last")}
+          >
+            …ends here
+          </Button>
+          <Button
+            small
+            kind="quiet"
+            icon="close"
+            label="Do not add a pass"
+            onClick={() => {
+              model.passFrom.value = null;
+            }}
+          />
+          <span class="small muted">{plural(Math.abs(model.seenFrame.value - from) + 1, "frame")}</span>
+        </>
+      )}
+      {from === null && <PassMenu model={model} />}
+    </footer>
+  );
+}
+
+function Moon() {
+  return (
+    <svg width="12" height="12" viewBox="0 0 12 12" aria-hidden="true">
+      <path d="M10.5 7.6A4.8 4.8 0 014.4 1.5a4.8 4.8 0 106.1 6.1z" fill="currentColor" />
+    </svg>
+  );
+}

@@ -1,0 +1,185 @@
+/** What is seen of measuring on several frames: expected spots, the frames of a measurement, what a further one gains. */
+import { useEffect, useState } from "preact/hooks";
+import { Button } from "../../components";
+import { explain } from "../../core/api";
+import { hint } from "../../core/commands";
+import { canWork } from "../../core/session";
+import type { HeightAnswer, Measurement, SecondFrameAnswer } from "../../core/types";
+import { formatHeight, formatLength, formatSmall, formatSpeed, speedScale } from "../../core/units";
+import { askHeight, askSecondFrame } from "../../viewer/geometry";
+import { PointMark } from "../../viewer/Overlay";
+import { fromServer, type ImagePoint } from "../../viewer/points";
+import type { Stage } from "../../viewer/stage";
+import { framesOf } from "../../viewer/values";
+import type { MeasureModel } from "./model";
+import type { Entry } from "./records";
+
+/** Where the points are expected, and the contact that is clicked already. */
+export function SecondMarks({ model }: { model: MeasureModel }) {
+  const { second, stage } = model;
+  if (!second.now.value) return null;
+  const wanted = second.awaiting.value;
+  const contact = second.contact.value;
+  return (
+    <g data-testid="second-frame-spots">
+      {second.spots.value.map((spot) => {
+        const word =
+          spot.assumed_kmh === null
+            ? "expected about here"
+            : `at ${formatSpeed(spot.assumed_kmh / speedScale("m")[0], null, 0)}`;
+        const key = `${spot.assumed_kmh} ${spot.travel_m}`;
+        return (
+          <g key={key}>
+            {wanted === "contact" && <Expected stage={stage} at={fromServer(spot.contact)} text={word} />}
+            {wanted !== null && (
+              <Expected
+                stage={stage}
+                at={fromServer(spot.point)}
+                text={wanted === "point" ? word : undefined}
+              />
+            )}
+          </g>
+        );
+      })}
+      {contact && wanted === "point" && <PointMark stage={stage} at={contact} kind="contact" />}
+    </g>
+  );
+}
+
+/** A place to look at, not a point: a dashed ring that leaves its middle free. */
+function Expected({ stage, at, text }: { stage: Stage; at: ImagePoint; text?: string | undefined }) {
+  const [x, y] = stage.viewport.value.toScreen(at);
+  return (
+    <g class="point-mark point-mark--expected" transform={`translate(${x} ${y})`}>
+      <circle class="point-mark__halo" r="15" />
+      <circle class="point-mark__line" r="15" />
+      {text && (
+        <text class="overlay-word" x={20} y={4}>
+          {text}
+        </text>
+      )}
+    </g>
+  );
+}
+
+/** Under a measurement that stands on several frames. */
+export function FramesSaid({ m }: { m: Measurement }) {
+  if (m.more_frames.length === 0) return null;
+  return (
+    <p class="height-row__said muted" data-testid="frames-said">
+      From {m.more_frames.length + 1} frames
+      {m.solved_inset_m !== null &&
+        `; inset ${formatLength(m.solved_inset_m, 2)}, u ${formatLength(m.u_solved_inset_m, 2)}`}
+    </p>
+  );
+}
+
+/** The frames of a measurement, to go to and to take away, and what one more would gain. */
+export function Frames({ model, entry }: { model: MeasureModel; entry: Entry }) {
+  const frames = framesOf(entry.values);
+  return (
+    <div class="frames-of" data-testid="frames-of">
+      {frames.length > 1 && (
+        <>
+          <ul class="frames-of__list">
+            {frames.map(({ frame }, i) => (
+              <li key={frame}>
+                <Button
+                  small
+                  kind="quiet"
+                  pressed={model.seenFrame.value === frame}
+                  onClick={() => {
+                    model.player.value?.go(frame);
+                    model.points.pick({ key: entry.key, role: "point" });
+                    model.stage.focus();
+                  }}
+                >
+                  Frame {frame}
+                </Button>
+                <span class="grow muted small">{i === 0 ? "first" : ""}</span>
+                {canWork.value && (
+                  <Button
+                    small
+                    kind="quiet"
+                    icon="trash"
+                    label={`Remove frame ${frame}`}
+                    title="Remove this frame"
+                    onClick={() => model.second.remove(entry.key, frame)}
+                  />
+                )}
+              </li>
+            ))}
+          </ul>
+          <AgainstOne model={model} entry={entry} />
+        </>
+      )}
+      {canWork.value && entry.state === "saved" && <GainButton model={model} entry={entry} />}
+    </div>
+  );
+}
+
+function recordingOf(model: MeasureModel): number | undefined {
+  return model.player.value?.recordingId;
+}
+
+/** What the first frame alone would give, beside what all give together. */
+function AgainstOne({ model, entry }: { model: MeasureModel; entry: Entry }) {
+  const answer = useAnswer<HeightAnswer>(entry, () => {
+    const recordingId = recordingOf(model);
+    return recordingId === undefined ? null : askHeight({ recordingId, ...entry.values });
+  }).answer;
+  if (!answer?.single) return null;
+  return (
+    <dl class="facts small">
+      <dt>One frame</dt>
+      <dd>{formatHeight(answer.single.height_m, answer.single.U95_height_m)}</dd>
+      <dt>{answer.frames} frames</dt>
+      <dd>{answer.status === "ok" ? formatHeight(answer.height_m, answer.U95_height_m) : answer.reason}</dd>
+    </dl>
+  );
+}
+
+/** "Second frame gains: 18 → 7 mm", and the way there. */
+function GainButton({ model, entry }: { model: MeasureModel; entry: Entry }) {
+  const { answer, problem } = useAnswer<SecondFrameAnswer>(entry, () => {
+    const recordingId = recordingOf(model);
+    return recordingId === undefined ? null : askSecondFrame(recordingId, entry.vehicleId, entry.values);
+  });
+  const nth = entry.values.more.length === 0 ? "Second frame" : "Another frame";
+  if (problem) return <p class="small muted">{problem}</p>;
+  if (!answer) return <p class="small muted">{nth} gains: looking …</p>;
+  if (!answer.ok) return <p class="small muted">{answer.reason}</p>;
+  return (
+    <div data-testid="second-frame-gain">
+      <Button
+        small
+        title={`Go to frame ${answer.frame} and click the same two points${hint("secondFrame")}`}
+        onClick={() => void model.second.start(entry.key)}
+      >
+        {nth} gains: {formatSmall(answer.U95_now_m)} → {formatSmall(answer.U95_then_m)}
+      </Button>
+    </div>
+  );
+}
+
+/** Asks again when the points are others; an answer that comes late is not for them. */
+function useAnswer<Answer>(
+  entry: Entry,
+  ask: () => Promise<Answer> | null,
+): { answer: Answer | null; problem: string | null } {
+  const [state, set] = useState<{ answer: Answer | null; problem: string | null }>(NOTHING);
+  useEffect(() => {
+    let stale = false;
+    set(NOTHING);
+    ask()?.then(
+      (answer) => !stale && set({ answer, problem: null }),
+      (error) => !stale && set({ answer: null, problem: explain(error) }),
+    );
+    return () => {
+      stale = true;
+    };
+  }, [entry.saved?.id, entry.saved?.revision]);
+  return state;
+}
+
+const NOTHING = { answer: null, problem: null };

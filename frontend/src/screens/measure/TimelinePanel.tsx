@@ -1,0 +1,107 @@
+/** Below the frame: recording, steps, frame and time, loupe; and the timeline with the passes. */
+import { useEffect } from "preact/hooks";
+import { Button } from "../../components";
+import { hint } from "../../core/commands";
+import type { Vehicle } from "../../core/types";
+import { bestFrame, isOpen, nextOpen } from "../../parts/vehicles/passes";
+import { around } from "../../viewer/ahead";
+import { BrightButton } from "../../viewer/BrightButton";
+import { linesShown } from "../../viewer/display";
+import type { Player } from "../../viewer/player";
+import { type Span, Timeline } from "../../viewer/Timeline";
+import { Transport } from "../../viewer/Transport";
+import type { MeasureModel } from "./model";
+import { passWords, spanLabel } from "./passes/marks";
+
+export function TimelinePanel({ model, player }: { model: MeasureModel; player: Player }) {
+  const spans = model.vehicles.list.value
+    .filter((vehicle) => vehicle.recording_id === player.recordingId)
+    .map((vehicle) => spanOf(vehicle, model.vehicleId.value));
+  const next = nextOpen(model.list.value, model.vehicle.value);
+  const expected = next?.recording_id === player.recordingId ? bestFrame(next) : null;
+  useEffect(() => player.expect(expected === null ? [] : around(expected)), [player, expected]);
+  const from = model.passFrom.value;
+  if (from !== null) {
+    const at = model.seenFrame.value;
+    spans.push({
+      id: "new",
+      first: Math.min(from, at),
+      last: Math.max(from, at),
+      label: "new",
+      title: "New pass",
+      kind: "current",
+    });
+  }
+  return (
+    <section class="measure__time" aria-label="Timeline">
+      <div class="frame-tools">
+        <Transport player={player} stage={model.stage} />
+        <span class="grow" />
+        {model.recordings.value.length > 1 && <RecordingChoice model={model} player={player} />}
+        <Button
+          small
+          kind="quiet"
+          title={`Fit the frame${hint("zoomFit")}`}
+          onClick={() => model.stage.fit()}
+        >
+          Fit
+        </Button>
+        <Button
+          small
+          kind="quiet"
+          pressed={linesShown.value}
+          title={`Axes and ladder${hint("linesToggle")}`}
+          onClick={() => {
+            linesShown.value = !linesShown.value;
+          }}
+        >
+          Lines
+        </Button>
+        <BrightButton />
+        <Button
+          small
+          kind="quiet"
+          pressed={model.stage.loupe.value}
+          title={`Loupe${hint("loupeToggle")}; hold${hint("loupe").replace(/[()]/g, "")} for a moment's look`}
+          onClick={() => {
+            model.stage.loupe.value = !model.stage.loupe.value;
+          }}
+        >
+          Loupe
+        </Button>
+      </div>
+      <Timeline player={player} spans={spans} />
+    </section>
+  );
+}
+
+function spanOf(vehicle: Vehicle, current: number | null): Span {
+  const number = String(vehicle.number).padStart(2, "0");
+  return {
+    id: String(vehicle.id),
+    first: vehicle.first_frame,
+    last: vehicle.last_frame,
+    label: spanLabel(vehicle),
+    title: [`Pass ${number}: frames ${vehicle.first_frame} to ${vehicle.last_frame}`, passWords(vehicle)]
+      .filter(Boolean)
+      .join(", "),
+    kind: vehicle.id === current ? "current" : isOpen(vehicle) ? "todo" : "done",
+  };
+}
+
+function RecordingChoice({ model, player }: { model: MeasureModel; player: Player }) {
+  return (
+    <select
+      class="input measure__recording"
+      aria-label="Recording"
+      value={player.recordingId}
+      onChange={(event) => model.chooseRecording(Number(event.currentTarget.value))}
+    >
+      {model.recordings.value.map((recording) => (
+        <option key={recording.id} value={recording.id} disabled={recording.state !== "ready"}>
+          {recording.name}
+        </option>
+      ))}
+    </select>
+  );
+}

@@ -1,0 +1,194 @@
+/** The right side: the vehicle record, saved by itself, and its measurements. */
+import { useMemo } from "preact/hooks";
+import { Button, SelectField, StateMark } from "../../components";
+import { CommitField } from "../../components/CommitField";
+import { TypingHold } from "../../components/typing";
+import { canWork } from "../../core/session";
+import type { CatalogueRow, Category, Lighting, Vehicle } from "../../core/types";
+import { lengthProblem, lengthText, lengthUnit, parseLength } from "../../core/units";
+import { CatalogueField } from "../../parts/vehicles/CatalogueField";
+import { VehicleConflict } from "./Conflicts";
+import { MeasurementList } from "./MeasurementList";
+import type { MeasureModel } from "./model";
+import { SpanEditor } from "./SpanEditor";
+
+const CATEGORIES: readonly { value: Category | ""; label: string }[] = [
+  { value: "", label: "–" },
+  { value: "hatchback", label: "Hatchback" },
+  { value: "saloon", label: "Saloon" },
+  { value: "estate", label: "Estate" },
+  { value: "suv", label: "SUV" },
+  { value: "van", label: "Van" },
+  { value: "lorry", label: "Lorry" },
+  { value: "other", label: "Other" },
+];
+
+const LIGHTINGS: readonly { value: Lighting | ""; label: string }[] = [
+  { value: "", label: "–" },
+  { value: "daytime", label: "Daytime" },
+  { value: "low_light", label: "Low light" },
+];
+
+export function VehiclePanel({ model }: { model: MeasureModel }) {
+  const vehicle = model.vehicle.value;
+  if (!vehicle) {
+    return (
+      <aside class="measure__vehicle" aria-label="Vehicle">
+        <p class="measure__none muted">
+          Choose a pass on the left. Its vehicle and measurements appear here.
+        </p>
+      </aside>
+    );
+  }
+  return (
+    <aside class="measure__vehicle" aria-label="Vehicle" key={vehicle.id}>
+      <header class="vehicle__head">
+        <h2>Vehicle {String(vehicle.number).padStart(2, "0")}</h2>
+        <StateMark state={vehicle.state} />
+        <span class="grow" />
+        <DraftWord model={model} id={vehicle.id} />
+        {canWork.value && (
+          <Button
+            small
+            kind="quiet"
+            icon="trash"
+            label={`Delete the pass of vehicle ${vehicle.number}`}
+            onClick={() => void model.removePass()}
+          />
+        )}
+      </header>
+      <VehicleConflict model={model} id={vehicle.id} />
+      <MeasurementList model={model} />
+      <SpanEditor model={model} vehicle={vehicle} />
+      <Facts model={model} vehicle={vehicle} />
+    </aside>
+  );
+}
+
+function DraftWord({ model, id }: { model: MeasureModel; id: number }) {
+  const draft = model.vehicles.drafts.value.get(id);
+  if (!draft || draft.state === "conflict" || Object.keys(draft.changes).length === 0) return null;
+  if (draft.state === "failed") {
+    return (
+      <Button
+        small
+        icon="warning"
+        title={draft.problem ?? undefined}
+        onClick={() => void model.vehicles.flush(id)}
+      >
+        Save again
+      </Button>
+    );
+  }
+  return <span class="small muted">saving…</span>;
+}
+
+function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
+  const unit = lengthUnit.value;
+  const locked = !canWork.value;
+  const draft = model.vehicles.drafts.value.get(vehicle.id);
+  const hold = useMemo(
+    () => ({ start: () => model.vehicles.hold(vehicle.id), end: () => model.vehicles.release(vehicle.id) }),
+    [model, vehicle.id],
+  );
+  const take = (row: CatalogueRow): void => model.edit(fromCatalogue(row));
+  return (
+    <section class="facts-form" aria-label="Vehicle record">
+      <h3>Vehicle record</h3>
+      {draft?.state === "failed" && (
+        <p class="small" role="alert">
+          {draft.problem}
+        </p>
+      )}
+      <TypingHold.Provider value={hold}>
+        <div class="facts-form__grid">
+          <CatalogueField
+            label="Make"
+            value={vehicle.make ?? ""}
+            query={(text) => text}
+            disabled={locked}
+            onChoose={take}
+            onCommit={(text) => model.edit({ make: text || null })}
+          />
+          <CatalogueField
+            label="Model"
+            value={vehicle.model ?? ""}
+            query={(text) => `${vehicle.make ?? ""} ${text}`.trim()}
+            disabled={locked}
+            onChoose={take}
+            onCommit={(text) => model.edit({ model: text || null })}
+          />
+          <CommitField
+            label="Year"
+            value={vehicle.year === null ? "" : String(vehicle.year)}
+            numeric
+            disabled={locked}
+            check={(text) =>
+              text === "" || /^(18|19|20)\d\d$/.test(text) ? null : "A year has four digits."
+            }
+            onCommit={(text) => model.edit({ year: text === "" ? null : Number(text) })}
+          />
+          <SelectField
+            label="Category"
+            value={vehicle.category ?? ""}
+            options={CATEGORIES}
+            disabled={locked}
+            onChange={(category) => model.edit({ category: category === "" ? null : category })}
+          />
+          <CommitField
+            label="Maker's height"
+            value={lengthText(vehicle.manufacturer_height_m, unit)}
+            numeric
+            unit={unit}
+            disabled={locked}
+            check={(text) => lengthProblem(text, { empty: true })}
+            onCommit={(text) => model.edit({ manufacturer_height_m: parseLength(text) })}
+          />
+          <CommitField
+            label="± u of it"
+            value={lengthText(vehicle.u_manufacturer_height_m, unit)}
+            numeric
+            unit={unit}
+            disabled={locked}
+            check={(text) => lengthProblem(text, { empty: true })}
+            onCommit={(text) => model.edit({ u_manufacturer_height_m: parseLength(text) })}
+          />
+          <div class="facts-form__wide">
+            <CommitField
+              label="Source of the height"
+              value={vehicle.height_source ?? ""}
+              disabled={locked}
+              onCommit={(text) => model.edit({ height_source: text || null })}
+            />
+          </div>
+          <SelectField
+            label="Lighting"
+            value={vehicle.lighting ?? ""}
+            options={LIGHTINGS}
+            disabled={locked}
+            onChange={(lighting) => model.edit({ lighting: lighting === "" ? null : lighting })}
+          />
+          <div class="facts-form__wide">
+            <CommitField
+              rows={2}
+              label="Notes"
+              value={vehicle.notes}
+              disabled={locked}
+              onCommit={(notes) => model.edit({ notes })}
+            />
+          </div>
+        </div>
+      </TypingHold.Provider>
+    </section>
+  );
+}
+
+function fromCatalogue(row: CatalogueRow) {
+  return {
+    make: row.make,
+    model: row.model,
+    ...(row.category ? { category: row.category } : {}),
+    ...(row.height_m === null ? {} : { manufacturer_height_m: row.height_m, height_source: row.source }),
+    ...(row.year_from !== null && row.year_from === row.year_to ? { year: row.year_from } : {}),
+  };
+}

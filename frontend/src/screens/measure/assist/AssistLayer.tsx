@@ -1,0 +1,51 @@
+/** A proposal over the frame: dashed, a diamond, and the word; nothing is stored until a person clicks. */
+import { InImage } from "../../../viewer/Overlay";
+import type { Stage } from "../../../viewer/stage";
+import type { Assist } from "./assist";
+
+export function AssistLayer({ assist, stage }: { assist: Assist; stage: Stage }) {
+  const answer = assist.answer.value;
+  const at = assist.at.value;
+  if (!answer || !at) return null;
+  const [x, y] = stage.viewport.value.toScreen(at);
+  const wheel = answer.outline.map(([u, v], i) => `${i === 0 ? "M" : "L"}${u} ${v}`).join("");
+  const diamond = "M0 -10L10 0L0 10L-10 0Z";
+  return (
+    <g class="proposal" data-testid="contact-proposal">
+      <InImage stage={stage}>
+        <path class="proposal__wheel" d={wheel} />
+      </InImage>
+      <g transform={`translate(${x} ${y})`} class="point-mark">
+        <path class="point-mark__halo" d={diamond} />
+        <path class="point-mark__line" d={diamond} />
+        <text class="overlay-word overlay-word--strong" x={15} y={20}>
+          {answer.words}
+        </text>
+      </g>
+    </g>
+  );
+}
+
+/** What the assistant says in words: that it looks, why it refuses, or how to take the proposal. */
+export function AssistNote({ assist }: { assist: Assist }) {
+  const answer = assist.answer.value;
+  const words = assist.waiting.value
+    ? "Looking for the wheel…"
+    : (assist.problem.value ??
+      (answer
+        ? answer.contact
+          ? `${answer.words}. Enter or a click on it takes it.`
+          : answer.words
+        : null));
+  if (!words) return null;
+  const drawn = answer?.contact != null;
+  return (
+    <p
+      class={drawn ? "visually-hidden" : "frame-note frame-note--below"}
+      role="status"
+      data-testid="assist-note"
+    >
+      {words}
+    </p>
+  );
+}

@@ -1,0 +1,399 @@
+/**
+ * The measure page's state: survey, passes, the frame, the flow of clicks. Views read its signals; keys and buttons call it.
+ * Points (storing, dragging, nudging) live in `points.ts`, which this hands out as `points`.
+ */
+import { batch, computed, effect, signal, untracked } from "@preact/signals";
+import { ask } from "../../components";
+import { setQuery } from "../../core/address";
+import { canWork, me } from "../../core/session";
+import { stored } from "../../core/stored";
+import { survey } from "../../core/survey";
+import { toast, toastProblem } from "../../core/toasts";
+import type { Recording, Target, Vehicle } from "../../core/types";
+import { UndoStack } from "../../core/undo";
+import { bestFrame, type Filter, listed, neighbour, nextOpen, type Order } from "../../parts/vehicles/passes";
+import { Geometry } from "../../viewer/geometry";
+import { Player } from "../../viewer/player";
+import type { ImagePoint } from "../../viewer/points";
+import { Stage } from "../../viewer/stage";
+import type { Inset } from "../../viewer/values";
+import { awaiting, type Flow, type FlowEvent, firstMissing, START, step } from "./flow";
+import { Outbox, tabName } from "./outbox";
+import { Points } from "./points";
+import * as server from "./ports";
+import { Records } from "./records";
+import { SecondFrame } from "./secondFrame";
+import { type Changes, Vehicles } from "./vehicles";
+
+export const filter = stored<Filter>("passes.filter", "all");
+export const order = stored<Order>("passes.order", "number");
+
+export class MeasureModel {
+  readonly stage = new Stage();
+  readonly undo = new UndoStack();
+  readonly geometry = new Geometry();
+  readonly outbox: Outbox;
+  readonly records: Records;
+  readonly vehicles: Vehicles;
+  readonly points: Points;
+  readonly second: SecondFrame;
+  readonly recordings = signal<readonly Recording[]>([]);
+  readonly player = signal<Player | null>(null);
+  readonly flow = signal<Flow>(START);
+  readonly vehicleId = computed(() => this.flow.value.vehicleId);
+  readonly loaded = signal(false);
+  readonly problem = signal<unknown>(null);
+  /** The first frame of a pass that is being marked. */
+  readonly passFrom = signal<number | null>(null);
+  /** Insets chosen for this vehicle's targets before they are measured. */
+  readonly chosenInsets = signal<ReadonlyMap<string, Inset>>(new Map());
+
+  readonly list = computed(() => listed(this.vehicles.list.value, filter.value, order.value));
+  readonly vehicle = computed(() => this.vehicles.shown(this.vehicleId.value));
+  readonly entries = computed(() => this.records.of(this.vehicleId.value));
+  /** The frame that is seen: clicks, contacts and marks belong to it. */
+  readonly seenFrame = computed(() => this.player.value?.shown.value?.frame ?? -1);
+  readonly contact = computed(() => {
+    const flow = this.flow.value.contacts.get(this.seenFrame.value) ?? null;
+    return this.second.now.value ? this.second.contact.value : flow;
+  });
+  readonly awaiting = computed(() =>
+    this.second.now.value ? this.second.awaiting.value : awaiting(this.flow.value, this.seenFrame.value),
+  );
+  readonly recording = computed(() =>
+    this.recordings.value.find((one) => one.id === this.player.value?.recordingId),
+  );
+  readonly hasPose = computed(
+    () => this.recording.value === undefined || this.recording.value.pose_id !== null,
+  );
+
+  /** Told when something of a vehicle has been stored, for the other tabs. */
+  onStored: (vehicleId: number) => void = () => {};
+
+  private readonly stops: (() => void)[] = [];
+  private urlTimer: ReturnType<typeof setTimeout> | undefined;
+  private refreshTimer: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(readonly surveyId: number) {
+    const person = me.value?.person.id ?? 0;
+    this.outbox = new Outbox(`sightline.outbox.${surveyId}.${person}.`, tabName());
+    this.records = new Records(server.recordsPort, this.outbox, (entry) => {
+      this.refreshSoon(entry.vehicleId);
+      this.onStored(entry.vehicleId);
+    });
+    this.vehicles = new Vehicles(
+      {
+        save: async (id, version, changes) => {
+          const saved = await server.vehiclesPort.save(id, version, changes);
+          this.onStored(id);
+          return saved;
+        },
+      },
+      (message) => toast(message),
+    );
+    this.second = new SecondFrame(this, (key) => this.points.rest(key));
+    this.points = new Points(this, this.second);
+    this.startFromAddress();
+    this.stops.push(
+      effect(() => this.followAxes()),
+      effect(() => this.followAddress()),
+      effect(() => this.refuseContact()),
+    );
+  }
+
+  /** Everything the page needs, side by side; the first frame is already on its way if the address names it. */
+  async load(): Promise<void> {
+    this.problem.value = null;
+    try {
+      const [recordings, vehicles] = await Promise.all([
+        server.listRecordings(this.surveyId),
+        server.listVehicles(this.surveyId),
+      ]);
+      batch(() => {
+        this.recordings.value = recordings;
+        this.vehicles.takeAll(vehicles);
+        for (const vehicle of vehicles) this.records.take(vehicle);
+        this.loaded.value = true;
+      });
+      this.openFirst();
+      this.records.resume(this.outbox.adopt());
+    } catch (error) {
+      this.problem.value = error;
+    }
+  }
+
+  close(): void {
+    for (const stop of this.stops) stop();
+    clearTimeout(this.urlTimer);
+    clearTimeout(this.refreshTimer);
+    const id = this.vehicleId.value;
+    if (id !== null) void this.vehicles.flush(id);
+    this.points.endBurst();
+    this.player.value?.close();
+    this.outbox.close();
+  }
+
+  /** True while something is typed or clicked that the server does not have. */
+  get hasUnsaved(): boolean {
+    const typed = [...this.vehicles.drafts.value.values()].some(
+      (draft) => Object.keys(draft.changes).length > 0,
+    );
+    const clicked = [...this.records.byVehicle.value.values()].some((entries) =>
+      entries.some((entry) => entry.state === "saving" || entry.state === "moving"),
+    );
+    return typed || clicked;
+  }
+
+  dispatch(event: FlowEvent): void {
+    if (event.type === "choose") this.second.leave();
+    const outcome = step(this.flow.value, event);
+    this.flow.value = outcome.flow;
+    if (outcome.effect) this.points.carryOut(outcome.effect);
+  }
+
+  /** Opens a pass at its best frame, or at the frame asked for. */
+  open(vehicle: Vehicle, frame = bestFrame(vehicle)): void {
+    this.leave();
+    const contacts = this.points.contactsOf(vehicle.id);
+    const target = canWork.value ? firstMissing(this.points.targetsOf(vehicle.id)) : null;
+    batch(() => {
+      this.step({ type: "open", vehicleId: vehicle.id, target, contacts });
+      this.chosenInsets.value = new Map();
+      this.showRecording(vehicle.recording_id, frame);
+    });
+  }
+
+  showRecording(recordingId: number, frame: number): void {
+    const now = this.player.value;
+    if (now?.recordingId === recordingId) {
+      now.stop();
+      now.go(frame);
+      return;
+    }
+    now?.close();
+    const player = new Player(recordingId, frame);
+    const facts = this.recordings.value.find((one) => one.id === recordingId);
+    if (facts) player.describe(facts);
+    this.player.value = player;
+  }
+
+  /** The operator turns to a recording: no pass is open until one is chosen. */
+  chooseRecording(recordingId: number): void {
+    const first = this.list.value.find((vehicle) => vehicle.recording_id === recordingId);
+    if (first) this.open(first);
+    else {
+      this.leave();
+      this.step({ type: "open", vehicleId: null, target: null });
+      this.showRecording(recordingId, 0);
+    }
+  }
+
+  go(direction: 1 | -1): void {
+    const next = neighbour(this.list.value, this.vehicle.value, direction);
+    if (next) this.open(next);
+    else
+      toast(direction === 1 ? "This is the last pass in the list." : "This is the first pass in the list.");
+  }
+
+  /** Ctrl+Enter: what is typed is saved, and on to the next pass with something to do. */
+  confirmNext(): void {
+    const next =
+      nextOpen(this.list.value, this.vehicle.value) ?? nextOpen(this.vehicles.list.value, this.vehicle.value);
+    if (next) {
+      this.open(next);
+      return;
+    }
+    this.leave();
+    toast("Every pass of this survey is measured.");
+  }
+
+  toBestFrame(): void {
+    const vehicle = this.vehicle.value;
+    if (vehicle) this.showRecording(vehicle.recording_id, bestFrame(vehicle));
+  }
+
+  /** The inset a click would be stored with: chosen now, or of the measurement it revises; null: the survey's. */
+  insetOf(target: Target): Inset | null {
+    return this.chosenInsets.value.get(target) ?? this.points.revised(target)?.values.inset ?? null;
+  }
+
+  /** Chooses the inset of a target of this vehicle, for what is measured of it and for the clicks to come. */
+  chooseInset(target: Target, inset: Inset): void {
+    this.chosenInsets.value = new Map(this.chosenInsets.value).set(target, inset);
+    for (const entry of this.entries.value)
+      if (entry.values.target === target && !entry.values.withdrawn) this.points.setInset(entry.key, inset);
+  }
+
+  /** What the survey assumes for a target. */
+  usualInset(target: Target): (Inset & { note: string }) | null {
+    return survey.value?.insets[target] ?? null;
+  }
+
+  /** Edits vehicle facts, as a step that can be undone. */
+  edit(changes: Changes): void {
+    const vehicle = this.vehicle.value;
+    if (!vehicle) return;
+    const before = Object.fromEntries(
+      Object.keys(changes).map((field) => [field, vehicle[field as keyof Changes]]),
+    ) as Changes;
+    const id = vehicle.id;
+    this.vehicles.edit(id, changes);
+    this.undo.push({
+      label: `vehicle ${vehicle.number}`,
+      undo: () => this.vehicles.edit(id, before),
+      redo: () => this.vehicles.edit(id, changes),
+    });
+  }
+
+  markPass(end: "first" | "last"): void {
+    const frame = this.seenFrame.value;
+    if (frame < 0) return;
+    if (end === "first" || this.passFrom.value === null) {
+      this.passFrom.value = frame;
+      toast(`The pass begins at frame ${frame}; go to its last frame and mark it too.`);
+      return;
+    }
+    const [first, last] = [Math.min(this.passFrom.value, frame), Math.max(this.passFrom.value, frame)];
+    this.passFrom.value = null;
+    void this.addPass(first, last);
+  }
+
+  async removePass(): Promise<void> {
+    const vehicle = this.vehicle.value;
+    if (!vehicle) return;
+    const count = this.entries.value.filter((entry) => !entry.values.withdrawn).length;
+    const body = `Vehicle ${vehicle.number} leaves the list${count > 0 ? `, and its ${count} measurements with it` : ""}. Undo brings it back.`;
+    if (!(await ask({ title: `Delete vehicle ${vehicle.number}?`, body, action: "Delete the pass" }))) return;
+    await this.inTurn(async () => {
+      await this.takeOut(vehicle);
+      this.undo.push({
+        label: `deletion of vehicle ${vehicle.number}`,
+        undo: () => this.bringBack(vehicle),
+        redo: () => this.takeOut(vehicle),
+      });
+    });
+  }
+
+  private async addPass(first: number, last: number): Promise<void> {
+    const recordingId = this.player.value?.recordingId;
+    if (recordingId === undefined) return;
+    await this.inTurn(async () => {
+      const vehicle = await server.addVehicle(recordingId, first, last);
+      this.put(vehicle);
+      this.open(vehicle);
+      this.undo.push({
+        label: `new pass ${vehicle.number}`,
+        undo: () => this.takeOut(vehicle),
+        redo: () => this.bringBack(vehicle),
+      });
+    });
+  }
+
+  private inTurn(work: () => Promise<void>): Promise<void> {
+    return this.undo.inTurn(work).catch(toastProblem);
+  }
+
+  private async takeOut(vehicle: Vehicle): Promise<void> {
+    await this.vehicles.flush(vehicle.id);
+    const now = this.vehicles.shown(vehicle.id) ?? vehicle;
+    await server.removeVehicle(vehicle.id, now.version);
+    const next = neighbour(this.list.value, vehicle, 1) ?? neighbour(this.list.value, vehicle, -1);
+    this.vehicles.drop(vehicle.id);
+    if (this.vehicleId.value !== vehicle.id) return;
+    if (next) this.open(next);
+    else this.step({ type: "open", vehicleId: null, target: null });
+  }
+
+  private async bringBack(vehicle: Vehicle): Promise<void> {
+    const back = await server.restoreVehicle(vehicle.id);
+    this.put(back);
+    this.open(back);
+  }
+
+  private put(vehicle: Vehicle): void {
+    this.vehicles.take(vehicle);
+    this.records.take(vehicle);
+  }
+
+  /** Reads one vehicle again: its state and version follow from what was stored. */
+  refreshSoon(vehicleId: number): void {
+    clearTimeout(this.refreshTimer);
+    this.refreshTimer = setTimeout(() => void this.refresh(vehicleId), 250);
+  }
+
+  async refresh(vehicleId: number): Promise<void> {
+    try {
+      this.put(await server.readVehicle(vehicleId));
+    } catch {
+      // it is read again after the next change
+    }
+  }
+
+  private step(event: FlowEvent): void {
+    this.flow.value = step(this.flow.value, event).flow;
+  }
+
+  private leave(): void {
+    this.points.endBurst();
+    this.points.cursor.value = null;
+    this.second.forget();
+    this.geometry.forgetHeight();
+    const id = this.vehicleId.value;
+    if (id !== null && this.vehicles.drafts.value.has(id)) void this.vehicles.flush(id);
+  }
+
+  /** Starts the first frame before anything else is known, when the address says which. */
+  private startFromAddress(): void {
+    const params = new URLSearchParams(location.search);
+    const recordingId = Number(params.get("recording"));
+    const frame = Number(params.get("frame"));
+    if (params.has("frame") && recordingId > 0 && frame >= 0)
+      this.player.value = new Player(recordingId, frame);
+  }
+
+  /** The pass the address names, else the first with something to do. */
+  private openFirst(): void {
+    const params = new URLSearchParams(location.search);
+    const now = this.player.value;
+    const facts = this.recordings.value.find((one) => one.id === now?.recordingId);
+    if (now && facts) now.describe(facts);
+    else if (now) {
+      toast("The recording in this address is not in this survey.");
+      now.close();
+      this.player.value = null;
+    }
+    const named = this.vehicles.get(Number(params.get("vehicle")));
+    if (named) this.open(named, this.player.value?.frame.value ?? bestFrame(named));
+    if (this.player.value) return;
+    const next = nextOpen(this.list.value, undefined) ?? this.list.value[0] ?? this.vehicles.list.value[0];
+    const ready = this.recordings.value.find((one) => one.state === "ready");
+    if (next) this.open(next);
+    else if (ready) this.showRecording(ready.id, 0);
+  }
+
+  private followAxes(): void {
+    const contact: ImagePoint | null = this.contact.value;
+    const recordingId = this.player.value?.recordingId;
+    const target = this.flow.value.target ?? "roof";
+    const show = contact !== null && recordingId !== undefined && this.hasPose.value;
+    this.geometry.showAxes(show ? { recordingId, contact, target, inset: this.insetOf(target) } : null);
+  }
+
+  /** A contact that cannot be on the road (above the horizon, outside the lens): the next click places it again. */
+  private refuseContact(): void {
+    if (this.geometry.axes.value?.ok !== false) return;
+    untracked(() => {
+      if (this.points.entriesHere().length === 0) this.step({ type: "new-contact" });
+    });
+  }
+
+  private followAddress(): void {
+    const recording = this.player.value?.recordingId ?? null;
+    // the frame that is seen, so that a copied address shows what its sender saw
+    const frame = this.seenFrame.value;
+    const vehicle = this.vehicleId.value;
+    if (frame < 0 || !this.loaded.value || this.player.value?.playing.value) return;
+    clearTimeout(this.urlTimer);
+    this.urlTimer = setTimeout(() => setQuery({ recording, frame, vehicle }), 250);
+  }
+}

@@ -1,0 +1,229 @@
+import { beforeEach, describe, expect, it } from "vitest";
+import { ApiError } from "../../core/api";
+import type { Measurement, Vehicle } from "../../core/types";
+import { imagePoint } from "../../viewer/points";
+import type { Values } from "../../viewer/values";
+import { ORPHANED_AFTER_MS, Outbox } from "./outbox";
+import { Records, type RecordsPort } from "./records";
+
+const values: Values = {
+  target: "roof",
+  frame: 40,
+  contact: imagePoint(100, 400),
+  point: imagePoint(101, 250),
+  inset: null,
+  sigma_px: null,
+  more: [],
+  withdrawn: false,
+};
+
+/** A server of one vehicle in memory, which can be cut off or written to by somebody else. */
+class Server implements RecordsPort {
+  readonly stored = new Map<number, Measurement>();
+  readonly keys = new Map<string, number>();
+  readonly calls: string[] = [];
+  gate: Promise<void> = Promise.resolve();
+  loseAnswer = false;
+
+  async create(vehicleId: number, key: string, v: Values): Promise<Measurement> {
+    await this.arrive("create");
+    const known = this.keys.get(key);
+    if (known !== undefined) return this.get(known);
+    const id = this.stored.size + 1;
+    this.keys.set(key, id);
+    return this.answer(this.save(id, 1, vehicleId, v));
+  }
+  async revise(id: number, revision: number, v: Values): Promise<Measurement> {
+    await this.arrive("revise");
+    return this.answer(this.next(id, revision, v));
+  }
+  async withdraw(id: number, revision: number): Promise<Measurement> {
+    await this.arrive("withdraw");
+    return this.next(id, revision, null, true);
+  }
+  async restore(id: number, revision: number): Promise<Measurement> {
+    await this.arrive("restore");
+    return this.next(id, revision, null, false);
+  }
+  async read(id: number): Promise<Measurement> {
+    return this.get(id);
+  }
+  /** Somebody else's change. */
+  other(id: number, point: [number, number]): void {
+    const m = this.get(id);
+    this.stored.set(id, { ...m, revision: m.revision + 1, point });
+  }
+  vehicle(): Vehicle {
+    return { id: 7, measurements: [...this.stored.values()] } as unknown as Vehicle;
+  }
+  get(id: number): Measurement {
+    const m = this.stored.get(id);
+    if (!m) throw new ApiError("no such measurement", 404);
+    return m;
+  }
+  private async arrive(call: string): Promise<void> {
+    this.calls.push(call);
+    await this.gate;
+  }
+  private answer(m: Measurement): Measurement {
+    if (!this.loseAnswer) return m;
+    this.loseAnswer = false;
+    throw new ApiError("changed by you at 14:02", 409);
+  }
+  private next(id: number, revision: number, v: Values | null, withdrawn = false): Measurement {
+    const now = this.get(id);
+    if (now.revision !== revision) throw new ApiError("changed by RV at 14:02", 409);
+    if (v) return this.save(id, revision + 1, now.vehicle_id, v);
+    const made = { ...now, revision: revision + 1, withdrawn };
+    this.stored.set(id, made);
+    return made;
+  }
+  private save(id: number, revision: number, vehicle_id: number, v: Values): Measurement {
+    const { target, frame, contact, point, withdrawn } = v;
+    const insets = v.inset ?? { inset_m: 0.6, u_inset_m: 0.1 };
+    const clicked = { target, frame, contact, point, more_frames: v.more, withdrawn };
+    const made = { id, revision, vehicle_id, ...clicked, ...insets };
+    this.stored.set(id, made as unknown as Measurement);
+    return this.get(id);
+  }
+}
+
+function memory(): Storage {
+  const map = new Map<string, string>();
+  return {
+    get length() {
+      return map.size;
+    },
+    key: (i: number) => [...map.keys()][i] ?? null,
+    getItem: (k: string) => map.get(k) ?? null,
+    setItem: (k: string, v: string) => void map.set(k, v),
+    removeItem: (k: string) => void map.delete(k),
+    clear: () => map.clear(),
+  };
+}
+
+let store: Storage;
+let clock = 0;
+const outbox = (tab: string) => new Outbox("box.", tab, store, () => clock);
+
+beforeEach(() => {
+  store = memory();
+  clock = 1e6;
+});
+
+describe("Records", () => {
+  it("stores a click once and rests", async () => {
+    const server = new Server();
+    const records = new Records(server, outbox("a"));
+    const key = records.create(7, values, null);
+    expect(records.find(key)?.state).toBe("saving");
+    expect(store.length).toBe(1);
+    expect((await records.settled(key))?.state).toBe("saved");
+    expect(server.calls).toEqual(["create"]);
+    expect(store.length).toBe(0);
+  });
+
+  it("sends only the last of the changes made while one was on its way", async () => {
+    const server = new Server();
+    const records = new Records(server, outbox("a"));
+    let open = () => {};
+    server.gate = new Promise((done) => {
+      open = done;
+    });
+    const key = records.create(7, values, null);
+    for (const y of [251, 252, 253]) records.change(key, { point: imagePoint(101, y) });
+    open();
+    const entry = await records.settled(key);
+    expect(server.calls).toEqual(["create", "revise"]);
+    expect(entry?.saved).toMatchObject({ revision: 2, point: [101, 253] });
+  });
+
+  it("withdraws and restores, as undo and redo do", async () => {
+    const server = new Server();
+    const records = new Records(server, outbox("a"));
+    const key = records.create(7, values, null);
+    await records.settled(key);
+    records.change(key, { withdrawn: true });
+    expect((await records.settled(key))?.saved?.withdrawn).toBe(true);
+    records.take({ id: 7, measurements: [] } as unknown as Vehicle);
+    records.change(key, { withdrawn: false });
+    expect((await records.settled(key))?.saved?.withdrawn).toBe(false);
+    expect(server.calls).toEqual(["create", "withdraw", "restore"]);
+  });
+
+  it("tells of somebody else's change and keeps both until one is chosen", async () => {
+    const server = new Server();
+    const records = new Records(server, outbox("a"));
+    const key = records.create(7, values, null);
+    await records.settled(key);
+    server.other(1, [90, 90]);
+    records.change(key, { point: imagePoint(1, 2) });
+    const conflict = await records.settled(key);
+    expect(conflict).toMatchObject({ state: "conflict", problem: "changed by RV at 14:02" });
+    expect([...(conflict?.values.point ?? [])]).toEqual([1, 2]);
+    expect(conflict?.theirs?.point).toEqual([90, 90]);
+    records.resolve(key, "mine");
+    expect((await records.settled(key))?.saved).toMatchObject({ revision: 3, point: [1, 2] });
+  });
+
+  it("takes theirs when told to", async () => {
+    const server = new Server();
+    const records = new Records(server, outbox("a"));
+    const key = records.create(7, values, null);
+    await records.settled(key);
+    server.other(1, [90, 90]);
+    records.change(key, { point: imagePoint(1, 2) });
+    await records.settled(key);
+    records.resolve(key, "theirs");
+    expect(records.find(key)).toMatchObject({ state: "saved", saved: { point: [90, 90] } });
+    expect(store.length).toBe(0);
+  });
+
+  it("does not mistake its own lost answer for a conflict", async () => {
+    const server = new Server();
+    const records = new Records(server, outbox("a"));
+    const key = records.create(7, values, null);
+    await records.settled(key);
+    server.loseAnswer = true;
+    records.change(key, { point: imagePoint(1, 2) });
+    expect((await records.settled(key))?.state).toBe("saved");
+  });
+
+  it("sends after a crash what was not yet saved, once", async () => {
+    const server = new Server();
+    server.gate = new Promise(() => {});
+    new Records(server, outbox("a")).create(7, values, null);
+    server.gate = Promise.resolve();
+
+    const soon = outbox("b");
+    expect(soon.adopt()).toEqual([]);
+    clock += ORPHANED_AFTER_MS + 1;
+    const records = new Records(server, soon);
+    records.take(server.vehicle());
+    const items = soon.adopt();
+    records.resume(items);
+    await records.settled(items[0]?.key ?? "");
+    expect(server.stored.size).toBe(1);
+    expect(store.length).toBe(0);
+  });
+
+  it("finds its own items again after a reload of the tab", () => {
+    const server = new Server();
+    server.gate = new Promise(() => {});
+    new Records(server, outbox("a")).create(7, values, null);
+    expect(outbox("a").adopt()).toHaveLength(1);
+  });
+
+  it("keeps a refused click in sight with the reason", async () => {
+    const server = new Server();
+    server.create = () => Promise.reject(new ApiError("This recording has no road pose yet.", 409));
+    const records = new Records(server, outbox("a"));
+    const key = records.create(7, values, null);
+    expect(await records.settled(key)).toMatchObject({
+      state: "failed",
+      problem: "This recording has no road pose yet.",
+    });
+    records.discard(key);
+    expect(records.of(7)).toEqual([]);
+  });
+});

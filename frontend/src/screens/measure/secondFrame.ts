@@ -1,0 +1,241 @@
+/**
+ * The same two points on a further frame: proposed by the server, clicked by the operator, stored as one more revision.
+ * Until both are clicked nothing is changed, and Esc leaves it so.
+ */
+import { computed, signal } from "@preact/signals";
+import { explain } from "../../core/api";
+import { toast } from "../../core/toasts";
+import type { SecondFrameAnswer, Target } from "../../core/types";
+import { plural } from "../../core/units";
+import { TARGET_WORDS } from "../../core/words";
+import { askSecondFrame } from "../../viewer/geometry";
+import { type ImagePoint, samePoint } from "../../viewer/points";
+import { framesOf, ofFrames, pointsOn, type Values } from "../../viewer/values";
+import type { Desk } from "./desk";
+import type { Role } from "./flow";
+import type { Entry } from "./records";
+
+export interface Going {
+  readonly key: string;
+  readonly target: Target;
+  readonly answer: SecondFrameAnswer;
+}
+
+const NTH = ["first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth"];
+
+export class SecondFrame {
+  /** The measurement that gets a further frame; null while nothing of the kind is going on. */
+  readonly now = signal<Going | null>(null);
+  /** True while the server looks for the frame. */
+  readonly looking = signal(false);
+  /** The measurement that was stored or looked at last: the one that the key is meant for. */
+  last: string | null = null;
+  private readonly clicked = signal<{ frame: number; contact: ImagePoint } | null>(null);
+  private asked = 0;
+
+  /** The contact on the frame that is seen: clicked, or that of another measurement on the same tyre. */
+  readonly contact = computed<ImagePoint | null>(() => {
+    const frame = this.desk.seenFrame.value;
+    const clicked = this.clicked.value;
+    if (clicked?.frame === frame) return clicked.contact;
+    return this.entry ? this.shared(this.entry.values, frame) : null;
+  });
+
+  readonly awaiting = computed<Role | null>(() => {
+    const entry = this.now.value && this.entry;
+    if (!entry || pointsOn(entry.values, this.desk.seenFrame.value)) return null;
+    return this.contact.value ? "point" : "contact";
+  });
+
+  /** Where the points are expected on the frame that is seen. */
+  readonly spots = computed(() =>
+    (this.now.value?.answer.spots ?? []).filter((spot) => spot.frame === this.desk.seenFrame.value),
+  );
+
+  readonly words = computed<string | null>(() => {
+    const going = this.now.value;
+    if (!going) return this.looking.value ? "Looking for the frame that gains most …" : null;
+    const values = this.entry?.values;
+    const nth = NTH[values ? framesOf(values).length : 1] ?? "further";
+    const name = `${nth[0]?.toUpperCase()}${nth.slice(1)} frame`;
+    if (this.awaiting.value === null) return `${name}: go to another frame of the pass`;
+    const what =
+      this.awaiting.value === "contact"
+        ? "the same tyre contact"
+        : `the same ${TARGET_WORDS[going.target].toLowerCase()} point`;
+    const care = going.answer.source === "assumed" ? `. ${going.answer.words}` : "";
+    return `${name}: click ${what}${care}`;
+  });
+
+  constructor(
+    private readonly desk: Desk,
+    /** Called after a change, so that the vehicle is read again once the server has it. */
+    private readonly rest: (key: string) => Promise<void>,
+  ) {}
+
+  private get entry(): Entry | undefined {
+    const going = this.now.value;
+    return going ? this.desk.entries.value.find((entry) => entry.key === going.key) : undefined;
+  }
+
+  /** Looks for the frame that gains most beside those clicked and goes there. */
+  async start(key = this.meant()): Promise<void> {
+    const entry = key === null ? undefined : this.desk.records.find(key);
+    const recordingId = this.desk.player.value?.recordingId;
+    if (!entry || recordingId === undefined) {
+      toast("Measure a target first; then a second frame can be clicked.");
+      return;
+    }
+    this.leave();
+    this.asked += 1;
+    const turn = this.asked;
+    this.looking.value = true;
+    try {
+      const answer = await askSecondFrame(recordingId, entry.vehicleId, entry.values);
+      if (turn !== this.asked || this.desk.vehicleId.value !== entry.vehicleId) return;
+      if (!answer.ok || answer.frame === null) toast(answer.reason ?? "No other frame would help.");
+      else this.go(entry, answer, answer.frame);
+    } catch (error) {
+      if (turn === this.asked) toast(explain(error), { kind: "problem" });
+    } finally {
+      if (turn === this.asked) this.looking.value = false;
+    }
+  }
+
+  private go(entry: Entry, answer: SecondFrameAnswer, frame: number): void {
+    this.desk.dispatch({ type: "select", selection: null });
+    this.desk.geometry.forgetHeight();
+    this.now.value = { key: entry.key, target: entry.values.target, answer };
+    this.desk.player.value?.stop();
+    this.desk.player.value?.go(frame);
+    this.desk.stage.focus();
+  }
+
+  /** Esc: nothing has happened. */
+  leave(): void {
+    this.asked += 1;
+    this.looking.value = false;
+    if (!this.now.value) return;
+    const first = this.entry?.values.frame;
+    this.now.value = null;
+    this.clicked.value = null;
+    this.desk.geometry.forgetHeight();
+    if (first !== undefined) this.desk.player.value?.go(first);
+  }
+
+  /** Another vehicle is opened. */
+  forget(): void {
+    this.now.value = null;
+    this.clicked.value = null;
+    this.looking.value = false;
+    this.last = null;
+    this.asked += 1;
+  }
+
+  /** Ctrl+Z before both are clicked. False if nothing of this is going on. */
+  takeBack(): boolean {
+    if (!this.now.value) return false;
+    if (this.clicked.value) this.clicked.value = null;
+    else this.leave();
+    return true;
+  }
+
+  /** A click on the frame. False if it is not meant for a further frame. */
+  place(point: ImagePoint): boolean {
+    const going = this.now.value;
+    const entry = this.entry;
+    if (!going || !entry) return false;
+    const frame = this.desk.seenFrame.value;
+    const contact = this.contact.value;
+    if (this.awaiting.value === null) toast("This frame is clicked already; go to another one of the pass.");
+    else if (!contact) this.clicked.value = { frame, contact: point };
+    else this.store(entry, frame, contact, point);
+    return true;
+  }
+
+  /** The height with all frames, under the pointer. False if nothing of this is going on. */
+  hover(point: ImagePoint | null): boolean {
+    const going = this.now.value;
+    if (!going) return false;
+    const { geometry, player, seenFrame } = this.desk;
+    const values = this.entry?.values;
+    const contact = this.contact.value;
+    const recordingId = player.value?.recordingId;
+    if (!point || !values || !contact || this.awaiting.value !== "point" || recordingId === undefined) {
+      if (geometry.live.value) geometry.forgetHeight();
+      return true;
+    }
+    const more = [...values.more, { frame: seenFrame.value, contact, point }];
+    geometry.wantHeight({ recordingId, ...values, more });
+    return true;
+  }
+
+  private store(entry: Entry, frame: number, contact: ImagePoint, point: ImagePoint): void {
+    const more = [...entry.values.more, { frame, contact, point }];
+    const live = this.desk.geometry.live.value;
+    const fits = live && samePoint(live.wish.more?.at(-1)?.point ?? null, point);
+    this.now.value = null;
+    this.clicked.value = null;
+    this.desk.geometry.forgetHeight();
+    this.change(
+      entry,
+      { more },
+      `${NTH[more.length] ?? "further"} frame`,
+      fits ? (live.answer ?? null) : null,
+    );
+    this.last = entry.key;
+  }
+
+  /** Takes one frame away from a measurement; the next one becomes its first where that goes. */
+  remove(key: string, frame: number): void {
+    const entry = this.desk.records.find(key);
+    const rest = entry ? framesOf(entry.values).filter((one) => one.frame !== frame) : [];
+    if (!entry || rest.length === 0) return;
+    this.change(entry, ofFrames(rest), `removal of frame ${frame}`, null);
+    toast(`Frame ${frame} is taken away; ${plural(rest.length, "frame")} left.`);
+  }
+
+  /** Del on a point of a further frame. False where the measurement stands on the frame that is seen. */
+  removeHere(key: string): boolean {
+    const entry = this.desk.records.find(key);
+    const frame = this.desk.seenFrame.value;
+    if (!entry?.values.more.some((one) => one.frame === frame)) return false;
+    this.desk.dispatch({ type: "select", selection: null });
+    this.remove(key, frame);
+    return true;
+  }
+
+  private change(entry: Entry, to: Partial<Values>, label: string, preview: Entry["preview"]): void {
+    const { records, undo } = this.desk;
+    const { frame, contact, point, more } = entry.values;
+    const set = (values: Partial<Values>) => (): void => {
+      records.change(entry.key, values, { preview: null });
+      void this.rest(entry.key);
+    };
+    records.change(entry.key, to, { preview });
+    void this.rest(entry.key);
+    undo.push({ label, undo: set({ frame, contact, point, more }), redo: set(to) });
+  }
+
+  /** The selected measurement, else the last one, else the last of this vehicle that has a height. */
+  private meant(): string | null {
+    const { flow, entries } = this.desk;
+    const standing = entries.value.filter((entry) => !entry.values.withdrawn);
+    const known = (key: string | null | undefined): boolean => standing.some((entry) => entry.key === key);
+    const selected = flow.value.selection?.key ?? null;
+    if (known(selected)) return selected;
+    if (known(this.last)) return this.last;
+    return standing.at(-1)?.key ?? null;
+  }
+
+  /** A contact on this frame of a measurement that stands on the same tyre contact in the first frame. */
+  private shared(values: Values, frame: number): ImagePoint | null {
+    for (const other of this.desk.entries.value) {
+      if (other.values.withdrawn || other.values.frame !== values.frame) continue;
+      if (!samePoint(other.values.contact, values.contact)) continue;
+      const there = other.values.more.find((one) => one.frame === frame);
+      if (there) return there.contact;
+    }
+    return null;
+  }
+}

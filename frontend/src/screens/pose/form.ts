@@ -1,0 +1,154 @@
+/** What the operator says about the board, as typed; checked here only for being there and readable, judged by the server. */
+
+import type { Pose } from "../../core/types";
+import { lengthText, lengthUnit, parseLength } from "../../core/units";
+import { type BoardKind, markerProblem, markersTold, PLAIN } from "../../parts/boards/markers";
+
+export interface BoardForm {
+  readonly calibrationId: number | null;
+  /** Inner corners. */
+  readonly columns: number;
+  readonly rows: number;
+  /** Lengths as typed, in the shown unit; `null` stands for the default. */
+  readonly square: string;
+  readonly kind: BoardKind;
+  readonly dictionary: string;
+  readonly marker: string;
+  readonly reference: "top" | "bottom";
+  readonly referenceHeight: string;
+  /** The four uncertainties: empty stands for the usual estimate. */
+  readonly uReferenceHeight: string;
+  /** Degrees as typed. */
+  readonly uLean: string;
+  readonly uSquare: string;
+  readonly uBow: string;
+  readonly first: number | null;
+  readonly last: number | null;
+}
+
+export const EMPTY_FORM: BoardForm = {
+  calibrationId: null,
+  columns: 9,
+  rows: 6,
+  square: "",
+  ...PLAIN,
+  reference: "bottom",
+  referenceHeight: "",
+  uReferenceHeight: "",
+  uLean: "0.3",
+  uSquare: "",
+  uBow: "",
+  first: null,
+  last: null,
+};
+
+/** Usual estimates: a steel tape on asphalt, the middle of a stiff board out of plane. */
+export const U_TAPE_M = 0.003;
+export const U_BOW_M = 0.0005;
+
+export interface FormProblems {
+  calibration: string | null;
+  board: string | null;
+  square: string | null;
+  marker: string | null;
+  referenceHeight: string | null;
+  uncertainty: string | null;
+  span: string | null;
+}
+
+const RADIANS_PER_DEGREE = Math.PI / 180;
+
+export function problemsOf(form: BoardForm): FormProblems {
+  const square = parseLength(form.square);
+  const height = parseLength(form.referenceHeight);
+  const tape = lengthOr(form.uReferenceHeight, U_TAPE_M);
+  const lean = Number(form.uLean.replace(",", "."));
+  const ofSquare = lengthOr(form.uSquare, 0);
+  const bow = lengthOr(form.uBow, U_BOW_M);
+  return {
+    calibration:
+      form.calibrationId === null ? "Calibrate the camera first; without its lens there is no pose." : null,
+    board: form.columns >= 2 && form.rows >= 2 ? null : "A board has at least 2 by 2 inner corners.",
+    square: square !== null && square > 0 ? null : "Measure one square over several and enter its side.",
+    marker: markerProblem(form.kind, parseLength(form.marker), square, lengthText(0.075)),
+    referenceHeight: height !== null ? null : "Measure it with a tape; every height rests on it.",
+    uncertainty: [tape, lean, ofSquare, bow].every((one) => one !== null && one >= 0)
+      ? null
+      : "Each is a figure of zero or more.",
+    span:
+      form.first !== null && form.last !== null ? null : "Mark the frames in which the board stands still.",
+  };
+}
+
+function lengthOr(text: string, metres: number): number | null {
+  return text.trim() === "" ? metres : parseLength(text);
+}
+
+/** The request, or null while something is missing. */
+export function requestOf(form: BoardForm): Record<string, unknown> | null {
+  if (Object.values(problemsOf(form)).some((problem) => problem !== null)) return null;
+  return {
+    calibration_id: form.calibrationId,
+    first_frame: form.first,
+    last_frame: form.last,
+    columns: form.columns,
+    rows: form.rows,
+    square_m: parseLength(form.square),
+    ...markersTold(form.kind, form.dictionary, parseLength(form.marker)),
+    reference: form.reference,
+    reference_height_m: parseLength(form.referenceHeight),
+    u_reference_height_m: lengthOr(form.uReferenceHeight, U_TAPE_M),
+    u_lean_rad: Number(form.uLean.replace(",", ".")) * RADIANS_PER_DEGREE,
+    ...(form.uSquare.trim() === "" ? {} : { u_square_m: parseLength(form.uSquare) }),
+    u_bow_m: lengthOr(form.uBow, U_BOW_M),
+  };
+}
+
+/** The board to look for on a frame, or null while it is half told. */
+export function boardOf(form: BoardForm): Record<string, unknown> | null {
+  if (form.columns < 2 || form.rows < 2) return null;
+  const size = { columns: form.columns, rows: form.rows };
+  if (form.kind === "checkerboard") return size;
+  const { square, marker } = problemsOf(form);
+  if (square !== null || marker !== null) return null;
+  const square_m = parseLength(form.square);
+  return { ...size, square_m, ...markersTold(form.kind, form.dictionary, parseLength(form.marker)) };
+}
+
+interface BoardOfPose {
+  columns?: number;
+  rows?: number;
+  square_m?: number;
+  reference?: "top" | "bottom";
+  reference_height_m?: number;
+  u_reference_height_m?: number;
+  u_lean_rad?: number;
+  u_square_m?: number | null;
+  u_bow_m?: number | null;
+}
+
+/** What an earlier pose was made from; of another recording without its span. */
+export function fromPose(
+  pose: Pose,
+  own: boolean,
+): Partial<BoardForm> & Pick<BoardForm, "columns" | "rows" | "square"> {
+  const board = (pose.document["board"] ?? {}) as BoardOfPose;
+  const text = (metres: number | undefined, otherwise: string): string =>
+    metres === undefined ? otherwise : lengthText(metres);
+  const small = (metres: number | null | undefined): string => lengthText(metres, lengthUnit.value, 6);
+  return {
+    columns: board.columns ?? EMPTY_FORM.columns,
+    rows: board.rows ?? EMPTY_FORM.rows,
+    square: text(board.square_m, ""),
+    reference: board.reference ?? "bottom",
+    referenceHeight: text(board.reference_height_m, ""),
+    uReferenceHeight: small(board.u_reference_height_m),
+    uLean:
+      board.u_lean_rad === undefined
+        ? EMPTY_FORM.uLean
+        : String(Number((board.u_lean_rad / RADIANS_PER_DEGREE).toFixed(2))),
+    uSquare: small(board.u_square_m),
+    uBow: small(board.u_bow_m),
+    ...(own ? { first: pose.first_frame, last: pose.last_frame, calibrationId: pose.calibration_id } : {}),
+  };
+}

@@ -1,0 +1,251 @@
+/** The road pose page's state: recording, lens, board, span, tape; the board found on the frame; the pose and its history. */
+import { batch, computed, effect, signal } from "@preact/signals";
+import { query } from "../../core/address";
+import { api, explain } from "../../core/api";
+import { cancelJob, followJob } from "../../core/jobs";
+import { Latest } from "../../core/latest";
+import { refreshSurvey } from "../../core/survey";
+import { toast, toastProblem } from "../../core/toasts";
+import type { BoardFinding, Camera, Job, Pose, PoseSummary, Recording } from "../../core/types";
+import { Player } from "../../viewer/player";
+import { Stage } from "../../viewer/stage";
+import { type BoardForm, boardOf, EMPTY_FORM, fromPose, problemsOf, requestOf } from "./form";
+
+/** A frame is looked at for the board when the operator rests on it for so long. */
+const REST_MS = 300;
+
+export class PoseModel {
+  readonly stage = new Stage();
+  readonly loaded = signal(false);
+  readonly problem = signal<unknown>(null);
+  readonly recordings = signal<readonly Recording[]>([]);
+  readonly cameras = signal<readonly Camera[]>([]);
+  readonly poses = signal<readonly PoseSummary[]>([]);
+  readonly player = signal<Player | null>(null);
+  readonly form = signal<BoardForm>(EMPTY_FORM);
+  readonly finding = signal<BoardFinding | null>(null);
+  readonly findingProblem = signal<string | null>(null);
+  readonly looking = signal(false);
+  readonly job = signal<Job | null>(null);
+  readonly pose = signal<Pose | null>(null);
+  readonly linesShown = signal(true);
+  readonly tried = signal(false);
+
+  readonly recording = computed(() =>
+    this.recordings.value.find((one) => one.id === this.player.value?.recordingId),
+  );
+  /** Calibrations of the recording's camera first; of the others if it has none. */
+  readonly calibrations = computed(() => {
+    const own = this.cameras.value.filter((camera) => camera.id === this.recording.value?.camera_id);
+    const from = own.length > 0 ? own : this.cameras.value;
+    return from.flatMap((camera) =>
+      camera.calibrations.map((one) => ({
+        ...one,
+        camera: camera.name,
+        current: camera.current_calibration_id === one.id,
+      })),
+    );
+  });
+  readonly running = computed(() => {
+    const state = this.job.value?.state;
+    return state === "queued" || state === "running";
+  });
+  readonly problems = computed(() => problemsOf(this.form.value));
+
+  /** Changes only with the board that is looked for, not with every letter typed. */
+  private readonly boardSought = computed(() => JSON.stringify(boardOf(this.form.value)));
+
+  private readonly looker = new Latest<{ recordingId: number; frame: number }, BoardFinding>(
+    ({ recordingId, frame }) => {
+      const { calibrationId } = this.form.value;
+      const body = {
+        frame,
+        ...boardOf(this.form.value),
+        ...(calibrationId === null ? {} : { calibration_id: calibrationId }),
+      };
+      return api.post<BoardFinding>(`/recordings/${recordingId}/board`, body, { quiet: true });
+    },
+    (finding, wish) => {
+      this.looking.value = false;
+      if (this.player.value?.frame.value !== wish.frame) return;
+      this.finding.value = finding;
+      this.findingProblem.value = finding.found ? null : finding.reason;
+    },
+    (error) => {
+      this.looking.value = false;
+      this.findingProblem.value = explain(error);
+    },
+  );
+  private readonly stops: (() => void)[] = [];
+  private timer: ReturnType<typeof setTimeout> | undefined;
+  private readonly stopJob = new AbortController();
+
+  constructor(readonly surveyId: number) {
+    this.stops.push(effect(() => this.lookWhenResting()));
+  }
+
+  async load(): Promise<void> {
+    this.problem.value = null;
+    try {
+      const [recordings, cameras, poses] = await Promise.all([
+        api.get<Recording[]>(`/surveys/${this.surveyId}/recordings`),
+        api.get<Camera[]>(`/surveys/${this.surveyId}/cameras`),
+        api.get<PoseSummary[]>(`/surveys/${this.surveyId}/poses`),
+      ]);
+      batch(() => {
+        this.recordings.value = recordings;
+        this.cameras.value = cameras;
+        this.poses.value = poses;
+        this.loaded.value = true;
+      });
+      const wanted = Number(query.value.get("recording"));
+      const ready = recordings.filter((one) => one.state === "ready");
+      const first =
+        ready.find((one) => one.id === wanted) ?? ready.find((one) => one.pose_id === null) ?? ready[0];
+      if (first) await this.openRecording(first.id);
+    } catch (error) {
+      this.problem.value = error;
+    }
+  }
+
+  close(): void {
+    for (const stop of this.stops) stop();
+    clearTimeout(this.timer);
+    this.stopJob.abort();
+    this.player.value?.close();
+  }
+
+  async openRecording(id: number): Promise<void> {
+    const recording = this.recordings.value.find((one) => one.id === id);
+    if (!recording) return;
+    this.player.value?.close();
+    const frame = Number(query.value.get("frame") ?? 0);
+    const player = new Player(id, Math.max(0, frame));
+    player.describe(recording);
+    batch(() => {
+      this.player.value = player;
+      this.pose.value = null;
+      this.finding.value = null;
+    });
+    const calibrations = this.calibrations.value;
+    const current = calibrations.find((one) => one.current) ?? calibrations.at(-1);
+    this.set({ calibrationId: current?.id ?? null, first: null, last: null });
+    const poseId = recording.pose_id ?? this.poses.value.find((one) => one.recording_id === id)?.id;
+    if (poseId !== undefined && poseId !== null) await this.showPose(poseId);
+    else if (this.poses.value[0]) await this.borrowBoard(this.poses.value[0].id);
+  }
+
+  set(change: Partial<BoardForm>): void {
+    this.form.value = { ...this.form.value, ...change };
+  }
+
+  mark(end: "first" | "last"): void {
+    const frame = this.player.value?.frame.value ?? 0;
+    const { first, last } = this.form.value;
+    if (end === "first") this.set({ first: frame, last: last !== null && last < frame ? null : last });
+    else this.set({ last: frame, first: first === null || first > frame ? frame : first });
+  }
+
+  lookNow(): void {
+    const player = this.player.value;
+    if (!player || boardOf(this.form.value) === null) return;
+    this.looking.value = true;
+    this.looker.want({ recordingId: player.recordingId, frame: player.frame.value });
+  }
+
+  async run(): Promise<void> {
+    this.tried.value = true;
+    const body = requestOf(this.form.value);
+    const recording = this.recording.value;
+    if (!body || !recording) return;
+    try {
+      this.pose.value = null;
+      const job = await api.post<Job>(`/recordings/${recording.id}/poses`, body);
+      this.job.value = job;
+      const over = await followJob(
+        job.id,
+        (now) => {
+          this.job.value = now;
+        },
+        this.stopJob.signal,
+      );
+      await this.finished(over);
+    } catch (error) {
+      if (this.stopJob.signal.aborted) return;
+      this.job.value = null;
+      toastProblem(error);
+    }
+  }
+
+  cancel(): void {
+    const job = this.job.value;
+    if (job) void cancelJob(job.id).catch(toastProblem);
+  }
+
+  async showPose(id: number): Promise<void> {
+    try {
+      const pose = await api.get<Pose>(`/poses/${id}`);
+      const own = pose.recording_id === this.player.value?.recordingId;
+      batch(() => {
+        this.pose.value = pose;
+        this.set(fromPose(pose, own));
+      });
+      if (own && this.player.value && this.finding.value === null) this.player.value.go(pose.first_frame);
+    } catch (error) {
+      toastProblem(error);
+    }
+  }
+
+  /** Makes another stored pose the recording's. */
+  async choose(id: number): Promise<void> {
+    const recording = this.recording.value;
+    if (!recording) return;
+    try {
+      const changed = await api.put<Recording>(`/recordings/${recording.id}`, { pose_id: id });
+      this.recordings.value = this.recordings.value.map((one) => (one.id === changed.id ? changed : one));
+      await this.showPose(id);
+      toast("This pose now holds for the recording; heights clicked from now on use it.");
+      void refreshSurvey();
+    } catch (error) {
+      toastProblem(error);
+    }
+  }
+
+  private async finished(job: Job): Promise<void> {
+    if (job.state !== "done") return;
+    const id = job.result?.["pose_id"];
+    const [recordings, poses] = await Promise.all([
+      api.get<Recording[]>(`/surveys/${this.surveyId}/recordings`),
+      api.get<PoseSummary[]>(`/surveys/${this.surveyId}/poses`),
+    ]);
+    batch(() => {
+      this.recordings.value = recordings;
+      this.poses.value = poses;
+      this.job.value = null;
+      this.linesShown.value = true;
+    });
+    if (id !== undefined) await this.showPose(id);
+    void refreshSurvey();
+  }
+
+  /** The board of an earlier pose is most likely the same board: take its size, not its tape. */
+  private async borrowBoard(id: number): Promise<void> {
+    try {
+      const pose = await api.get<Pose>(`/poses/${id}`);
+      const { columns, rows, square } = fromPose(pose, false);
+      this.set({ columns, rows, square });
+    } catch {
+      // the form stays as it is: the operator fills it in
+    }
+  }
+
+  private lookWhenResting(): void {
+    const frame = this.player.value?.shown.value?.frame;
+    const told = this.boardSought.value !== "null";
+    clearTimeout(this.timer);
+    this.finding.value = null;
+    this.findingProblem.value = null;
+    if (frame === undefined || this.player.value?.playing.value || !told) return;
+    this.timer = setTimeout(() => this.lookNow(), REST_MS);
+  }
+}

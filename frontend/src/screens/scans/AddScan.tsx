@@ -1,0 +1,241 @@
+/** A new line scan: two uploaded strips, or two pixel columns of a recording; and the rig's values. */
+import { useRef, useState } from "preact/hooks";
+import { Button, DropFiles, Problem, Segments, SelectField, TextField } from "../../components";
+import { api } from "../../core/api";
+import { useResource } from "../../core/resource";
+import type { Recording, Scan, StripUpload } from "../../core/types";
+import { formatBytes, parseNumber } from "../../core/units";
+import { UploadRow } from "../../parts/uploads/UploadRow";
+import { startUpload, uploads } from "../../parts/uploads/uploads";
+import { RigFields } from "./RigFields";
+import { isValues, NEW_RIG, type RigProblems, type RigTyped, valuesOf } from "./rig";
+
+interface Props {
+  surveyId: number;
+  onClose?: () => void;
+  added: () => Promise<void>;
+}
+
+type Source = "strips" | "video";
+
+export function AddScan({ surveyId, onClose, added }: Props) {
+  const [source, setSource] = useState<Source>("strips");
+  const [name, setName] = useState("");
+  const [typed, setTyped] = useState<RigTyped>(NEW_RIG);
+  const [problems, setProblems] = useState<RigProblems>({});
+  const [problem, setProblem] = useState<unknown>(null);
+  const [busy, setBusy] = useState(false);
+  const [chosen, setChosen] = useState<object | null>(null);
+  const send = async (event: Event): Promise<void> => {
+    event.preventDefault();
+    const { baseline, uBaseline } = typed;
+    const values = valuesOf(source === "video" ? { ...NEW_RIG, baseline, uBaseline, rate: "1" } : typed);
+    if (!isValues(values)) return setProblems(values);
+    if (!chosen) return;
+    const { baseline_m, u_baseline_m } = values;
+    const rig = source === "video" ? { baseline_m, u_baseline_m } : values;
+    const body = { ...rig, ...chosen, ...(name.trim() ? { name: name.trim() } : {}) };
+    setBusy(true);
+    setProblem(null);
+    try {
+      await api.post<Scan>(`/surveys/${surveyId}/scans${source === "video" ? "/from-video" : ""}`, body);
+      await added();
+    } catch (error) {
+      setProblem(error);
+    } finally {
+      setBusy(false);
+    }
+  };
+  return (
+    <form
+      class="panel scan-add stack"
+      onSubmit={(event) => void send(event)}
+      noValidate
+      aria-label="A new line scan"
+    >
+      <header class="panel__head">
+        <h2>A new line scan</h2>
+        <Segments
+          label="Where it comes from"
+          value={source}
+          options={[
+            { value: "strips", label: "Two strips" },
+            { value: "video", label: "Two columns of a video" },
+          ]}
+          onChange={(value) => {
+            setSource(value);
+            setChosen(null);
+          }}
+        />
+      </header>
+      {source === "strips" ? (
+        <Strips surveyId={surveyId} choose={setChosen} />
+      ) : (
+        <Columns surveyId={surveyId} choose={setChosen} />
+      )}
+      <RigFields
+        typed={typed}
+        problems={problems}
+        noRate={source === "video"}
+        plain={source === "video"}
+        change={(part) => {
+          setTyped({ ...typed, ...part });
+          setProblems({});
+        }}
+      />
+      <TextField label="Name" value={name} onInput={setName} hint="Left empty, the file's name is taken." />
+      <Problem error={problem} />
+      <div class="row">
+        <Button type="submit" kind="primary" busy={busy} disabled={chosen === null}>
+          Read it and find the vehicles
+        </Button>
+        {onClose && <Button onClick={onClose}>Cancel</Button>}
+      </div>
+    </form>
+  );
+}
+
+function Strips({ surveyId, choose }: { surveyId: number; choose: (chosen: object | null) => void }) {
+  const waiting = useResource(
+    (signal) => api.get<StripUpload[]>(`/surveys/${surveyId}/strip-uploads`, { signal }),
+    [surveyId],
+  );
+  const [picked, setPicked] = useState<PickedStrips>({ first: "", second: "", axis: "width" });
+  // an upload that ends asks what is chosen then, not what was chosen when it began
+  const latest = useRef(picked);
+  const here = waiting.data ?? [];
+  const pick = (part: Partial<PickedStrips>): void => {
+    const next = { ...latest.current, ...part };
+    latest.current = next;
+    setPicked(next);
+    choose(requestOf(next));
+  };
+  const arrived = async (): Promise<void> => {
+    await waiting.reload();
+    const uploaded = await api.get<StripUpload[]>(`/surveys/${surveyId}/strip-uploads`);
+    const [first, second] = [...uploaded].sort((a, b) => a.filename.localeCompare(b.filename));
+    const untouched = latest.current.first === "" && latest.current.second === "";
+    if (first && second && untouched) pick({ first: String(first.id), second: String(second.id) });
+  };
+  const add = (files: File[]): void => {
+    for (const file of files) void startUpload(surveyId, file, () => void arrived(), "strip");
+  };
+  const options = [
+    { value: "", label: here.length === 0 ? "no strip is here yet" : "choose a strip" },
+    ...here.map((one) => ({
+      value: String(one.id),
+      label: `${one.filename} (${formatBytes(one.size_bytes)})`,
+    })),
+  ];
+  const mine = uploads.value.filter((item) => item.surveyId === surveyId && item.purpose === "strip");
+  return (
+    <>
+      <DropFiles
+        label="Choose both strips"
+        title="Drop both strips here, or click to choose"
+        hint="PNG, TIFF or BigTIFF, 8 or 16 bits, grey; hours long if need be."
+        accept="image/png,image/tiff,.png,.tif,.tiff,.btf"
+        add={add}
+      />
+      {mine.map((item) => (
+        <UploadRow key={item.key} item={item} />
+      ))}
+      <Problem error={waiting.error} again={waiting.reload} />
+      <div class="scan__fields">
+        <SelectField
+          label="Camera 1, which a vehicle reaches first"
+          value={picked.first}
+          options={options}
+          onChange={(first) => pick({ first })}
+        />
+        <SelectField
+          label="Camera 2"
+          value={picked.second}
+          options={options}
+          problem={sameStrip(picked) ? "Both cameras cannot have the same strip." : null}
+          onChange={(second) => pick({ second })}
+        />
+        <SelectField
+          label="Time runs along the picture’s"
+          value={picked.axis}
+          options={[
+            { value: "width", label: "width, as usual" },
+            { value: "height", label: "height" },
+          ]}
+          onChange={(axis) => pick({ axis })}
+        />
+      </div>
+    </>
+  );
+}
+
+interface PickedStrips {
+  /** Ids of uploads, as the boxes hold them; empty while none is chosen. */
+  readonly first: string;
+  readonly second: string;
+  readonly axis: "width" | "height";
+}
+
+function sameStrip({ first, second }: PickedStrips): boolean {
+  return first !== "" && first === second;
+}
+
+function requestOf(picked: PickedStrips): object | null {
+  const { first, second, axis } = picked;
+  if (first === "" || second === "" || sameStrip(picked)) return null;
+  return { first_upload: Number(first), second_upload: Number(second), time_axis: axis };
+}
+
+function Columns({ surveyId, choose }: { surveyId: number; choose: (chosen: object | null) => void }) {
+  const recordings = useResource(
+    (signal) => api.get<Recording[]>(`/surveys/${surveyId}/recordings`, { signal }),
+    [surveyId],
+  );
+  const [values, setValues] = useState({ recording: "", one: "", two: "" });
+  const change = (part: Partial<typeof values>): void => {
+    const next = { ...values, ...part };
+    setValues(next);
+    const [one, two] = [parseNumber(next.one), parseNumber(next.two)];
+    const whole =
+      one !== null && two !== null && Number.isInteger(one) && Number.isInteger(two) && one !== two;
+    choose(
+      whole && next.recording !== ""
+        ? { recording_id: Number(next.recording), column_1_px: one, column_2_px: two }
+        : null,
+    );
+  };
+  const ready = (recordings.data ?? []).filter((one) => one.state === "ready");
+  const width_px = ready.find((one) => String(one.id) === values.recording)?.width_px;
+  return (
+    <>
+      <Problem error={recordings.error} again={recordings.reload} />
+      <div class="scan__fields">
+        <SelectField
+          label="Recording"
+          value={values.recording}
+          options={[
+            { value: "", label: ready.length === 0 ? "no recording is ready" : "choose a recording" },
+            ...ready.map((one) => ({ value: String(one.id), label: one.name })),
+          ]}
+          hint="Its frame rate is the line rate, so a steady, fast one."
+          onChange={(recording) => change({ recording })}
+        />
+        <TextField
+          label="Column of camera 1"
+          value={values.one}
+          numeric
+          unit="px"
+          hint={`The column that a vehicle reaches first${width_px ? `, 0 to ${width_px - 1}` : ""}.`}
+          onInput={(one) => change({ one })}
+        />
+        <TextField
+          label="Column of camera 2"
+          value={values.two}
+          numeric
+          unit="px"
+          onInput={(two) => change({ two })}
+        />
+      </div>
+    </>
+  );
+}

@@ -1,0 +1,244 @@
+/** The chosen vehicle's heights: one line per target; budget, inset and history on demand. */
+import { useEffect, useRef, useState } from "preact/hooks";
+import { Button, Notice, Problem, Segments } from "../../components";
+import { api } from "../../core/api";
+import { keyMap, showChord } from "../../core/commands";
+import { canWork } from "../../core/session";
+import { survey } from "../../core/survey";
+import { formatMoment } from "../../core/times";
+import type { LineHeight, LineHeightAnswer, Target } from "../../core/types";
+import { fixed, formatHeight, formatLength, plural } from "../../core/units";
+import { TARGET_WORDS, TARGETS } from "../../core/words";
+import { Budget } from "../../parts/vehicles/Budget";
+import type { ScanModel } from "./model";
+
+export function HeightList({ model }: { model: ScanModel }) {
+  const { heights } = model;
+  const pose = heights.pose.value;
+  if (heights.poses.value === null) return null;
+  return (
+    <section class="panel line-heights" aria-labelledby="line-heights">
+      <header class="panel__head">
+        <h3 id="line-heights">Heights</h3>
+        {pose && (
+          <span class="muted small">
+            camera at {formatHeight(pose.solved.camera_height_m, pose.solved.U95_camera_height_m)}
+          </span>
+        )}
+      </header>
+      {pose && <Older model={model} />}
+      {pose ? (
+        <ul>
+          {TARGETS.map((target, index) => (
+            <Row key={target} model={model} target={target} index={index} />
+          ))}
+        </ul>
+      ) : (
+        <Uncalibrated model={model} />
+      )}
+    </section>
+  );
+}
+
+const KEYS = ["target1", "target2", "target3", "target4", "target5"] as const;
+
+function Older({ model }: { model: ScanModel }) {
+  const count = model.heights.older.value.length;
+  if (count === 0 || !canWork.value) return null;
+  return (
+    <div class="line-heights__older small">
+      <span>{plural(count, "height")} of this line scan stand on an earlier calibration.</span>
+      <Button small busy={model.busy.value} onClick={() => void model.heights.againAll()}>
+        Compute them again
+      </Button>
+    </div>
+  );
+}
+
+function Uncalibrated({ model }: { model: ScanModel }) {
+  return (
+    <div class="panel__body stack">
+      <p class="small">
+        Heights need the pose of camera 1. Record a rod with marks, or a checkerboard, held upright at two
+        distances in its plane; then click the marks.
+      </p>
+      {canWork.value && (
+        <Button small onClick={() => model.start("rod")}>
+          Calibrate the height
+        </Button>
+      )}
+    </div>
+  );
+}
+
+function Row({ model, target, index }: { model: ScanModel; target: Target; index: number }) {
+  const [open, setOpen] = useState(false);
+  const { heights } = model;
+  const one = heights.of(target);
+  const active = heights.target.value === target;
+  const place = useRef<HTMLLIElement>(null);
+  useEffect(() => {
+    if (active) place.current?.scrollIntoView({ block: "nearest" });
+  }, [active]);
+  const live = heights.live.value?.target === target ? heights.live.value : null;
+  return (
+    <li ref={place} class={active ? "line-heights__row line-heights__row--active" : "line-heights__row"}>
+      <div class="height-row line-heights__line">
+        <TargetButton model={model} target={target} index={index} measured={one !== null} />
+        <span class="line-heights__value" data-testid={`line-height-${target}`}>
+          {valueWords(one, live?.answer ?? null)}
+        </span>
+        {one && (
+          <Button
+            small
+            kind="quiet"
+            icon={open ? "chevron" : "right"}
+            label={`${open ? "Hide" : "Show"} the details of ${TARGET_WORDS[target].toLowerCase()}`}
+            onClick={() => setOpen(!open)}
+          />
+        )}
+      </div>
+      {live?.problem && <Notice kind="warning">{live.problem}</Notice>}
+      <Why one={one} live={live?.answer ?? null} />
+      {(active || open) && <InsetOf model={model} target={target} />}
+      {one && open && <Detail model={model} one={one} />}
+    </li>
+  );
+}
+
+interface TargetButtonProps {
+  model: ScanModel;
+  target: Target;
+  index: number;
+  measured: boolean;
+}
+
+function TargetButton({ model, target, index, measured }: TargetButtonProps) {
+  const key = showChord(keyMap.value[KEYS[index] ?? "target1"][0] ?? "");
+  return (
+    <button
+      type="button"
+      class="height-row__target"
+      data-testid={`line-target-${target}`}
+      aria-pressed={model.heights.target.value === target}
+      disabled={!canWork.value}
+      title={`${measured ? "Measure again" : "Measure"}: ${TARGET_WORDS[target].toLowerCase()}`}
+      onClick={() => model.heights.begin(target)}
+    >
+      <kbd>{key}</kbd>
+      <span>{TARGET_WORDS[target]}</span>
+    </button>
+  );
+}
+
+/** Why there is no height, or what to bear in mind with it. */
+function Why({ one, live }: { one: LineHeight | null; live: LineHeightAnswer | null }) {
+  const words = reasonOf(one, live);
+  return words && <p class="small line-heights__reason">{words}</p>;
+}
+
+function valueWords(one: LineHeight | null, live: LineHeightAnswer | null): string {
+  const shown = live?.status === "contact" ? one : (live ?? one);
+  if (!shown) return "–";
+  return shown.status === "ok" ? formatHeight(shown.height_m, shown.U95_height_m) : "not measurable";
+}
+
+function reasonOf(one: LineHeight | null, live: LineHeightAnswer | null): string | null {
+  const shown = live ?? one;
+  if (!shown) return null;
+  if (shown.reason) return shown.reason;
+  const older =
+    live === null && one?.older ? ["Computed with the calibration before; compute it again."] : [];
+  return [...shown.warnings, ...older].join(" ") || null;
+}
+
+const ASKED: Partial<Record<Target, string>> = {
+  driver_eye: "The driver sits on the",
+  roof: "Clicked on the roof: its",
+};
+
+function InsetOf({ model, target }: { model: ScanModel; target: Target }) {
+  const choices = survey.value?.inset_choices?.[target] ?? [];
+  if (choices.length < 2 || !canWork.value) return null;
+  const now = model.heights.insetOf(target) ?? survey.value?.insets?.[target];
+  const chosen = choices.findIndex((one) => one.inset_m === now?.inset_m && one.u_inset_m === now?.u_inset_m);
+  return (
+    <div class="line-heights__inset small">
+      <span>{ASKED[target]}</span>
+      <Segments
+        label={ASKED[target] ?? TARGET_WORDS[target]}
+        value={String(chosen)}
+        options={choices.map((choice, at) => ({ value: String(at), label: choice.words }))}
+        onChange={(picked) => {
+          const choice = choices[Number(picked)];
+          if (choice) {
+            const { inset_m, u_inset_m } = choice;
+            void model.heights.setInset(target, { inset_m, u_inset_m });
+          }
+        }}
+      />
+    </div>
+  );
+}
+
+function Detail({ model, one }: { model: ScanModel; one: LineHeight }) {
+  return (
+    <div class="stack line-heights__detail">
+      {one.budget.length > 0 && <Budget entries={one.budget} total_m={one.u_height_m} />}
+      <dl class="facts small">
+        <dt>Lateral distance</dt>
+        <dd>{formatHeight(one.distance_m, one.U95_distance_m)}</dd>
+        <dt>Inset</dt>
+        <dd>
+          {formatLength(one.inset_m, 2)} ± {formatLength(one.u_inset_m, 2)}, estimate
+        </dd>
+        <dt>Rows</dt>
+        <dd>
+          contact {fixed(one.contact_row_px, 1)}, target {fixed(one.target_row_px, 1)}
+        </dd>
+      </dl>
+      <Revisions one={one} />
+      {canWork.value && (
+        <div class="row row--wrap">
+          {one.older && (
+            <Button small onClick={() => void model.heights.again(one.target)}>
+              Compute again
+            </Button>
+          )}
+          <Button small icon="trash" onClick={() => void model.heights.withdraw(one.target)}>
+            Withdraw
+          </Button>
+        </div>
+      )}
+    </div>
+  );
+}
+
+function Revisions({ one }: { one: LineHeight }) {
+  const [all, setAll] = useState<readonly LineHeight[]>([]);
+  const [error, setError] = useState<unknown>(null);
+  useEffect(() => {
+    const stop = new AbortController();
+    const asked = api.get<LineHeight[]>(`/scan-vehicles/${one.vehicle_id}/heights`, { signal: stop.signal });
+    asked.then(setAll, (problem) => {
+      if (!stop.signal.aborted) setError(problem);
+    });
+    return () => stop.abort();
+  }, [one.id]);
+  if (error) return <Problem error={error} />;
+  return (
+    <ul class="scan__history small">
+      {all
+        .filter((revision) => revision.target === one.target)
+        .reverse()
+        .map((revision) => (
+          <li key={revision.id}>
+            {revision.withdrawn ? "withdrawn" : valueWords(revision, null)}{" "}
+            <span class="muted">
+              {revision.created_by?.name ?? "the program"}, {formatMoment(revision.created_at)}
+            </span>
+          </li>
+        ))}
+    </ul>
+  );
+}

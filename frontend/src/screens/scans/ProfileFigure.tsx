@@ -1,0 +1,74 @@
+/** Speed along the vehicle with the fitted motion, and what is left over; blocks outside the fit are hollow. */
+
+import type { ScanVehicleDetail } from "../../core/types";
+import { speedScale } from "../../core/units";
+import { PlotFigure } from "../../parts/figures/PlotFigure";
+
+export function ProfileFigure({ detail }: { detail: ScanVehicleDetail }) {
+  const profile = detail.profile;
+  const [by, unit] = speedScale();
+  const rows =
+    profile?.time_s.map((time_s, n) => ({
+      time_s,
+      speed: (profile.speed_mps[n] ?? 0) * by,
+      fitted: (profile.fitted_mps[n] ?? 0) * by,
+      used: profile.used[n] ?? false,
+    })) ?? [];
+  const fitted = rows.map((row) => row.fitted);
+  const near = Math.max(
+    ...rows.filter((row) => row.used).map((row) => Math.abs(row.speed - row.fitted)),
+    0.02,
+  );
+  const low = Math.min(...fitted) - 1.6 * near;
+  const high = Math.max(...fitted) + 1.6 * near;
+  const beyond = rows.filter((row) => row.speed < low || row.speed > high).length;
+  return (
+    <PlotFigure
+      name={`speed-profile-${detail.vehicle.number}`}
+      title="Speed along the vehicle"
+      says={`Speed of ${rows.length} blocks along vehicle ${detail.vehicle.number} and the fitted motion`}
+      data={profile}
+      reason={
+        profile === null ? "There is no speed profile, since the vehicle has no measured motion." : null
+      }
+      legend={[
+        { word: "fitted motion" },
+        { word: "block, used", dot: "circle" },
+        { word: "block, left out", dot: "triangle", faint: true },
+      ]}
+      note={
+        beyond > 0
+          ? `${beyond} blocks lie outside this picture; the CSV has all of them.`
+          : "Each block's mean speed between the cameras."
+      }
+      options={(plot) => ({
+        height: 220,
+        x: { label: "seconds after the front reached camera 1" },
+        y: { label: unit, domain: [low, high], grid: true },
+        marks: [
+          plot.line(rows, { x: "time_s", y: "fitted", strokeWidth: 2 }),
+          plot.dot(
+            rows.filter((row) => row.used && row.speed >= low && row.speed <= high),
+            { x: "time_s", y: "speed", r: 2.4, stroke: "currentColor" },
+          ),
+          plot.dot(
+            rows.filter((row) => !row.used && row.speed >= low && row.speed <= high),
+            { x: "time_s", y: "speed", r: 2.5, symbol: "triangle", stroke: "var(--ink-3)" },
+          ),
+        ],
+      })}
+      table={() => ({
+        columns: ["line_1", "time_s", "speed_mps", "fitted_mps", "residual_mps", "used"],
+        rows:
+          profile?.line_1.map((line, n) => [
+            line,
+            profile.time_s[n] ?? null,
+            profile.speed_mps[n] ?? null,
+            profile.fitted_mps[n] ?? null,
+            profile.residual_mps[n] ?? null,
+            profile.used[n] ? 1 : 0,
+          ]) ?? [],
+      })}
+    />
+  );
+}

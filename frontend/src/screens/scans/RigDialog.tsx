@@ -1,0 +1,110 @@
+/** The rig's values can be corrected; results keep those that they were made with until they are measured again. */
+import { useState } from "preact/hooks";
+import { FormDialog, TextField } from "../../components";
+import { api } from "../../core/api";
+import { toast, toastProblem } from "../../core/toasts";
+import type { Scan } from "../../core/types";
+import type { ScanModel } from "./model";
+import { RigFields } from "./RigFields";
+import { RigOfTraffic } from "./RigOfTraffic";
+import { isValues, type RigProblems, type RigTyped, type RigValues, typedOf, valuesOf } from "./rig";
+
+interface Props {
+  scan: Scan;
+  onClose: () => void;
+  /** On the bench: a change joins its stack of undo. */
+  model?: ScanModel;
+  /** Elsewhere: called after each change, and each that is taken back. */
+  changed?: () => Promise<void>;
+  /** Values that are offered, filled in. */
+  offered?: Partial<RigTyped>;
+}
+
+export function RigDialog({ model, scan, onClose, changed, offered }: Props) {
+  const [typed, setTyped] = useState<RigTyped>(() => ({ ...typedOf(scan), ...offered }));
+  const [name, setName] = useState(scan.name);
+  const [problems, setProblems] = useState<RigProblems>({});
+  const change = (part: Partial<RigTyped>): void => {
+    setTyped({ ...typed, ...part });
+    setProblems({});
+  };
+  const submit = (): Promise<void> | null => {
+    const values = valuesOf(typed);
+    if (isValues(values)) return store(changedOnly(values));
+    setProblems(values);
+    return null;
+  };
+  /** A field that nobody touched keeps all of its digits. */
+  const changedOnly = (values: RigValues): Partial<RigValues> => {
+    const before = valuesOf(typedOf(scan));
+    const names = Object.keys(values) as (keyof RigValues)[];
+    const moved = names.filter((key) => !isValues(before) || values[key] !== before[key]);
+    return Object.fromEntries(moved.map((key) => [key, values[key]]));
+  };
+  const store = async (values: Partial<RigValues>): Promise<void> => {
+    const words = name.trim() && name.trim() !== scan.name ? { name: name.trim() } : {};
+    if (Object.keys({ ...values, ...words }).length === 0) return onClose();
+    const stored = await put(scan.id, { ...values, ...words }, scan.version, model, changed);
+    onClose();
+    offerUndo(scan, { ...values, ...words }, stored, model, changed);
+  };
+  return (
+    <FormDialog title="The rig" action="Store" onClose={onClose} submit={submit}>
+      <TextField label="Name" value={name} onInput={setName} />
+      <RigFields typed={typed} problems={problems} noRate={scan.source === "video"} change={change} />
+      {scan.run && (
+        <section class="stack stack--tight" aria-label="The rig from the traffic">
+          <h3>From the traffic</h3>
+          <RigOfTraffic
+            scan={scan}
+            use={change}
+            narrow
+            changed={async () => {
+              onClose();
+              await (model ? model.load() : changed?.());
+            }}
+          />
+        </section>
+      )}
+      <p class="small muted">
+        What was measured keeps the values that it was measured with, and says so, until it is measured again.
+      </p>
+    </FormDialog>
+  );
+}
+
+async function put(
+  id: number,
+  values: object,
+  version: number,
+  model?: ScanModel,
+  changed?: () => Promise<void>,
+): Promise<Scan> {
+  const stored = await api.patch<Scan>(`/scans/${id}`, { ...values, version });
+  model?.take(stored);
+  await model?.refresh();
+  await changed?.();
+  return stored;
+}
+
+/** The change can be taken back: on the bench with Ctrl Z, elsewhere from the message. */
+function offerUndo(
+  before: Scan,
+  values: object,
+  stored: Scan,
+  model?: ScanModel,
+  changed?: () => Promise<void>,
+): void {
+  const old: Record<string, unknown> = { ...before.rig, name: before.name };
+  const then = Object.fromEntries(Object.keys(values).map((key) => [key, old[key]]));
+  const again = async (what: object) => {
+    const now = await api.get<Scan>(`/scans/${before.id}`);
+    await put(before.id, what, now.version, model, changed);
+  };
+  model?.undo.push({ label: "the rig", undo: () => again(then), redo: () => again(values) });
+  const older =
+    stored.counts.older > 0
+      ? "The rig has other values now; find the vehicles again to bring the results up."
+      : "The rig’s values were stored.";
+  toast(older, model ? {} : { action: { label: "Undo", run: () => void again(then).catch(toastProblem) } });
+}

@@ -1,0 +1,81 @@
+/** The vehicles in the layout of the paper's Table I, the printed table beside them. */
+import { TableScroll } from "../../components";
+import type { ScanStatistics } from "../../core/types";
+import { fixed, heads, plainAcceleration, plainLength, plainSpeed, speedScale } from "../../core/units";
+
+export function TableOne({ found }: { found: ScanStatistics }) {
+  return (
+    <section class="panel" aria-labelledby="scan-table-one">
+      <header class="panel__head">
+        <h2 id="scan-table-one">In the layout of the paper’s Table I</h2>
+      </header>
+      <div class="scan-tables">
+        <Own found={found} />
+        <Printed found={found} />
+      </div>
+      <p class="small muted">{found.paper_note}</p>
+    </section>
+  );
+}
+
+function Head({ first, counter }: { first: string; counter?: boolean }) {
+  const units = heads();
+  return (
+    <thead>
+      <tr>
+        <th>{first}</th>
+        <th class="num">speed ({units.speed})</th>
+        <th class="num">acc. ({units.acceleration})</th>
+        <th class="num">size ({units.length})</th>
+        {counter && <th>counter</th>}
+        <th class="num">true ({units.length})</th>
+        <th class="num">fit error (%)</th>
+      </tr>
+    </thead>
+  );
+}
+
+function Own({ found }: { found: ScanStatistics }) {
+  return (
+    <TableScroll label="This survey's vehicles">
+      <table class="table" data-testid="scan-table-own">
+        <Head first="vehicle" />
+        <tbody>
+          {found.table.map((row) => (
+            <tr key={row.vehicle_id}>
+              <td>{String(row.number).padStart(2, "0")}</td>
+              <td class="num">{plainSpeed(row.speed_mps)}</td>
+              <td class="num">{plainAcceleration(row.acceleration_mps2)}</td>
+              <td class="num">{plainLength(row.length_m)}</td>
+              <td class="num">{plainLength(row.true_length_m)}</td>
+              <td class="num">{row.fit_error_percent === null ? "–" : fixed(row.fit_error_percent, 2)}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </TableScroll>
+  );
+}
+
+function Printed({ found }: { found: ScanStatistics }) {
+  return (
+    <TableScroll label="The paper's Table I, as printed">
+      <table class="table">
+        <Head first="the paper’s car" counter />
+        <tbody>
+          {found.paper.map((row) => (
+            <tr key={row.car_id}>
+              <td>{row.car_id}</td>
+              <td class="num">{plainSpeed(row.speed_kmh / speedScale("m")[0])}</td>
+              <td class="num">{plainAcceleration(row.acceleration_mps2)}</td>
+              <td class="num">{plainLength(row.size_m)}</td>
+              <td>{row.counter ?? ""}</td>
+              <td class="num">{plainLength(row.true_length_m)}</td>
+              <td class="num">{fixed(row.fit_error_percent, 2)}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </TableScroll>
+  );
+}

@@ -1,0 +1,142 @@
+/** Parts of the chosen vehicle's panel: what is known of it, the motion's budget, its revisions. */
+import { TableScroll } from "../../components";
+import { CommitField } from "../../components/CommitField";
+import { canWork } from "../../core/session";
+import { formatMoment } from "../../core/times";
+import type { ScanVehicle, ScanVehicleDetail } from "../../core/types";
+import {
+  formatAcceleration,
+  formatLength,
+  formatSmall,
+  formatSpeed,
+  lengthUnit,
+  parseLength,
+  plainLength,
+} from "../../core/units";
+import { CatalogueField } from "../../parts/vehicles/CatalogueField";
+import type { ScanModel } from "./model";
+import { causeWords } from "./words";
+
+export function Known({ model, vehicle }: { model: ScanModel; vehicle: ScanVehicle }) {
+  const disabled = !canWork.value;
+  const unit = lengthUnit.value;
+  const length = (value: number | null) => (value === null ? "" : plainLength(value, 3));
+  const wrong = (text: string) => (text === "" || (parseLength(text) ?? 0) > 0 ? null : "This is no length.");
+  const put = (name: "true_length_m" | "true_wheelbase_m") => (text: string) =>
+    void model.fillIn({ [name]: text.trim() === "" ? null : parseLength(text) });
+  return (
+    <section class="scan__known" aria-label="What is known of the vehicle">
+      <CatalogueField
+        label="Make"
+        value={vehicle.make ?? ""}
+        query={(text) => text}
+        disabled={disabled}
+        onChoose={(row) => void model.fillIn({ catalogue_id: row.id })}
+        onCommit={(make) => void model.fillIn({ make: make || null })}
+      />
+      <CatalogueField
+        label="Model"
+        value={vehicle.model ?? ""}
+        query={(text) => `${vehicle.make ?? ""} ${text}`}
+        disabled={disabled}
+        onChoose={(row) => void model.fillIn({ catalogue_id: row.id })}
+        onCommit={(name) => void model.fillIn({ model: name || null })}
+      />
+      <CommitField
+        label="True length"
+        value={length(vehicle.true_length_m)}
+        numeric
+        unit={unit}
+        disabled={disabled}
+        check={wrong}
+        hint={off(vehicle.length_error_m)}
+        onCommit={put("true_length_m")}
+      />
+      <CommitField
+        label="True wheelbase"
+        value={length(vehicle.true_wheelbase_m)}
+        numeric
+        unit={unit}
+        disabled={disabled}
+        check={wrong}
+        hint={off(vehicle.wheelbase_error_m)}
+        onCommit={put("true_wheelbase_m")}
+      />
+    </section>
+  );
+}
+
+function off(metres: number | null): string | undefined {
+  if (metres === null) return undefined;
+  return `measured ${metres < 0 ? "" : "+"}${formatSmall(metres)}`;
+}
+
+export function Budget({ detail }: { detail: ScanVehicleDetail }) {
+  const m = detail.vehicle.measurement;
+  return (
+    <section class="panel" aria-labelledby="scan-budget">
+      <header class="panel__head">
+        <h3 id="scan-budget">Where the uncertainty comes from</h3>
+        <span class="muted small">standard uncertainties</span>
+      </header>
+      <TableScroll label="Budget">
+        <table class="table table--dense">
+          <thead>
+            <tr>
+              <th>source</th>
+              <th class="num">speed</th>
+              <th class="num">acceleration</th>
+              <th class="num">length</th>
+            </tr>
+          </thead>
+          <tbody>
+            {detail.budget.map((one) => (
+              <tr key={one.source}>
+                <td>{one.source}</td>
+                <td class="num">{formatSpeed(one.u_speed_mps, null, 3)}</td>
+                <td class="num">{formatAcceleration(one.u_acceleration_mps2)}</td>
+                <td class="num">{formatSmall(one.u_length_m)}</td>
+              </tr>
+            ))}
+            {m && (
+              <tr>
+                <td>
+                  <strong>together</strong>
+                </td>
+                <td class="num">{formatSpeed(m.u_speed_mps, null, 3)}</td>
+                <td class="num">{formatAcceleration(m.u_acceleration_mps2)}</td>
+                <td class="num">{formatSmall(m.u_length_m)}</td>
+              </tr>
+            )}
+          </tbody>
+        </table>
+      </TableScroll>
+    </section>
+  );
+}
+
+export function History({ detail }: { detail: ScanVehicleDetail }) {
+  const reviews = new Map(detail.reviews.map((one) => [one.revision, one]));
+  return (
+    <details open={detail.history.length > 1}>
+      <summary>History ({detail.history.length})</summary>
+      <ul class="scan__history small">
+        {[...detail.history].reverse().map((one) => {
+          const verdict = reviews.get(one.revision);
+          return (
+            <li key={one.id}>
+              <strong>{one.status === "ok" ? formatSpeed(one.speed_mps, null, 2) : "not measurable"}</strong>,{" "}
+              {formatLength(one.length_m)} <span class="muted">{causeWords(one)}</span>
+              <br />
+              <span class="muted">
+                {one.created_by?.name ?? "the search"}, {formatMoment(one.created_at)}
+                {verdict && `; ${verdict.verdict} by ${verdict.reviewer?.name ?? "somebody"}`}
+                {verdict?.reason && `: ${verdict.reason}`}
+              </span>
+            </li>
+          );
+        })}
+      </ul>
+    </details>
+  );
+}

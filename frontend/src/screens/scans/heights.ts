@@ -1,0 +1,328 @@
+/**
+ * Heights of scanned vehicles by two clicks on camera 1: tyre's contact, then target. Nothing is computed here; the
+ * server answers while the pointer moves, and what it stores is the same figure.
+ */
+import { computed, signal } from "@preact/signals";
+import { api, explain } from "../../core/api";
+import { Latest } from "../../core/latest";
+import { canWork } from "../../core/session";
+import { toast } from "../../core/toasts";
+import type { LineHeight, LineHeightAnswer, LinePose, LinePoses, Target } from "../../core/types";
+import { REQUIRED, TARGET_WORDS } from "../../core/words";
+import type { Bench } from "./bench";
+
+export interface Place {
+  readonly line: number;
+  readonly row: number;
+}
+
+export interface Inset {
+  readonly inset_m: number;
+  readonly u_inset_m: number;
+}
+
+export interface Clicks {
+  readonly contact: Place;
+  readonly point: Place;
+  readonly inset: Inset | null;
+}
+
+export interface Selected {
+  readonly target: Target;
+  readonly role: "contact" | "point";
+}
+
+interface Wish {
+  readonly target: Target;
+  readonly contact: Place;
+  readonly point: Place | null;
+  readonly inset: Inset | null;
+}
+
+export interface Live extends Wish {
+  readonly answer: LineHeightAnswer | null;
+  readonly problem: string | null;
+}
+
+const RESTS_MS = 600;
+
+export class LineHeights {
+  readonly poses = signal<LinePoses | null>(null);
+  readonly pose = computed<LinePose | null>(() => this.poses.value?.current ?? null);
+  /** The newest revision of every target of every vehicle. */
+  readonly all = signal<readonly LineHeight[]>([]);
+  /** The target that is clicked now. */
+  readonly target = signal<Target | null>(null);
+  readonly contact = signal<Place | null>(null);
+  /** What the clicks in hand and the pointer give. */
+  readonly live = signal<Live | null>(null);
+  /** The point that the arrow keys move. */
+  readonly selected = signal<Selected | null>(null);
+  /** Clicks moved by keyboard, not stored yet. */
+  readonly moved = signal<(Clicks & { target: Target }) | null>(null);
+
+  readonly ofChosen = computed<readonly LineHeight[]>(() => {
+    const id = this.bench.chosenId.value;
+    return this.all.value.filter((one) => one.vehicle_id === id && !one.withdrawn);
+  });
+
+  readonly older = computed<readonly LineHeight[]>(() =>
+    this.all.value.filter((one) => one.older && !one.withdrawn),
+  );
+
+  private readonly insets = new Map<Target, Inset>();
+  private resting: ReturnType<typeof setTimeout> | undefined;
+  private readonly asker = new Latest<Wish, LineHeightAnswer>(
+    (wish) => api.post<LineHeightAnswer>(`/scans/${this.bench.id}/line-height`, bodyOf(wish)),
+    (answer, wish) => {
+      this.live.value = { ...wish, answer, problem: null };
+    },
+    (error) => {
+      const now = this.live.value;
+      if (now) this.live.value = { ...now, answer: null, problem: explain(error) };
+    },
+  );
+
+  constructor(private readonly bench: Bench) {}
+
+  async load(): Promise<void> {
+    const [poses, all] = await Promise.all([
+      api.get<LinePoses>(`/scans/${this.bench.id}/line-pose`),
+      api.get<LineHeight[]>(`/scans/${this.bench.id}/heights`),
+    ]);
+    this.poses.value = poses;
+    this.all.value = all;
+  }
+
+  of(target: Target): LineHeight | null {
+    return this.ofChosen.value.find((one) => one.target === target) ?? null;
+  }
+
+  /** The inset that a click on this target would be stored with; null: the survey's. */
+  insetOf(target: Target): Inset | null {
+    const before = this.of(target);
+    return (
+      this.insets.get(target) ?? (before && { inset_m: before.inset_m, u_inset_m: before.u_inset_m }) ?? null
+    );
+  }
+
+  /** Takes a target up; a contact that this vehicle has already is used again. */
+  begin(target: Target | null): void {
+    const wanted = target ?? this.missing() ?? "roof";
+    if (!canWork.value || this.bench.chosenId.value === null) return;
+    if (!this.pose.value) {
+      toast("Heights need the line camera's pose; calibrate the height with a rod first.");
+      return;
+    }
+    this.flush();
+    this.bench.cancel();
+    const newest = this.ofChosen.value.reduce<LineHeight | null>(
+      (best, one) => (best && best.id > one.id ? best : one),
+      null,
+    );
+    this.bench.mode.value = "height";
+    this.target.value = wanted;
+    this.contact.value = newest && { line: newest.contact_line, row: newest.contact_row_px };
+    this.point(null);
+  }
+
+  newContact(): boolean {
+    if (this.bench.mode.value !== "height") return false;
+    this.contact.value = null;
+    this.forget();
+    return true;
+  }
+
+  /** Lets go of everything in hand; what was moved by keyboard is stored. */
+  end(): void {
+    this.flush();
+    this.target.value = null;
+    this.contact.value = null;
+    this.selected.value = null;
+    this.forget();
+  }
+
+  /** The pointer is here on camera 1 (null: elsewhere). */
+  point(at: Place | null): void {
+    const target = this.target.value;
+    if (!target) return;
+    const contact = this.contact.value ?? at;
+    if (!contact) {
+      this.forget();
+      return;
+    }
+    this.want({ target, contact, point: this.contact.value ? at : null, inset: this.insetOf(target) });
+  }
+
+  async click(at: Place): Promise<void> {
+    const target = this.target.value;
+    const vehicle = this.bench.chosen.value;
+    if (!target || !vehicle) return;
+    const contact = this.contact.value;
+    if (!contact) {
+      this.contact.value = at;
+      this.point(at);
+      return;
+    }
+    await this.store(vehicle.id, vehicle.number, target, {
+      contact,
+      point: at,
+      inset: this.insetOf(target),
+    });
+    this.selected.value = { target, role: "point" };
+    const next = this.missing();
+    this.target.value = next;
+    this.forget();
+    if (next === null) this.bench.mode.value = "look";
+  }
+
+  async setInset(target: Target, inset: Inset): Promise<void> {
+    this.insets.set(target, inset);
+    const before = this.of(target);
+    if (before) await this.again(target, { ...clicksOf(before), inset });
+  }
+
+  /** Stores the same clicks with the calibration that counts now, or other clicks. */
+  async again(target: Target, clicks?: Clicks): Promise<void> {
+    const before = this.of(target);
+    const vehicle = this.bench.chosen.value;
+    if (before && vehicle) await this.store(vehicle.id, vehicle.number, target, clicks ?? clicksOf(before));
+  }
+
+  /** Every height of the scan that stands on a calibration before, with the one that counts now. */
+  async againAll(): Promise<void> {
+    await this.bench.tell(async () => {
+      for (const one of this.older.value) await this.put(one.vehicle_id, one.target, clicksOf(one));
+    });
+  }
+
+  async withdraw(target: Target): Promise<void> {
+    const before = this.of(target);
+    const vehicle = this.bench.chosen.value;
+    if (!before || !vehicle) return;
+    await this.bench.tell(async () => {
+      const gone = () => this.take(vehicle.id, target);
+      await gone();
+      this.bench.pushUndo(
+        `withdrawing the ${words(target)} of vehicle ${vehicle.number}`,
+        () => this.put(vehicle.id, target, clicksOf(before)),
+        gone,
+      );
+    });
+    this.selected.value = null;
+  }
+
+  /** Contact and target of the selected height in turn; false where there is none. */
+  selectNext(): boolean {
+    const heights = this.ofChosen.value;
+    const now = this.selected.value;
+    if (heights.length === 0) return false;
+    if (now?.role === "point") this.selected.value = { ...now, role: "contact" };
+    else {
+      const at = heights.findIndex((one) => one.target === now?.target);
+      const next = heights[at + 1];
+      if (!next) {
+        this.selected.value = null;
+        return false;
+      }
+      this.selected.value = { target: next.target, role: "point" };
+    }
+    return true;
+  }
+
+  /** By keyboard; stored once the keys rest. */
+  nudge(lines: number, rows: number): boolean {
+    const now = this.selected.value;
+    const before = now && this.of(now.target);
+    if (!now || !before || !canWork.value) return false;
+    const held = this.moved.value?.target === now.target ? this.moved.value : clicksOf(before);
+    const at = held[now.role];
+    const to = { ...held, target: now.target, [now.role]: { line: at.line + lines, row: at.row + rows } };
+    this.moved.value = to;
+    this.want(to);
+    clearTimeout(this.resting);
+    this.resting = setTimeout(() => this.flush(), RESTS_MS);
+    return true;
+  }
+
+  private flush(): void {
+    clearTimeout(this.resting);
+    const moved = this.moved.value;
+    if (!moved) return;
+    void this.again(moved.target, moved).finally(() => {
+      if (this.moved.value !== moved) return;
+      this.moved.value = null;
+      if (!this.target.value) this.forget();
+    });
+  }
+
+  private missing(): Target | null {
+    return REQUIRED.find((target) => !this.of(target)) ?? null;
+  }
+
+  private want(wish: Wish): void {
+    const now = this.live.value;
+    this.live.value = { ...wish, answer: now?.answer ?? null, problem: null };
+    this.asker.want(wish);
+  }
+
+  private forget(): void {
+    this.asker.cancel();
+    this.live.value = null;
+  }
+
+  private async store(id: number, number: number, target: Target, clicks: Clicks): Promise<void> {
+    await this.bench.tell(async () => {
+      const before = this.all.value.find((one) => one.vehicle_id === id && one.target === target);
+      await this.put(id, target, clicks);
+      const back =
+        before && !before.withdrawn
+          ? () => this.put(id, target, clicksOf(before))
+          : () => this.take(id, target);
+      this.bench.pushUndo(`${words(target)} of vehicle ${number}`, back, () => this.put(id, target, clicks));
+    });
+  }
+
+  private async put(id: number, target: Target, clicks: Clicks): Promise<void> {
+    const body = { ...bodyOf({ target, ...clicks }), revision: this.revisionOf(id, target) };
+    this.keep(await api.post<LineHeight>(`/scan-vehicles/${id}/heights`, body));
+  }
+
+  private async take(id: number, target: Target): Promise<void> {
+    const asked = `target=${target}&revision=${this.revisionOf(id, target)}`;
+    this.keep(await api.del<LineHeight>(`/scan-vehicles/${id}/heights?${asked}`));
+  }
+
+  private revisionOf(id: number, target: Target): number {
+    return this.all.value.find((one) => one.vehicle_id === id && one.target === target)?.revision ?? 0;
+  }
+
+  private keep(made: LineHeight): void {
+    const others = this.all.value.filter(
+      (one) => one.vehicle_id !== made.vehicle_id || one.target !== made.target,
+    );
+    this.all.value = [...others, made];
+  }
+}
+
+export function clicksOf(one: LineHeight): Clicks {
+  return {
+    contact: { line: one.contact_line, row: one.contact_row_px },
+    point: { line: one.target_line, row: one.target_row_px },
+    inset: { inset_m: one.inset_m, u_inset_m: one.u_inset_m },
+  };
+}
+
+function words(target: Target): string {
+  return TARGET_WORDS[target].toLowerCase();
+}
+
+function bodyOf({ target, contact, point, inset }: Wish): object {
+  return {
+    target,
+    contact_line: Math.max(contact.line, 0),
+    contact_row_px: contact.row,
+    ...(point ? { target_line: Math.max(point.line, 0), target_row_px: point.row } : {}),
+    ...(inset ?? {}),
+  };
+}

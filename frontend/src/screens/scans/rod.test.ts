@@ -1,0 +1,88 @@
+import { signal } from "@preact/signals";
+import { beforeEach, describe, expect, it, vi } from "vitest";
+import { api } from "../../core/api";
+import type { LineHeight, LinePose, LinePoses } from "../../core/types";
+import { UndoStack } from "../../core/undo";
+import type { Bench } from "./bench";
+import { LineHeights } from "./heights";
+import { RodDraft } from "./rod";
+
+const SOLVED = { status: "ok", residuals_px: [], warnings: [], camera_height_m: 1.2 };
+const MARK = { distance_m: 2.7, height_m: 0, row_px: 250, line: 10 };
+
+/** As much of the bench as marks and heights need. */
+function bench() {
+  const undo = new UndoStack();
+  const model = {
+    id: 7,
+    mode: signal("rod"),
+    view: signal(null),
+    edge: signal(null),
+    chosenId: signal<number | null>(3),
+    start: (mode: string) => {
+      model.mode.value = mode;
+    },
+    pushUndo: (label: string, back: () => Promise<void>, again: () => Promise<void>) =>
+      undo.push({ label, undo: back, redo: again }),
+  };
+  const heights = new LineHeights(model as unknown as Bench);
+  return { model, undo, heights, rod: new RodDraft(model as unknown as Bench, heights) };
+}
+
+function pose(): LinePoses {
+  const current = { revision: 1, marks: [MARK], sigma_px: 0.5, u_distance_m: 0, u_lean_rad: 0 };
+  return { current: { ...current, solved: SOLVED } as unknown as LinePose, history: [] };
+}
+
+describe("the rod's marks", () => {
+  beforeEach(() => {
+    vi.spyOn(api, "post").mockResolvedValue(SOLVED);
+  });
+
+  it("asks for the distance first, then counts the heights up", () => {
+    const { rod } = bench();
+    rod.open();
+    rod.click({ line: 5, row: 200 });
+    expect(rod.values.value.marks).toEqual([]);
+    rod.next.value = { distance_m: 2.7, height_m: 0, step_m: 0.1 };
+    for (const row of [250, 240, 230]) rod.click({ line: 5, row });
+    expect(rod.values.value.marks.map((mark) => mark.height_m)).toEqual([0, 0.1, 0.2]);
+    expect(rod.next.value.height_m).toBe(0.3);
+  });
+
+  it("keeps what is not stored yet, goes back on demand, and shows what an undo changes", async () => {
+    const { rod, heights, model, undo } = bench();
+    heights.poses.value = pose();
+    rod.open();
+    expect(rod.values.value).toMatchObject({ marks: [MARK], sigma_px: 0.5 });
+    rod.remove(0);
+    model.mode.value = "look";
+    rod.open();
+    expect(rod.values.value.marks).toEqual([]);
+    await undo.undo();
+    expect(model.mode.value).toBe("rod");
+    expect(rod.values.value.marks).toEqual([MARK]);
+    rod.clear();
+    rod.reset();
+    expect(rod.values.value.marks).toEqual([MARK]);
+    expect(rod.changed.value).toBe(false);
+  });
+});
+
+describe("a vehicle's heights", () => {
+  it("are selected one after the other, target before contact, without the withdrawn", () => {
+    const { heights } = bench();
+    const one = (target: string, withdrawn = false, vehicle_id = 3) =>
+      ({ target, withdrawn, vehicle_id }) as LineHeight;
+    heights.all.value = [one("roof"), one("taillight", true), one("driver_eye"), one("roof", false, 4)];
+    const seen: unknown[] = [];
+    while (heights.selectNext()) seen.push({ ...heights.selected.value });
+    expect(seen).toEqual([
+      { target: "roof", role: "point" },
+      { target: "roof", role: "contact" },
+      { target: "driver_eye", role: "point" },
+      { target: "driver_eye", role: "contact" },
+    ]);
+    expect(heights.selected.value).toBeNull();
+  });
+});

@@ -1,0 +1,147 @@
+/** The rod's marks while the line camera is calibrated: clicked on camera 1, solved by the server, stored as a whole. */
+import { signal } from "@preact/signals";
+import { api } from "../../core/api";
+import { Latest } from "../../core/latest";
+import { toast, toastProblem } from "../../core/toasts";
+import type { LinePose, RodMark, SolvedRod } from "../../core/types";
+import type { Bench } from "./bench";
+import type { LineHeights, Place } from "./heights";
+import { showLines } from "./view";
+
+export interface RodValues {
+  readonly marks: readonly RodMark[];
+  readonly sigma_px: number;
+  readonly u_distance_m: number;
+  readonly u_lean_rad: number;
+}
+
+/** Where the next click belongs: the rod's distance, the mark's height, and how much higher the one after it is. */
+export interface NextMark {
+  readonly distance_m: number | null;
+  readonly height_m: number;
+  readonly step_m: number;
+}
+
+const FRESH: RodValues = { marks: [], sigma_px: 1, u_distance_m: 0.005, u_lean_rad: 0 };
+
+export class RodDraft {
+  readonly values = signal<RodValues>(FRESH);
+  readonly next = signal<NextMark>({ distance_m: null, height_m: 0, step_m: 0.5 });
+  readonly solved = signal<SolvedRod | null>(null);
+  /** Whether what is shown is not stored yet. */
+  readonly changed = signal(false);
+  private readonly asker = new Latest<RodValues, SolvedRod>(
+    (values) => api.post<SolvedRod>(`/scans/${this.bench.id}/line-pose/preview`, values),
+    (answer) => {
+      this.solved.value = answer;
+    },
+    toastProblem,
+  );
+
+  constructor(
+    private readonly bench: Bench,
+    private readonly heights: LineHeights,
+  ) {}
+
+  /** Begins with what was clicked and not stored yet, else with the marks that are stored. */
+  open(): void {
+    if (!this.changed.value) this.reset();
+    this.next.value = { ...this.next.value, distance_m: null, height_m: 0 };
+    const lines = this.values.value.marks.map((mark) => mark.line);
+    const view = this.bench.view.value;
+    if (view && lines.length > 0)
+      this.bench.view.value = showLines(view, Math.min(...lines), Math.max(...lines), 0.5);
+  }
+
+  /** Back to the marks that are stored, or to none. */
+  reset(): void {
+    const pose = this.heights.pose.value;
+    this.values.value = pose ? valuesOf(pose) : FRESH;
+    this.solved.value = pose?.solved ?? null;
+    this.changed.value = false;
+  }
+
+  click(at: Place): void {
+    const { distance_m, height_m, step_m } = this.next.value;
+    if (distance_m === null) {
+      toast("Enter the rod's distance from the camera first, then click its marks.");
+      return;
+    }
+    const mark = { distance_m, height_m, row_px: at.row, line: Math.max(at.line, 0) };
+    this.put([...this.values.value.marks, mark], "mark of the rod");
+    this.next.value = { distance_m, step_m, height_m: Number((height_m + step_m).toFixed(6)) };
+  }
+
+  remove(index: number): void {
+    this.put(
+      this.values.value.marks.filter((_, at) => at !== index),
+      "removing a mark",
+    );
+  }
+
+  clear(): void {
+    this.put([], "removing all marks");
+    this.next.value = { ...this.next.value, height_m: 0 };
+  }
+
+  change(part: Partial<Omit<RodValues, "marks">>): void {
+    this.show({ ...this.values.value, ...part });
+  }
+
+  async store(): Promise<void> {
+    const values = this.values.value;
+    const before = this.heights.pose.value;
+    await this.bench.tell(async () => {
+      await this.send(values);
+      if (before)
+        this.bench.pushUndo(
+          "calibration of the height",
+          () => this.send(valuesOf(before)),
+          () => this.send(values),
+        );
+      this.bench.cancel();
+      const older = this.heights.older.value.length;
+      toast(
+        older > 0
+          ? "The calibration is stored. Heights keep the one before until they are computed again, beside each vehicle."
+          : "The calibration is stored. Choose a vehicle and measure its heights.",
+      );
+    });
+  }
+
+  private async send(values: RodValues): Promise<void> {
+    await api.put<LinePose>(`/scans/${this.bench.id}/line-pose`, {
+      ...values,
+      revision: this.heights.pose.value?.revision ?? 0,
+    });
+    await this.heights.load();
+    this.changed.value = false;
+  }
+
+  private put(marks: readonly RodMark[], label: string): void {
+    const before = this.values.value.marks;
+    const place = (to: readonly RodMark[]) => () => {
+      // taken back from elsewhere, it is shown where it happens
+      if (this.bench.mode.value !== "rod") this.bench.start("rod");
+      this.show({ ...this.values.value, marks: to });
+    };
+    place(marks)();
+    this.bench.pushUndo(
+      label,
+      async () => place(before)(),
+      async () => place(marks)(),
+    );
+  }
+
+  private show(values: RodValues): void {
+    this.values.value = values;
+    this.changed.value = true;
+    if (values.marks.length > 0) this.asker.want(values);
+    else this.solved.value = null;
+  }
+}
+
+function valuesOf(pose: LinePose): RodValues {
+  const { marks, sigma_px, u_distance_m, u_lean_rad } = pose;
+  return { marks, sigma_px: sigma_px ?? FRESH.sigma_px, u_distance_m, u_lean_rad };
+}

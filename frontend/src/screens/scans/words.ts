@@ -1,0 +1,31 @@
+/** Figures of a line scan in words and units; every number is the server's. */
+
+import type { ScanMotion, ScanVehicle } from "../../core/types";
+import { fixed, formatHeight } from "../../core/units";
+import type { StateName } from "../../core/words";
+
+const NBSP = " ";
+
+/** "1.284 s" */
+export function formatSeconds(seconds: number | null, digits = 2): string {
+  return seconds === null ? "–" : `${fixed(seconds, digits)}${NBSP}s`;
+}
+
+/** "4.660 ± 0.008 m"; of an uncertain length no more decimals than its uncertainty has to say. */
+export function formatMeasured(metres: number | null, U95_m: number | null): string {
+  const coarse = U95_m ?? 0;
+  return formatHeight(metres, U95_m, coarse >= 1 ? 1 : coarse >= 0.1 ? 2 : 3);
+}
+
+export function stateOf(vehicle: ScanVehicle): StateName {
+  const measured = vehicle.measurement;
+  if (!measured) return "to_do";
+  if (measured.status !== "ok") return "not_measurable";
+  return measured.review.verdict;
+}
+
+/** How the current numbers came about. */
+export function causeWords(one: ScanMotion): string {
+  const method = one.method === "paper" ? "the paper's method" : "direct registration";
+  return one.placed_by_person ? `${method}, boundaries placed by hand` : method;
+}

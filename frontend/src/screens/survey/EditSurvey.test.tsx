@@ -1,0 +1,58 @@
+import { render } from "preact";
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { api } from "../../core/api";
+import type { Survey } from "../../core/types";
+import { lengthUnit } from "../../core/units";
+import { EditSurvey } from "./EditSurvey";
+
+const inset = { inset_m: 0.12, u_inset_m: 0.05, note: "" };
+const survey = {
+  id: 5,
+  name: "Rouen south",
+  site: "",
+  description: "",
+  version: 1,
+  insets: { roof: inset, driver_eye: inset, taillight: inset, headlight: inset, other: inset },
+} as unknown as Survey;
+
+const box = (label: string): HTMLInputElement => {
+  const found = [...document.querySelectorAll("label")].find((one) => one.textContent?.startsWith(label));
+  return document.getElementById(found?.htmlFor ?? "") as HTMLInputElement;
+};
+
+async function save(): Promise<Survey["insets"]> {
+  const put = vi.spyOn(api, "put").mockResolvedValue(undefined);
+  document.querySelector("form")?.dispatchEvent(new Event("submit", { bubbles: true, cancelable: true }));
+  await vi.waitFor(() => expect(put).toHaveBeenCalled());
+  const sent = put.mock.calls.map(([, body]) => body as Survey);
+  return sent[0]?.insets ?? survey.insets;
+}
+
+beforeEach(() => {
+  HTMLDialogElement.prototype.showModal ??= () => {};
+});
+
+afterEach(() => {
+  render(null, document.body);
+  lengthUnit.value = "m";
+  vi.restoreAllMocks();
+});
+
+describe("the insets of a survey", () => {
+  it("are shown and typed in feet where lengths are in feet", async () => {
+    lengthUnit.value = "ft";
+    render(<EditSurvey survey={survey} close={() => {}} />, document.body);
+    const roof = box("Roof: inset in feet");
+    expect(roof.value).toBe("0.3937");
+    roof.value = "1";
+    roof.dispatchEvent(new Event("input", { bubbles: true }));
+    await vi.waitFor(() => expect(box("Roof: inset in feet").value).toBe("1"));
+    expect((await save()).roof.inset_m).toBeCloseTo(0.3048, 12);
+  });
+
+  it("that were not touched are stored as they were, not as they were shown", async () => {
+    lengthUnit.value = "ft";
+    render(<EditSurvey survey={survey} close={() => {}} />, document.body);
+    expect((await save()).taillight).toEqual(inset);
+  });
+});

@@ -1,0 +1,153 @@
+/** Asks the server for geometry while points move. Nothing is computed here. */
+import { signal } from "@preact/signals";
+import { api, explain } from "../core/api";
+import { Latest } from "../core/latest";
+import type { AxesAnswer, HeightAnswer, SecondFrameAnswer, Target } from "../core/types";
+import { type ImagePoint, samePoint } from "./points";
+import { type FramePoints, framesOf, type Inset, moreBody, type Values } from "./values";
+
+/** How long the ladder of the next target waits for the click before it to be stored. */
+const AFTER_CLICK_MS = 150;
+
+export interface AxesWish {
+  readonly recordingId: number;
+  readonly contact: ImagePoint;
+  readonly target: Target;
+  readonly inset: Inset | null;
+}
+
+export interface HeightWish extends AxesWish {
+  readonly point: ImagePoint;
+  readonly frame: number;
+  readonly sigma_px: number | null;
+  readonly more?: readonly FramePoints[];
+}
+
+export interface Live {
+  readonly wish: HeightWish;
+  readonly answer: HeightAnswer | null;
+  readonly problem: string | null;
+}
+
+export class Geometry {
+  /** Axes and ladder through the contact in use; old ones stay until new ones are here. */
+  readonly axes = signal<AxesAnswer | null>(null);
+  readonly problem = signal<string | null>(null);
+  /** The height under the pointer, for the newest answer that came. */
+  readonly live = signal<Live | null>(null);
+  private wished: AxesWish | null = null;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+
+  private readonly axesAsker = new Latest<AxesWish, AxesAnswer>(
+    askAxes,
+    (answer) => {
+      this.axes.value = answer;
+      this.problem.value = answer.ok ? null : answer.reason;
+    },
+    (error) => this.failed(error),
+  );
+
+  private readonly heightAsker = new Latest<HeightWish, HeightAnswer>(
+    askHeight,
+    (answer, wish) => {
+      this.live.value = { wish, answer, problem: null };
+    },
+    (error) => {
+      const wish = this.live.value?.wish;
+      if (wish) this.live.value = { wish, answer: null, problem: explain(error) };
+    },
+  );
+
+  showAxes(wish: AxesWish | null): void {
+    if (wish !== null && sameAxes(wish, this.wished)) return;
+    clearTimeout(this.timer);
+    const before = this.wished;
+    this.wished = wish;
+    if (wish === null) {
+      this.axesAsker.cancel();
+      this.axes.value = null;
+      this.problem.value = null;
+    } else if (before && samePoint(before.contact, wish.contact)) {
+      // only the target is another, most likely because a click is being stored: that goes first
+      this.timer = setTimeout(() => this.axesAsker.want(wish), AFTER_CLICK_MS);
+    } else this.axesAsker.want(wish);
+  }
+
+  wantHeight(wish: HeightWish): void {
+    this.heightAsker.want(wish);
+  }
+
+  forgetHeight(): void {
+    this.heightAsker.cancel();
+    this.live.value = null;
+  }
+
+  /** The live answer if it is for exactly this click: then it can be shown while the server stores. */
+  answerFor(
+    contact: ImagePoint,
+    point: ImagePoint,
+    target: Target,
+    inset: Inset | null,
+    more: readonly FramePoints[] = [],
+  ): HeightAnswer | null {
+    const live = this.live.value;
+    if (!live || live.wish.target !== target) return null;
+    if ((live.wish.more ?? []).length !== more.length) return null;
+    if (live.wish.inset?.inset_m !== inset?.inset_m || live.wish.inset?.u_inset_m !== inset?.u_inset_m)
+      return null;
+    return samePoint(live.wish.point, point) && samePoint(live.wish.contact, contact) ? live.answer : null;
+  }
+
+  private failed(error: unknown): void {
+    this.axes.value = null;
+    this.problem.value = explain(error);
+    this.wished = null;
+  }
+}
+
+const LIVE = { quiet: true, retry: false } as const;
+
+function askAxes({ recordingId, contact, target, inset }: AxesWish): Promise<AxesAnswer> {
+  const body = { contact: [...contact], target, ...(inset ?? {}) };
+  return api.post<AxesAnswer>(`/recordings/${recordingId}/geometry/axes`, body, LIVE);
+}
+
+export function askHeight({
+  recordingId,
+  contact,
+  point,
+  target,
+  frame,
+  inset,
+  sigma_px,
+  more,
+}: HeightWish): Promise<HeightAnswer> {
+  const sigma = sigma_px === null ? {} : { sigma_px };
+  const clicked = { contact: [...contact], point: [...point], target, frame };
+  const body = { ...clicked, ...(inset ?? {}), ...sigma, more_frames: moreBody(more) };
+  return api.post<HeightAnswer>(`/recordings/${recordingId}/geometry/height`, body, LIVE);
+}
+
+/** The frame that would gain most beside those that are clicked. */
+export function askSecondFrame(
+  recordingId: number,
+  vehicleId: number,
+  values: Values,
+): Promise<SecondFrameAnswer> {
+  const { target, inset, sigma_px } = values;
+  const [first, ...more] = framesOf(values);
+  const sigma = sigma_px === null ? {} : { sigma_px };
+  const body = { ...first, target, vehicle_id: vehicleId, ...(inset ?? {}), ...sigma, more_frames: more };
+  return api.post<SecondFrameAnswer>(`/recordings/${recordingId}/geometry/second-frame`, body, LIVE);
+}
+
+function sameAxes(a: AxesWish, b: AxesWish | null): boolean {
+  return (
+    b !== null &&
+    a.recordingId === b.recordingId &&
+    a.target === b.target &&
+    samePoint(a.contact, b.contact) &&
+    a.inset?.inset_m === b.inset?.inset_m &&
+    a.inset?.u_inset_m === b.inset?.u_inset_m
+  );
+}
