@@ -66,9 +66,9 @@ _ABOUT = (
     "(0, 0) at the centre of the top-left pixel. `sightline verify` checks this folder; `sightline height "
     "--pose poses/pose-N.json --clicks clicks/pose-N.csv` computes its heights again. statistics/ is made of "
     "the accepted measurements in these tables, heights to the micrometre. An apostrophe stands before any "
-    "text that a spreadsheet would run as a formula. The audit chain does not vouch for the names of people, "
-    "for texts of flags, nor, in rows stored by a version before this one, for created_at, code_version and "
-    "the drift columns: keep the SHA-256 of the ZIP elsewhere, which covers them."
+    "text that a spreadsheet would run as a formula. The audit chain does not vouch for the names of people "
+    "and texts of flags: keep the SHA-256 of the ZIP elsewhere, which covers them. An event's hash is "
+    "sha256(previous_hash + content_sha256), its content_sha256 that of the event as JSON by RFC 8785."
 )
 
 

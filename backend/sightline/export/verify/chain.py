@@ -11,7 +11,7 @@ from typing import Any
 from sightline.errors import Damaged
 from sightline.infra.audit.hashing import event_hash, link_hash
 from sightline.infra.csv_package.files import Files, read_rows
-from sightline.infra.csv_package.schema import safe_text
+from sightline.infra.csv_package.schema import metres_text, safe_text
 
 Event = dict[str, str]
 _CHAINED = ("actor_id", "entity_id", "survey_id")
@@ -24,8 +24,8 @@ class Told:
     """What the events of a chain say of the rows of a package, by number.
 
     `revisions`: (measurement, revision) to a digest of what was told of it; `repeats` likewise, by repeat, of
-    its newest revision. `drift`: by recording and pose, None where an event of an earlier version holds no
-    figures. `contents`: hashes of rows that are written once, by (kind, number).
+    its newest revision. `drift`: by recording and pose. `contents`: hashes of rows that are written once, by
+    (kind, number).
     """
 
     count: int = 0
@@ -37,7 +37,7 @@ class Told:
     recordings: dict[int, dict[str, Any]] = field(default_factory=dict)
     reviews: dict[int, dict[str, Any]] = field(default_factory=dict)
     contents: dict[tuple[str, int], str] = field(default_factory=dict)
-    drift: dict[int, dict[int, dict[str, Any] | None]] = field(default_factory=dict)
+    drift: dict[int, dict[int, dict[str, Any]]] = field(default_factory=dict)
     decisions: dict[int, dict[str, Any] | None] = field(default_factory=dict)
     pairs: dict[int, dict[str, Any]] = field(default_factory=dict)
     revisions: dict[tuple[int, int], bytes] = field(default_factory=dict)
@@ -95,7 +95,7 @@ def _recorded(told: Told, action: str, number: int, after: dict[str, Any]) -> No
     if action in _MAKES:
         told.recordings.setdefault(number, {"pose_id": None}).update(after)
     elif action == "check_drift":
-        told.drift.setdefault(number, {})[int(after["pose_id"])] = after.get("found")
+        told.drift.setdefault(number, {})[int(after["pose_id"])] = after["found"]
     elif "drift_decision" in after:
         told.decisions[number] = after["drift_decision"]
 
@@ -123,10 +123,10 @@ def _photographed(told: Told, event: Event, after: dict[str, Any]) -> None:
 def _measured(told: Told, number: int, after: Mapping[str, Any]) -> None:
     told.of_vehicle[number] = int(after["vehicle_id"])
     if after.get("repeat_of") is not None:
-        told.repeats[number] = _told(_short_of_event(after), _stamps_of_event(after)[:1])
+        told.repeats[number] = _digest([*_short_of_event(after), stamp(after["created_at"])])
     else:
-        words = _told(_words_of_event(after), _stamps_of_event(after))
-        told.revisions[number, int(after["revision"])] = words
+        stamps = [stamp(after["created_at"]), safe_text(after["code_version"])]
+        told.revisions[number, int(after["revision"])] = _digest([*_words_of_event(after), *stamps])
 
 
 def _short_of_event(after: Mapping[str, Any]) -> list[Any]:
@@ -135,18 +135,13 @@ def _short_of_event(after: Mapping[str, Any]) -> list[Any]:
     return [*plain, safe_text(after["reason"] or ""), _length(after["height_m"]), after["by"], points]
 
 
-def _stamps_of_event(after: Mapping[str, Any]) -> list[str]:
-    """When and by which version; nothing where an event of an earlier version does not hold it."""
-    return [stamp(after["created_at"]), safe_text(after["code_version"])] if "created_at" in after else []
-
-
 def _words_of_event(after: Mapping[str, Any]) -> list[Any]:
     more = [[n, *contact, *point] for n, contact, point in after.get("more_frames", [])]
     return [*_short_of_event(after), _length(after["U95_height_m"]), more]
 
 
 def _length(value_m: float | None) -> str:
-    return "" if value_m is None else f"{value_m:.6f}"
+    return "" if value_m is None else metres_text(value_m)
 
 
 def _short_of_row(row: Mapping[str, str]) -> list[Any]:
@@ -167,21 +162,12 @@ def _points(row: Mapping[str, str], k: str) -> list[float]:
 
 def same_words(told: bytes, row: Mapping[str, str], further: list[int]) -> bool:
     """Whether a row says what its event said."""
-    return _holds(told, _words_of_row(row, further), [row["created_at"], row["code_version"]])
+    return told == _digest([*_words_of_row(row, further), row["created_at"], row["code_version"]])
 
 
 def same_repeat(told: bytes, row: Mapping[str, str]) -> bool:
     """The same for a row of repeats.csv."""
-    return _holds(told, _short_of_row(row), [row["created_at"]])
-
-
-def _told(words: list[Any], stamps: list[str]) -> bytes:
-    """A digest, and before it whether the event holds the stamps too."""
-    return (b"\1" if stamps else b"\0") + _digest([*words, *stamps])
-
-
-def _holds(told: bytes, words: list[Any], stamps: list[str]) -> bool:
-    return told == _told(words, stamps if told[:1] == b"\1" else [])
+    return told == _digest([*_short_of_row(row), row["created_at"]])
 
 
 def _digest(words: list[Any]) -> bytes:
@@ -189,10 +175,10 @@ def _digest(words: list[Any]) -> bytes:
 
 
 def _text(words: Any) -> str:
-    """One text for numbers that are equal, whether they came as 3 or as 3.0."""
+    """One text for numbers that are equal, whether they came as 3 or as 3.0, as 0 or as -0.0."""
     if isinstance(words, list):
         return "[" + ",".join(_text(one) for one in words) + "]"
-    return repr(float(words)) if isinstance(words, float | int) else repr(words)
+    return repr(float(words) + 0.0) if isinstance(words, float | int) else repr(words)
 
 
 def chain(files: Files) -> Iterator[Event]:

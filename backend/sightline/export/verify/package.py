@@ -8,8 +8,7 @@ description.
 What is left: somebody who changes rows and writes the whole chain anew makes a package that is sound in
 itself, and a crop exchanged together with its hash shows another picture. Both are found by what was kept
 elsewhere: the head of the chain (`--head`), the SHA-256 of the ZIP, which the program that made it lists. The
-latter alone covers names of people, texts of flags, and what events of earlier versions do not hold
-(created_at, code_version, the drift columns); the package's description says so.
+latter alone covers names of people and texts of flags; the package's description says so.
 """
 
 from __future__ import annotations

@@ -134,19 +134,15 @@ def check_people_s_work(files: Files, told: Told) -> None:
 
 
 def _drift(told: Told, row: Mapping[str, str]) -> dict[str, Any]:
-    """The columns about a camera that moved, as the events tell them; what was found only where they do."""
+    """The columns about a camera that moved, as the events tell them."""
     number, pose_id = int(row["id"]), int(row["pose_id"]) if row["pose_id"] else None
     decided = decision_cells(told.decisions.get(number), pose_id)
-    of_poses = told.drift.get(number, {})
-    if pose_id not in of_poses:
-        return {**decided, **found_cells(None)}
-    found = of_poses[pose_id]
-    return decided if found is None else {**decided, **found_cells(found)}
+    found = None if pose_id is None else told.drift.get(number, {}).get(pose_id)
+    return {**decided, **found_cells(found)}
 
 
 def _of_pair(pair: Mapping[str, Any]) -> dict[str, Any]:
-    stamped = {"created_at": stamp(pair["created_at"])} if "created_at" in pair else {}
-    return {**pair, **stamped, "frame_crc32": pair["frame_crc"]}
+    return {**pair, "created_at": stamp(pair["created_at"]), "frame_crc32": pair["frame_crc"]}
 
 
 def _check_vehicles(files: Files, told: Told) -> None:
@@ -159,10 +155,6 @@ def _check_vehicles(files: Files, told: Told) -> None:
         missing.discard(id_)
     if missing:
         raise Damaged(f"vehicles.csv: {min(missing)} is missing, though its audit event is there.")
-
-
-def _without(values: Mapping[str, Any], *names: str) -> dict[str, Any]:
-    return {name: value for name, value in values.items() if name not in names}
 
 
 def check_verdicts(files: Files, told: Told) -> None:
@@ -194,10 +186,9 @@ def _of_review(made: Mapping[str, Any]) -> dict[str, Any]:
     named: dict[str, Any] = {
         "measurement_id": made["series_id"],
         "reviewer_id": int(made["actor_id"]) if made["actor_id"] else None,
+        "at": stamp(made["created_at"]),
     }
-    if "created_at" in made:
-        named["at"] = stamp(made["created_at"])
-    return {**_without(made, "at"), **named}
+    return {**made, **named}
 
 
 def check_frames(files: Files) -> None:

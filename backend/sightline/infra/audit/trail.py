@@ -1,8 +1,8 @@
 """The audit chain: one event per write, in the same transaction, each hashed with the one before.
 
-hash = sha256(previous_hash + content_sha256), content_sha256 = sha256(canonical JSON of the event). Ids leave
-no gap, the anchor row holds the length and the last hash, and exports carry both, so changed, missing and
-cut-off events are all found (`verify`).
+hash = sha256(previous_hash + content_sha256), content_sha256 = sha256(the event as canonical JSON, RFC 8785).
+Ids leave no gap, the anchor row holds the length and the last hash, and exports carry both, so changed,
+missing and cut-off events are all found (`verify`).
 """
 
 import json
@@ -14,12 +14,12 @@ from sqlalchemy import Row, insert, select, update
 from sqlalchemy.orm import Session
 
 from sightline.enums import JsonObject
-from sightline.infra.audit.hashing import chain_hash, event_hash, plain
+from sightline.infra.audit.hashing import canonical_json, chain_hash, event_hash, plain
 from sightline.infra.audit.records import AuditEvent, AuditHead, Who
 from sightline.infra.audit.tables import audit_anchor, audit_events
 from sightline.infra.database.engine import lock_chain
 from sightline.infra.database.people import people
-from sightline.infra.database.types import canonical_json, now
+from sightline.infra.database.types import now
 
 #: What an event is about: the row's id, what it said before and what it says after.
 Change = tuple[int | None, Mapping[str, Any] | None, Mapping[str, Any] | None]
@@ -60,8 +60,8 @@ def record_many(
             "entity": entity,
             "entity_id": entity_id,
             "survey_id": survey_id,
-            "before": None if before is None else canonical_json(plain(before)),
-            "after": None if after is None else canonical_json(plain(after)),
+            "before": None if before is None else canonical_json(before),
+            "after": None if after is None else canonical_json(after),
             "previous_hash": rows[-1]["hash"] if rows else last.hash,
         }
         rows.append({**row, "hash": chain_hash(row)})

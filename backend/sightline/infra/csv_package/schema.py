@@ -110,11 +110,16 @@ def cell_text(column: Column, value: Cell) -> str:
     if isinstance(value, float):
         if column.unit != "m":
             return repr(float(value))
-        text = f"{value:.6f}"
-        return "0.000000" if text == "-0.000000" else text
+        return metres_text(value)
     if isinstance(value, bool):
         return "true" if value else "false"
     return str(value)
+
+
+def metres_text(length_m: float) -> str:
+    """A length to the micrometre; zero has no sign."""
+    text = f"{length_m:.6f}"
+    return "0.000000" if text == "-0.000000" else text
 
 
 def json_bytes(value: object) -> bytes:

@@ -12,14 +12,6 @@ from sightline.infra.audit.hashing import content_hash
 from sightline.infra.audit.records import Who
 from sightline.infra.database.people import people
 
-_CAME_LATER: Mapping[str, Any] = {
-    "more_frames": [],
-    "solved_inset_m": None,
-    "u_solved_inset_m": None,
-    "turned_from": None,
-    "turned_by_rad": None,
-}
-
 
 def add_row(session: Session, table: Table, values: Mapping[str, Any]) -> int:
     """Insert one row and return its id."""
@@ -93,12 +85,5 @@ def row_hash(row: Mapping[Any, Any]) -> str:
 
 
 def row_content(row: Mapping[Any, Any]) -> dict[str, Any]:
-    """What is hashed of a row: all but its id.
-
-    Columns that came later are part of it only where they hold something: rows from before keep their hash.
-    """
-    content = {str(key): value for key, value in row.items() if key != "id"}
-    for name, nothing in _CAME_LATER.items():
-        if name in content and content[name] == nothing:
-            del content[name]
-    return content
+    """What is hashed of a row: all but its id."""
+    return {str(key): value for key, value in row.items() if key != "id"}

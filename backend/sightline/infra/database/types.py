@@ -33,8 +33,11 @@ def now() -> datetime:
     return datetime.now(UTC)
 
 
-def canonical_json(value: Any) -> str:
-    """The one text of a JSON value: keys sorted, no spaces, no NaN; what is hashed and stored."""
+def document_text(value: Any) -> str:
+    """The text in which a JSON value is stored: keys sorted, no spaces, no NaN.
+
+    Unlike the canonical text that is hashed, it tells 1.0 from 1 and -0.0 from 0, and holds any integer.
+    """
     return json.dumps(value, sort_keys=True, separators=(",", ":"), ensure_ascii=False, allow_nan=False)
 
 
@@ -62,13 +65,13 @@ class Moment(TypeDecorator[datetime]):
 
 
 class Document(TypeDecorator[Any]):
-    """A JSON value kept as its canonical text, so that what is read is to the bit what was written."""
+    """A JSON value kept as text, so that what is read is to the bit what was written."""
 
     impl = Text
     cache_ok = True
 
     def process_bind_param(self, value: Any, dialect: Dialect) -> str | None:
-        return None if value is None else canonical_json(value)
+        return None if value is None else document_text(value)
 
     def process_result_value(self, value: str | None, dialect: Dialect) -> Any:
         return None if value is None else from_json(value)  # several times quicker than json.loads

@@ -11,7 +11,7 @@ from sightline.enums import JsonObject, VehicleOrigin
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
 from sightline.infra.database.rows import add_rows, change_row, get_row, missing, name_of
-from sightline.infra.database.types import canonical_json, now
+from sightline.infra.database.types import document_text, now
 from sightline.scans.query import scan_vehicle_of_row, scan_vehicle_rows, scan_vehicle_states
 from sightline.scans.records import ScanCounts, ScanVehicle, ScanVehicleChanges, state_of
 from sightline.scans.tables import scan_measurements, scan_vehicles, scans
@@ -83,8 +83,8 @@ def counts_of_scans(session: Session, rigs: Mapping[int, JsonObject]) -> dict[in
     if not rigs:
         return {}
     counted: dict[int, dict[str, int]] = {}
-    # As text: a canonical JSON document is compared as it stands, thousands of them at a time.
-    own = {scan_id: canonical_json(rig) for scan_id, rig in rigs.items()}
+    # As text: a stored document is compared as it stands, thousands of them at a time.
+    own = {scan_id: document_text(rig) for scan_id, rig in rigs.items()}
     for scan_id, status, verdict, rig in session.execute(
         scan_vehicle_states(scan_vehicles.c.scan_id.in_(rigs))
     ):
