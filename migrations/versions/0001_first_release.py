@@ -279,6 +279,9 @@ def create_tables() -> None:
         sa.Column("columns", sa.Integer(), nullable=False),
         sa.Column("rows", sa.Integer(), nullable=False),
         sa.Column("sharpness", sa.Float(), nullable=True),
+        sa.Column("ids", sa.Text(), nullable=True),
+        sa.Column("dictionary", sa.String(length=40), nullable=True),
+        sa.Column("marker_share", sa.Float(), nullable=True),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
         sa.Column("created_by", sa.Integer(), nullable=True),
         sa.CheckConstraint(

@@ -12,6 +12,7 @@ from sqlalchemy import event, select
 from sqlalchemy.orm import Session
 
 import sightline
+from sightline.cameras.calibrations.records import Detection
 from sightline.cameras.store import (
     add_calibration_image,
     choose_calibration,
@@ -77,15 +78,14 @@ Write = Callable[[Session, Sample], Any]
 
 
 def _image(session: Session, one: Sample) -> Any:
-    detected: dict[str, Any] = {"found": True, "reason": None, "corners_px": [(1.0, 2)]}
-    size = {"columns": 9, "rows": 6, "sharpness": 3.0, "actor": one.olga.id}
-    file = {"name": "a.png", "media_key": "k", "width_px": 640, "height_px": 480}
-    return add_calibration_image(session, one.camera.id, **file, **detected, **size)
+    detection = Detection(True, None, [[1.0, 2.0]], columns=9, rows=6, sharpness=3.0)
+    file: dict[str, Any] = {"name": "a.png", "media_key": "k", "width_px": 640, "height_px": 480}
+    return add_calibration_image(session, one.camera.id, **file, detection=detection, actor=one.olga.id)
 
 
 def _detect(session: Session, image_id: int, actor: int) -> Any:
-    found = {"found": False, "reason": "No board.", "corners_px": []}
-    return set_detection(session, image_id, **found, columns=8, rows=5, sharpness=None, actor=actor)
+    detection = Detection(False, "No board.", [], columns=8, rows=5, sharpness=None)
+    return set_detection(session, image_id, detection, actor=actor)
 
 
 def _upload(session: Session, one: Sample) -> Any:

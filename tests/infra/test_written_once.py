@@ -1,12 +1,15 @@
 """What is written once stays: the database refuses changes, and verify finds those made behind its back."""
 
+import json
 from collections.abc import Callable
+from dataclasses import asdict
 from typing import Any
 
 import pytest
 from sqlalchemy import Engine, text
 from sqlalchemy.exc import DBAPIError
 
+from sightline.cli import main
 from sightline.errors import SightlineError
 from sightline.export.store import add_export
 from sightline.infra.audit import trail
@@ -277,11 +280,11 @@ def test_verify_says_what_is_no_database(tmp_path: Any) -> None:
         return caught.value.message
 
     assert "no database" in refused(lambda: verify_database(f"sqlite:///{tmp_path}/none.db"))
-    empty, text_file = tmp_path / "empty.db", tmp_path / "text.db"
+    empty, letter = tmp_path / "empty.db", tmp_path / "letter.db"
     empty.touch()
-    text_file.write_text("this is a letter, not a database\n" * 100)
-    assert "holds no surveys" in refused(lambda: verify_database(f"sqlite:///{empty}"))
-    assert "not a database" in refused(lambda: verify_database(f"sqlite:///{text_file}"))
+    letter.write_text("this is a letter, not a database\n" * 100)
+    assert "This address is not a Sight" in refused(lambda: verify_database(f"sqlite:///{empty}"))
+    assert "letter.db is not a Sight" in refused(lambda: verify_database(f"sqlite:///{letter}", "letter.db"))
     assert "not supported" in refused(lambda: verify_database("mysql://x/y"))
     assert not (tmp_path / "none.db").exists()
 
@@ -296,3 +299,18 @@ def test_events_name_their_actor_and_turn_the_page(filled: SessionFactory) -> No
     assert newest[0].previous_hash == newest[1].hash
     assert rene is not None and of_reviews[0].actor is not None and of_reviews[0].actor.id == rene.id
     assert of_reviews[0].after is not None and of_reviews[0].after["verdict"] == "accepted"
+
+
+def test_the_command_says_what_the_function_finds(
+    filled: SessionFactory, database_url: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """`sightline verify` of a database is `verify_database`: sound, changed, and not ours (status 2)."""
+    sound = verify_database(database_url)
+    assert main(["verify", database_url]) == 0
+    assert f"{sound.checked} events holds, head {sound.head_hash[:16]}." in capsys.readouterr().out
+    _tamper(engine_of(filled), *TAMPERED["a calibration"][0])
+    assert main(["verify", database_url, "--json"]) == 1
+    said = capsys.readouterr()
+    assert json.loads(said.out) == {"kind": "database", **asdict(verify_database(database_url))}
+    assert str(verify_database(database_url).problem) in said.err
+    assert main(["verify", "sqlite:////nowhere/sightline.db"]) == 2

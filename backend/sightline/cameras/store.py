@@ -2,12 +2,13 @@
 
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
+from dataclasses import asdict
 from typing import Any
 
 from sqlalchemy import delete, func, select
 from sqlalchemy.orm import Session
 
-from sightline.cameras.calibrations.records import CalibrationImage
+from sightline.cameras.calibrations.records import CalibrationImage, Detection
 from sightline.cameras.calibrations.store import summaries
 from sightline.cameras.calibrations.tables import calibration_images, calibrations
 from sightline.cameras.records import CalibrationSummary, Camera
@@ -79,25 +80,16 @@ def add_calibration_image(
     media_key: str,
     width_px: int,
     height_px: int,
-    found: bool,
-    reason: str | None,
-    corners_px: Sequence[Sequence[float]],
-    columns: int,
-    rows: int,
-    sharpness: float | None,
+    detection: Detection,
     actor: int | None,
-    ids: Sequence[int] | None = None,
-    dictionary: str | None = None,
-    marker_share: float | None = None,
 ) -> CalibrationImage:
     """A stored image with what was detected in it; `reason` says why no board was found."""
     camera = get_row(session, cameras, camera_id, "camera")
     content = {"name": name, "media_key": media_key, "width_px": width_px, "height_px": height_px}
-    seen = _seen(corners_px, ids, dictionary, marker_share)
-    detected = _detection(found, reason, seen, columns, rows, sharpness)
+    detected = _detection_row(detection)
     stamps = {"camera_id": camera_id, "created_at": now(), "created_by": actor}
     image_id = add_row(session, calibration_images, {**content, **detected, **stamps})
-    after = {"camera_id": camera_id, **content, "found": found, "reason": reason}
+    after = {"camera_id": camera_id, **content, "found": detection.found, "reason": detection.reason}
     trail.record(session, actor, "create", "calibration_image", image_id, camera["survey_id"], None, after)
     return get_calibration_image(session, image_id)
 
@@ -105,23 +97,14 @@ def add_calibration_image(
 def set_detection(
     session: Session,
     image_id: int,
+    detection: Detection,
     *,
-    found: bool,
-    reason: str | None,
-    corners_px: Sequence[Sequence[float]],
-    columns: int,
-    rows: int,
-    sharpness: float | None,
     actor: int | None,
-    ids: Sequence[int] | None = None,
-    dictionary: str | None = None,
-    marker_share: float | None = None,
 ) -> CalibrationImage:
     """What was found when looking again, for a board of another size."""
     before = get_row(session, calibration_images, image_id, "calibration image")
     camera = get_row(session, cameras, before["camera_id"], "camera")
-    seen = _seen(corners_px, ids, dictionary, marker_share)
-    detected = _detection(found, reason, seen, columns, rows, sharpness)
+    detected = _detection_row(detection)
     change_row(session, calibration_images, image_id, detected)
     what = trail.changed(before, detected, ("found", "reason", "columns", "rows"))
     trail.record(session, actor, "detect", "calibration_image", image_id, camera["survey_id"], *what)
@@ -144,34 +127,10 @@ def calibration_image_in_use(session: Session, media_key: str) -> bool:
     return session.execute(query).first() is not None
 
 
-def _detection(
-    found: bool,
-    reason: str | None,
-    seen: Any,
-    columns: int,
-    rows: int,
-    sharpness: float | None,
-) -> dict[str, Any]:
-    if not found and not reason:
+def _detection_row(detection: Detection) -> dict[str, Any]:
+    if not detection.found and not detection.reason:
         raise BadInput("An image without a board needs the reason why; say what was looked for.")
-    size = {"columns": columns, "rows": rows, "sharpness": sharpness}
-    return {"found": found, "reason": reason, "corners_px": seen, **size}
-
-
-def _seen(
-    corners_px: Sequence[Sequence[float]],
-    ids: Sequence[int] | None,
-    dictionary: str | None,
-    marker_share: float | None,
-) -> Any:
-    """The document of the column corners_px: the list of points, as it always was, or for a board with
-    markers an object that holds them with what else is known.
-    """
-    points = [[float(x), float(y)] for x, y in corners_px]
-    if dictionary is None:
-        return points
-    numbers = None if ids is None else [int(n) for n in ids]
-    return {"points": points, "ids": numbers, "dictionary": dictionary, "marker_share": marker_share}
+    return asdict(detection)
 
 
 def _cameras(session: Session, rows: Sequence[Mapping[str, Any]]) -> tuple[Camera, ...]:
@@ -200,7 +159,4 @@ def _cameras(session: Session, rows: Sequence[Mapping[str, Any]]) -> tuple[Camer
 
 def _image(row: Mapping[Any, Any]) -> CalibrationImage:
     values = {key: value for key, value in row.items() if key not in ("created_at", "created_by")}
-    if isinstance(values["corners_px"], Mapping):
-        seen = dict(values.pop("corners_px"))
-        values |= {"corners_px": seen.pop("points"), **seen}
     return CalibrationImage(**values)

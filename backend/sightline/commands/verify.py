@@ -57,29 +57,11 @@ def check_export(path: Path, head: str | None = None) -> dict[str, Any]:
     return {"kind": "export", **found, "sha256": sha256_of(path) if path.is_file() else None}
 
 
-def check_database(url: str, name: str | None = None) -> dict[str, Any]:
+def check_database(url: str, name: str = "This address") -> dict[str, Any]:
     """A database; nothing in it is changed."""
-    from sqlalchemy import inspect
-    from sqlalchemy.exc import DatabaseError
+    from sightline.infra.audit.verification import verify_database
 
-    from sightline.infra.audit.verification import require_version, verify_records
-    from sightline.infra.database.engine import make_engine, reading, session_factory
-
-    engine = make_engine(url)
-    stranger = (
-        f"{name or 'This address'} is not a Sightline database; name the sightline.db of a data folder."
-    )
-    try:
-        if not inspect(engine).has_table("audit_events"):
-            raise BadInput(stranger)
-        with reading(session_factory(engine)) as session:
-            require_version(session)
-            found = verify_records(session)
-    except DatabaseError as error:
-        raise BadInput(stranger) from error
-    finally:
-        engine.dispose()
-    return {"kind": "database", **asdict(found)}
+    return {"kind": "database", **asdict(verify_database(url, name))}
 
 
 def _words(place: str, found: dict[str, Any]) -> str:

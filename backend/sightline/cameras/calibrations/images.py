@@ -1,11 +1,9 @@
 """Calibration images: looking for the board, keeping the file once, looking again for another board."""
 
-from dataclasses import dataclass
-
 import numpy as np
 import numpy.typing as npt
 
-from sightline.cameras.calibrations.records import CalibrationImage
+from sightline.cameras.calibrations.records import CalibrationImage, Detection
 from sightline.cameras.store import (
     add_calibration_image,
     calibration_image_in_use,
@@ -22,23 +20,6 @@ from sightline.media.images import jpeg
 from sightline.recordings.uploads.service import upload_suffix
 
 JPEG_QUALITY = 92
-
-
-@dataclass(frozen=True)
-class Detection:
-    """What was found of a board in one picture; `columns` and `rows` as seen, corners row by row. `ids`,
-    `dictionary`, `marker_share`: as of a CalibrationImage.
-    """
-
-    found: bool
-    reason: str | None
-    corners_px: list[list[float]]
-    columns: int
-    rows: int
-    sharpness: float | None
-    ids: list[int] | None = None
-    dictionary: str | None = None
-    marker_share: float | None = None
 
 
 def look(gray: npt.NDArray[np.uint8], board: Board) -> Detection:
@@ -79,8 +60,8 @@ def add_image(
             media_key=key,
             width_px=int(width),
             height_px=int(height),
+            detection=found,
             actor=actor,
-            **vars(found),
         )
 
 
@@ -96,7 +77,7 @@ def detect_again(
         known = {image.id for image in list_calibration_images(session, camera_id)}
         for image_id, detection in found:
             if image_id in known:
-                set_detection(session, image_id, actor=actor, **vars(detection))
+                set_detection(session, image_id, detection, actor=actor)
         return list_calibration_images(session, camera_id)
 
 

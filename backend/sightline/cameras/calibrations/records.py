@@ -26,10 +26,28 @@ class Calibration:
 
 
 @dataclass(frozen=True, slots=True)
-class CalibrationImage:
-    """A picture of the board and what was found in it. `ids`: which corners were seen, row by row, None for
-    all; `dictionary` and `marker_share` (of a square's side): of a board with markers.
+class Detection:
+    """What was found of a board in one picture, or the `reason` why not.
+
+    `corners_px`: (x, y) row by row of the board as seen, which has `columns` by `rows` inner corners. `ids`:
+    which of them were seen, None for all; `dictionary` and `marker_share` (of a square's side): of a board
+    with markers.
     """
+
+    found: bool
+    reason: str | None
+    corners_px: list[list[float]]
+    columns: int
+    rows: int
+    sharpness: float | None
+    ids: list[int] | None = None
+    dictionary: str | None = None
+    marker_share: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class CalibrationImage:
+    """A picture of the board and what was found in it, as in a `Detection`."""
 
     id: int
     camera_id: int
@@ -43,6 +61,6 @@ class CalibrationImage:
     columns: int
     rows: int
     sharpness: float | None
-    ids: list[int] | None = None
-    dictionary: str | None = None
-    marker_share: float | None = None
+    ids: list[int] | None
+    dictionary: str | None
+    marker_share: float | None

@@ -10,7 +10,8 @@ import json
 from collections.abc import Iterator
 from typing import Any
 
-from sqlalchemy import Table, inspect, select
+from sqlalchemy import Engine, Table, inspect, select
+from sqlalchemy.exc import DatabaseError, OperationalError
 from sqlalchemy.orm import Session
 
 from sightline.cameras.calibrations.tables import calibrations
@@ -20,7 +21,7 @@ from sightline.infra.audit.hashing import GENESIS, chain_hash, plain
 from sightline.infra.audit.records import Verification
 from sightline.infra.audit.tables import audit_anchor, audit_events
 from sightline.infra.database.engine import (
-    DatabaseAway,
+    explanation,
     lock_chain,
     make_engine,
     newest_revision,
@@ -68,20 +69,23 @@ def verify_records(session: Session) -> Verification:
     return Verification(True, state.checked, state.head, None)
 
 
-def verify_database(url: str) -> Verification:
-    """The same for a database by its URL, without changing it. Raises BadInput, DatabaseAway."""
+def verify_database(url: str, name: str = "This address") -> Verification:
+    """The same for a database by its URL, without changing it; `name` is what a refusal calls it.
+
+    Raises BadInput for what is not ours or of another version, DatabaseAway.
+    """
     engine = make_engine(url, must_exist=True)
     try:
+        if not _holds_a_chain(engine):
+            raise BadInput(f"{name} is not a Sightline database; name the sightline.db of a data folder.")
         with reading(session_factory(engine)) as session:
-            if not _has_tables(session):
-                raise DatabaseAway("This database holds no surveys; give the address of the right one.")
-            require_version(session)
+            _require_version(session)
             return verify_records(session)
     finally:
         engine.dispose()
 
 
-def require_version(session: Session) -> None:
+def _require_version(session: Session) -> None:
     """Raises BadInput for a database of another version, whose tables are others."""
     if stored_revision(session.connection()) != newest_revision():
         raise BadInput(
@@ -90,8 +94,13 @@ def require_version(session: Session) -> None:
         )
 
 
-def _has_tables(session: Session) -> bool:
-    return inspect(session.connection()).has_table(audit_events.name)
+def _holds_a_chain(engine: Engine) -> bool:
+    try:
+        return inspect(engine).has_table(audit_events.name)
+    except OperationalError as error:
+        raise explanation(error) from error
+    except DatabaseError:
+        return False
 
 
 class _Walk:
