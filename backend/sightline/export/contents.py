@@ -103,6 +103,8 @@ def made_with() -> dict[str, str]:
 
 #: The folders that figures, report and statistics are made by: a change in them changes what they make.
 _MADE_IN = ("statistics", "linescan", "surveys", "quality", "scans", "results", "export")
+#: Code and the report's templates; its fonts come with Matplotlib and Typst, whose versions stand beside.
+_KINDS = ("*.py", "*.typ")
 
 
 @cache
@@ -110,6 +112,7 @@ def _drawing() -> str:
     """The hash of the code that statistics, figures and report come from, whatever version it is part of."""
     root = Path(__file__).resolve().parents[1]
     digest = hashlib.sha256()
-    for file in sorted(file for folder in _MADE_IN for file in (root / folder).rglob("*.py")):
+    files = (file for folder in _MADE_IN for kind in _KINDS for file in (root / folder).rglob(kind))
+    for file in sorted(files):
         digest.update(file.relative_to(root).as_posix().encode() + b"\0" + file.read_bytes())
     return digest.hexdigest()[:16]

@@ -112,8 +112,22 @@ def test_names_come_out_as_text(name: str) -> None:
     made = report(odd)
     said = flat(words(made))
     assert said.count(flat(shown)) >= 6
+    assert flat(shown) in flat(words(report(_called(name))))
     title = re.search(rb"<dc:title>.*?<rdf:li[^>]*>(.*?)</rdf:li>", made, re.DOTALL)
     assert title and unescape(title.group(1).decode()) == f"{shown}, measurement report"
+
+
+def _called(name: str) -> ReportFacts:
+    """A survey in which everything is called that."""
+    named = facts(statistics(0))
+    (lens,), (pose, *_), (recording, *_) = named.calibrations, named.poses, named.recordings
+    return replace(
+        named,
+        recordings=(replace(recording, name=name, camera=name),),
+        calibrations=(replace(lens, camera=name, source=name, warnings=(name,)),),
+        poses=(replace(pose, recording=name, camera=name, board=name, warnings=(name,)),),
+        insets=(replace(named.insets[0], note=name),),
+    )
 
 
 def test_other_scripts_are_set_from_the_fonts_at_hand() -> None:

@@ -16,10 +16,6 @@ from matplotlib.ft2font import FT2Font
 
 FOLDER = Path(matplotlib.get_data_path()) / "fonts" / "ttf"
 LACKING = "[…]†"
-LACKING_TOLD = (
-    f"{LACKING} stands for characters of a script that this report’s fonts lack; the CSV files hold them "
-    "whole."
-)
 _READ = ("DejaVuSans.ttf", "STIXGeneral.ttf")
 
 

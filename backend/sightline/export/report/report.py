@@ -1,29 +1,36 @@
 """The report of a survey as PDF: a few pages that say what was measured, how, how well, and how to check it.
 
-Set by Typst from fonts that come along, so that the same facts give the same bytes on every machine.
+Typst sets it from the templates beside this file (`report.typ` first), which hold sentences and layout, and
+from fonts that come along, so that the same facts give the same bytes on every machine.
 """
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
 from datetime import datetime
+from functools import cache
+from pathlib import Path
 from typing import Any
 
 import typst
 
-from sightline.export.report import end, results, setup
-from sightline.export.report import scans as report_scans
-from sightline.export.report.blocks import Document, text
 from sightline.export.report.canvas import Drawing
 from sightline.export.report.facts import ReportFacts
 from sightline.export.report.figures import drawings
-from sightline.export.report.fonts import FOLDER
-from sightline.export.report.template import TEMPLATE
+from sightline.export.report.fonts import FOLDER, LACKING
+from sightline.export.report.pictures import Pictures
+from sightline.export.report.results import errors, glance, heights
+from sightline.export.report.scans import line_scans
+from sightline.export.report.settable import Values, settable
+from sightline.export.report.setup import calibration, exclusions, insets, moment, setup, title, verification
+from sightline.export.report.units import unit_words
 
 Drawn = Mapping[str, Drawing | str]
 # Archives keep PDF/A; screen readers want the tags and alternative texts of PDF/UA.
 _STANDARDS = ["a-2a", "ua-1"]
-_SHORT = 70  # signs of a name in the running head
+_TEMPLATES = Path(__file__).parent
+_FIRST = "report.typ"
 
 
 def report(facts: ReportFacts, drawn: Drawn | None = None) -> bytes:
@@ -41,28 +48,41 @@ def report(facts: ReportFacts, drawn: Drawn | None = None) -> bytes:
 
 
 def sources(facts: ReportFacts, drawn: Drawn | None = None) -> dict[str, bytes]:
-    """The files that Typst compiles: template, blocks, pictures."""
-    document, name = Document(), facts.survey.strip() or "Survey"
+    """The files that Typst compiles: templates, values, pictures."""
     scans = None if facts.scans is None else facts.scans.statistics
-    figures = drawings(facts.statistics, facts.unit, scans) if drawn is None else drawn
-    setup.title(document, facts)
-    results.glance(document, facts)
-    setup.setup(document, facts)
-    setup.calibration(document, facts)
-    setup.method(document, facts)
-    results.errors(document, facts, figures)
-    results.heights(document, facts, figures)
-    report_scans.line_scans(document, facts, figures)
-    end.exclusions(document, facts)
-    end.verification(document, facts)
-    head = document.as_json(
-        title=text(name),
-        short=text(name if len(name) <= _SHORT else f"{name[:_SHORT]}…"),
-        site=text(facts.site),
-        as_of=setup.moment(facts.as_of),
-        head=facts.audit_head[:16],
-    )
-    return {"main.typ": TEMPLATE.encode("utf-8"), "report.json": head, **document.files}
+    pictures = Pictures(drawings(facts.statistics, facts.unit, scans) if drawn is None else drawn)
+    values = _values(facts, pictures)
+    return {**_templates(), "values.json": values, **pictures.files}
+
+
+def _values(facts: ReportFacts, pictures: Pictures) -> bytes:
+    """What the templates show, as JSON: texts that can be set, numbers with the decimals that they have."""
+    values: Values = {
+        "as_of": moment(facts.as_of),
+        "head": facts.audit_head[:16],
+        "unit": unit_words(facts.unit),
+        "title": title(facts),
+        "glance": glance(facts),
+        "setup": setup(facts, pictures),
+        "calibration": calibration(facts),
+        "insets": insets(facts),
+        "errors": errors(facts, pictures),
+        "heights": heights(facts, pictures),
+        "scans": line_scans(facts, pictures),
+        "exclusions": exclusions(facts),
+        "verification": verification(facts),
+    }
+    fit = settable(values)
+    assert isinstance(fit, dict)
+    lacking = LACKING in json.dumps(fit, ensure_ascii=False)
+    return json.dumps({**fit, "lacking": LACKING if lacking else None}, ensure_ascii=False).encode("utf-8")
+
+
+@cache
+def _templates() -> dict[str, bytes]:
+    """The templates by name; Typst begins at main.typ."""
+    files = sorted(_TEMPLATES.glob("*.typ"))
+    return {"main.typ" if file.name == _FIRST else file.name: file.read_bytes() for file in files}
 
 
 def _compiled(files: dict[str, bytes], stamp: int, standards: list[Any]) -> bytes:

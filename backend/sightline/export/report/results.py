@@ -1,354 +1,245 @@
-"""The report's second half: results, errors, heights, what was left out, how to check it."""
+"""Values of the report about results: at a glance, errors against reference heights, distributions."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 from sightline.export.report import words
-from sightline.export.report.blocks import Cell, Column, Document
-from sightline.export.report.canvas import Drawing
 from sightline.export.report.facts import ReportFacts
+from sightline.export.report.pictures import Pictures
+from sightline.export.report.settable import Json, Values
 from sightline.export.report.units import (
     HEIGHT,
-    NONE,
+    OTHER,
     SMALL,
     SQUARE,
     Scale,
     Unit,
-    count,
     fixed,
     limit,
     percent,
-    plural,
 )
-from sightline.results.survey_statistics import standards_of
+from sightline.results.survey_statistics import Shown, standards_of
 from sightline.statistics.agreement import BlandAltman, ReferencePart
 from sightline.statistics.distributions import Percentile, Share
-from sightline.statistics.errors import GROUPS, ErrorGroup, Interval
+from sightline.statistics.errors import FIGURES, GROUPS, ErrorGroup, Interval
 from sightline.statistics.paper import PAPER
 from sightline.statistics.standards import Standard
 from sightline.statistics.summary import Distribution, Target
 
-Drawn = Mapping[str, Drawing | str]
-_OTHER: dict[Unit, Unit] = {"m": "ft", "ft": "m"}
 _GLANCE = (5.0, 15.0, 50.0, 85.0, 95.0)
 _PLAIN = Scale(1.0, "", 2)
-_ROWS: tuple[tuple[str, str], ...] = (
-    ("bias_m", "Bias (mean error)"),
-    ("mae_m", "MAE"),
-    ("rmse_m", "RMSE"),
-    ("mse_m2", "MSE"),
-    ("sd_m", "SD of the error"),
-    ("pearson_error_vs_height", "r(error, height)"),
-    ("pearson_abs_error_vs_height", "r(|error|, height)"),
+_ERROR_FIGURES = (
+    "absolute-error-ecdf",
+    "relative-error-ecdf",
+    "signed-error-density",
+    "error-against-height",
 )
 _GROUPINGS = ("category", "site", "operator")
-_SIGNS = {"mm": "millimetres", "in": "inches", "cm²": "square centimetres", "in²": "square inches"}
 
 
-def glance(document: Document, facts: ReportFacts) -> None:
+def glance(facts: ReportFacts) -> Values:
     """The few numbers that most readers came for."""
-    result, height = facts.statistics, HEIGHT[facts.unit]
-    document.section("Results at a glance")
-    there = {
-        name: one.corrected for name, one in result.targets.items() if one.corrected.n and name != "roof"
+    result = facts.statistics
+    eyes = result.targets.get("driver_eye")
+    return {
+        "correction": words.CORRECTIONS[facts.choices.correction],
+        "percents": [fixed(at, 0) for at in _GLANCE],
+        "targets": [
+            _glance(name, target.corrected, HEIGHT[facts.unit])
+            for name, target in result.targets.items()
+            if target.corrected.n and name != "roof"
+        ],
+        "errors": _errors_in_short(result.errors.groups["overall"], SMALL[facts.unit]),
+        "standards": [] if eyes is None else _standards(facts, "driver_eye", eyes),
     }
-    if there:
-        document.table(
-            f"Heights above the road, {words.CORRECTIONS[facts.choices.correction]}, in "
-            f"{_unit_words(height)}.",
-            [
-                Column("Target", 1.0),
-                Column("Vehicles", align="right"),
-                Column("Mean", align="right"),
-                Column("SD", align="right"),
-                *(Column(f"P{fixed(p, 0)}" if p != 50 else "Median", align="right") for p in _GLANCE),
-            ],
-            [_glance(name, one, height) for name, one in there.items()],
-        )
-    else:
-        document.words("No height of an eye, a taillight or a headlight counts yet.")
-    overall = result.errors.groups["overall"]
-    document.words(_errors_in_short(overall, SMALL[facts.unit]))
-    _below_standards(document, facts)
 
 
-def _below_standards(document: Document, facts: ReportFacts) -> None:
-    """Which share of drivers sits below each standard's eye height."""
-    eyes = facts.statistics.targets.get("driver_eye")
-    if eyes is None or not eyes.corrected.shares:
-        return
-    standards = standards_of(facts.statistics.standards, "driver_eye")
-    document.words("Drivers’ eyes below the heights that standards are set by:", sticky=True)
-    document.listed(
-        f"{one.name}, {limit(one.height_m, facts.unit)}: {percent(share.share)} "
-        f"(95 %: {fixed(100 * share.low, 1)} to {fixed(100 * share.high, 1)}\u00a0%)"
-        for one, share in zip(standards, eyes.corrected.shares, strict=True)
-    )
+def _glance(name: Shown, heights: Distribution, scale: Scale) -> Values:
+    values = {one.percent: one.value for one in heights.percentiles}
+    return {
+        "name": words.TARGETS[name],
+        "n": heights.n,
+        "mean": scale.number(heights.mean_m),
+        "sd": scale.number(heights.sd_m),
+        "percentiles": [scale.number(values.get(at)) for at in _GLANCE],
+    }
 
 
-def _glance(name: str, one: Distribution, height: Scale) -> list[str]:
-    at = {found.percent: found.value for found in one.percentiles}
-    figures = [one.mean_m, one.sd_m, *(at.get(p) for p in _GLANCE)]
-    return [words.heading(words.TARGETS[name]), count(one.n), *(height.number(value) for value in figures)]
-
-
-def _errors_in_short(overall: ErrorGroup, small: Scale) -> str:
+def _errors_in_short(overall: ErrorGroup, small: Scale) -> Values | None:
     mae, bias = overall.figures["mae_m"], overall.figures["bias_m"]
     if mae is None or bias is None:
-        return "No vehicle has a reference height, so the error of the heights is not tested here."
-    return (
-        f"Against the reference heights of {plural(overall.n, 'vehicle', 'vehicles')}, roofs are measured "
-        f"with a "
-        f"mean absolute error of {small.length(mae)}{_bracket(overall.ci95['mae_m'], small)} and a bias of "
-        f"{small.number(bias, signed=True)}\u00a0{small.sign}{_bracket(overall.ci95['bias_m'], small)}."
-    )
+        return None
+    return {
+        "n": overall.n,
+        "mae": small.number(mae),
+        "mae_ci95": _interval(overall.ci95["mae_m"], small),
+        "bias": small.number(bias, signed=True),
+        "bias_ci95": _interval(overall.ci95["bias_m"], small),
+    }
 
 
-def _bracket(interval: Interval | None, scale: Scale) -> str:
-    return "" if interval is None else f" (95 %: {_range(interval, scale)})"
+def _interval(found: Interval | None, scale: Scale) -> Values | None:
+    return None if found is None else {"low": scale.number(found.low), "high": scale.number(found.high)}
 
 
-def _range(interval: Interval, scale: Scale) -> str:
-    return f"{scale.number(interval.low)} to {scale.number(interval.high)}"
-
-
-def _unit_words(scale: Scale) -> str:
-    return {"m": "metres", "ft": "feet"}.get(scale.sign, scale.sign)
-
-
-def errors(document: Document, facts: ReportFacts, drawn: Drawn) -> None:
-    """The error table and its figures."""
-    found = facts.statistics.errors
-    document.section("Error against reference heights")
+def errors(facts: ReportFacts, pictures: Pictures) -> Values | None:
+    """The error table and its figures; None where no vehicle has a reference height."""
+    found, unit = facts.statistics.errors, facts.unit
     if found.groups["overall"].n == 0:
-        document.words(
-            "No roof of a vehicle with a reference height counts here, so there is no error to be stated. "
-            "Enter "
-            "manufacturers’ heights in the vehicle records to have one."
-        )
-        return
-    rounded = (
-        "both rounded to whole centimetres, as the paper does"
-        if found.rounding == "cm"
-        else "without rounding"
-    )
-    heights = "corrected by their inset" if facts.choices.correction == "inset" else "with inset 0"
-    document.words(
-        f"Error = measured minus reference, of roofs {heights}, {rounded}. Every figure comes "
-        f"from the "
-        "single errors, never from other figures. Intervals at 95 %: BCa bootstrap of 4999 resamples up "
-        "to 1000 "
-        "vehicles, normal with the infinitesimal jackknife’s variances beyond."
-    )
-    _error_table(document, facts)
-    for name in GROUPS[:2]:
-        if found.groups[name].n == 0:
-            document.words(f"No {words.GROUPS[name]} vehicle with a reference height counts here.")
-    document.words(
-        _reference_words(found.reference_part, facts.unit), _limits_words(found.bland_altman, facts.unit)
-    )
-    names = ("absolute-error-ecdf", "relative-error-ecdf", "signed-error-density", "error-against-height")
-    document.figures([(name, drawn[name]) for name in names if name in drawn], across=2)
-    _paper_table(document, facts.unit)
+        return None
+    return {
+        "inset": facts.choices.correction == "inset",
+        "whole_cm": found.rounding == "cm",
+        "groups": [_error_group(name, found.groups[name], unit) for name in GROUPS],
+        "reasons": sorted({one.reason for one in found.groups.values() if one.reason and one.n}),
+        "reference_part": _reference_part(found.reference_part, unit),
+        "limits": _limits(found.bland_altman, unit),
+        "figures": pictures.figures(_ERROR_FIGURES),
+        "paper": _paper(unit),
+    }
 
 
-def _error_table(document: Document, facts: ReportFacts) -> None:
-    groups = facts.statistics.errors.groups
-    rows: list[list[Cell]] = [["n", *(count(groups[name].n) for name in GROUPS)]]
-    for key, word in _ROWS:
-        mine, other = _scale(key, facts.unit), _scale(key, _OTHER[facts.unit])
-        sign = f" ({mine.sign})" if mine.sign else ""
-        below = _SIGNS[other.sign] if mine.sign else ""
-        head: Cell = (f"{word}{sign}", below) if below else word
-        rows.append([head, *(_figure(groups[name], key, mine, other) for name in GROUPS)])
-    document.table(
-        "The error with its 95 % intervals.",
-        [Column("", 1.1), *(Column(words.heading(words.GROUPS[name]), 1.2, "right") for name in GROUPS)],
-        rows,
-    )
-    reasons = {one.reason for one in groups.values() if one.reason and one.n}
-    document.note(*(f"{words.heading(one)}." for one in sorted(reasons)))
+def _error_group(name: str, group: ErrorGroup, unit: Unit) -> Values:
+    figures: Values = {key: _error_figure(group, key, unit) for key in FIGURES}
+    return {"name": words.GROUPS[name], "n": group.n, "figures": figures}
 
 
-def _scale(key: str, unit: Unit) -> Scale:
-    if key == "mse_m2":
-        return SQUARE[unit]
-    return _PLAIN if key.startswith("pearson") else SMALL[unit]
-
-
-def _figure(group: ErrorGroup, key: str, mine: Scale, other: Scale) -> Cell:
+def _error_figure(group: ErrorGroup, key: str, unit: Unit) -> Values | None:
+    """One figure with its interval in the reader's unit and, of a length, in the other."""
     value, interval = group.figures[key], group.ci95[key]
     if value is None:
-        return NONE
-    own = _with_interval(value, interval, mine)
-    return (own, _with_interval(value, interval, other)) if mine.sign else own
+        return None
+    if key.startswith("pearson"):
+        return {"mine": _with_interval(value, interval, _PLAIN), "other": None}
+    scales = SQUARE if key == "mse_m2" else SMALL
+    mine, other = scales[unit], scales[OTHER[unit]]
+    return {"mine": _with_interval(value, interval, mine), "other": _with_interval(value, interval, other)}
 
 
-def _with_interval(value: float, interval: Interval | None, scale: Scale) -> str:
-    return scale.number(value) + ("" if interval is None else f" ({_range(interval, scale)})")
+def _with_interval(value: float, interval: Interval | None, scale: Scale) -> Values:
+    return {"value": scale.number(value), "ci95": _interval(interval, scale)}
 
 
-def _reference_words(part: ReferencePart | str, unit: Unit) -> str:
+def _reference_part(part: ReferencePart | str, unit: Unit) -> Json:
     if isinstance(part, str):
         return part
-    return (
-        f"{part.words} By itself it makes a correlation of {fixed(part.correlation_alone, 2)} between "
-        f"error and "
-        f"height, for which no camera is to blame (u of the reference "
-        f"{SMALL[unit].length(part.u_reference_m)})."
-    )
+    return {
+        "words": part.words,
+        "correlation": fixed(part.correlation_alone, 2),
+        "u_reference": SMALL[unit].number(part.u_reference_m),
+    }
 
 
-def _limits_words(found: BlandAltman | str, unit: Unit) -> str:
+def _limits(found: BlandAltman | str, unit: Unit) -> Json:
     if isinstance(found, str):
         return found
     small = SMALL[unit]
-    return (
-        f"Limits of agreement (Bland and Altman): {small.length(found.lower_m)} "
-        f"({_range(found.lower_ci95, small)}) and {small.length(found.upper_m)} "
-        f"({_range(found.upper_ci95, small)})."
-    )
+    return {
+        "lower": small.number(found.lower_m),
+        "lower_ci95": _interval(found.lower_ci95, small),
+        "upper": small.number(found.upper_m),
+        "upper_ci95": _interval(found.upper_ci95, small),
+    }
 
 
-def _paper_table(document: Document, unit: Unit) -> None:
+def _paper(unit: Unit) -> list[Json]:
     small, square = SMALL[unit], SQUARE[unit]
-    titles = ("MAE", "RMSE", "MSE", "SD")
-    signs = (small.sign, small.sign, square.sign, small.sign)
-    document.table(
-        "For comparison, Table 1 of the paper as printed.",
-        [
-            Column("Its column"),
-            Column("n", align="right"),
-            *(Column(one, 0.0, "right", sign) for one, sign in zip(titles, signs, strict=True)),
-            Column("What is inconsistent in it", 1.0),
-        ],
-        [
-            [
-                words.heading(words.GROUPS[one.group]),
-                str(one.n),
-                small.number(one.mae_m),
-                small.number(one.rmse_m),
-                square.number(one.mse_m2),
-                small.number(one.sd_m),
-                one.note.replace("+-", "±"),
-            ]
-            for one in PAPER
-        ],
-    )
+    return [
+        {
+            "group": words.GROUPS[column.group],
+            "n": column.n,
+            "mae": small.number(column.mae_m),
+            "rmse": small.number(column.rmse_m),
+            "mse": square.number(column.mse_m2),
+            "sd": small.number(column.sd_m),
+            "note": column.note.replace("+-", "±"),
+        }
+        for column in PAPER
+    ]
 
 
-def heights(document: Document, facts: ReportFacts, drawn: Drawn) -> None:
+def heights(facts: ReportFacts, pictures: Pictures) -> Values:
     """Each target's distribution, percentiles, and who sits below the standards."""
-    document.section("Distributions of heights")
-    result = facts.statistics
-    there = {name: one for name, one in result.targets.items() if one.raw.n or one.corrected.n}
-    if not there:
-        document.words("No height counts here yet; accepted measurements will stand here.")
-        return
-    document.words(
-        "Percentiles are estimated without bias of the median (type 8 of Hyndman and Fan); their "
-        "intervals lie "
-        "between order statistics and assume no shape. Bands of cumulative distributions hold everywhere "
-        "at once "
-        "(Dvoretzky, Kiefer, Wolfowitz, Massart); intervals of shares are Clopper’s and Pearson’s."
-    )
-    for name, one in there.items():
-        _target(document, facts, name, one, drawn)
-    absent = [words.TARGETS[name] for name in result.targets if name not in there]
-    if absent:
-        document.words(f"Not measured, or nothing of it counts here: {', '.join(absent)}.")
+    targets = facts.statistics.targets
+    there = [name for name, target in targets.items() if target.raw.n or target.corrected.n]
+    return {
+        "targets": [_target(facts, name, targets[name], pictures) for name in there],
+        "absent": [words.TARGETS[name] for name in targets if name not in there],
+    }
 
 
-def _target(document: Document, facts: ReportFacts, name: str, one: Target, drawn: Drawn) -> None:
-    document.subsection(words.heading(words.TARGETS[name]))
-    if isinstance(one.correction, str):
-        document.words(f"Not corrected: {one.correction}")
-    else:
-        document.words(one.correction.words, sticky=True)
-        if one.correction.warning:
-            document.warning(one.correction.warning)
-    document.figures([(f"{name}-ecdf", drawn[f"{name}-ecdf"])])
-    _percentile_table(document, facts, name, one)
-    _share_table(document, facts, name, one)
-    if name != "roof":
-        document.figures([(key, drawn[key]) for word in _GROUPINGS if (key := f"{name}-by-{word}") in drawn])
-
-
-def _percentile_table(document: Document, facts: ReportFacts, name: str, one: Target) -> None:
-    mine, other = HEIGHT[facts.unit], HEIGHT[_OTHER[facts.unit]]
-    raw = {found.percent: found for found in one.raw.percentiles}
-    corrected = {found.percent: found for found in one.corrected.percentiles}
-    counts = f"{count(one.corrected.n)} corrected, {count(one.raw.n)} raw"
-    document.table(
-        f"Percentiles of the heights of the {words.TARGETS[name]}, with 95 % intervals; vehicles: {counts}.",
-        [
-            Column("Percentile", align="right"),
-            Column("Corrected", 0.0, "right", mine.sign),
-            Column("95 % interval", 0.0, "right", mine.sign),
-            Column("Corrected", 0.0, "right", other.sign),
-            Column("Raw, inset 0", 0.0, "right", mine.sign),
-            Column("95 % interval", 0.0, "right", mine.sign),
+def _target(facts: ReportFacts, name: Shown, target: Target, pictures: Pictures) -> Values:
+    mine, other = HEIGHT[facts.unit], HEIGHT[OTHER[facts.unit]]
+    raw = {one.percent: one for one in target.raw.percentiles}
+    corrected = {one.percent: one for one in target.corrected.percentiles}
+    done = target.correction
+    (ecdf,) = pictures.figures([f"{name}-ecdf"])
+    return {
+        "name": words.TARGETS[name],
+        "many": words.MANY[name],
+        "correction": done
+        if isinstance(done, str)
+        else {"words": done.words, "warning": done.warning or None},
+        "ecdf": ecdf,
+        "n_corrected": target.corrected.n,
+        "n_raw": target.raw.n,
+        "percentiles": [
+            _percentile(at, corrected.get(at), raw.get(at), mine, other) for at in raw | corrected
         ],
-        [
-            [
-                f"{p:g}\u00a0%",
-                mine.number(_value(corrected.get(p))),
-                _percentile_range(corrected.get(p), mine),
-                other.number(_value(corrected.get(p))),
-                mine.number(_value(raw.get(p))),
-                _percentile_range(raw.get(p), mine),
-            ]
-            for p in raw | corrected
-        ],
-    )
-    document.note(_without_interval(list((raw | corrected).values())))
+        "without_interval": without_interval(list((raw | corrected).values())),
+        "standards": _standards(facts, name, target),
+        "groupings": [] if name == "roof" else pictures.figures(f"{name}-by-{word}" for word in _GROUPINGS),
+    }
 
 
-def _without_interval(found: Sequence[Percentile]) -> str:
-    """Why some percentiles have no interval, each reason once."""
+def _percentile(
+    at: float, corrected: Percentile | None, raw: Percentile | None, mine: Scale, other: Scale
+) -> Values:
+    return {
+        "percent": f"{at:g}",
+        "corrected": None if corrected is None else mine.number(corrected.value),
+        "corrected_ci95": percentile_interval(corrected, mine),
+        "corrected_other": None if corrected is None else other.number(corrected.value),
+        "raw": None if raw is None else mine.number(raw.value),
+        "raw_ci95": percentile_interval(raw, mine),
+    }
+
+
+def percentile_interval(found: Percentile | None, scale: Scale) -> Values | None:
+    """The interval of a percentile, where it has one."""
+    if found is None or found.low is None or found.high is None:
+        return None
+    return {"low": scale.number(found.low), "high": scale.number(found.high)}
+
+
+def without_interval(found: Sequence[Percentile]) -> list[Json]:
+    """Why some percentiles have no interval, each reason once with its percents."""
     alike: dict[str, list[str]] = {}
     for one in found:
         if one.reason:
-            alike.setdefault(one.reason, []).append(f"{one.percent:g}\u00a0%")
-    return " ".join(f"{', '.join(which)}: {reason}." for reason, which in alike.items())
-
-
-def _value(found: Percentile | None) -> float | None:
-    return None if found is None else found.value
-
-
-def _percentile_range(found: Percentile | None, scale: Scale) -> str:
-    if found is None or found.low is None or found.high is None:
-        return NONE
-    return f"{scale.number(found.low)} to {scale.number(found.high)}"
-
-
-def _share_table(document: Document, facts: ReportFacts, name: str, one: Target) -> None:
-    standards = standards_of(facts.statistics.standards, name)  # type: ignore[arg-type]
-    if not standards or not one.corrected.shares:
-        return
-    who = words.MANY[name]
-    document.table(
-        f"Standards, and the share of {who} below them (corrected heights), with 95 % intervals.",
-        [
-            Column("Standard", 1.0),
-            Column("Height", align="right"),
-            Column("Below", align="right"),
-            Column("Share", align="right"),
-            Column("95 % interval", align="right"),
-            Column("Source", 1.6),
-        ],
-        [_share(*both, facts.unit) for both in zip(standards, one.corrected.shares, strict=True)],
-    )
-
-
-def _share(standard: Standard, found: Share, unit: Unit) -> Sequence[str]:
+            alike.setdefault(one.reason, []).append(f"{one.percent:g}")
     return [
-        standard.name,
-        limit(standard.height_m, unit),
-        f"{count(found.below)} of {count(found.n)}",
-        percent(found.share),
-        f"{fixed(100 * found.low, 1)} to {fixed(100 * found.high, 1)}\u00a0%",
-        standard.source,
+        {"reason": reason, "percents": list(dict.fromkeys(percents))} for reason, percents in alike.items()
     ]
+
+
+def _standards(facts: ReportFacts, name: Shown, target: Target) -> list[Json]:
+    """The standards that speak of a target, with the share below each."""
+    if not target.corrected.shares:
+        return []
+    standards = standards_of(facts.statistics.standards, name)
+    both = zip(standards, target.corrected.shares, strict=True)
+    return [_standard(standard, share, facts.unit) for standard, share in both]
+
+
+def _standard(standard: Standard, share: Share, unit: Unit) -> Values:
+    return {
+        "name": standard.name,
+        "height": limit(standard.height_m, unit),
+        "below": share.below,
+        "n": share.n,
+        "share": percent(share.share),
+        "ci95": {"low": fixed(100 * share.low, 1), "high": fixed(100 * share.high, 1)},
+        "source": standard.source,
+    }

@@ -1,13 +1,12 @@
-"""The report's first half: title, set-up, calibration and pose, method."""
+"""Values of the report about survey, set-up, lenses, poses, insets, exclusions and the package itself."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from datetime import UTC, datetime
+from datetime import UTC, date, datetime
 
 import numpy as np
 
-from sightline.export.report.blocks import Cell, Column, Document
 from sightline.export.report.facts import (
     CalibrationFacts,
     LensParameter,
@@ -15,250 +14,191 @@ from sightline.export.report.facts import (
     RecordingFacts,
     ReportFacts,
 )
-from sightline.export.report.units import HEIGHT, NONE, SMALL, Scale, count, fixed, plural
-from sightline.export.report.words import LIGHTING, TARGETS, heading
+from sightline.export.report.pictures import Pictures
+from sightline.export.report.settable import Json, Values
+from sightline.export.report.units import HEIGHT, SMALL, Scale, fixed
+from sightline.export.report.words import LIGHTING, TARGETS
 
-_MODELS = {
-    "brown": "Brown’s radial and tangential model",
-    "fisheye": "equidistant fisheye (Kannala and Brandt)",
-}
-_SOURCES = {
-    "images": "from pictures of a board",
-    "clip": "from a clip of a board",
-    "import": "imported from another tool’s file",
-}
 _MOST_VERSIONS = 6
+_MOST_IN_HEAD = 70  # characters of a name in the running head
 
 
-def moment(at: datetime | None) -> str:
-    """A moment in UTC to the second, in words where there is none."""
-    return "an empty audit trail" if at is None else f"{at.astimezone(UTC):%Y-%m-%d %H:%M:%S} UTC"
+def moment(at: datetime | None) -> str | None:
+    """A moment in UTC to the second."""
+    return None if at is None else f"{at.astimezone(UTC):%Y-%m-%d %H:%M:%S} UTC"
 
 
-def title(document: Document, facts: ReportFacts) -> None:
+def title(facts: ReportFacts) -> Values:
     """Survey, site, dates, counts."""
-    document.blocks.append({"kind": "title"})
-    document.words(*facts.description.split("\n\n"))
     counted = facts.statistics.counted
-    document.pairs(
-        [
-            ("Measured", _days(facts)),
-            *((heading(word), count(number)) for word, number in facts.counts),
-            (
-                "In this report",
-                f"{plural(counted.measurements, 'measurement', 'measurements')} of "
-                f"{plural(counted.vehicles, 'vehicle', 'vehicles')}, {count(counted.with_reference)} with a "
-                f"reference height. {facts.filter_words}",
-            ),
-            ("State of", moment(facts.as_of)),
-            ("Code", _versions(facts.code_versions)),
-        ]
-    )
+    name = facts.survey.strip() or "Survey"
+    return {
+        "survey": name,
+        "short": name if len(name) <= _MOST_IN_HEAD else f"{name[:_MOST_IN_HEAD]}…",
+        "site": facts.site,
+        "description": [words for words in facts.description.split("\n\n") if words.strip()],
+        "first_day": _day(facts.first_day),
+        "last_day": _day(facts.last_day),
+        "counts": facts.counts,
+        "measurements": counted.measurements,
+        "vehicles": counted.vehicles,
+        "with_reference": counted.with_reference,
+        "filter": facts.filter_words,
+        "versions": facts.code_versions[:_MOST_VERSIONS],
+        "more_versions": max(len(facts.code_versions) - _MOST_VERSIONS, 0),
+    }
 
 
-def _days(facts: ReportFacts) -> str:
-    if facts.first_day is None or facts.last_day is None:
-        return "nothing yet"
-    if facts.first_day == facts.last_day:
-        return facts.first_day.isoformat()
-    return f"{facts.first_day.isoformat()} to {facts.last_day.isoformat()}"
+def _day(day: date | None) -> str | None:
+    return None if day is None else day.isoformat()
 
 
-def _versions(versions: Sequence[str]) -> str:
-    shown = [f"Sightline {one}" for one in versions[:_MOST_VERSIONS]]
-    more = len(versions) - len(shown)
-    return ", ".join(shown) + (f", and {more} more (see measurements.csv)" if more > 0 else "")
-
-
-def setup(document: Document, facts: ReportFacts) -> None:
+def setup(facts: ReportFacts, pictures: Pictures) -> Values:
     """Photographs and recordings."""
-    document.section("Set-up")
-    if facts.photos:
-        document.photos((one.caption, one.content) for one in facts.photos)
-    else:
-        document.words("No photograph of the set-up was given.")
-    if not facts.recordings:
-        document.words("There is no recording.")
-        return
-    document.table(
-        "Recordings. The file’s SHA-256 stands in full in recordings.csv.",
-        [
-            Column("Recording", 1.5),
-            Column("Camera", 1.0),
-            Column("Lighting"),
-            Column("Picture", align="right"),
-            Column("Frames", align="right"),
-            Column("Duration", align="right"),
-            Column("SHA-256"),
-        ],
-        [_recording(one) for one in facts.recordings],
-    )
+    return {
+        "photos": pictures.photos(facts.photos),
+        "recordings": [_recording(recording) for recording in facts.recordings],
+    }
 
 
-def _recording(one: RecordingFacts) -> list[str]:
-    size = NONE if one.width_px is None or one.height_px is None else f"{one.width_px} × {one.height_px}"
-    return [
-        one.name,
-        one.camera or NONE,
-        LIGHTING.get(one.lighting, one.lighting),
-        size,
-        NONE if one.frames is None else count(one.frames),
-        NONE if one.duration_s is None else f"{fixed(one.duration_s, 1)}\u00a0s",
-        f"{one.sha256[:12]}…" if one.sha256 else NONE,
-    ]
+def _recording(recording: RecordingFacts) -> Values:
+    sized = recording.width_px is not None and recording.height_px is not None
+    return {
+        "name": recording.name,
+        "camera": recording.camera or None,
+        "lighting": LIGHTING.get(recording.lighting, recording.lighting),
+        "width_px": recording.width_px if sized else None,
+        "height_px": recording.height_px if sized else None,
+        "frames": recording.frames,
+        "duration_s": None if recording.duration_s is None else fixed(recording.duration_s, 1),
+        "sha256": recording.sha256[:12] or None,
+    }
 
 
-def calibration(document: Document, facts: ReportFacts) -> None:
+def calibration(facts: ReportFacts) -> Values:
     """How well the lenses are known, and where the cameras stood."""
-    document.section("Calibration and road pose")
-    if not facts.calibrations:
-        document.words("No measurement rests on a calibration yet.")
-    for one in facts.calibrations:
-        _lens(document, one)
-    if not facts.poses:
-        document.words("No measurement rests on a road pose yet.")
-        return
-    document.subsection("Road poses")
-    _poses(document, facts)
-    for pose in facts.poses:
-        for warning in pose.warnings:
-            document.warning(f"Pose {pose.number}: {warning}")
-
-
-def _lens(document: Document, one: CalibrationFacts) -> None:
-    document.subsection(f"{one.camera}, calibration {one.number}")
-    residual = (
-        "" if one.rms_px is None else f"{fixed(one.rms_px, 3)} px (root mean square of point distances)"
-    )
-    views = f"{count(one.views_used)} of {count(one.views_given)} used" if one.views_given else ""
-    document.pairs(
-        [
-            ("Made", f"{one.made_on.isoformat()}, {_SOURCES.get(one.source, one.source)}"),
-            ("Picture", f"{one.width_px} × {one.height_px} pixels"),
-            ("Lens model", _MODELS.get(one.model, one.model)),
-            ("Views", views),
-            ("Residual", residual),
-            (
-                "Verdict",
-                "can be trusted" if one.trusted else "is not to be trusted without a look at the warnings",
-            ),
-        ]
-    )
-    if one.parameters:
-        known = any(parameter.u is not None for parameter in one.parameters)
-        document.table(
-            f"Lens of {one.camera}: parameters"
-            + (" with their standard uncertainties." if known else "; their uncertainties are not known."),
-            [Column("", 0.0), *(_parameter(parameter.name) for parameter in one.parameters)],
-            [
-                ["Value", *(_value(parameter) for parameter in one.parameters)],
-                *([["u", *(_u(parameter) for parameter in one.parameters)]] if known else []),
-            ],
-        )
-    for warning in one.warnings:
-        document.warning(warning)
-
-
-def _parameter(name: str) -> Column:
-    return Column(name.removesuffix("_px"), 0.0, "right", "px" if name.endswith("_px") else "")
-
-
-def _decimals(one: LensParameter) -> int:
-    """Two figures of the uncertainty, or what suits the kind of parameter."""
-    if one.u:
-        return int(np.clip(1 - np.floor(np.log10(one.u)), 0, 7))
-    return 2 if abs(one.value) >= 10 else 5
-
-
-def _value(one: LensParameter) -> str:
-    return fixed(one.value, _decimals(one))
-
-
-def _u(one: LensParameter) -> str:
-    return NONE if one.u is None else fixed(one.u, _decimals(one))
-
-
-def _poses(document: Document, facts: ReportFacts) -> None:
     height, small = HEIGHT[facts.unit], SMALL[facts.unit]
     distances = sorted({one.distance_m for pose in facts.poses for one in pose.expected})
-    document.table(
-        "Road poses. “±”: expected half-width of the 95 % interval of a height of 1.2 m clicked to 1 px, "
-        "by distance "
-        "from the camera. Residual: root mean square over the board’s corners.",
-        [
-            Column("Pose", align="right"),
-            Column("Recording", 1.3),
-            Column("Camera", 0.8),
-            Column("Board", 1.0),
-            Column("Camera", 0.0, "right", f"{height.sign} above road"),
-            Column("Board", 0.0, "right", f"{height.sign} away"),
-            Column("Residual", 0.0, "right", "px"),
-            *(Column(f"± at {_short(height, d)}", 0.0, "right", small.sign) for d in distances),
-        ],
-        [_pose(one, distances, height, small) for one in facts.poses],
-    )
-    alike: dict[str, list[str]] = {}
-    for one in facts.poses:
-        alike.setdefault(_board(one, small, height), []).append(str(one.number))
-    for words, numbers in alike.items():
-        if words:
-            document.note(f"Pose{'s' if len(numbers) > 1 else ''} {', '.join(numbers)}: {words}")
+    return {
+        "lenses": [_lens(lens) for lens in facts.calibrations],
+        "distances": [f"{height.factor * distance:.3g}" for distance in distances],
+        "poses": [_pose(pose, distances, height, small) for pose in facts.poses],
+        "boards": _boards(facts.poses, height, small),
+    }
 
 
-def _pose(one: PoseFacts, distances: Sequence[float], height: Scale, small: Scale) -> list[Cell]:
-    expected = {found.distance_m: found.U95_height_m for found in one.expected}
+def _lens(lens: CalibrationFacts) -> Values:
+    return {
+        "camera": lens.camera,
+        "number": lens.number,
+        "made_on": lens.made_on.isoformat(),
+        "source": lens.source,
+        "model": lens.model,
+        "width_px": lens.width_px,
+        "height_px": lens.height_px,
+        "views_used": lens.views_used,
+        "views_given": lens.views_given,
+        "rms_px": None if lens.rms_px is None else fixed(lens.rms_px, 3),
+        "trusted": lens.trusted,
+        "parameters": [_parameter(parameter) for parameter in lens.parameters],
+        "warnings": lens.warnings,
+    }
+
+
+def _parameter(parameter: LensParameter) -> Values:
+    decimals = _decimals(parameter)
+    return {
+        "name": parameter.name.removesuffix("_px"),
+        "unit": "px" if parameter.name.endswith("_px") else None,
+        "value": fixed(parameter.value, decimals),
+        "u": None if parameter.u is None else fixed(parameter.u, decimals),
+    }
+
+
+def _decimals(parameter: LensParameter) -> int:
+    """Two figures of the uncertainty, or what suits the kind of parameter."""
+    if parameter.u:
+        return int(np.clip(1 - np.floor(np.log10(parameter.u)), 0, 7))
+    return 2 if abs(parameter.value) >= 10 else 5
+
+
+def _pose(pose: PoseFacts, distances: Sequence[float], height: Scale, small: Scale) -> Values:
+    expected = {one.distance_m: one.U95_height_m for one in pose.expected}
+    return {
+        "number": pose.number,
+        "recording": pose.recording,
+        "camera": pose.camera,
+        "calibration": pose.calibration,
+        "first_frame": pose.first_frame,
+        "last_frame": pose.last_frame,
+        "board": pose.board or None,
+        "camera_height": height.number(pose.camera_height_m),
+        "distance": height.number(pose.distance_m),
+        "rms_px": None if pose.rms_px is None else fixed(pose.rms_px, 3),
+        "expected": [small.number(expected.get(distance)) for distance in distances],
+        "warnings": pose.warnings,
+    }
+
+
+def _boards(poses: Sequence[PoseFacts], height: Scale, small: Scale) -> list[Json]:
+    """How the boards stood, each with the poses that stood alike."""
+    alike: dict[tuple[str | None, ...], list[int]] = {}
+    for pose in poses:
+        if pose.reference_height_m is not None:
+            u_reference, u_lean = pose.u_reference_height_m, pose.u_lean_rad
+            stood = (
+                height.number(pose.reference_height_m),
+                None if u_reference is None else small.number(u_reference),
+                None if u_lean is None else fixed(1000 * u_lean, 1),
+            )
+            alike.setdefault(stood, []).append(pose.number)
     return [
-        str(one.number),
-        (one.recording, f"frames {one.first_frame} to {one.last_frame}"),
-        (one.camera, f"calibration {one.calibration}"),
-        one.board or "none: it came from elsewhere",
-        height.number(one.camera_height_m),
-        height.number(one.distance_m),
-        NONE if one.rms_px is None else fixed(one.rms_px, 3),
-        *(small.number(expected.get(distance)) for distance in distances),
+        {
+            "poses": numbers,
+            "reference_height": reference_height,
+            "u_reference_height": u_reference_height,
+            "u_lean_mrad": u_lean_mrad,
+        }
+        for (reference_height, u_reference_height, u_lean_mrad), numbers in alike.items()
     ]
 
 
-def _short(scale: Scale, distance_m: float) -> str:
-    return f"{scale.factor * distance_m:.3g}\u00a0{scale.sign}"
+def insets(facts: ReportFacts) -> list[Json]:
+    """The insets in force."""
+    small = SMALL[facts.unit]
+    return [
+        {
+            "target": TARGETS.get(inset.target, inset.target),
+            "inset": small.number(inset.inset_m),
+            "u": small.number(inset.u_inset_m),
+            "note": inset.note.replace("+-", "±") or None,
+        }
+        for inset in facts.insets
+    ]
 
 
-def _board(one: PoseFacts, small: Scale, height: Scale) -> str:
-    if one.reference_height_m is None:
-        return ""
-    words = f"reference row of corners {height.length(one.reference_height_m)} above the road"
-    if one.u_reference_height_m is not None:
-        words += f", u\u00a0=\u00a0{small.length(one.u_reference_height_m)}"
-    if one.u_lean_rad is not None:
-        words += (
-            f"; the board’s lean and roll, u\u00a0=\u00a0{fixed(1000 * one.u_lean_rad, 1)}\u00a0mrad each"
-        )
-    return words + "."
+def exclusions(facts: ReportFacts) -> Values:
+    """What counts for no result, and why."""
+    rows = facts.exclusions
+    return {
+        "total": len(rows) if facts.exclusions_total is None else facts.exclusions_total,
+        "rows": [
+            {
+                "measurement": row.measurement,
+                "vehicle": row.vehicle,
+                "target": TARGETS.get(row.target, row.target),
+                "state": row.state,
+                "reason": row.reason or None,
+            }
+            for row in rows
+        ],
+    }
 
 
-def method(document: Document, facts: ReportFacts) -> None:
-    """Equations, assumptions, insets."""
-    document.section("Method")
-    document.fixed("method")
-    if facts.insets:
-        small = SMALL[facts.unit]
-        document.table(
-            "Insets in force: how far behind the plane of the contact a target is taken to lie, and the "
-            "standard "
-            "uncertainty.",
-            [
-                Column("Target"),
-                Column(f"Inset ({small.sign})", align="right"),
-                Column(f"u ({small.sign})", align="right"),
-                Column("Where it comes from", 1.0),
-            ],
-            [
-                [
-                    heading(TARGETS.get(one.target, one.target)),
-                    small.number(one.inset_m),
-                    small.number(one.u_inset_m),
-                    one.note.replace("+-", "±") or NONE,
-                ]
-                for one in facts.insets
-            ],
-        )
+def verification(facts: ReportFacts) -> Values:
+    """The audit chain's end and the sums of the package's files."""
+    return {
+        "events": facts.audit_events,
+        "head": facts.audit_head,
+        "checksums": [{"path": file.path, "sha256": file.sha256} for file in facts.checksums],
+    }

@@ -35,6 +35,31 @@ SQUARE: dict[Unit, Scale] = {
     "m": Scale(1e4, "cm²", 2),
     "ft": Scale((12.0 / _FOOT_M) ** 2, "in²", 3),
 }
+OTHER: dict[Unit, Unit] = {"m": "ft", "ft": "m"}
+_WORDS = {
+    "m": "metres",
+    "ft": "feet",
+    "mm": "millimetres",
+    "in": "inches",
+    "cm²": "square centimetres",
+    "in²": "square inches",
+}
+
+
+def unit_words(unit: Unit) -> dict[str, str]:
+    """Signs and words of the units that a report is written in, and of those beside them."""
+    other = OTHER[unit]
+    return {
+        "height": HEIGHT[unit].sign,
+        "height_words": _WORDS[HEIGHT[unit].sign],
+        "small": SMALL[unit].sign,
+        "small_words": _WORDS[SMALL[unit].sign],
+        "square": SQUARE[unit].sign,
+        "speed": SPEED[unit].sign,
+        "other_height": HEIGHT[other].sign,
+        "other_small_words": _WORDS[SMALL[other].sign],
+        "other_square_words": _WORDS[SQUARE[other].sign],
+    }
 
 
 def limit(height_m: float, unit: Unit) -> str:
@@ -60,8 +85,3 @@ def count(number: int) -> str:
 def percent(share: float, digits: int = 1) -> str:
     """A share in per cent."""
     return f"{fixed(100.0 * share, digits)}\u00a0%"
-
-
-def plural(number: int, one: str, many: str) -> str:
-    """A number with its word."""
-    return f"{count(number)} {one if number == 1 else many}"
