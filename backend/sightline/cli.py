@@ -1,4 +1,4 @@
-"""The command line (contract.md): one lazy import per command, one sentence per error."""
+"""The command line (docs/formats.md): one lazy import per command, one sentence per error."""
 
 from __future__ import annotations
 

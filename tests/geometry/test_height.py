@@ -82,7 +82,7 @@ def one() -> tuple[RoadPose, np.ndarray, float]:
 
 
 def moved(pose: RoadPose, index: int, step: float) -> RoadPose:
-    """The pose with one of its parameters (contract.md) moved."""
+    """The pose with one of its parameters (docs/formats.md) moved."""
     camera = pose.camera
     v = np.array([camera.fx_px, camera.fy_px, camera.cx_px, camera.cy_px, *camera.distortion])
     r, t = np.zeros(3), np.zeros(3)

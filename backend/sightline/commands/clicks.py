@@ -1,4 +1,4 @@
-"""clicks.csv to heights.csv (contract.md): every column in, then the results; a bad row is a row with a
+"""clicks.csv to heights.csv (docs/formats.md): every column in, then the results; a bad row is a row with a
 reason.
 """
 

@@ -1,4 +1,4 @@
-"""The commands calibrate, import-camera, pose and height (contract.md)."""
+"""The commands calibrate, import-camera, pose and height (docs/formats.md)."""
 
 import json
 import re

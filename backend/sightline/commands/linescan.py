@@ -1,4 +1,4 @@
-"""The command linescan (contract.md): vehicles from a pair of strips, read once from front to back."""
+"""The command linescan (docs/formats.md): vehicles from a pair of strips, read once from front to back."""
 
 from __future__ import annotations
 

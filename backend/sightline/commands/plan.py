@@ -1,4 +1,4 @@
-"""The command plan (contract.md): what heights, or a line scan's speeds, will be worth, before going out."""
+"""The command plan: what heights, or a line scan's speeds, will be worth, before going out."""
 
 import json
 from dataclasses import asdict

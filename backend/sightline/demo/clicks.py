@@ -21,7 +21,7 @@ from sightline.simulation.scene import FPS
 from sightline.simulation.truth import PassTruth
 
 CLICK_NOISE_PX = 0.7
-# A driver on the far side sits behind the middle of the car (metrology 2.2).
+# A driver on the far side sits behind the middle of the car.
 FAR_EYE_INSET_M, U_FAR_EYE_INSET_M = 1.15, 0.15
 REJECTED = "The contact point is on the shadow, below the tyre; click where the tyre touches the road."
 _NAMESPACE = UUID("6f0b5a52-4d1c-4b6e-9d6e-2f1f0a3f7c11")

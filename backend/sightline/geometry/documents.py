@@ -1,4 +1,4 @@
-"""camera.json and pose.json (contract.md) as dicts, both ways. Reading refuses by key, in one sentence."""
+"""camera.json and pose.json (docs/formats.md) as dicts, both ways. Reading refuses by key, in a sentence."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -74,7 +74,7 @@ class _Reader:
 
     def __init__(self, data: object, what: str) -> None:
         if not isinstance(data, Mapping):
-            raise BadInput(f"{what} must be a JSON object; write it with sightline or follow contract.md.")
+            raise BadInput(f"{what} must be a JSON object; write it with sightline or see docs/formats.md.")
         self.data = data
         self.what = what
 

@@ -1,7 +1,7 @@
 """Insets from a survey's own vehicles: known heights, the trend with distance, two-frame solutions.
 
 All rest on the closed form of an uncorrected height (inset 0): a target of height h, `inset` behind the side
-plane D from the camera, reads m = Hc + (h - Hc) k with k = D / (D + inset) (metrology of the one-frame
+plane D from the camera, reads m = Hc + (h - Hc) k with k = D / (D + inset) (CONVENTIONS.md, of the one-frame
 height; Hc is the camera's height).
 """
 

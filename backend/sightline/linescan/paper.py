@@ -1,6 +1,6 @@
 """The paper's chain: block matching, speed profile, linear regression; Douxchamps, Macq, Chihara, section IV.
 
-Kept as a method of its own to compare with, as it was published but for what metrology forces: the mean speed
+Kept as a method of its own to compare with, as it was published but for its corrections: the mean speed
 over the baseline holds at the mean of a point's two crossing times, and the length is that of the fitted
 motion (acceleration compensated) between front and rear at camera 1. A vertical misalignment is searched for
 by whole rows only and is not cured by that; the default method solves for it.

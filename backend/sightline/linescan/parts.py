@@ -127,7 +127,7 @@ class Motion:
 
 @dataclass(frozen=True)
 class Gap:
-    """From the rear of the vehicle before to this front, at camera 1 (contract.md); None where unknown."""
+    """From the rear of the vehicle before to this front, at camera 1; None where unknown."""
 
     time_gap_s: float | None
     distance_gap_m: float | None

@@ -140,7 +140,7 @@ def clicks_of(
 
 
 def inset_for(target: Target, insets: Mapping[str, Inset]) -> Inset:
-    """The survey's inset of a target, else the default (an estimate, metrology 2.2)."""
+    """The survey's inset of a target, else the default (an estimate)."""
     return insets[target] if target in insets else Inset(*DEFAULT_INSETS[target])
 
 

@@ -23,7 +23,7 @@ from sightline.geometry.road import axes_at_contact, iso_heights, road_grid
 from sightline.geometry.road_pose import Reference, RoadPose
 from sightline.measurements.height_of_clicks import drawn_axes
 
-# Corner errors of neighbouring frames are correlated (metrology 0.3): more frames add time, not accuracy.
+# Corner errors of neighbouring frames are correlated: more frames add time, not accuracy.
 MOST_FRAMES = 15
 EXPECTED_AT_M = (2.0, 3.0, 5.0)
 _ORDER_NOTE = "Corners are numbered from the top left as seen, along the rows to the right and then down."

@@ -1,6 +1,6 @@
 """The error table of heights against reference heights (Dupuis et al. 2019, Table 1), with intervals.
 
-The paper's "overall" column is not the pool of its two groups (metrology: MAE pools to 0.0198 m, printed
+The paper's "overall" column is not the pool of its two groups (MAE pools to 0.0198 m, printed
 0.0203 m); here every figure is computed from the raw errors, never from other figures.
 """
 

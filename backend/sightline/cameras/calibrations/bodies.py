@@ -71,7 +71,7 @@ class BoardShapeBody(Out):
 
 
 class CalibrationBody(CalibrationSummaryBody):
-    document: dict[str, Any] = Field(description="camera.json (contract.md).")
+    document: dict[str, Any] = Field(description="camera.json (docs/formats.md).")
     cross_validation: CrossValidationBody | None = Field(description="Null for an import.")
     board_shape: BoardShapeBody | None
     reshoot: list[str] = Field(description="What pictures are missing, in words.")

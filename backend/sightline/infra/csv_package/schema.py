@@ -1,7 +1,7 @@
 """The shape of an exported package: described tables, safe cells, and their description for machines.
 
 Nothing here knows what is exported (`exporting_tables.py` does) or touches a disk (`packaging_files.py`
-does); this file knows how a value becomes a cell (contract.md, "Files") and how a Frictionless Data Package
+does); this file knows how a value becomes a cell (docs/formats.md) and how a Frictionless Data Package
 describes a file.
 """
 
@@ -102,7 +102,7 @@ def safe_text(text: str) -> str:
 
 
 def cell_text(column: Column, value: Cell) -> str:
-    """One cell: empty for missing, six decimals for lengths, full precision otherwise (contract.md)."""
+    """One cell: empty for missing, six decimals for lengths, full precision otherwise (docs/formats.md)."""
     if value is None:
         return ""
     if isinstance(value, str):

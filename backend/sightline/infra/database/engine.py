@@ -1,7 +1,7 @@
 """Engines, migrations and the two kinds of transaction: reading and writing.
 
 SQLite runs in WAL mode with foreign keys and a busy timeout; a writing transaction begins IMMEDIATE under
-one process-wide lock, so writers queue up in order instead of failing (feasibility.md 3). PostgreSQL takes
+one process-wide lock, so writers queue up in order instead of failing. PostgreSQL takes
 one advisory lock instead, which also serialises the audit chain.
 """
 

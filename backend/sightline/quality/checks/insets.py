@@ -34,7 +34,7 @@ Method = Literal["known_heights", "trend", "two_frames"]
 
 USUAL_CAMERA_M = 1.5
 CASES_AT_M = (2.0, 3.0, 4.0, 5.0)
-# Heights for the table of typical cases (metrology 2.2); the insets are the survey's own.
+# Heights for the table of typical cases; the insets are the survey's own.
 _CASES: tuple[tuple[Target, float], ...] = (
     ("driver_eye", 1.16),
     ("taillight", 0.87),
