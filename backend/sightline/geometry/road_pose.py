@@ -1,8 +1,8 @@
 """Where the camera stands with respect to the road, and what a click becomes there.
 
-Frames (CONVENTIONS.md): camera x right, y down, z forward; road X along the traffic, Y across it and
-away from the camera, Z up, origin on the road below the board's reference corner. `x_cam = rotation @ x_road +
-translation_m`.
+Frames (CONVENTIONS.md): camera x right, y down, z forward; road X along the traffic, Y across it and away
+from the camera, Z up, origin on the road below the board's reference corner.
+`x_cam = rotation @ x_road + translation_m`.
 """
 
 from dataclasses import dataclass, field
