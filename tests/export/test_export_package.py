@@ -181,7 +181,7 @@ def test_clicks_and_pose_give_the_same_heights_on_the_command_line(package: Path
         out = tmp_path / pose.name
         document = str(package / "poses" / f"{pose.stem}.json")
         assert main(["height", "--pose", document, "--clicks", str(pose), "-o", str(out)]) == 0
-        for row in csv.DictReader(out.open(encoding="utf-8", newline="")):
+        for row in csv.DictReader(out.read_text(encoding="utf-8").splitlines()):
             for name in ("height_m", "u_height_m", "U95_height_m", "status", "reason"):
                 assert row[name] == stored[row["id"]][name], (row["id"], name)
             compared += 1
@@ -195,7 +195,7 @@ def test_nothing_in_a_cell_runs(package: Path) -> None:
     assert rows(package, "vehicles.csv")[1]["notes"] == "line one\nline two, with comma"
     assert "'@home" in {row["reason"] for row in rows(package, "reviews.csv")}
     for path in package.rglob("*.csv"):
-        for row in csv.reader(path.open(encoding="utf-8", newline="")):
+        for row in csv.reader(path.read_text(encoding="utf-8").splitlines()):
             for cell in row:
                 if cell[:1] in ("=", "+", "-", "@"):
                     float(cell)
