@@ -9,11 +9,14 @@ RUN npm run build
 FROM python:3.12-slim-bookworm
 ENV PYTHONUNBUFFERED=1 SIGHTLINE_DATA_DIR=/data SIGHTLINE_HOST=0.0.0.0 SIGHTLINE_PORT=8000
 WORKDIR /sightline
-COPY requirements.lock pyproject.toml README.md LICENSE ./
+COPY requirements.lock pyproject.toml setup.py README.md LICENSE ./
 RUN pip install --no-cache-dir --require-hashes -r requirements.lock
 COPY backend/ backend/
 COPY migrations/ migrations/
-RUN pip install --no-cache-dir --no-deps --no-build-isolation --editable . \
+# .git stays outside; `make image` says which version this is. Untold, it calls itself 0.1.0+unknown.
+ARG SIGHTLINE_VERSION=
+RUN SETUPTOOLS_SCM_PRETEND_VERSION_FOR_SIGHTLINE=$SIGHTLINE_VERSION \
+    pip install --no-cache-dir --no-deps --no-build-isolation --editable . \
  && useradd --create-home --uid 10001 sightline && mkdir /data && chown sightline /data
 COPY --from=web /sightline/frontend/dist frontend/dist
 USER sightline

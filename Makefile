@@ -7,7 +7,7 @@ PIP := $(BIN)/python -m pip --quiet --disable-pip-version-check
 NPM := npm --prefix frontend --no-fund --no-audit --loglevel=error
 WEB_SOURCES := $(shell find frontend/src frontend/public frontend/index.html frontend/vite.config.ts -type f 2>/dev/null)
 
-.PHONY: run test test-postgresql test-browser setup check lock types bench clean
+.PHONY: run wheel image test test-postgresql test-browser setup check lock types bench clean
 .DELETE_ON_ERROR:
 
 run: setup
@@ -26,7 +26,7 @@ setup: .build/python .build/web
 	  { echo "Sightline needs Node 20.19 or newer with npm, to build its pages: see nodejs.org." >&2; exit 1; }
 	@touch $@
 
-.build/python: requirements.lock pyproject.toml | .build/tools
+.build/python: requirements.lock pyproject.toml setup.py | .build/tools
 	@echo "Installing the Python packages into .venv ..."
 	@test -x $(BIN)/python || $(PYTHON) -m venv .venv
 	@$(PIP) install --require-hashes -r requirements.lock
@@ -103,5 +103,16 @@ lock:
 	  npm --prefix $$folder install --package-lock-only --omit-lockfile-registry-resolved && \
 	  cp $$folder/package-lock.json frontend/
 
+# The whole app in one file: pip install dist/sightline-*.whl needs neither Node nor this folder.
+wheel: setup
+	@rm -rf build dist
+	@$(PIP) wheel --no-deps --no-build-isolation --wheel-dir dist .
+	@rm -rf build
+	@ls dist/sightline-*.whl
+
+# The images of docker-compose.yml, which hold no repository: the version is told to them.
+image:
+	@SIGHTLINE_VERSION="$$($(BIN)/sightline --version | sed 's/.* //')" docker compose build
+
 clean:
-	rm -rf .venv .build frontend/node_modules frontend/dist
+	rm -rf .venv .build build dist frontend/node_modules frontend/dist

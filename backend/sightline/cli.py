@@ -16,6 +16,7 @@ COMMANDS = {
     "serve": "sightline.commands.serve:serve",
     "demo": "sightline.commands.demo:demo",
     "worker": "sightline.commands.worker:worker",
+    "sign-in-link": "sightline.commands.sign_in_link:sign_in_link",
     "calibrate": "sightline.commands.geometry:calibrate",
     "import-camera": "sightline.commands.geometry:import_camera",
     "pose": "sightline.commands.geometry:pose",
@@ -45,9 +46,23 @@ class LazyCommands(click.Group):
 
 
 @click.command(cls=LazyCommands, context_settings={"help_option_names": ["-h", "--help"]})
-@click.version_option(package_name="sightline", prog_name="sightline")
+@click.option(
+    "--version",
+    is_flag=True,
+    is_eager=True,
+    expose_value=False,
+    callback=lambda context, _option, asked: _say_version(context) if asked else None,
+    help="Show the version with its commit, and exit.",
+)
 def cli() -> None:
     """Heights of vehicles from roadside video, with their uncertainty and an audit trail."""
+
+
+def _say_version(context: click.Context) -> None:
+    from sightline.infra.version import code_version
+
+    click.echo(f"sightline, version {code_version()}")
+    context.exit()
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -1,7 +1,7 @@
 """Every kind of background work: importing a module registers its handler."""
 
 import sightline.cameras.calibrations.calibrate_job
-import sightline.demo.build
+import sightline.demo.demo_job
 import sightline.export.export_job
 import sightline.poses.pose_job
 import sightline.quality.drift.drift_job
@@ -12,7 +12,7 @@ import sightline.vehicles.passes.find_job
 
 MODULES = (
     sightline.cameras.calibrations.calibrate_job,
-    sightline.demo.build,
+    sightline.demo.demo_job,
     sightline.export.export_job,
     sightline.poses.pose_job,
     sightline.quality.drift.drift_job,

@@ -13,8 +13,9 @@ def default_data_dir() -> Path:
 
 
 def default_frontend_dir() -> Path:
-    """Where the built front end is: `frontend/dist` of the checkout, or of the current folder."""
-    return (_checkout() or Path.cwd()) / "frontend" / "dist"
+    """Where the built front end is: `frontend/dist` of the checkout, or what a wheel holds."""
+    checkout = _checkout()
+    return checkout / "frontend" / "dist" if checkout else Path(__file__).with_name("_pages")
 
 
 class Settings(BaseSettings):

@@ -20,7 +20,16 @@ def environment(**more: str) -> dict[str, str]:
 
 def sightline(*arguments: str, cwd: Path | None = None, **more: str) -> "subprocess.CompletedProcess[str]":
     """One command to its end."""
-    command = [sys.executable, "-m", "sightline.cli", *arguments]
+    return _run("-m", "sightline.cli", *arguments, cwd=cwd, **more)
+
+
+def python(program: str) -> "subprocess.CompletedProcess[str]":
+    """A few lines of Python to their end."""
+    return _run("-c", program)
+
+
+def _run(*arguments: str, cwd: Path | None = None, **more: str) -> "subprocess.CompletedProcess[str]":
+    command = [sys.executable, *arguments]
     more = {"PYTHONPATH": str(Path(__file__).resolve().parents[2] / "backend"), **more}
     return subprocess.run(
         command, capture_output=True, text=True, cwd=cwd, env=environment(**more), timeout=120, check=False

@@ -32,6 +32,7 @@ def test_help_lists_the_commands_of_the_contract(capsys: pytest.CaptureFixture[s
         "export",
         "verify",
         "worker",
+        "sign-in-link",
     ):
         assert f"\n  {name} " in said
     assert cli.name == "cli"
@@ -53,6 +54,8 @@ def test_help_lists_the_commands_of_the_contract(capsys: pytest.CaptureFixture[s
         (["verify", "empty"], "SHA256SUMS"),
         (["verify", "mysql://somewhere/else"], "mysql"),
         (["worker", "--workers", "0"], "--workers"),
+        (["sign-in-link"], "EMAIL"),
+        (["sign-in-link", "ada@example.org", "--data-dir", "nowhere"], "nowhere"),
     ],
 )
 def test_bad_input_is_status_2_and_one_line(

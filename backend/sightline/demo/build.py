@@ -18,7 +18,6 @@ from sightline.cameras.store import add_calibration_image, create_camera
 from sightline.demo.clicks import Pass, judge, measure
 from sightline.demo.parts import LAB_BOARD, LabPicture, Parts, Video, make_parts, write_truth
 from sightline.demo.repeats import click_again
-from sightline.demo.request import KIND
 from sightline.demo.scan import ScanMaker, ScanParts, store_scan
 from sightline.demo.wheels import click_wheels
 from sightline.enums import Lighting, Role
@@ -54,8 +53,7 @@ OPERATOR = ("Demonstration operator", "demonstration-operator@sightline.invalid"
 REVIEWER = ("Demonstration reviewer", "demonstration-reviewer@sightline.invalid")
 
 
-@registry.handler(KIND)
-def make_demonstration(context: registry.JobContext) -> registry.Outcome:
+def make(context: registry.JobContext) -> registry.Outcome:
     """Make all parts, then store the survey in the transaction that ends the job."""
     services = services_of(context)
     with services.reading() as session:

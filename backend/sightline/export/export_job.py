@@ -6,12 +6,11 @@ import shutil
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from sqlalchemy.orm import Session
 
 from sightline.errors import NotFound
-from sightline.export.build import Built, Tell, build
 from sightline.export.store import add_export
 from sightline.infra.csv_package.files import Staging, zip_folder
 from sightline.infra.jobs import registry
@@ -21,6 +20,9 @@ from sightline.infra.services import Services, services_of
 from sightline.media.store.local import check_room, key_of, sha256_of
 from sightline.surveys.records import Survey
 from sightline.surveys.store import get_survey, list_surveys, survey_by_name
+
+if TYPE_CHECKING:
+    from sightline.export.build import Built, Tell
 
 KIND = "export"
 _FOLDER = "export-"
@@ -73,7 +75,12 @@ def export(context: registry.JobContext) -> registry.Outcome:
 
 
 def _package(services: Services, survey_id: int, crops: bool, folder: Path, tell: Tell) -> tuple[Built, Path]:
-    """Build and pack; the ZIP is written beside the files and takes their place."""
+    """Build and pack; the ZIP is written beside the files and takes their place.
+
+    Here the figures' and the report's libraries are loaded: a server that starts has no use for them.
+    """
+    from sightline.export.build import build
+
     staging = Staging(folder / "package")
     staging.folder.mkdir()
     with services.reading() as session:

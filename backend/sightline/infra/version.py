@@ -1,47 +1,51 @@
-"""Which code computed a number: the package's version and, where it is known, the git commit."""
+"""Which code computed a number: the version with its commit, and whether files differed from that commit."""
 
 from __future__ import annotations
 
-import os
 import re
+import subprocess
 from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
-_COMMIT = re.compile(r"^[0-9a-f]{40}$")
+#: What `git describe` says: perhaps a tag and how far it is, the commit, perhaps that files differ from it.
+_DESCRIBED = re.compile(r"(?:v?([0-9][0-9.]*)-\d+-g)?([0-9a-f]{12})(-dirty)?\n")
+_GIT_DESCRIBE = ("git", "describe", "--always", "--long", "--tags", "--dirty", "--abbrev=12")
+_GIT_WAIT_S = 10
 
 
 @cache
 def code_version() -> str:
-    """For instance `0.1.0+1bfeeb0c2a41`; stored with every measurement.
+    """For instance `0.1.0+g1bfeeb0c2a41`, `.dirty` behind it where tracked files differ from the commit.
 
-    The commit comes from SIGHTLINE_COMMIT (an image is built without .git), else from the checkout.
+    In a checkout it is that of the present commit, asked of git once a process; elsewhere what the build
+    wrote into the package (setup.py). Where neither knows it ends in `+unknown`.
     """
+    checkout = Path(__file__).resolve().parents[3]
+    if (checkout / "pyproject.toml").is_file() and (checkout / ".git").exists():
+        return version_of_checkout(checkout)
+    return _built()
+
+
+def version_of_checkout(folder: Path) -> str:
+    """The version of the commit that is checked out in `folder`, and of what was changed there since."""
+    number = _built().partition("+")[0]
     try:
-        number = version("sightline")
+        asked = [*_GIT_DESCRIBE, "--match", "v[0-9]*", "--match", "[0-9]*"]
+        done = subprocess.run(
+            asked, cwd=folder, capture_output=True, text=True, timeout=_GIT_WAIT_S, check=False
+        )
+    except (OSError, subprocess.SubprocessError):
+        return f"{number}+unknown"
+    described = _DESCRIBED.fullmatch(done.stdout) if done.returncode == 0 else None
+    if described is None:
+        return f"{number}+unknown"
+    tagged, commit, dirty = described.groups()
+    return f"{tagged or number}+g{commit}{'.dirty' if dirty else ''}"
+
+
+def _built() -> str:
+    try:
+        return version("sightline")
     except PackageNotFoundError:
-        number = "0"
-    commit = os.environ.get("SIGHTLINE_COMMIT", "").strip() or _checked_out()
-    return f"{number}+{commit[:12]}" if commit else number
-
-
-def _checked_out() -> str:
-    """The commit that HEAD names, read from the files of .git; empty where there is no checkout."""
-    git = Path(__file__).resolve().parents[3] / ".git"
-    try:
-        head = (git / "HEAD").read_text(encoding="ascii").strip()
-        if not head.startswith("ref: "):
-            return head if _COMMIT.match(head) else ""
-        return _branch(git, head.removeprefix("ref: "))
-    except (OSError, UnicodeDecodeError):
-        return ""
-
-
-def _branch(git: Path, name: str) -> str:
-    loose = git / name
-    if loose.is_file():
-        return loose.read_text(encoding="ascii").strip()
-    for line in (git / "packed-refs").read_text(encoding="ascii").splitlines():
-        if line.endswith(f" {name}"):
-            return line.split(" ", 1)[0]
-    return ""
+        return "0+unknown"

@@ -84,9 +84,13 @@ def _begin_sqlite(connection: Any) -> None:
 
 
 def migrations_folder() -> Path:
-    """Where the migrations are: SIGHTLINE_MIGRATIONS, else `migrations/` beside the package."""
+    """Where the migrations are: SIGHTLINE_MIGRATIONS, else what a wheel holds, else the checkout's."""
     named = os.environ.get("SIGHTLINE_MIGRATIONS")
-    return Path(named) if named else Path(__file__).resolve().parents[4] / "migrations"
+    if named:
+        return Path(named)
+    package = Path(__file__).resolve().parents[2]
+    held = package / "_migrations"
+    return held if held.is_dir() else package.parents[1] / "migrations"
 
 
 def newest_revision() -> str | None:

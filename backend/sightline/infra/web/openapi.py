@@ -5,7 +5,7 @@ from importlib.metadata import version
 from fastapi.routing import APIRoute
 
 TITLE = "Sightline"
-VERSION = version("sightline")
+VERSION = version("sightline").partition("+")[0]
 DESCRIPTION = (
     "Heights of vehicles from roadside video, with their uncertainty and an audit trail. "
     "Sign in with POST /api/session; every request that changes something carries the header "

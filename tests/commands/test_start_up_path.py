@@ -1,0 +1,23 @@
+"""What a start loads: neither the renderer of the demonstration nor the libraries of figures and report."""
+
+import pytest
+
+from tests.commands.running import python
+
+pytestmark = pytest.mark.once
+
+LATER = ("sightline.simulation", "sightline.demo.build", "matplotlib", "typst")
+
+
+@pytest.mark.parametrize(
+    "start",
+    [
+        "import sightline.commands.serve, sightline.app, sightline.infra.jobs.worker, sightline.demo.request",
+        "import sightline.commands.worker, sightline.job_handlers",
+    ],
+)
+def test_a_start_loads_no_renderer(start: str) -> None:
+    program = f"import sys; {start}; print([name for name in {LATER!r} if name in sys.modules])"
+    done = python(program)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.strip() == "[]"
