@@ -8,8 +8,8 @@ from sightline.infra.database.types import metadata
 
 
 def ours(_object: Any, name: str | None, kind: str, reflected: bool, _compared: Any) -> bool:
-    """Whether a table is the program's own; on PostgreSQL the queue keeps its tables in the same schema."""
-    return not (kind == "table" and reflected and name is not None and name.startswith("huey_"))
+    """Whether a table is the program's own; on PostgreSQL Procrastinate has its own in the same schema."""
+    return not (kind == "table" and reflected and name is not None and name.startswith("procrastinate_"))
 
 
 connection = context.config.attributes["connection"]

@@ -34,10 +34,10 @@ class Settings(BaseSettings):
     #: signs the session cookies; without it the data folder keeps one of its own
     secret: SecretStr | None = None
     secure_cookies: bool = False
-    #: jobs done side by side by the worker that `serve` starts (0: it starts none) or by `sightline worker`
+    #: jobs done side by side by the processes that `serve` starts (0: it starts none) or `sightline worker`
     workers: int = Field(default=2, ge=0, le=64)
-    #: how long a worker may be silent before its job is given to another one
-    lease_s: float = Field(default=5.0, ge=0.5, le=600)
+    #: on PostgreSQL: how long a worker process may be silent before its job is given to another one
+    heartbeat_limit_s: float = Field(default=5.0, ge=0.5, le=600)
     #: whether the passes of an upload are looked for as soon as it was read; else a person asks for it
     find_passes: bool = True
 

@@ -49,10 +49,19 @@ def upgrade() -> None:
     )
     if op.get_bind().dialect.name == "postgresql":
         op.execute(FUNCTION)
+        create_procrastinate()
         for table, column, other in CIRCULAR:
             op.create_foreign_key(f"fk_{table}_{column}", table, other, [column], ["id"])
     for table, also_unique in WRITTEN_ONCE.items():
         refuse_changes(table, also_unique)
+
+
+def create_procrastinate() -> None:
+    """The tables and functions of the job engine, as its installed version brings them."""
+    from procrastinate.schema import SchemaManager
+
+    connection = op.get_bind().connection.driver_connection
+    connection.execute(SchemaManager.get_schema())
 
 
 def refuse_changes(table: str, also_unique: tuple[str, ...]) -> None:
@@ -400,7 +409,6 @@ def create_tables() -> None:
         sa.Column("scan_id", sa.Integer(), nullable=True),
         sa.Column("attempts", sa.Integer(), nullable=False),
         sa.Column("worker", sa.String(length=200), nullable=True),
-        sa.Column("lease_until", sa.DateTime(timezone=True), nullable=True),
         sa.Column("cancel_requested", sa.Boolean(), server_default=sa.false(), nullable=False),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
         sa.Column("created_by", sa.Integer(), nullable=True),
@@ -408,7 +416,7 @@ def create_tables() -> None:
         sa.Column("finished_at", sa.DateTime(timezone=True), nullable=True),
         sa.CheckConstraint("state <> 'failed' OR error IS NOT NULL", name=op.f("ck_jobs_failed_has_error")),
         sa.CheckConstraint(
-            "state <> 'running' OR lease_until IS NOT NULL", name=op.f("ck_jobs_running_has_lease")
+            "state <> 'running' OR worker IS NOT NULL", name=op.f("ck_jobs_running_has_worker")
         ),
         sa.CheckConstraint(
             "state IN ('queued', 'running', 'done', 'failed', 'cancelled')", name=op.f("ck_jobs_state_known")
@@ -422,7 +430,7 @@ def create_tables() -> None:
     )
     op.create_index(op.f("ix_jobs_recording_id"), "jobs", ["recording_id"], unique=False)
     op.create_index(op.f("ix_jobs_scan_id"), "jobs", ["scan_id"], unique=False)
-    op.create_index("ix_jobs_state_lease_until", "jobs", ["state", "lease_until"], unique=False)
+    op.create_index("ix_jobs_state", "jobs", ["state"], unique=False)
     op.create_index(op.f("ix_jobs_survey_id"), "jobs", ["survey_id"], unique=False)
     op.create_table(
         "scans",

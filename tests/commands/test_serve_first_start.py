@@ -85,7 +85,7 @@ def test_a_first_start_a_second_and_what_is_left_behind(tmp_path: Path, started:
 
 
 def test_settings_that_cannot_be_used_are_named(tmp_path: Path) -> None:
-    for name, value in (("SIGHTLINE_LEASE_S", "soon"), ("SIGHTLINE_PORT", "70000")):
+    for name, value in (("SIGHTLINE_HEARTBEAT_LIMIT_S", "soon"), ("SIGHTLINE_PORT", "70000")):
         done = sightline("serve", "--data-dir", str(tmp_path / "data"), **{name: value})
         assert done.returncode == 2 and name in done.stderr and "Traceback" not in done.stderr
     done = sightline(

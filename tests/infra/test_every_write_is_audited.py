@@ -104,7 +104,7 @@ def _job(session: Session, one: Sample) -> Any:
 
 
 def _claimed(session: Session, one: Sample) -> Any:
-    return claim_job(session, _job(session, one).id, worker="w", lease_s=5)
+    return claim_job(session, _job(session, one).id, worker="w")
 
 
 def _withdrawn(session: Session, one: Sample) -> Any:
@@ -332,8 +332,8 @@ NO_EVENT = {
     "note_person_seen": "a time stamp of presence",
     "rehash_password": "the same password under newer hash parameters",
     "advance_upload": "bytes that arrive; the upload's beginning and end are events",
-    "claim_job": "bookkeeping of leases",
-    "renew_lease": "bookkeeping of leases",
+    "claim_job": "which worker process has it",
+    "note_progress": "how far it is",
     "replace_frames": "part of recordings.ingested",
     "remove_frames": "part of recordings.remove",
     "append_measurement_revision": "writes an event; part of revise, withdraw, restore and reviews.add",

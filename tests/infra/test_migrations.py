@@ -22,7 +22,7 @@ assert sightline.app  # importing it brings in the tables of every slice
 
 
 def ours(_object: Any, name: str | None, kind: str, reflected: bool, _compared: Any) -> bool:
-    return not (kind == "table" and reflected and str(name).startswith("huey_"))
+    return not (kind == "table" and reflected and str(name).startswith("procrastinate_"))
 
 
 def test_the_tables_are_those_of_the_code(engine: Engine) -> None:

@@ -8,7 +8,8 @@ import pytest
 from sqlalchemy import text
 
 from sightline.infra.jobs.records import Job
-from sightline.infra.jobs.store import claim_job, expired_jobs, requeue_job
+from sightline.infra.jobs.recovery import take_back
+from sightline.infra.jobs.store import claim_job
 from sightline.infra.services import Services
 from sightline.media.video.writer import write_mp4
 from sightline.recordings import ingest_job
@@ -191,7 +192,7 @@ def test_cancelling_in_the_middle_leaves_no_half_table(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     recording_id = upload(operator, survey_id, clip)
-    monkeypatch.setattr("sightline.infra.jobs.runner.Lease.is_over", lambda _lease: True)
+    monkeypatch.setattr("sightline.infra.jobs.runner.Watch.is_over", lambda _watch: True)
     assert [job.state for job in work()] == ["cancelled"]
     with services.reading() as session:
         assert session.execute(text("SELECT count(*) FROM frames")).scalar_one() == 0
@@ -203,15 +204,12 @@ def test_cancelling_in_the_middle_leaves_no_half_table(
 def test_a_worker_killed_in_the_middle(
     operator: Client, survey_id: int, clip: Path, services: Services, work: Work
 ) -> None:
-    """Its lease runs out, the next worker does it all again, and the outcome is there once."""
+    """Its job is put back, the next worker does it all again, and the outcome is there once."""
     recording_id = upload(operator, survey_id, clip)
     job_id = operator.seen(f"/recordings/{recording_id}")["job"]["id"]
     with services.writing() as session:
-        dead = claim_job(session, job_id, worker="dead", lease_s=0.0)
-        assert dead is not None
-    with services.writing() as session:
-        (expired,) = expired_jobs(session)
-        requeue_job(session, expired)
+        assert claim_job(session, job_id, worker="dead") is not None
+    assert take_back(services.sessions, worker="dead") == 1
     assert [job.state for job in work()] == ["done"]
     with services.reading() as session:
         assert session.execute(text("SELECT count(*) FROM frames")).scalar_one() == FRAMES

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from sightline.infra.audit.verification import verify_records
 from sightline.infra.jobs.records import Job
-from sightline.infra.jobs.runner import sweep
+from sightline.infra.jobs.recovery import take_back
 from sightline.infra.jobs.store import claim_job, queued_jobs
 from sightline.infra.services import Services
 from sightline.media.video.writer import write_mp4
@@ -86,18 +86,11 @@ def test_a_reading_is_cancelled_and_a_dead_worker_leaves_nothing(
 
 
 def _die_once(services: Services) -> None:
-    """A worker takes the job and is never heard of again; the sweeper gives it back."""
+    """A worker takes the job and is never heard of again; its supervisor puts it back."""
     with services.writing() as session:
         (job_id,) = queued_jobs(session)
-        assert claim_job(session, job_id, worker="gone", lease_s=-1.0) is not None
-
-    class Nobody:
-        def push(self, _job_id: int) -> None: ...
-
-        def waiting(self) -> int:
-            return 1
-
-    sweep(services.sessions, Nobody())  # type: ignore[arg-type]
+        assert claim_job(session, job_id, worker="gone") is not None
+    assert take_back(services.sessions, worker="gone") == 1
 
 
 def test_two_columns_of_a_video_are_a_scan(

@@ -10,7 +10,7 @@ from sightline.infra.services import Services
 def run_jobs(services: Services) -> list[Job]:
     """Run every queued job to its end and give them back as they ended."""
     assert job_handlers.MODULES
-    runner = Runner(services.settings, services.sessions)
+    runner = Runner(services, "this process")
     with services.reading() as session:
         waiting = queued_jobs(session)
     for job_id in waiting:

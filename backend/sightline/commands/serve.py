@@ -1,4 +1,4 @@
-"""`sightline serve`: the server, with its own worker beside it."""
+"""`sightline serve`: the server, with its own workers beside it."""
 
 from __future__ import annotations
 
@@ -73,10 +73,10 @@ def listen(host: str, port: int) -> socket.socket:
 def serve_on(
     listener: socket.socket, settings: Settings, stack: ExitStack, *, own_worker: bool, with_demo: bool
 ) -> None:
-    """Open everything and answer until stopped; the worker starts once the server answers."""
+    """Open everything and answer until stopped; the workers start once the server answers."""
     from sightline.app import create_app
     from sightline.infra.database.engine import make_engine, migrate
-    from sightline.infra.jobs.worker import start_child_worker
+    from sightline.infra.jobs.workers import start_child_workers
     from sightline.infra.services import open_services
     from sightline.people.service import first_sign_in_link
 
@@ -92,9 +92,9 @@ def serve_on(
     app = create_app(services=services)
 
     def answering() -> None:
-        # Later: the worker's own start must not take the processor from the server's.
+        # Later: the workers' own start must not take the processor from the server's.
         services.frames.start()
-        child = start_child_worker(settings) if own_worker else None
+        child = start_child_workers(settings) if own_worker else None
         if child is not None:
             stack.callback(child.stop)
 

@@ -18,11 +18,14 @@ def worker(workers: int | None, parent: int | None, data_dir: Path | None) -> No
     """Do queued jobs until stopped. On several machines, database and media are shared ones."""
     import logging
 
-    from sightline.infra.jobs.worker import run_worker
+    from sightline.infra.jobs.workers import run_workers
 
     level = logging.INFO if parent is None else logging.WARNING
     logging.basicConfig(level=level, format="%(asctime)s %(name)s: %(message)s")
-    run_worker(settings_of(data_dir=data_dir, workers=workers), parent=parent, handlers=load_job_handlers)
+    # Procrastinate tells of every delivery; what matters of them is in the job table.
+    logging.getLogger("procrastinate").setLevel(logging.WARNING)
+    settings = settings_of(data_dir=data_dir, workers=workers)
+    run_workers(settings, parent=parent, load_handlers=load_job_handlers)
 
 
 def load_job_handlers() -> None:

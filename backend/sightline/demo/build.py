@@ -22,8 +22,7 @@ from sightline.demo.scan import ScanMaker, ScanParts, store_scan
 from sightline.demo.wheels import click_wheels
 from sightline.enums import Lighting, Role
 from sightline.infra.jobs import registry
-from sightline.infra.jobs.runner import STOPPED
-from sightline.infra.services import services_of
+from sightline.infra.jobs.recovery import STOPPED
 from sightline.infra.web.person import Person
 from sightline.media.cancelling import IngestCancelled
 from sightline.people.store import create_person, person_by_email, update_person
@@ -55,7 +54,7 @@ REVIEWER = ("Demonstration reviewer", "demonstration-reviewer@sightline.invalid"
 
 def make(context: registry.JobContext) -> registry.Outcome:
     """Make all parts, then store the survey in the transaction that ends the job."""
-    services = services_of(context)
+    services = context.services
     with services.reading() as session:
         known = demo_survey_id(session)
     if known is not None:

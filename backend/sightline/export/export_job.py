@@ -16,7 +16,7 @@ from sightline.infra.csv_package.files import Staging, zip_folder
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.store import get_job
-from sightline.infra.services import Services, services_of
+from sightline.infra.services import Services
 from sightline.media.store.local import check_room, key_of, sha256_of
 from sightline.surveys.records import Survey
 from sightline.surveys.store import get_survey, list_surveys, survey_by_name
@@ -48,7 +48,7 @@ def request_export(session: Session, survey_id: int, *, crops: bool = True, acto
 def export(context: registry.JobContext) -> registry.Outcome:
     """Build the package, keep it in the media store, and note it with the head of the audit chain."""
     survey_id = int(context.payload["survey_id"])
-    services = services_of(context)
+    services = context.services
     crops = bool(context.payload.get("crops", True))
     context.progress(0.0, "Reading the survey.")
     with _scratch(services, context.job.id) as folder:

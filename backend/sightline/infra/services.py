@@ -1,26 +1,16 @@
-"""What every shell needs: settings, database, queue, media store and frame server, opened once a process."""
+"""What every process needs: settings, database, media store and frame server, opened once."""
 
 from collections.abc import Callable
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from pathlib import Path
-from threading import Lock, RLock
+from threading import RLock
 from typing import Protocol, TypeVar, cast
-from weakref import WeakKeyDictionary
 
 from sqlalchemy import Engine
 from sqlalchemy.orm import Session
 
-from sightline.infra.database.engine import (
-    SessionFactory,
-    engine_of,
-    make_engine,
-    reading,
-    session_factory,
-    writing,
-)
-from sightline.infra.jobs.queue import JobQueue, attach, open_queue
-from sightline.infra.jobs.registry import JobContext
+from sightline.infra.database.engine import SessionFactory, make_engine, reading, session_factory, writing
 from sightline.media.store.local import MediaStore, open_store
 from sightline.media.video.decode_host import DecodeHost
 from sightline.media.video.frames import FrameServer
@@ -28,9 +18,6 @@ from sightline.settings import Settings
 
 FRAME_MEMORY_BYTES = 256 * 1024**2
 FRAME_DISK_BYTES = 2 * 1024**3
-
-_of_workers: WeakKeyDictionary[SessionFactory, "Services"] = WeakKeyDictionary()
-_opening = Lock()
 
 
 class Part(Protocol):
@@ -50,7 +37,6 @@ class Services:
     settings: Settings
     engine: Engine
     sessions: SessionFactory
-    queue: JobQueue | None
     media: MediaStore
     frames: FrameServer
     _parts: dict[Callable[["Services"], Part], Part] = field(default_factory=dict)
@@ -84,41 +70,18 @@ class Services:
             for part in reversed(self._parts.values()):
                 part.close()
         self.frames.close()
-        if self.queue is not None:
-            self.queue.close()
         self.engine.dispose()
 
 
-def open_services(settings: Settings) -> Services:
-    """Open database, queue and media store. Migrates nothing and starts nothing."""
+def open_services(settings: Settings, *, decode_in_child: bool = True) -> Services:
+    """Open database and media store. Migrates nothing and starts nothing.
+
+    `decode_in_child`: a hostile file may end the child in which stills are decoded, never this process.
+    """
     engine = make_engine(settings.database_url)
     sessions = session_factory(engine)
-    queue = open_queue(settings)
-    attach(sessions, queue)
-    # A hostile file may end the child in which stills are decoded, never the server.
-    return _services(settings, engine, sessions, queue, DecodeHost(FRAME_MEMORY_BYTES * 3 // 4))
-
-
-def services_of(context: JobContext) -> Services:
-    """The services of a worker, on the sessions that it has; opened once for all its jobs."""
-    with _opening:
-        known = _of_workers.get(context.factory)
-        if known is None:
-            engine = engine_of(context.factory)
-            # A worker's process is itself the one that a hostile file may end.
-            known = _services(context.settings, engine, context.factory, None, None)
-            _of_workers[context.factory] = known
-        return known
-
-
-def _services(
-    settings: Settings,
-    engine: Engine,
-    sessions: SessionFactory,
-    queue: JobQueue | None,
-    pictures: DecodeHost | None,
-) -> Services:
     cache = settings.data_dir / "cache"
     store = open_store(settings.media_url, cache / "media")
+    pictures = DecodeHost(FRAME_MEMORY_BYTES * 3 // 4) if decode_in_child else None
     server = FrameServer(cache, FRAME_MEMORY_BYTES, FRAME_DISK_BYTES, pictures=pictures)
-    return Services(settings, engine, sessions, queue, store, server)
+    return Services(settings, engine, sessions, store, server)

@@ -17,7 +17,7 @@ from sightline.geometry.documents import camera_from_dict
 from sightline.geometry.road_pose import DEFAULT_U_BOW_M, Reference
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
-from sightline.infra.services import Services, services_of
+from sightline.infra.services import Services
 from sightline.poses.service import BoardView, Solved, board_in_span, board_view, check_fits, solve
 from sightline.poses.store import add_pose
 from sightline.quality.drift.drift_job import request_if_posed
@@ -106,7 +106,7 @@ def fitting_camera(session: Session, recording: Recording, calibration_id: int) 
 def solve_pose(context: registry.JobContext) -> registry.Outcome:
     """Detect the board in frames of the span, solve, and make the result the recording's pose."""
     wanted = PoseRequest(**context.payload)
-    services = services_of(context)
+    services = context.services
     with services.reading() as session:
         recording = get_recording(session, wanted.recording_id)
         camera = fitting_camera(session, recording, wanted.calibration_id)

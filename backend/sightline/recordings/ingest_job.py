@@ -14,9 +14,9 @@ from sightline.enums import Lighting
 from sightline.errors import Conflict, NotFound
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
+from sightline.infra.jobs.recovery import STOPPED as CANCELLED
 from sightline.infra.jobs.registry import Cancelled, Finish, JobContext
-from sightline.infra.jobs.runner import STOPPED as CANCELLED
-from sightline.infra.services import Services, services_of
+from sightline.infra.services import Services
 from sightline.media.cancelling import IngestCancelled
 from sightline.media.store.local import MediaStore, key_of
 from sightline.media.video.ingest import Ingested, ingest
@@ -70,7 +70,7 @@ def mark_cancelled(session: Session, job: Job) -> None:
 @registry.handler(KIND, failed=mark_failed, on_cancel=mark_cancelled)
 def run_ingest(context: JobContext) -> Finish:
     """Decode the video once. May be killed at any moment: nothing is stored before it is whole."""
-    services = services_of(context)
+    services = context.services
     recording_id = context.job.recording_id
     assert recording_id is not None
     with services.reading() as session:
@@ -86,7 +86,7 @@ def run_ingest(context: JobContext) -> Finish:
 
     def finish(session: Session) -> Mapping[str, Any]:
         recordings.note_ingested(session, recording_id, facts, table, actor=context.actor)
-        if context.settings.find_passes:
+        if context.services.settings.find_passes:
             place = {"survey_id": recording.survey_id, "recording_id": recording_id}
             registry.enqueue(session, PASSES, {}, actor=context.actor, **place)
         return {"recording_id": recording_id, "frames": len(table)}

@@ -14,9 +14,9 @@ from sqlalchemy.orm import Session
 from sightline.errors import NotFound
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
+from sightline.infra.jobs.recovery import STOPPED as CANCELLED
 from sightline.infra.jobs.registry import Cancelled, Finish, JobContext
-from sightline.infra.jobs.runner import STOPPED as CANCELLED
-from sightline.infra.services import Services, services_of
+from sightline.infra.services import Services
 from sightline.media.cancelling import IngestCancelled
 from sightline.media.store.local import key_of
 from sightline.media.strips.reader import Strip, check_pair, open_strip
@@ -52,7 +52,7 @@ def mark_cancelled(session: Session, job: Job) -> None:
 @registry.handler(READ, failed=mark_failed, on_cancel=mark_cancelled)
 def read_scan(context: JobContext) -> Finish:
     """Write the stored form of both strips. May be killed at any moment: nothing counts before the end."""
-    services = services_of(context)
+    services = context.services
     scan_id = context.job.scan_id
     assert scan_id is not None
     with services.reading() as session:
@@ -81,7 +81,7 @@ def read_scan(context: JobContext) -> Finish:
 @registry.handler(TIDY)
 def tidy_sources(context: JobContext) -> Mapping[str, Any]:
     """Delete the files that a scan was read from: its stored form has every pixel of them."""
-    services = services_of(context)
+    services = context.services
     try:
         with services.reading() as session:
             scan = get_scan(session, int(context.payload["scan_id"]))

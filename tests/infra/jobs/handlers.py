@@ -1,4 +1,4 @@
-"""Handlers of the tests, and a worker that knows them: `python -m tests.infra.jobs.handlers PARENT_PID`."""
+"""Handlers of the tests, and workers that know them: `python -m tests.infra.jobs.handlers PARENT_PID`."""
 
 import os
 import sys
@@ -12,7 +12,7 @@ from sqlalchemy.orm import Session
 from sightline.errors import BadInput
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
-from sightline.infra.jobs.worker import run_worker
+from sightline.infra.jobs.workers import run_workers
 from sightline.settings import load_settings
 from sightline.surveys.store import create_survey
 
@@ -66,4 +66,4 @@ def wait(context: registry.JobContext) -> registry.Outcome:
 
 
 if __name__ == "__main__":
-    run_worker(load_settings(), parent=int(sys.argv[1]), handlers=lambda: None)
+    run_workers(load_settings(), parent=int(sys.argv[1]), load_handlers=lambda: None)

@@ -24,7 +24,7 @@ from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.registry import Finish, JobContext
 from sightline.infra.jobs.store import list_jobs
-from sightline.infra.services import Services, services_of
+from sightline.infra.services import Services
 from sightline.recordings.frames.stills import stills_of
 from sightline.recordings.store import get_recording
 
@@ -132,7 +132,7 @@ def frames_of(wish: Wish, frame_count: int) -> list[int]:
 @registry.handler(KIND)
 def run_calibration(context: JobContext) -> Finish:
     """Detect where that was not done yet, fit, and store the result as the camera's current calibration."""
-    services = services_of(context)
+    services = context.services
     asked = dict(context.payload)
     camera_id = int(asked.pop("camera_id"))
     context.progress(0.0, "Looking for the board.")

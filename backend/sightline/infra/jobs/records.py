@@ -3,10 +3,7 @@
 from dataclasses import dataclass
 from datetime import datetime
 
-from sightline.enums import (
-    JobState,
-    JsonObject,
-)
+from sightline.enums import JobState, JsonObject
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,6 +26,5 @@ class Job:
     finished_at: datetime | None
     attempts: int
     worker: str | None
-    lease_until: datetime | None
     cancel_requested: bool
     scan_id: int | None = None

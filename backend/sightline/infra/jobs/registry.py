@@ -1,4 +1,4 @@
-"""Long work: enqueue it, register who does it, run it under a lease (`runner`, `worker` do the rest).
+"""Long work: enqueue it, register who does it (`runner`, `workers` and the engines do the rest).
 
 A handler is a function of a `JobContext` and gives back the job's result, or a function of a session that
 writes what was made and gives back the result: that one runs in the same transaction as the job's end, so
@@ -8,19 +8,22 @@ that a job that was run twice leaves its outcome once.
     def ingest(context: JobContext) -> Outcome: ...
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from sqlalchemy.orm import Session
 
 from sightline.enums import JsonObject
 from sightline.errors import SightlineError
-from sightline.infra.database.engine import SessionFactory
-from sightline.infra.jobs.queue import push_after_commit
+from sightline.infra.jobs.engine import engine_of_session
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.store import create_job, request_job_cancel
-from sightline.settings import Settings
+
+if TYPE_CHECKING:
+    from sightline.infra.services import Services
 
 Finish = Callable[[Session], Mapping[str, Any]]
 Outcome = Mapping[str, Any] | Finish
@@ -37,8 +40,7 @@ class JobContext:
     """What a handler works with."""
 
     job: Job
-    settings: Settings
-    factory: SessionFactory
+    services: Services
     report: Callable[[float, str], None]
     cancelled: Callable[[], bool]
 
@@ -53,7 +55,7 @@ class JobContext:
         return self.job.created_by
 
     def progress(self, fraction: float, message: str = "") -> None:
-        """Say how far the job is (0 to 1). Raises Cancelled if it is to stop, LeaseLost if another has it."""
+        """Say how far the job is (0 to 1). Raises Cancelled if it is to stop, JobLost if another has it."""
         self.report(fraction, message)
 
     def is_cancelled(self) -> bool:
@@ -119,8 +121,8 @@ def enqueue(
     scan_id: int | None = None,
     actor: int | None,
 ) -> Job:
-    """A new job in the caller's transaction; the workers hear of it when that commits."""
+    """A new job in the caller's transaction; a worker gets it once that commits."""
     place = {"survey_id": survey_id, "recording_id": recording_id, "scan_id": scan_id}
     job = create_job(session, kind, payload, **place, actor=actor)
-    push_after_commit(session, job.id)
+    engine_of_session(session).deliver(session, job.id)
     return job

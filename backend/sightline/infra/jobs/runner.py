@@ -1,208 +1,141 @@
-"""Running one job under its lease, and sweeping up after workers that died."""
+"""Doing one job in a worker process, and writing its end."""
 
 import logging
-import os
-import socket
 import threading
-import time
-from collections.abc import Callable, Mapping
-from typing import Any
-from uuid import uuid4
+from collections.abc import Callable
+from typing import Any, Self
 
 from sqlalchemy.orm import Session
 
 from sightline.errors import SightlineError
 from sightline.infra.database.engine import DatabaseAway, SessionFactory, reading, writing
-from sightline.infra.jobs.queue import JobQueue
 from sightline.infra.jobs.records import Job
+from sightline.infra.jobs.recovery import STOPPED, clean_up
 from sightline.infra.jobs.registry import Cancelled, JobContext, Outcome, registered
 from sightline.infra.jobs.store import (
-    MAX_ATTEMPTS,
-    LeaseLost,
+    Hold,
+    JobLost,
+    check_hold,
     claim_job,
-    expired_jobs,
     fail_job,
     finish_job,
     job_cancelled,
-    queued_jobs,
-    release_job,
-    renew_lease,
-    requeue_job,
+    note_progress,
 )
-from sightline.settings import Settings
+from sightline.infra.services import Services
 
 log = logging.getLogger("sightline.jobs")
 
-STOPPED = "Cancelled."
-GAVE_UP = "The worker died {attempts} times in the middle of this; look at the input and at the memory."
 BROKE = "An error in the program stopped this ({name}); try again, and report it if it comes back."
-
-
-def worker_name() -> str:
-    """A name that no other worker process ever has."""
-    return f"{socket.gethostname()}:{os.getpid()}:{uuid4().hex[:8]}"
+PROGRESS_S = 1.0
 
 
 class Runner:
-    """One worker process: claims a job by its id, does it, writes its end."""
+    """Does jobs one after the other under the name of its worker process."""
 
-    def __init__(self, settings: Settings, factory: SessionFactory) -> None:
-        self.settings = settings
-        self.factory = factory
-        self.name = worker_name()
+    def __init__(self, services: Services, name: str) -> None:
+        self.services = services
+        self.name = name
+        self._stopping = threading.Event()
 
-    def run(self, job_id: int) -> None:
-        """Do the job if nobody else has it. Only a KeyboardInterrupt (the worker shuts down) comes out."""
+    def stop(self) -> None:
+        """Let the job in hand end as if it were cancelled; whoever asked for the stop puts it back."""
+        self._stopping.set()
+
+    def run(self, job_id: int) -> bool:
+        """Do a job if nobody else has it. False if its end could not be written: end the process then."""
         try:
-            with writing(self.factory) as session:
-                job = claim_job(session, job_id, worker=self.name, lease_s=self.settings.lease_s)
+            with self.services.writing() as session:
+                job = claim_job(session, job_id, worker=self.name)
+            return job is None or self._do(job)
+        except JobLost:
+            log.warning("job %s went to another worker", job_id)
         except DatabaseAway as away:
             log.warning("job %s: %s", job_id, away.message)
-            return
-        if job is not None:
-            self._do(job)
+        return False
 
-    def _do(self, job: Job) -> None:
-        lease = Lease(self.factory, job, self.settings.lease_s)
+    def _do(self, job: Job) -> bool:
+        """Raises JobLost and DatabaseAway."""
         try:
-            with lease:
-                outcome = self._handle(job, lease)
-            self._write(lambda session: _finish(session, job, outcome))
-        except LeaseLost:
-            log.warning("job %s went to another worker", job.id)
-        except DatabaseAway as away:
-            # the lease runs out by itself and the job is done again
-            log.warning("job %s: %s", job.id, away.message)
+            with Watch(self.services.sessions, job, self._stopping) as watch:
+                outcome = self._handle(job, watch)
+            self._finish(job, outcome)
+        except (JobLost, DatabaseAway):
+            raise
         except Cancelled as stopped:
-            self._end(job, lambda session: job_cancelled(session, job), stopped.message)
+            if self._stopping.is_set():
+                return False
+            self._end(job, stopped.message, lambda session: job_cancelled(session, job))
         except SightlineError as error:
             self._fail(job, error.message)
-        except KeyboardInterrupt:
-            self._end(job, lambda session: release_job(session, job), None)
-            raise
         except Exception as error:
             log.exception("job %s (%s) broke", job.id, job.kind)
             self._fail(job, BROKE.format(name=type(error).__name__))
+        return True
 
-    def _handle(self, job: Job, lease: "Lease") -> Outcome:
-        known = registered(job.kind)
-        if known is None:
+    def _handle(self, job: Job, watch: "Watch") -> Outcome:
+        handler = registered(job.kind)
+        if handler is None:
             raise SightlineError(f"This worker knows no job of kind {job.kind}; start one of this version.")
-        return known.run(JobContext(job, self.settings, self.factory, lease.report, lease.is_over))
+        return handler.run(JobContext(job, self.services, watch.report, watch.is_over))
+
+    def _finish(self, job: Job, outcome: Outcome) -> None:
+        """What was made and the job's end, in one transaction: both or neither, and once."""
+        with self.services.writing() as session:
+            finish_job(session, job, outcome(session) if callable(outcome) else outcome)
 
     def _fail(self, job: Job, sentence: str) -> None:
-        self._end(job, lambda session: fail_job(session, job, sentence), sentence)
+        self._end(job, sentence, lambda session: fail_job(session, job, sentence))
 
-    def _end(self, job: Job, write: Callable[[Session], Any], sentence: str | None) -> None:
-        def whole(session: Session) -> None:
+    def _end(self, job: Job, sentence: str, write: Callable[[Session], Any]) -> None:
+        with self.services.writing() as session:
             write(session)
-            if sentence is not None:
-                clean_up(session, job, sentence)
-
-        try:
-            self._write(whole)
-        except (LeaseLost, DatabaseAway) as error:
-            log.warning("job %s: %s", job.id, error.message)
-
-    def _write(self, write: Callable[[Session], Any]) -> None:
-        with writing(self.factory) as session:
-            write(session)
+            clean_up(session, job, sentence)
 
 
-def _finish(session: Session, job: Job, outcome: Outcome) -> None:
-    """What was made and the job's end, in one transaction: both or neither, and once."""
-    result: Mapping[str, Any] = outcome(session) if callable(outcome) else outcome
-    finish_job(session, job, result)
+class Watch:
+    """Beside a running job: stores its progress and looks whether it is to stop, once a second."""
 
+    def __init__(self, sessions: SessionFactory, job: Job, stopping: threading.Event) -> None:
+        self._sessions, self._job, self._stopping = sessions, job, stopping
+        self._progress = self._stored = (0.0, "")
+        self._hold = Hold(True, False)
+        self._ended = threading.Event()
+        self._thread = threading.Thread(target=self._keep, name=f"watch-{job.id}", daemon=True)
 
-def clean_up(session: Session, job: Job, sentence: str) -> None:
-    """Let the kind's `failed` function write what follows from a job that came to nothing."""
-    known = registered(job.kind)
-    if known is not None and known.failed is not None:
-        known.failed(session, job, sentence)
-
-
-class Lease:
-    """Keeps a job's lease alive from a thread of its own, and carries progress and the wish to cancel."""
-
-    def __init__(self, factory: SessionFactory, job: Job, lease_s: float) -> None:
-        self._factory, self._job, self._lease_s = factory, job, lease_s
-        self._progress, self._message = 0.0, ""
-        self._until = time.monotonic() + lease_s
-        self._stop = threading.Event()
-        self._cancel = self._lost = False
-        self._thread = threading.Thread(target=self._keep, name=f"lease-{job.id}", daemon=True)
-
-    def __enter__(self) -> "Lease":
+    def __enter__(self) -> Self:
         self._thread.start()
         return self
 
     def __exit__(self, *_error: object) -> None:
-        self._stop.set()
+        self._ended.set()
         self._thread.join()
 
     def report(self, fraction: float, message: str) -> None:
-        """Note the progress; the thread writes it. Raises Cancelled or LeaseLost."""
-        self._progress = min(max(fraction, 0.0), 1.0)
-        self._message = message or self._message
-        if self._lost or time.monotonic() > self._until:
-            raise LeaseLost(f"Job {self._job.id} went to another worker; this one stops.")
-        if self._cancel:
+        """Note the progress; the thread stores it. Raises Cancelled or JobLost."""
+        self._progress = (min(max(fraction, 0.0), 1.0), message or self._progress[1])
+        if not self._hold.held:
+            raise JobLost(f"Job {self._job.id} went to another worker; this one stops.")
+        if self.is_over():
             raise Cancelled(STOPPED)
 
     def is_over(self) -> bool:
         """Whether going on is of no use."""
-        return self._cancel or self._lost or time.monotonic() > self._until
+        return self._hold.cancel_requested or not self._hold.held or self._stopping.is_set()
 
     def _keep(self) -> None:
-        pause = min(1.0, self._lease_s / 4)
-        while not self._stop.wait(pause):
-            asked = time.monotonic()
+        while self._hold.held and not self._ended.wait(PROGRESS_S):
             try:
-                with writing(self._factory) as session:
-                    beat = renew_lease(
-                        session,
-                        self._job,
-                        lease_s=self._lease_s,
-                        progress=self._progress,
-                        message=self._message,
-                    )
+                self._hold = self._look()
             except SightlineError as error:
-                log.warning("lease of job %s not renewed: %s", self._job.id, error.message)
-                continue
-            self._cancel, self._lost = beat.cancel_requested, not beat.held
-            if self._lost:
-                return
-            self._until = asked + self._lease_s
+                log.warning("progress of job %s not stored: %s", self._job.id, error.message)
 
-
-def sweep(factory: SessionFactory, queue: JobQueue) -> None:
-    """Give the jobs of dead workers to others (up, after three times); push those that the queue lost."""
-    with reading(factory) as session:
-        expired, waiting = expired_jobs(session), queued_jobs(session)
-    for job in expired:
-        try:
-            with writing(factory) as session:
-                again = _take_back(session, job)
-        except LeaseLost:
-            continue
-        if again:
-            queue.push(job.id)
-    if waiting and queue.waiting() == 0:
-        for job_id in waiting:
-            queue.push(job_id)
-
-
-def _take_back(session: Session, job: Job) -> bool:
-    """End or requeue one expired job; whether it is to run again."""
-    if job.cancel_requested:
-        job_cancelled(session, job)
-        clean_up(session, job, STOPPED)
-    elif job.attempts >= MAX_ATTEMPTS:
-        message = GAVE_UP.format(attempts=job.attempts)
-        fail_job(session, job, message)
-        clean_up(session, job, message)
-    else:
-        requeue_job(session, job)
-        return True
-    return False
+    def _look(self) -> Hold:
+        progress = self._progress
+        if progress == self._stored:
+            with reading(self._sessions) as session:
+                return check_hold(session, self._job)
+        with writing(self._sessions) as session:
+            hold = note_progress(session, self._job, *progress)
+        self._stored = progress
+        return hold

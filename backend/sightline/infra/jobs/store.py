@@ -1,14 +1,12 @@
-"""The job table: it owns the truth about long work, whatever happens to the queue or to a worker.
+"""The job table: it says what is to be done and what became of it, whatever happens to a worker.
 
-A worker claims a job for a lease and renews it; a lease that ran out means that the worker died, and the job
-is given to another one. Every change by a worker is guarded by (worker, attempts), so a worker that was
-thought dead and comes back changes nothing. Creating, cancelling and ending a job are audited; leases and
-progress are not.
+A worker process claims a job under its name. Every change by a worker is guarded by (worker, attempts), so
+one that was thought dead and comes back changes nothing. Creating, cancelling, putting back and ending a job
+are audited; claiming and progress are not.
 """
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from datetime import datetime, timedelta
 from typing import Any
 
 from sqlalchemy import func, select, update
@@ -25,13 +23,13 @@ from sightline.infra.jobs.tables import jobs
 MAX_ATTEMPTS = 3
 
 
-class LeaseLost(SightlineError):
+class JobLost(SightlineError):
     """Another worker has this job now, or it is over; the one who asks must stop without a trace."""
 
 
 @dataclass(frozen=True, slots=True)
-class Heartbeat:
-    """What a worker learns when it renews: does it still hold the job, and is it to stop?"""
+class Hold:
+    """What a worker learns of its job: does it still hold it, and is it to stop?"""
 
     held: bool
     cancel_requested: bool
@@ -47,7 +45,7 @@ def create_job(
     scan_id: int | None = None,
     actor: int | None,
 ) -> Job:
-    """A queued job. Use `sightline.infra.jobs.registry.enqueue`, which also tells the queue."""
+    """A queued job. Use `sightline.infra.jobs.registry.enqueue`, which also has it delivered."""
     content = {"kind": kind, "payload": dict(payload), "survey_id": survey_id, "recording_id": recording_id}
     if scan_id is not None:
         content["scan_id"] = scan_id
@@ -106,56 +104,55 @@ def request_job_cancel(session: Session, job_id: int, *, actor: int | None) -> J
     return get_job(session, job_id)
 
 
-def claim_job(session: Session, job_id: int, *, worker: str, lease_s: float) -> Job | None:
-    """Take a queued job for `lease_s` seconds; None if somebody else has it or it is over."""
-    moment = _database_now(session)
-    done = session.execute(
+def claim_job(session: Session, job_id: int, *, worker: str) -> Job | None:
+    """Take a queued job; None if somebody else has it or it is over."""
+    claimed = session.execute(
         update(jobs)
         .where(jobs.c.id == job_id, jobs.c.state == "queued", jobs.c.attempts < MAX_ATTEMPTS)
         .values(
             state="running",
             worker=worker,
             attempts=jobs.c.attempts + 1,
-            started_at=func.coalesce(jobs.c.started_at, moment),
-            lease_until=moment + timedelta(seconds=lease_s),
+            started_at=func.coalesce(jobs.c.started_at, now()),
         )
         .returning(jobs.c.id)
     )
-    return None if done.first() is None else get_job(session, job_id)
+    return None if claimed.first() is None else get_job(session, job_id)
 
 
-def renew_lease(
-    session: Session, job: Job, *, lease_s: float, progress: float | None = None, message: str | None = None
-) -> Heartbeat:
-    """Hold the job for `lease_s` more seconds and note how far it is."""
-    change: dict[str, Any] = {"lease_until": _database_now(session) + timedelta(seconds=lease_s)}
-    if progress is not None:
-        change["progress"] = min(max(progress, 0.0), 1.0)
-    if message is not None:
-        change["message"] = message
-    held = update(jobs).where(*_held(job)).values(change).returning(jobs.c.cancel_requested)
-    row = session.execute(held).first()
-    return Heartbeat(row is not None, row is not None and bool(row[0]))
+def check_hold(session: Session, job: Job) -> Hold:
+    """Whether the worker still holds the job, and whether it is to stop."""
+    row = session.execute(select(jobs.c.cancel_requested).where(*_held(job))).first()
+    return Hold(row is not None, row is not None and bool(row[0]))
+
+
+def note_progress(session: Session, job: Job, fraction: float, message: str) -> Hold:
+    """Store how far the job is (0 to 1)."""
+    change = update(jobs).where(*_held(job)).values(progress=fraction, message=message)
+    row = session.execute(change.returning(jobs.c.cancel_requested)).first()
+    return Hold(row is not None, row is not None and bool(row[0]))
 
 
 def finish_job(session: Session, job: Job, result: Mapping[str, Any]) -> Job:
-    """The job is done. Raises LeaseLost, which undoes the whole write, if another has it."""
+    """The job is done. Raises JobLost, which undoes the whole write, if another has it."""
     return _end(session, job, "done", {"result": dict(result), "progress": 1.0})
 
 
 def fail_job(session: Session, job: Job, error: str) -> Job:
-    """The job cannot be done; `error` is the sentence that says why. Raises LeaseLost."""
+    """The job cannot be done; `error` is the sentence that says why. Raises JobLost."""
     return _end(session, job, "failed", {"error": error})
 
 
 def job_cancelled(session: Session, job: Job) -> Job:
-    """The worker stopped because it was asked to. Raises LeaseLost."""
+    """The worker stopped because it was asked to. Raises JobLost."""
     return _end(session, job, "cancelled", {"message": "Cancelled."})
 
 
-def expired_jobs(session: Session) -> tuple[Job, ...]:
-    """Running jobs whose lease ran out: their worker is dead or cut off."""
-    query = select(jobs).where(jobs.c.state == "running", jobs.c.lease_until < _database_now(session))
+def running_jobs(session: Session, *, worker: str | None = None) -> tuple[Job, ...]:
+    """The jobs that are being done, by one worker or by all."""
+    query = select(jobs).where(jobs.c.state == "running")
+    if worker is not None:
+        query = query.where(jobs.c.worker == worker)
     return tuple(_job(row) for row in session.execute(query.order_by(jobs.c.id)).mappings())
 
 
@@ -167,15 +164,15 @@ def queued_jobs(session: Session) -> tuple[int, ...]:
 
 
 def requeue_job(session: Session, job: Job) -> Job:
-    """Give an expired job to the next worker. Raises LeaseLost if it moved on meanwhile."""
-    change: dict[str, Any] = {"state": "queued", "worker": None, "lease_until": None, "progress": 0.0}
+    """Give the job of a dead worker to the next one. Raises JobLost if it moved on meanwhile."""
+    change: dict[str, Any] = {"state": "queued", "worker": None, "progress": 0.0}
     change["message"] = "A worker stopped in the middle; this is tried again."
     return _back(session, job, change, "requeue")
 
 
 def release_job(session: Session, job: Job) -> Job:
-    """Put a job back because its worker shuts down; that attempt does not count. Raises LeaseLost."""
-    change: dict[str, Any] = {"state": "queued", "worker": None, "lease_until": None, "progress": 0.0}
+    """Put a job back because its worker shuts down; that attempt does not count. Raises JobLost."""
+    change: dict[str, Any] = {"state": "queued", "worker": None, "progress": 0.0}
     change |= {"attempts": job.attempts - 1, "message": "Waits for the next worker."}
     return _back(session, job, change, "release")
 
@@ -183,7 +180,7 @@ def release_job(session: Session, job: Job) -> Job:
 def _back(session: Session, job: Job, change: Mapping[str, Any], action: str) -> Job:
     done = session.execute(update(jobs).where(*_held(job)).values(change).returning(jobs.c.id))
     if done.first() is None:
-        raise LeaseLost(f"Job {job.id} moved on meanwhile; nothing to do.")
+        raise JobLost(f"Job {job.id} moved on meanwhile; nothing to do.")
     after = {"state": "queued", "attempts": job.attempts}
     trail.record(session, None, action, "job", job.id, job.survey_id, {"state": "running"}, after)
     return get_job(session, job.id)
@@ -195,23 +192,14 @@ def _held(job: Job) -> tuple[Any, ...]:
 
 
 def _end(session: Session, job: Job, state: JobState, change: Mapping[str, Any]) -> Job:
-    values = {**change, "state": state, "lease_until": None, "finished_at": now()}
+    values = {**change, "state": state, "finished_at": now()}
     done = session.execute(update(jobs).where(*_held(job)).values(values).returning(jobs.c.id))
     if done.first() is None:
-        raise LeaseLost(f"Job {job.id} was given to another worker; this one stops.")
+        raise JobLost(f"Job {job.id} was given to another worker; this one stops.")
     told = {key: change[key] for key in ("result", "error") if key in change}
     after = {"state": state, "attempts": job.attempts, **told}
     trail.record(session, job.created_by, state, "job", job.id, job.survey_id, {"state": "running"}, after)
     return get_job(session, job.id)
-
-
-def _database_now(session: Session) -> datetime:
-    """The database's clock where several machines share it, ours where there is one machine."""
-    if session.get_bind().dialect.name != "postgresql":
-        return now()
-    moment = session.execute(select(func.clock_timestamp())).scalar_one()
-    assert isinstance(moment, datetime)
-    return moment
 
 
 def _job(row: Mapping[Any, Any]) -> Job:

@@ -33,7 +33,6 @@ jobs = Table(
     Column("scan_id", Integer, ForeignKey("scans.id", use_alter=True), index=True),
     Column("attempts", Integer, nullable=False),
     Column("worker", String(200)),
-    Column("lease_until", Moment),
     Column("cancel_requested", Boolean, nullable=False, server_default=false()),
     Column("created_at", Moment, nullable=False),
     Column("created_by", ForeignKey("people.id")),
@@ -42,8 +41,7 @@ jobs = Table(
     one_of("state", JobState),
     CheckConstraint("progress >= 0 AND progress <= 1", name="progress_fraction"),
     CheckConstraint("state <> 'failed' OR error IS NOT NULL", name="failed_has_error"),
-    CheckConstraint("state <> 'running' OR lease_until IS NOT NULL", name="running_has_lease"),
+    CheckConstraint("state <> 'running' OR worker IS NOT NULL", name="running_has_worker"),
 )
 
-
-Index("ix_jobs_state_lease_until", jobs.c.state, jobs.c.lease_until)
+Index("ix_jobs_state", jobs.c.state)

@@ -18,7 +18,7 @@ from sightline.infra.database.types import now
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.store import list_jobs
-from sightline.infra.services import Services, services_of
+from sightline.infra.services import Services
 from sightline.infra.version import code_version
 from sightline.measurements.service import road_pose
 from sightline.media.video.drift import Background, background, mean_of, register
@@ -80,7 +80,7 @@ def under_way(session: Session, recording: Recording) -> Job | None:
 def look_for_drift(context: registry.JobContext) -> registry.Outcome:
     """Compare frames over the recording with those of the pose, and store what was found."""
     recording_id, pose_id = int(context.payload["recording_id"]), int(context.payload["pose_id"])
-    services = services_of(context)
+    services = context.services
     with services.reading() as session:
         recording = get_recording(session, recording_id)
         pose = get_pose(session, pose_id)

@@ -12,7 +12,6 @@ from sqlalchemy.orm import Session
 from sightline.enums import Cause, JsonObject
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.registry import Finish, JobContext
-from sightline.infra.services import services_of
 from sightline.infra.version import code_version
 from sightline.linescan import faults
 from sightline.linescan.finding import Finder
@@ -59,7 +58,7 @@ class Planned:
 @registry.handler(FIND)
 def find_vehicles(context: JobContext) -> Finish:
     """Look through both strips once and measure every vehicle; all is stored with the job's end."""
-    services = services_of(context)
+    services = context.services
     scan_id = context.job.scan_id
     assert scan_id is not None
     with services.reading() as session:

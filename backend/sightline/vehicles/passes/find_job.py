@@ -18,7 +18,7 @@ from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.registry import Cancelled, Finish, JobContext
 from sightline.infra.jobs.store import list_jobs
-from sightline.infra.services import Services, services_of
+from sightline.infra.services import Services
 from sightline.poses.store import get_pose
 from sightline.recordings.frames.stills import stills_of
 from sightline.recordings.ingest_job import LOW_LIGHT_BELOW, PASSES
@@ -50,7 +50,7 @@ def request_passes(session: Session, recording_id: int, *, actor: int) -> Job:
 @registry.handler(KIND)
 def look_for_passes(context: JobContext) -> Finish:
     """Look through the video once; what is new is stored with the job's end."""
-    services = services_of(context)
+    services = context.services
     recording_id = context.job.recording_id
     assert recording_id is not None
     opened = stills_of(services).open(recording_id)

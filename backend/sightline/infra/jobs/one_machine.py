@@ -1,0 +1,76 @@
+"""The engine of one machine: the supervisor hands queued jobs to its worker processes over socket pairs."""
+
+from __future__ import annotations
+
+import fcntl
+import logging
+import socket
+from collections.abc import Sequence
+from queue import SimpleQueue
+from typing import IO
+
+from sqlalchemy.orm import Session
+
+from sightline.infra.database.engine import SessionFactory, reading
+from sightline.infra.jobs.recovery import take_back
+from sightline.infra.jobs.runner import Runner
+from sightline.infra.jobs.store import queued_jobs
+from sightline.infra.jobs.workers import WorkerProcess, on_stop, watch_supervisor
+from sightline.settings import Settings
+
+log = logging.getLogger("sightline.worker")
+
+LOCK_NAME = "workers.lock"
+IDLE = b"\n"
+
+
+class OneMachine:
+    """Needs no queue: the job table is on this disk, and there is one supervisor."""
+
+    def __init__(self) -> None:
+        self._lock: IO[bytes] | None = None
+
+    def deliver(self, session: Session, job_id: int) -> None:
+        """The supervisor finds the job in the table."""
+
+    def withdraw(self, session: Session, job_id: int) -> None:
+        """The supervisor knows what it handed out."""
+
+    def start(self, settings: Settings, sessions: SessionFactory) -> bool:
+        """Whether this supervisor is the only one; what was running before it has no worker any more."""
+        settings.data_dir.mkdir(parents=True, exist_ok=True)
+        lock = (settings.data_dir / LOCK_NAME).open("ab")
+        try:
+            # Of this process alone (forks have no part in it), and gone with it however it ends.
+            fcntl.lockf(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            lock.close()
+            return False
+        self._lock = lock
+        take_back(sessions)
+        return True
+
+    def hand_out(self, sessions: SessionFactory, processes: Sequence[WorkerProcess]) -> None:
+        """The oldest waiting jobs, one to each idle process."""
+        idle = [process for process in processes if process.is_idle]
+        if not idle:
+            return
+        with reading(sessions) as session:
+            waiting = queued_jobs(session)
+        handed_out = {process.job_id for process in processes}
+        for process, job_id in zip(idle, (n for n in waiting if n not in handed_out), strict=False):
+            process.give(job_id)
+
+    def work(self, runner: Runner, orders: socket.socket) -> None:
+        """Do the jobs whose ids come in lines; say when done."""
+        job_ids: SimpleQueue[int | None] = SimpleQueue()
+
+        def stop() -> None:
+            runner.stop()
+            job_ids.put(None)
+
+        watch_supervisor(orders, lambda line: job_ids.put(int(line)))
+        on_stop(stop)
+        orders.sendall(IDLE)
+        while (job_id := job_ids.get()) is not None and runner.run(job_id):
+            orders.sendall(IDLE)

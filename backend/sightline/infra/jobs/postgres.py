@@ -1,0 +1,133 @@
+"""The engine of several machines: Procrastinate carries job ids to the worker processes of all of them.
+
+Whenever a job is queued, a Procrastinate job with its id is deferred in the same transaction. Procrastinate's
+side ends with each delivery and is deleted then; progress, result and history are in the job table. A worker
+process that is not heard of for `heartbeat_limit_s` has its jobs delivered again by any other.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import os
+import signal
+import socket
+from collections.abc import Sequence
+from functools import cache
+
+from procrastinate import App, PsycopgConnector
+from procrastinate.jobs import Job as Delivery
+from sqlalchemy import make_url, text
+from sqlalchemy.orm import Session
+
+from sightline.errors import SightlineError
+from sightline.infra.database.engine import SessionFactory, writing
+from sightline.infra.jobs.recovery import put_back
+from sightline.infra.jobs.runner import Runner
+from sightline.infra.jobs.store import get_job
+from sightline.infra.jobs.workers import WorkerProcess, watch_supervisor
+from sightline.settings import Settings
+
+log = logging.getLogger("sightline.worker")
+
+TASK = QUEUE = "sightline"
+BEATS = 5
+_DELIVERED = "SELECT id FROM procrastinate_jobs WHERE task_name = :task AND status = 'doing'"
+_OF_JOB = text(f"{_DELIVERED} AND (args ->> 'job_id')::bigint = :job_id")
+_STILL_STALLED = text(f"{_DELIVERED} AND id = :id AND worker_id IS NOT DISTINCT FROM :worker_id")
+_FORGET = text("SELECT procrastinate_finish_job_v1(:id, 'failed', true)")
+
+
+@cache
+def _deferring() -> App:
+    """An app without a connection of its own: it defers over the caller's."""
+    return App(connector=PsycopgConnector())
+
+
+class OnPostgres:
+    """Procrastinate's deferring, fetching and heartbeats."""
+
+    def deliver(self, session: Session, job_id: int) -> None:
+        """Defer over the session's connection: whoever listens is told at the commit."""
+        connection = session.connection().connection.driver_connection
+        deferrer = _deferring().configure_task(TASK, queue=QUEUE, connection=connection)
+        deferrer.defer(job_id=job_id)
+
+    def withdraw(self, session: Session, job_id: int) -> None:
+        """Forget the delivery to the worker that had the job."""
+        for delivery in session.execute(_OF_JOB, {"task": TASK, "job_id": job_id}).scalars().all():
+            session.execute(_FORGET, {"id": delivery})
+
+    def start(self, settings: Settings, sessions: SessionFactory) -> bool:
+        """Any number of supervisors may start workers."""
+        return True
+
+    def hand_out(self, sessions: SessionFactory, processes: Sequence[WorkerProcess]) -> None:
+        """The processes fetch their jobs themselves."""
+
+    def work(self, runner: Runner, orders: socket.socket) -> None:
+        """Fetch and do jobs, one at a time."""
+        watch_supervisor(orders, lambda _line: None)
+        asyncio.run(_work(runner))
+
+
+async def _work(runner: Runner) -> None:
+    settings = runner.services.settings
+    url = make_url(settings.database_url).set(drivername="postgresql")
+    conninfo = url.render_as_string(hide_password=False)
+    app = App(connector=PsycopgConnector(conninfo=conninfo, min_size=1, max_size=4))
+
+    @app.task(name=TASK, queue=QUEUE)
+    def run_job(job_id: int) -> None:
+        if not runner.run(job_id):
+            os._exit(1)  # the delivery stays: the job is put back, and delivered anew with it
+
+    def stop() -> None:
+        runner.stop()
+        working.cancel()
+
+    async with app.open_async():
+        limit_s = settings.heartbeat_limit_s
+        working = asyncio.create_task(
+            app.run_worker_async(
+                queues=[QUEUE],
+                concurrency=1,
+                delete_jobs="always",
+                install_signal_handlers=False,
+                update_heartbeat_interval=limit_s / BEATS,
+            )
+        )
+        asyncio.get_running_loop().add_signal_handler(signal.SIGTERM, stop)
+        looking = asyncio.create_task(_look_for_stalled(app, runner.services.sessions, limit_s))
+        try:
+            await working
+        except asyncio.CancelledError:
+            pass
+        finally:
+            looking.cancel()
+
+
+async def _look_for_stalled(app: App, sessions: SessionFactory, limit_s: float) -> None:
+    while True:
+        await asyncio.sleep(limit_s / BEATS)
+        for stalled in await app.job_manager.get_stalled_jobs(queue=QUEUE, seconds_since_heartbeat=limit_s):
+            try:
+                await asyncio.to_thread(take_up_stalled, sessions, stalled)
+            except SightlineError as error:
+                log.warning("delivery %s: %s", stalled.id, error.message)
+
+
+def take_up_stalled(sessions: SessionFactory, stalled: Delivery) -> None:
+    """Put back what a silent worker process was at, unless another has done so."""
+    at = {"task": TASK, "id": stalled.id, "worker_id": stalled.worker_id}
+    with writing(sessions) as session:
+        if session.execute(_STILL_STALLED, at).first() is None:
+            return
+        job = get_job(session, int(str(stalled.task_kwargs["job_id"])))
+        if job.state == "running":
+            log.warning("the worker of job %s (%s) is silent", job.id, job.kind)
+            put_back(session, job)
+            return
+        session.execute(_FORGET, {"id": stalled.id})
+        if job.state == "queued":
+            OnPostgres().deliver(session, job.id)

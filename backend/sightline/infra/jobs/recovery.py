@@ -1,0 +1,68 @@
+"""What becomes of the jobs of worker processes that ended in the middle."""
+
+import logging
+
+from sqlalchemy.orm import Session
+
+from sightline.infra.database.engine import SessionFactory, reading, writing
+from sightline.infra.jobs.engine import engine_of_session
+from sightline.infra.jobs.records import Job
+from sightline.infra.jobs.registry import registered
+from sightline.infra.jobs.store import (
+    MAX_ATTEMPTS,
+    JobLost,
+    fail_job,
+    job_cancelled,
+    release_job,
+    requeue_job,
+    running_jobs,
+)
+
+log = logging.getLogger("sightline.jobs")
+
+STOPPED = "Cancelled."
+GAVE_UP = "The worker died {attempts} times in the middle of this; look at the input and at the memory."
+
+
+def clean_up(session: Session, job: Job, sentence: str) -> None:
+    """Let the kind's `failed` function write what follows from a job that came to nothing."""
+    handler = registered(job.kind)
+    if handler is not None and handler.failed is not None:
+        handler.failed(session, job, sentence)
+
+
+def put_back(session: Session, job: Job, *, counted: bool = True) -> None:
+    """Queue a running job again, or end it: cancelled if that was asked for, failed after three deaths.
+
+    `counted` says whether the attempt counts: it does not where the worker was told to stop. Raises JobLost.
+    """
+    engine = engine_of_session(session)
+    engine.withdraw(session, job.id)
+    if job.cancel_requested:
+        job_cancelled(session, job)
+        clean_up(session, job, STOPPED)
+    elif not counted:
+        release_job(session, job)
+        engine.deliver(session, job.id)
+    elif job.attempts >= MAX_ATTEMPTS:
+        sentence = GAVE_UP.format(attempts=job.attempts)
+        fail_job(session, job, sentence)
+        clean_up(session, job, sentence)
+    else:
+        requeue_job(session, job)
+        engine.deliver(session, job.id)
+
+
+def take_back(sessions: SessionFactory, *, worker: str | None = None, counted: bool = True) -> int:
+    """Put back what an ended worker process was at (without a name: what all were at); how many jobs."""
+    with reading(sessions) as session:
+        left = running_jobs(session, worker=worker)
+    for job in left:
+        try:
+            with writing(sessions) as session:
+                put_back(session, job, counted=counted)
+        except JobLost:
+            continue
+        if counted:
+            log.warning("a worker process ended in the middle of job %s (%s)", job.id, job.kind)
+    return len(left)

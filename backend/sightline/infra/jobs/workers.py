@@ -1,0 +1,281 @@
+"""Worker processes: their supervisor (`sightline worker`), and the one that `sightline serve` has as a child.
+
+The supervisor imports the handlers once and forks worker processes, each of which does one job at a time. A
+video that crashes the decoder costs one process: its job is put back at once and another is forked. A worker
+process holds one end of a socket pair and ends when the other closes, so a `kill -9` leaves nothing running.
+"""
+
+import logging
+import os
+import select
+import signal
+import socket
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterable
+from contextlib import suppress
+from pathlib import Path
+from uuid import uuid4
+
+from sightline.errors import SightlineError
+from sightline.infra.database.engine import make_engine, migrate, session_factory
+from sightline.infra.jobs.engine import engine_of
+from sightline.infra.jobs.recovery import take_back
+from sightline.infra.jobs.runner import Runner
+from sightline.infra.services import open_services
+from sightline.settings import Settings
+
+log = logging.getLogger("sightline.worker")
+
+TICK_S = 0.2
+STOP_S = 2.0
+#: a process that ended sooner than this, without a job, is not replaced at once
+SHORT_LIFE_S = 1.0
+
+
+def run_workers(settings: Settings, *, parent: int | None = None, load_handlers: Callable[[], None]) -> None:
+    """Supervise worker processes until told to stop (SIGTERM, SIGINT) or until `parent` is gone. Blocks."""
+    engine = make_engine(settings.database_url)
+    migrate(engine)
+    engine.dispose()
+    load_handlers()
+    Supervisor(settings, parent).run()
+
+
+def worker_name() -> str:
+    """A name that no other worker process ever has."""
+    return f"{socket.gethostname()}:{uuid4().hex[:12]}"
+
+
+class WorkerProcess:
+    """The supervisor's side of one worker process."""
+
+    def __init__(self, pid: int, name: str, orders: socket.socket) -> None:
+        self.pid, self.name, self.orders = pid, name, orders
+        self.job_id: int | None = None
+        self.is_idle = False
+        self.started = time.monotonic()
+
+    def fileno(self) -> int:
+        """For select."""
+        return self.orders.fileno()
+
+    def give(self, job_id: int) -> None:
+        """Have it do a job."""
+        self.job_id, self.is_idle = job_id, False
+        with suppress(OSError):  # it has just ended, which is noticed next
+            self.orders.sendall(f"{job_id}\n".encode())
+
+    def is_alive(self) -> bool:
+        """Take what it says: it is idle, or (its end of the pair closed) it ended."""
+        try:
+            word = self.orders.recv(64)
+        except OSError:
+            word = b""
+        if word:
+            self.job_id, self.is_idle = None, True
+        return bool(word)
+
+    def bury(self) -> None:
+        """Make sure that it has ended, and leave no zombie."""
+        self.orders.close()
+        with suppress(ProcessLookupError):
+            os.kill(self.pid, signal.SIGKILL)
+        with suppress(ChildProcessError):
+            os.waitpid(self.pid, 0)
+
+
+class Supervisor:
+    """Keeps as many worker processes as the settings say; single-threaded, so that it may fork."""
+
+    def __init__(self, settings: Settings, parent: int | None = None) -> None:
+        self.settings = settings
+        self.parent = parent
+        self._database = make_engine(settings.database_url)
+        self._sessions = session_factory(self._database)
+        self._engine = engine_of(self._database.dialect.name)
+        self._processes: list[WorkerProcess] = []
+        self._ended: list[WorkerProcess] = []
+        self._fork_after = 0.0
+        self._stopping = False
+
+    def run(self) -> None:
+        """Until told to stop."""
+        signal.signal(signal.SIGTERM, self._stop)
+        # Ctrl+C in a terminal reaches the server's child as well; the server then says when to stop.
+        signal.signal(signal.SIGINT, self._stop if self.parent is None else signal.SIG_IGN)
+        while not self._is_over() and not self._may_start():
+            time.sleep(TICK_S)
+        while not self._is_over():
+            self._fill()
+            self._trying(self._hand_out)
+            self._listen(TICK_S)
+            self._trying(self._take_back_ended)
+        self._end()
+
+    def _stop(self, *_signal: object) -> None:
+        self._stopping = True
+
+    def _is_over(self) -> bool:
+        return self._stopping or (self.parent is not None and os.getppid() != self.parent)
+
+    def _may_start(self) -> bool:
+        try:
+            return self._engine.start(self.settings, self._sessions)
+        except SightlineError as error:
+            log.warning("%s", error.message)
+            return False
+
+    def _fill(self) -> None:
+        while len(self._processes) < max(1, self.settings.workers) and time.monotonic() >= self._fork_after:
+            self._processes.append(self._fork())
+
+    def _fork(self) -> WorkerProcess:
+        self._database.dispose()  # no connection may be known on both sides
+        ours, theirs = socket.socketpair()
+        name = worker_name()
+        pid = os.fork()
+        if pid == 0:
+            for other in [ours, *(process.orders for process in self._processes)]:
+                other.close()
+            be_worker(self.settings, name, theirs)
+        theirs.close()
+        return WorkerProcess(pid, name, ours)
+
+    def _hand_out(self) -> None:
+        self._engine.hand_out(self._sessions, self._processes)
+
+    def _listen(self, seconds: float) -> None:
+        """Wait for a process to say something; those that ended are buried."""
+        if not self._processes:
+            time.sleep(seconds)
+            return
+        for process in select.select(self._processes, [], [], seconds)[0]:
+            if process.is_alive():
+                continue
+            process.bury()
+            self._processes.remove(process)
+            self._ended.append(process)
+
+    def _take_back_ended(self) -> None:
+        while self._ended:
+            process = self._ended[0]
+            jobs = take_back(self._sessions, worker=process.name, counted=not self._stopping)
+            if not jobs and time.monotonic() - process.started < SHORT_LIFE_S:
+                self._fork_after = time.monotonic() + SHORT_LIFE_S
+            del self._ended[0]
+
+    def _trying(self, step: Callable[[], None]) -> None:
+        """A step that a database which is away or full puts off."""
+        try:
+            step()
+        except SightlineError as error:
+            log.warning("%s", error.message)
+            time.sleep(TICK_S)
+
+    def _end(self) -> None:
+        """Stop the processes, the slow ones after two seconds; their jobs wait for the next worker."""
+        self._stopping = True
+        for process in self._processes:
+            with suppress(ProcessLookupError):
+                os.kill(process.pid, signal.SIGTERM)
+        end = time.monotonic() + STOP_S
+        while self._processes and (left := end - time.monotonic()) > 0:
+            self._listen(left)
+        for process in self._processes:
+            process.bury()
+            self._ended.append(process)
+        self._trying(self._take_back_ended)
+
+
+def be_worker(settings: Settings, name: str, orders: socket.socket) -> None:
+    """In a forked process: do jobs under this name. Never returns."""
+    status = 1
+    try:
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
+        signal.signal(signal.SIGTERM, signal.SIG_DFL)
+        # This process is itself the one that a hostile file may end.
+        services = open_services(settings, decode_in_child=False)
+        engine_of(services.engine.dialect.name).work(Runner(services, name), orders)
+        status = 0
+    except SightlineError as error:
+        log.warning("a worker process ends: %s", error.message)
+    except BrokenPipeError:
+        pass  # the supervisor is gone
+    except BaseException:
+        log.exception("a worker process broke")
+    finally:
+        os._exit(status)
+
+
+def watch_supervisor(orders: socket.socket, take: Callable[[bytes], None]) -> None:
+    """In a worker process: `take` each line, from a thread; end the process when the supervisor is gone."""
+
+    def read() -> None:
+        with orders.makefile("rb") as lines:
+            for line in lines:
+                take(line)
+        os._exit(1)
+
+    threading.Thread(target=read, name="supervisor-watch", daemon=True).start()
+
+
+def on_stop(stop: Callable[[], None]) -> None:
+    """Call this at SIGTERM, in the main thread."""
+    signal.signal(signal.SIGTERM, lambda *_signal: stop())
+
+
+class ChildSupervisor:
+    """The supervisor that the server starts, restarts when it dies, and takes along when it ends."""
+
+    def __init__(self, settings: Settings) -> None:
+        self._environment = {**os.environ, **_environment_of(settings)}
+        self._stopping = threading.Event()
+        self.process = self._start()
+        self._guard = threading.Thread(target=self._watch, name="worker-guard", daemon=True)
+        self._guard.start()
+
+    def stop(self) -> None:
+        """End the workers; a job in the middle goes back to the queue."""
+        self._stopping.set()
+        self.process.terminate()
+        try:
+            self.process.wait(STOP_S + 3)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            self.process.wait()
+        self._guard.join(2)
+
+    def _start(self) -> "subprocess.Popen[bytes]":
+        command = [sys.executable, "-m", "sightline.cli", "worker", "--parent", str(os.getpid())]
+        return subprocess.Popen(command, env=self._environment, stdin=subprocess.DEVNULL)
+
+    def _watch(self) -> None:
+        pause = 0.5
+        while not self._stopping.wait(pause):
+            if self.process.poll() is not None and not self._stopping.is_set():
+                log.warning("the worker ended with status %s and is started anew", self.process.returncode)
+                self.process = self._start()
+                pause = min(pause * 2, 30.0)
+
+
+def start_child_workers(settings: Settings) -> ChildSupervisor | None:
+    """Start the server's own workers, None where none are asked for; call `stop()` when the server ends."""
+    return ChildSupervisor(settings) if settings.workers > 0 else None
+
+
+def _environment_of(settings: Settings) -> dict[str, str]:
+    given = {
+        "DATA_DIR": settings.data_dir.absolute(),
+        "DATABASE_URL": settings.database_url,
+        "MEDIA_URL": settings.media_url,
+        "WORKERS": settings.workers,
+        "HEARTBEAT_LIMIT_S": settings.heartbeat_limit_s,
+    }
+    package = str(Path(__file__).resolve().parents[3])
+    paths: Iterable[str] = (package, os.environ.get("PYTHONPATH", ""))
+    return {f"SIGHTLINE_{name}": str(value) for name, value in given.items()} | {
+        "PYTHONPATH": os.pathsep.join(path for path in paths if path)
+    }
