@@ -14,8 +14,8 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterable
-from contextlib import suppress
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from uuid import uuid4
 
@@ -37,11 +37,30 @@ SHORT_LIFE_S = 1.0
 
 def run_workers(settings: Settings, *, parent: int | None = None, load_handlers: Callable[[], None]) -> None:
     """Supervise worker processes until told to stop (SIGTERM, SIGINT) or until `parent` is gone. Blocks."""
-    engine = make_engine(settings.database_url)
-    migrate(engine)
-    engine.dispose()
-    load_handlers()
+    with ending_with(parent):
+        engine = make_engine(settings.database_url)
+        migrate(engine)
+        engine.dispose()
+        load_handlers()
     Supervisor(settings, parent).run()
+
+
+@contextmanager
+def ending_with(parent: int | None) -> Iterator[None]:
+    """While this lasts, end the process soon after `parent` does; a timer, since a thread forbids to fork."""
+
+    def look(*_signal: object) -> None:
+        if os.getppid() != parent:
+            os._exit(1)
+
+    if parent is None:
+        yield
+        return
+    signal.signal(signal.SIGALRM, look)
+    signal.setitimer(signal.ITIMER_REAL, TICK_S, TICK_S)
+    yield
+    signal.setitimer(signal.ITIMER_REAL, 0)
+    signal.signal(signal.SIGALRM, signal.SIG_DFL)
 
 
 def worker_name() -> str:
