@@ -53,6 +53,7 @@ from sightline.people.service import Attempts
 from sightline.people.store import get_person
 from sightline.recordings.uploads.service import recover_uploads
 from sightline.settings import Settings
+from sightline.surveys.store import demo_survey_id
 from sightline.vehicles.passes.prefetch import prefetch_around_passes
 
 log = logging.getLogger(__name__)
@@ -141,6 +142,7 @@ def create_app(settings: Settings | None = None, services: Services | None = Non
         signing_secret(settings), settings.secure_cookies, lambda id_: _person(services, id_)
     )
     app.state.attempts = Attempts()
+    app.state.demo_survey_id = demo_survey_id
     error_handlers.install(app)
     include_routes(app)
     pages.install(app, settings)

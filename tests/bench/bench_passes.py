@@ -32,9 +32,9 @@ sys.path.insert(0, str(ROOT))
 cv2.setNumThreads(1)
 
 from sightline.detection.classify import FoundPass  # noqa: E402
-from sightline.detection.finder import find_passes  # noqa: E402
 from sightline.media.store.local import sha256_of  # noqa: E402
 from sightline.media.video.decode import frames_of  # noqa: E402
+from sightline.media.video.passes import find_passes  # noqa: E402
 from sightline.settings import load_settings  # noqa: E402
 from sightline.vehicles.passes.find_job import square_at  # noqa: E402
 from tests.bench.goals import Row, report, row  # noqa: E402

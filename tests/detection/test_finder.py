@@ -7,7 +7,8 @@ import pytest
 
 from sightline.detection.background import densest
 from sightline.detection.classify import FoundPass
-from sightline.detection.finder import PassesCancelled, PassFinder, find_passes, reduce
+from sightline.detection.finder import PassFinder, reduce
+from sightline.media.video.passes import PassesCancelled, find_passes
 from sightline.media.video.writer import write_mp4
 from tests.media.street import HEIGHT, WIDTH, Mover, car, street, walker
 

@@ -9,10 +9,11 @@ from fastapi.testclient import TestClient
 from sightline.app import create_app
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services, open_services
+from sightline.infra.stored_bytes import suffix_of
+from sightline.infra.web.uploaded import clean_name
 from sightline.media.store import local, upload_parts
 from sightline.recordings.ingest_job import remove_recording
 from sightline.recordings.uploads import service
-from sightline.recordings.uploads.routes import clean_name
 from sightline.recordings.uploads.store import get_upload
 from sightline.settings import Settings
 from tests.support.app import TUS, Client, announce, error_of, send, upload
@@ -257,6 +258,6 @@ def test_names_are_only_names() -> None:
     assert clean_name("/a/b/\x00c\n.mp4") == "c.mp4"
     assert clean_name("  ") == "recording"
     assert len(clean_name("x" * 5000 + ".mp4")) == 400
-    assert service.upload_suffix("a.MP4") == ".mp4"
-    assert service.upload_suffix("a.b/c") == ""
-    assert service.upload_suffix("a.waytoolongsuffix") == ""
+    assert suffix_of("a.MP4") == ".mp4"
+    assert suffix_of("a.b/c") == ""
+    assert suffix_of("a.waytoolongsuffix") == ""

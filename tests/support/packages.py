@@ -14,8 +14,8 @@ import pytest
 
 from sightline.export.build import build
 from sightline.export.derived import derive_tables, drawn
-from sightline.export.verify.chain import hashed
 from sightline.infra.audit.hashing import event_hash, link_hash
+from sightline.infra.csv_package.chain import hashed
 from sightline.infra.csv_package.files import FolderFiles, Staging, fresh_folder, sum_of
 from sightline.infra.csv_package.schema import CHECKSUMS, DESCRIPTION, Written, json_bytes
 from sightline.infra.services import Services

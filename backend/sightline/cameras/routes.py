@@ -13,12 +13,11 @@ from sightline.cameras.calibrations import images as calibration_images
 from sightline.cameras.calibrations.bodies import CalibrationSummaryBody
 from sightline.cameras.calibrations.records import CalibrationImage
 from sightline.cameras.records import Camera
-from sightline.errors import BadInput
 from sightline.infra.jobs.records import Job
 from sightline.infra.web.bodies import Id, In, JobBody, Name, Out, Text
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired, Writing
-from sightline.recordings.frames.routes import JPEG, jpeg_once
-from sightline.recordings.uploads.routes import clean_name
+from sightline.infra.web.pictures import JPEG, jpeg_once
+from sightline.infra.web.uploaded import clean_name, whole_file
 from sightline.surveys.store import get_survey
 
 router = APIRouter()
@@ -156,14 +155,6 @@ def choose_calibration(camera_id: PathId, body: Choice, who: Operator, session: 
     """Choose which calibration new road poses use."""
     camera = store.choose_calibration(session, camera_id, body.calibration_id, actor=who.id)
     return CameraBody.model_validate(camera)
-
-
-def whole_file(file: UploadFile, most_bytes: int, name: str) -> bytes:
-    """The content of a small uploaded file. Raises BadInput for one that is too large."""
-    content = file.file.read(most_bytes + 1)
-    if len(content) > most_bytes:
-        raise BadInput(f"{name} is larger than {most_bytes // 1_000_000} MB; make it smaller and try again.")
-    return content
 
 
 def image_body(image: CalibrationImage) -> CalibrationImageBody:

@@ -1,4 +1,4 @@
-"""Finding the vehicle passes of a recording: one decode from first frame to last, in bounded memory.
+"""Finding the vehicle passes of a recording: every picture once, first to last, in bounded memory.
 
 Luminance is reduced to `WIDTH_PX`; what stands before the empty road is followed from frame to frame; a
 track that goes by is a pass. The road of a moment is known only when some seconds after it have been
@@ -8,10 +8,8 @@ seen, so pictures wait in a queue until then.
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Iterator
-from contextlib import closing
+from collections.abc import Iterator
 from dataclasses import dataclass, field
-from pathlib import Path
 
 import cv2
 import numpy as np
@@ -23,26 +21,12 @@ from sightline.detection.classify import FoundPass, View, best_sight, direction_
 from sightline.detection.flow import Motion
 from sightline.detection.stitch import stitched
 from sightline.detection.tracks import Sight, Track, Tracker
-from sightline.errors import BadInput
-from sightline.media.cancelling import Cancelled
-from sightline.media.video.decode import Damage, decoded, open_container, same_size, video_stream
-from sightline.media.video.picture import Gray, layout_of, upright_gray
-
-__all__ = ["FoundPass", "PassFinder", "PassesCancelled", "find_passes", "reduce"]
 
 WIDTH_PX = 160
 SHARP_PX = 40
 CHUNK_S = 3.0
-PICTURES_HZ = 60.0
 LAPSE_S = 0.4
 BOXES_KEPT = 7
-Progress = Callable[[float], None]
-
-
-class PassesCancelled(BadInput):
-    """Nobody wants the passes any more."""
-
-    code = "cancelled"
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,55 +47,8 @@ class _Kept:
     luminance: dict[int, float] = field(default_factory=dict)
 
 
-def find_passes(
-    path: Path,
-    *,
-    rate_hz: float | None = None,
-    square_at: float = 0.5,
-    on_progress: Progress = lambda _: None,
-    is_cancelled: Cancelled = lambda: False,
-    threads: int = 1,
-    name: str | None = None,
-) -> tuple[tuple[FoundPass, ...], int]:
-    """The vehicle passes of a recording in order of their first frame, and how many frames it has.
-
-    Frames count as in its frame table. `rate_hz` is the mean frame rate (default: what the file says, else
-    25), `square_at` the fraction of the picture's width where the camera looks square at the road.
-    `on_progress` gets a fraction 0..1; `is_cancelled` is asked at every frame. Two vehicles side by side that
-    go the same way and cover each other all the way are one pass. Raises BadInput (not a video),
-    PassesCancelled.
-    """
-    name = name or path.name
-    with closing(open_container(path, name)) as container:
-        stream = video_stream(container, name, threads)
-        rate = rate_hz or float(stream.average_rate or 25)
-        stride = max(1, round(rate / PICTURES_HZ))
-        damage, size, layout, n = Damage(), max(path.stat().st_size, 1), None, -1
-        finder: PassFinder | None = None
-        for frame in decoded(container, stream, damage):
-            if is_cancelled():
-                raise PassesCancelled(
-                    f"The search for passes in {name} was cancelled; nothing of it was kept."
-                )
-            layout = layout or layout_of(frame, stream.sample_aspect_ratio)
-            if not same_size(frame, layout):
-                continue
-            n += 1
-            if n % stride:
-                continue
-            gray = upright_gray(frame, layout)
-            finder = finder or PassFinder((gray.shape[1], gray.shape[0]), rate, stride, square_at)
-            finder.offer(reduce(n, gray))
-            if n % 30 == 0 and damage.position is not None:
-                on_progress(min(0.99, damage.position / size))
-    if finder is None:
-        raise BadInput(f"{name} holds no picture that can be decoded; copy it again or convert it to MP4.")
-    on_progress(1.0)
-    return finder.finish(), n + 1
-
-
-def reduce(n: int, gray: Gray) -> Reduced:
-    """Frame n, small."""
+def reduce(n: int, gray: Small) -> Reduced:
+    """Frame n, small; `gray` is its luminance, (height_px, width_px)."""
     height, width = gray.shape
     w = min(WIDTH_PX, width)
     h = max(1, round(height * w / width))

@@ -33,7 +33,7 @@ from sightline.export.query import (
 )
 from sightline.infra.audit.records import AuditHead, Who
 from sightline.infra.csv_package.files import Staging, TableWriter
-from sightline.infra.csv_package.schema import DESCRIPTION, Table, description_of, json_bytes
+from sightline.infra.csv_package.schema import DESCRIPTION, Cells, Table, description_of, json_bytes
 from sightline.infra.services import Services
 from sightline.measurements.records import Measurement
 from sightline.media.store.local import check_room
@@ -263,7 +263,7 @@ def _set_up(staging: Staging, session: Session, survey: Survey, seen: _Seen) -> 
             staging.add(rows.record_path(kind, row_id), json_bytes(content))
 
 
-def _frame_rows(session: Session, seen: _Seen) -> Iterator[rows.Cells]:
+def _frame_rows(session: Session, seen: _Seen) -> Iterator[Cells]:
     """Every frame that was clicked on, once, as the frame table has it."""
     for recording_id in sorted(seen.marks):
         table = get_frame_table(session, recording_id)

@@ -3,27 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from datetime import datetime
 from typing import Any
 
 from sightline.cameras.calibrations.records import Calibration
 from sightline.cameras.records import Camera
 from sightline.export.query import OfVehicle
 from sightline.infra.audit.records import Who
-from sightline.infra.csv_package.schema import Cell
+from sightline.infra.csv_package.schema import Cells, when
 from sightline.measurements.records import Measurement, Vehicle
 from sightline.poses.records import Pose
 from sightline.recordings.drift_query import drift_check_of, drift_figures
 from sightline.recordings.records import Recording
 from sightline.reviews.records import Review
 from sightline.surveys.records import Survey
-
-Cells = dict[str, Cell]
-
-
-def when(moment: datetime | None) -> str | None:
-    """ISO 8601 in UTC, to the microsecond."""
-    return None if moment is None else moment.isoformat(timespec="microseconds").replace("+00:00", "Z")
 
 
 def _who(person: Who | None) -> int | None:

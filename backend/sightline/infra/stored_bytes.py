@@ -1,10 +1,13 @@
-"""Bytes into the media store."""
+"""Bytes into the media store, and the ending of the key that they get."""
 
+import re
 import tempfile
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 
 from sightline.infra.services import Services
 from sightline.media.store.local import key_of, sha256_of
+
+_SUFFIX = re.compile(r"\.[A-Za-z0-9]{1,8}$")
 
 
 def put_bytes(services: Services, content: bytes, suffix: str) -> str:
@@ -15,3 +18,9 @@ def put_bytes(services: Services, content: bytes, suffix: str) -> str:
         key = key_of(sha256_of(path), suffix)
         services.media.put_file(key, path)
     return key
+
+
+def suffix_of(filename: str) -> str:
+    """The file name's ending where it is an ordinary one, in lower case; else nothing."""
+    ending = _SUFFIX.search(PurePosixPath(filename.replace("\\", "/")).name)
+    return ending.group().lower() if ending else ""

@@ -15,17 +15,16 @@ from sqlalchemy.orm import Session
 from sightline.enums import MeasurementStatus, Target
 from sightline.errors import BadInput, Conflict
 from sightline.geometry.road_pose import RoadPose
+from sightline.geometry.ruler import Ruler, ruler
 from sightline.infra.version import code_version
 from sightline.measurements.click_context_query import ClickContext, click_context
 from sightline.measurements.height_of_clicks import (
     Answer,
     Clicks,
     PoseShelf,
-    Ruler,
     answer,
     clicks_of,
     inset_for,
-    ruler,
 )
 from sightline.measurements.records import FurtherFrame, Measurement, MeasurementValues
 from sightline.measurements.store import (

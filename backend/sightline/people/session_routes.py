@@ -1,11 +1,13 @@
 """Signing in and out, and who am I."""
 
+from collections.abc import Callable
 from datetime import UTC, datetime, timedelta
 from typing import Annotated
 
 from fastapi import APIRouter, Request, Response
 from pydantic import Field
 
+from sightline.infra.database import Session
 from sightline.infra.services import Services
 from sightline.infra.version import code_version
 from sightline.infra.web.bodies import In, Out
@@ -14,7 +16,6 @@ from sightline.infra.web.deps import OPEN, Viewer, Wired
 from sightline.infra.web.person import Person
 from sightline.people import service, store
 from sightline.people.routes import PersonBody
-from sightline.surveys.store import demo_survey_id
 
 router = APIRouter()
 
@@ -67,7 +68,7 @@ def who_am_i(who: Viewer, request: Request, services: Wired) -> Me:
     if who.last_seen_at is None or datetime.now(UTC) - who.last_seen_at > SEEN_EVERY:
         with services.writing() as session:
             store.note_person_seen(session, who.id)
-    return _me(services, who, _cookies(request).by_link(request))
+    return _me(request, services, who, _cookies(request).by_link(request))
 
 
 @router.delete("/session", status_code=204, dependencies=[OPEN])
@@ -103,10 +104,11 @@ def _welcome(
     cookies = _cookies(request)
     cookies.forget()
     cookies.remember(response, person, by_link=by_link)
-    return _me(services, person, by_link)
+    return _me(request, services, person, by_link)
 
 
-def _me(services: Services, person: Person, by_link: bool) -> Me:
+def _me(request: Request, services: Services, person: Person, by_link: bool) -> Me:
+    demo_survey_id: Callable[[Session], int | None] = request.app.state.demo_survey_id
     with services.reading() as session:
         demonstration = demo_survey_id(session)
     return Me(

@@ -21,7 +21,7 @@ from sightline.geometry.mean_picture import MeanPicture
 from sightline.geometry.pose import expected_u, pose_from_corners
 from sightline.geometry.road import axes_at_contact, iso_heights, road_grid
 from sightline.geometry.road_pose import Reference, RoadPose
-from sightline.measurements.height_of_clicks import drawn_axes
+from sightline.geometry.ruler import drawn_axes
 
 # Corner errors of neighbouring frames are correlated: more frames add time, not accuracy.
 MOST_FRAMES = 15

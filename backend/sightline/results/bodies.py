@@ -5,22 +5,15 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from sightline.infra.web.bodies import Finite, In, Out
+from sightline.infra.web.figures import (
+    DensityBody,
+    EcdfBody,
+    FigureBody,
+    IntervalBody,
+    PercentileBody,
+    ReasonBody,
+)
 from sightline.results.survey_statistics import Shown
-
-
-class ReasonBody(Out):
-    reason: str
-
-
-class IntervalBody(Out):
-    low: float
-    high: float
-
-
-class FigureBody(Out):
-    value: float | None
-    ci95: IntervalBody | None
-    reason: str | None = Field(description="Why the interval alone is missing.")
 
 
 class ErrorGroupBody(Out):
@@ -80,25 +73,6 @@ class TrendBody(Out):
     high: list[float]
 
 
-class EcdfBody(Out):
-    """Shares of a sample that are <= value, with a 95 % band that holds everywhere at once."""
-
-    n: int
-    value: list[float]
-    share: list[float]
-    low: list[float]
-    high: list[float]
-
-
-class DensityBody(Out):
-    n: int
-    bandwidth: float
-    value: list[float]
-    density: list[float]
-    low: list[float]
-    high: list[float]
-
-
 class PointsBody(Out):
     reference_m: list[float]
     error_m: list[float]
@@ -121,14 +95,6 @@ class ErrorsBody(Out):
     relative: Ecdfs
     density: dict[str, DensityBody | ReasonBody]
     points: PointsBody = Field(description="At most 1500, drawn at random but always the same.")
-
-
-class PercentileBody(Out):
-    percent: float
-    value: float
-    low: float | None
-    high: float | None
-    reason: str | None
 
 
 class StandardBody(Out):

@@ -7,9 +7,8 @@ from dataclasses import replace
 
 from sqlalchemy.orm import Session
 
-from sightline.export.rows import Cells, when
 from sightline.infra.audit.records import Who
-from sightline.infra.csv_package.schema import Column, Table
+from sightline.infra.csv_package.schema import Cells, Column, Table, when
 from sightline.linescan.parts import Gap, expanded
 from sightline.scans.heights import csv
 from sightline.scans.records import Scan, ScanMeasurement, ScanReview

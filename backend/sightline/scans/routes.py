@@ -6,8 +6,8 @@ from fastapi import APIRouter, Path, Query, Request, Response
 
 from sightline.infra.web.bodies import JobBody
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired, Writing
+from sightline.infra.web.pictures import JPEG, is_held, picture_response, unchanged
 from sightline.linescan.parts import Rig
-from sightline.recordings.frames.routes import CACHING, JPEG, has, unchanged
 from sightline.recordings.uploads.store import strips_waiting
 from sightline.scans import service, store
 from sightline.scans.bodies import (
@@ -148,7 +148,7 @@ def scan_tile(
     with services.reading() as session:
         scan = store.get_scan(session, scan_id)
     etag = f'"s{(scan.first_sha256 if camera == 1 else scan.second_sha256) or ""}-{level}.{index}.{gain:g}"'
-    if scan.state == "ready" and has(request, etag):
+    if scan.state == "ready" and is_held(request, etag):
         return unchanged(etag)
     content = service.open_strip(services, scan, camera).tile(level, index, gain)
-    return Response(content, media_type="image/jpeg", headers={"ETag": etag, "Cache-Control": CACHING})
+    return picture_response(content, "image/jpeg", etag)

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from sightline.errors import Damaged
-from sightline.export.verify.chain import Told, chain
+from sightline.infra.csv_package.chain import chain
 from sightline.infra.csv_package.files import Files, read_rows
 from sightline.infra.csv_package.schema import Table, cell_text
 from sightline.scans.csv import LINE_SCANS, SCAN_MEASUREMENTS, SCAN_REVIEWS, SCAN_VEHICLES
@@ -26,12 +26,12 @@ _ENTITIES: dict[str, Table] = {
 _OTHER_WORDS = ("notes", "created_at")
 
 
-def check_scans(files: Files, chained: Told) -> int:
+def check_scans(files: Files, events_of_scans: int) -> int:
     """Every row is what its events say, none is missing and none too many; how many were held against them.
 
     The current revision of a vehicle is its newest. Raises Damaged.
     """
-    if not chained.scans and not any(_rows(files, table) for table in _ENTITIES.values()):
+    if not events_of_scans and not any(_rows(files, table) for table in _ENTITIES.values()):
         return 0
     told = _told(files)
     gone = _gone(told)

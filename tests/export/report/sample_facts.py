@@ -11,7 +11,6 @@ from sightline.export.report.facts import (
     ExpectedHeight,
     InsetFacts,
     LensParameter,
-    Photo,
     PoseFacts,
     RecordingFacts,
     ReportFacts,
@@ -19,6 +18,7 @@ from sightline.export.report.facts import (
 from sightline.export.report.units import Unit
 from sightline.geometry.insets import DEFAULT_INSETS
 from sightline.results.survey_statistics import Choices, Statistics
+from sightline.surveys.photographs.records import PhotographFile
 
 _LENS = (
     ("fx_px", 1210.44, 1.13),
@@ -37,7 +37,7 @@ def facts(
     statistics: Statistics,
     *,
     survey: str = "Rouen south, spring",
-    photos: tuple[Photo, ...] = (),
+    photos: tuple[PhotographFile, ...] = (),
     exclusions: int = 9,
     unit: Unit = "m",
     choices: Choices = Choices(),

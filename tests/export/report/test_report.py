@@ -18,10 +18,11 @@ import pytest
 import typst
 from PIL import Image
 
-from sightline.export.report.facts import Exclusion, Photo, ReportFacts
+from sightline.export.report.facts import Exclusion, ReportFacts
 from sightline.export.report.photos import as_svg
 from sightline.export.report.report import report, sources
 from sightline.results.survey_statistics import Choices
+from sightline.surveys.photographs.records import PhotographFile
 from tests.export.report.pdf_text import words
 from tests.export.report.sample import statistics
 from tests.export.report.sample_facts import facts
@@ -211,7 +212,7 @@ def test_photographs_are_turned_upright_and_tell_no_place() -> None:
 def test_a_photograph_stands_in_the_report_and_a_broken_one_is_named() -> None:
     out = io.BytesIO()
     Image.new("RGB", (300, 200), "grey").save(out, "PNG")
-    photos = (Photo("From the verge", out.getvalue()), Photo("Torn", out.getvalue()[:90]))
+    photos = (PhotographFile("From the verge", out.getvalue()), PhotographFile("Torn", out.getvalue()[:90]))
     made = report(replace(ReportFacts("A", "", statistics(0), Choices()), photos=photos))
     said = flat(words(made))
     assert flat("Figure 1 From the verge") in said

@@ -15,9 +15,8 @@ from sightline.cameras.store import (
 from sightline.geometry.board import Board
 from sightline.geometry.corners import Corners, detect
 from sightline.infra.services import Services
-from sightline.infra.stored_bytes import put_bytes
+from sightline.infra.stored_bytes import put_bytes, suffix_of
 from sightline.media.images import jpeg
-from sightline.recordings.uploads.service import upload_suffix
 
 JPEG_QUALITY = 92
 
@@ -50,7 +49,7 @@ def add_image(
         get_camera(session, camera_id)
     gray = services.frames.image(content, name)
     found = look(gray, board)
-    key = put_bytes(services, content, upload_suffix(name))
+    key = put_bytes(services, content, suffix_of(name))
     height, width = gray.shape
     with services.writing() as session:
         return add_calibration_image(

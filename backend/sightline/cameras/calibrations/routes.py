@@ -4,10 +4,9 @@ from fastapi import APIRouter, UploadFile
 
 from sightline.cameras.calibrations import calibrate_job, store
 from sightline.cameras.calibrations.bodies import CalibrationBody, CalibrationWish, calibration_body
-from sightline.cameras.routes import whole_file
 from sightline.infra.web.bodies import JobBody
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired
-from sightline.recordings.uploads.routes import clean_name
+from sightline.infra.web.uploaded import clean_name, whole_file
 
 router = APIRouter()
 

@@ -4,7 +4,7 @@ from pydantic import Field
 
 from sightline.enums import MeasurementStatus
 from sightline.infra.web.bodies import Out
-from sightline.measurements.preview.bodies import BudgetEntryBody
+from sightline.infra.web.quantities import BudgetEntryBody
 
 
 class PlannedCamera(Out):

@@ -7,20 +7,13 @@ none", and the report says so in words.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from datetime import date, datetime
 
 from sightline.export.report.units import Unit
 from sightline.results.survey_statistics import Choices, Statistics
 from sightline.scans.statistics.service import ScanStatistics
-
-
-@dataclass(frozen=True)
-class Photo:
-    """A picture of the set-up: `content` is a PNG or JPEG file."""
-
-    caption: str
-    content: bytes = field(repr=False)
+from sightline.surveys.photographs.records import PhotographFile
 
 
 @dataclass(frozen=True)
@@ -185,7 +178,7 @@ class ReportFacts:
     last_day: date | None = None
     filter_words: str = "Accepted measurements only."
     counts: tuple[tuple[str, int], ...] = ()
-    photos: tuple[Photo, ...] = ()
+    photos: tuple[PhotographFile, ...] = ()
     recordings: tuple[RecordingFacts, ...] = ()
     calibrations: tuple[CalibrationFacts, ...] = ()
     poses: tuple[PoseFacts, ...] = ()

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from sightline.export.report.canvas import Drawing
-from sightline.export.report.facts import Photo
 from sightline.export.report.photos import as_svg
 from sightline.export.report.settable import Json
+from sightline.surveys.photographs.records import PhotographFile
 
 
 class Pictures:
@@ -28,11 +28,11 @@ class Pictures:
         self.files[f"{name}.svg"] = drawing.svg
         return {"file": f"{name}.svg", "title": drawing.title, "caption": drawing.caption}
 
-    def photos(self, photos: Iterable[Photo]) -> list[Json]:
+    def photos(self, photos: Iterable[PhotographFile]) -> list[Json]:
         """Captions with their files; None for a file that cannot be read as PNG or JPEG."""
         return [self._photo(f"photo-{k}.svg", photo) for k, photo in enumerate(photos, start=1)]
 
-    def _photo(self, name: str, photo: Photo) -> Json:
+    def _photo(self, name: str, photo: PhotographFile) -> Json:
         picture = as_svg(photo.content)
         if picture is None:
             return {"caption": photo.caption, "file": None}

@@ -4,23 +4,19 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from sightline.errors import Damaged
-from sightline.infra.audit.hashing import event_hash, link_hash
-from sightline.infra.csv_package.files import Files, read_rows
+from sightline.infra.csv_package.chain import Event, chain, stamp
+from sightline.infra.csv_package.files import Files
 from sightline.infra.csv_package.schema import metres_text, safe_text
 
-Event = dict[str, str]
-_CHAINED = ("actor_id", "entity_id", "survey_id")
-_TOLD = ("at", "action", "entity", "before", "after")
 _MAKES = ("create", "update", "ingest")
 
 
 @dataclass(eq=False)
-class Told:
+class ReplayedState:
     """What the events of a chain say of the rows of a package, by number.
 
     `revisions`: (measurement, revision) to a digest of what was told of it; `repeats` likewise, by repeat, of
@@ -51,9 +47,9 @@ class Told:
         return bool(self.vehicles.get(vehicle_id, {}).get("deleted", False))
 
 
-def walk(files: Files) -> Told:
+def walk(files: Files) -> ReplayedState:
     """Check every link of audit.csv and gather what its events say. Raises Damaged."""
-    told = Told()
+    told = ReplayedState()
     for event in chain(files):
         told.count, told.head = int(event["id"]), event["hash"]
         if event["withheld"] == "true":
@@ -64,7 +60,7 @@ def walk(files: Files) -> Told:
     return told
 
 
-def _gather(told: Told, event: Event, after: dict[str, Any]) -> None:
+def _gather(told: ReplayedState, event: Event, after: dict[str, Any]) -> None:
     entity, action, number = event["entity"], event["action"], int(event["entity_id"] or 0)
     if entity == "measurement":
         _measured(told, number, {**after, "by": event["actor_id"]})
@@ -90,7 +86,7 @@ def _gather(told: Told, event: Event, after: dict[str, Any]) -> None:
         told.contents[entity, number] = after["content_sha256"]
 
 
-def _recorded(told: Told, action: str, number: int, after: dict[str, Any]) -> None:
+def _recorded(told: ReplayedState, action: str, number: int, after: dict[str, Any]) -> None:
     """A recording's facts; what was found of its camera against each pose; the decision about that."""
     if action in _MAKES:
         told.recordings.setdefault(number, {"pose_id": None}).update(after)
@@ -104,12 +100,7 @@ def _number(text: str) -> int | None:
     return int(text) if text else None
 
 
-def stamp(moment: str | None) -> str:
-    """A time as the tables write it."""
-    return (moment or "").replace("+00:00", "Z")
-
-
-def _photographed(told: Told, event: Event, after: dict[str, Any]) -> None:
+def _photographed(told: ReplayedState, event: Event, after: dict[str, Any]) -> None:
     if event["action"] == "order":
         for position, one in enumerate(after["order"], start=1):
             told.photographs[int(one)]["position"] = position
@@ -120,7 +111,7 @@ def _photographed(told: Told, event: Event, after: dict[str, Any]) -> None:
     known.update(after)
 
 
-def _measured(told: Told, number: int, after: Mapping[str, Any]) -> None:
+def _measured(told: ReplayedState, number: int, after: Mapping[str, Any]) -> None:
     told.of_vehicle[number] = int(after["vehicle_id"])
     if after.get("repeat_of") is not None:
         told.repeats[number] = _digest([*_short_of_event(after), stamp(after["created_at"])])
@@ -179,33 +170,3 @@ def _text(words: Any) -> str:
     if isinstance(words, list):
         return "[" + ",".join(_text(one) for one in words) + "]"
     return repr(float(words) + 0.0) if isinstance(words, float | int) else repr(words)
-
-
-def chain(files: Files) -> Iterator[Event]:
-    """The events of audit.csv, each checked against its hash and the one before. Raises Damaged.
-
-    A withheld event's link is computed again like every other; only its content is taken by its hash.
-    """
-    before: tuple[int, str] | None = None
-    for row in read_rows(files, "audit.csv"):
-        number = int(row["id"])
-        if before is not None and (number, row["previous_hash"]) != (before[0] + 1, before[1]):
-            raise Damaged(f"audit.csv: event {number} does not follow from the one before; it was changed.")
-        if link_hash(row["previous_hash"], row["content_sha256"]) != row["hash"] or not _content_holds(row):
-            raise Damaged(f"audit.csv: event {number} is not the one that was hashed; it was changed.")
-        yield row
-        before = number, row["hash"]
-
-
-def _content_holds(row: Mapping[str, str]) -> bool:
-    """What a row tells is what was hashed; a withheld row tells nothing, for nothing would vouch for it."""
-    if row["withheld"] == "true":
-        return not any(row[name] for name in (*_TOLD, *_CHAINED))
-    return event_hash(hashed(row)) == row["content_sha256"]
-
-
-def hashed(row: Mapping[str, str]) -> dict[str, Any]:
-    """The row as it was hashed: numbers as numbers, empty as nothing."""
-    values: dict[str, Any] = {"id": int(row["id"]), **{name: row[name] or None for name in _TOLD}}
-    values |= {name: int(row[name]) if row[name] else None for name in _CHAINED}
-    return values

@@ -17,7 +17,7 @@ from sightline.export.derived import drawn
 from sightline.export.exclusions import EXCLUSIONS, exclusion_rows
 from sightline.export.measured import PackageStatistics, statistics_of
 from sightline.export.statistics_csv import TABLES, same_cell, statistics_rows
-from sightline.export.verify.chain import Told
+from sightline.export.verify.chain import ReplayedState
 from sightline.infra.csv_package.files import Files, read_columns, read_header, read_rows, read_whole
 from sightline.infra.csv_package.schema import DESCRIPTION, Row, Table, Written, cell_text, description_of
 
@@ -31,7 +31,9 @@ def described_tables(files: Files) -> tuple[Table, ...]:
     return tables_of(max(numbers, default=2))
 
 
-def check_description(files: Files, told: Told, written: Mapping[str, Written]) -> tuple[bool, list[str]]:
+def check_description(
+    files: Files, told: ReplayedState, written: Mapping[str, Written]
+) -> tuple[bool, list[str]]:
     """datapackage.json is what this program would say of these files. Returns whether this program also draws
     what drew the figures and the report, and what could not be compared for being of another version.
     """

@@ -12,7 +12,7 @@ from typing import cast
 from sightline.enums import Target
 from sightline.errors import BadInput, Damaged
 from sightline.export.rows import clicks_path, pose_path
-from sightline.export.verify.chain import Told, same_repeat, same_words
+from sightline.export.verify.chain import ReplayedState, same_repeat, same_words
 from sightline.geometry.documents import pose_from_dict
 from sightline.geometry.height import COVERAGE_95
 from sightline.geometry.road_pose import RoadPose
@@ -28,7 +28,7 @@ _RECOMPUTED = ("height_m", "uncorrected_height_m", "distance_m", "solved_inset_m
 _ONLY_CURRENT = ("id", "verdict", "review_reason", "reviewer_id", "reviewed_at")
 
 
-def check_heights(files: Files, told: Told) -> int:
+def check_heights(files: Files, told: ReplayedState) -> int:
     """Compute the height of every revision and repeat again; how many were. Raises Damaged."""
     shelf = _Shelf(files)
     count = 0
@@ -192,7 +192,7 @@ class _Budget:
             raise Damaged(f"budget.csv: {self._next[0]} is not in measurements.csv; it was put in.")
 
 
-def _by_event(told: Told, path: str, row: Row, key: tuple[int, int]) -> None:
+def _by_event(told: ReplayedState, path: str, row: Row, key: tuple[int, int]) -> None:
     digest = told.revisions.pop(key, None)
     if digest is None:
         raise Damaged(
@@ -202,7 +202,7 @@ def _by_event(told: Told, path: str, row: Row, key: tuple[int, int]) -> None:
         raise Damaged(f"{path}: measurement {key[0]} differs from its audit event; it was changed.")
 
 
-def _nothing_left(told: Told) -> None:
+def _nothing_left(told: ReplayedState) -> None:
     """Every measurement that the chain tells of is there, those of deleted vehicles excepted."""
     for number, revision in told.revisions:
         if not told.is_gone(told.of_vehicle[number]):
@@ -212,7 +212,7 @@ def _nothing_left(told: Told) -> None:
             )
 
 
-def _repeats(files: Files, told: Told, shelf: _Shelf) -> int:
+def _repeats(files: Files, told: ReplayedState, shelf: _Shelf) -> int:
     count = 0
     for row in read_rows(files, "repeats.csv"):
         number = int(row["id"])

@@ -17,7 +17,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from sightline.errors import BadInput, Damaged
-from sightline.export.verify.chain import Told, walk
+from sightline.export.verify.chain import ReplayedState, walk
 from sightline.export.verify.derived import (
     check_crops,
     check_description,
@@ -119,8 +119,8 @@ def _check(files: Files, head: str | None, found: _Found, tick: Tick) -> None:
     check_people_s_work(files, told)
     check_verdicts(files, told)
     check_frames(files)
-    check_scans(files, told)
-    check_photographs(files, told, written)
+    check_scans(files, told.scans)
+    check_photographs(files, told.photographs, written)
     found.keys = check_keys(files, described_tables(files))
     tick(0.6)
     drawn_alike, notes = check_description(files, told, written)
@@ -133,7 +133,7 @@ def _check(files: Files, head: str | None, found: _Found, tick: Tick) -> None:
         found.drawings = check_drawn(files, statistics, written)
 
 
-def _same_head(told: Told, head: str | None) -> None:
+def _same_head(told: ReplayedState, head: str | None) -> None:
     if head is None:
         return
     if len(head) < _LEAST_OF_HEAD:

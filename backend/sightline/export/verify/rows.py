@@ -9,8 +9,9 @@ from typing import Any
 from sightline.errors import Damaged
 from sightline.export import columns as tables
 from sightline.export.rows import calibration_path, decision_cells, found_cells, pose_path, record_path
-from sightline.export.verify.chain import Told, stamp
+from sightline.export.verify.chain import ReplayedState
 from sightline.infra.audit.hashing import content_hash
+from sightline.infra.csv_package.chain import stamp
 from sightline.infra.csv_package.files import Files, number, read_columns, read_rows, read_whole
 from sightline.infra.csv_package.schema import Table, cell_text
 from sightline.quality.checks.csv import WHEEL_PAIRS
@@ -53,7 +54,7 @@ def _keys(files: Files, path: str, columns: tuple[str, ...]) -> set[tuple[str, .
     return found
 
 
-def check_set_up(files: Files, told: Told) -> None:
+def check_set_up(files: Files, told: ReplayedState) -> None:
     """Poses, calibrations, insets and standards are the chain's; a pose's camera is its calibration's."""
     for kind, table, path_of in (
         ("pose", tables.POSES, pose_path),
@@ -120,7 +121,7 @@ def _equal(told: str, expected: str) -> bool:
         return False
 
 
-def check_people_s_work(files: Files, told: Told) -> None:
+def check_people_s_work(files: Files, told: ReplayedState) -> None:
     """Vehicles, recordings, reviews and tyre contacts are what their events made of them."""
     _check_vehicles(files, told)
     for row in read_rows(files, "recordings.csv"):
@@ -133,7 +134,7 @@ def check_people_s_work(files: Files, told: Told) -> None:
             raise Damaged(f"wheel_pairs.csv: {row['id']} is not what its audit event says; it was changed.")
 
 
-def _drift(told: Told, row: Mapping[str, str]) -> dict[str, Any]:
+def _drift(told: ReplayedState, row: Mapping[str, str]) -> dict[str, Any]:
     """The columns about a camera that moved, as the events tell them."""
     number, pose_id = int(row["id"]), int(row["pose_id"]) if row["pose_id"] else None
     decided = decision_cells(told.decisions.get(number), pose_id)
@@ -145,7 +146,7 @@ def _of_pair(pair: Mapping[str, Any]) -> dict[str, Any]:
     return {**pair, "created_at": stamp(pair["created_at"]), "frame_crc32": pair["frame_crc"]}
 
 
-def _check_vehicles(files: Files, told: Told) -> None:
+def _check_vehicles(files: Files, told: ReplayedState) -> None:
     missing = {id_ for id_ in told.vehicles if not told.is_gone(id_)}
     for row in read_rows(files, "vehicles.csv"):
         id_ = int(row["id"])
@@ -157,7 +158,7 @@ def _check_vehicles(files: Files, told: Told) -> None:
         raise Damaged(f"vehicles.csv: {min(missing)} is missing, though its audit event is there.")
 
 
-def check_verdicts(files: Files, told: Told) -> None:
+def check_verdicts(files: Files, told: ReplayedState) -> None:
     """Reviews are those of the chain, and each measurement's verdict is its newest review's."""
     newest: dict[tuple[str, str], Mapping[str, str]] = {}
     there: set[int] = set()

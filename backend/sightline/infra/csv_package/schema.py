@@ -11,9 +11,11 @@ import hashlib
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from datetime import datetime
 from typing import Any
 
 Cell = str | int | float | bool | None
+Cells = dict[str, Cell]
 Row = Mapping[str, Cell]
 
 CHECKSUMS = "SHA256SUMS"
@@ -207,3 +209,8 @@ def _other_resource(other: Other, written: Written) -> dict[str, Any]:
         "bytes": written.size,
         "hash": f"sha256:{written.sha256}",
     }
+
+
+def when(moment: datetime | None) -> str | None:
+    """ISO 8601 in UTC, to the microsecond."""
+    return None if moment is None else moment.isoformat(timespec="microseconds").replace("+00:00", "Z")

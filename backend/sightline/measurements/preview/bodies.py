@@ -4,7 +4,7 @@ from pydantic import Field
 
 from sightline.enums import MeasurementStatus, Target
 from sightline.infra.web.bodies import FrameNumber, In, Out, Point
-from sightline.infra.web.quantities import InsetM, SigmaPx, UInsetM
+from sightline.infra.web.quantities import BudgetEntryBody, InsetM, SigmaPx, UInsetM
 from sightline.measurements.bodies import MoreFrames
 from sightline.poses.bodies import AxesBody, Polyline
 
@@ -43,11 +43,6 @@ class HeightWanted(In):
     inset_m: InsetM | None = None
     u_inset_m: UInsetM | None = None
     more_frames: MoreFrames = Field(default_factory=list)
-
-
-class BudgetEntryBody(Out):
-    source: str
-    u_m: float
 
 
 class SingleFrameBody(Out):

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from sightline.export.rows import when
-from sightline.infra.csv_package.schema import Cell, Column, Table
+from sightline.infra.csv_package.schema import Cell, Column, Table, when
 from sightline.quality.checks.records import WheelPair
 
 

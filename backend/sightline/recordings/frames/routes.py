@@ -1,7 +1,6 @@
 """The frame table and its pictures: stills, lossless crops, thumbnails; immutable and checked."""
 
-from collections.abc import Callable
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 import numpy as np
 from fastapi import APIRouter, Query, Request, Response
@@ -9,15 +8,12 @@ from fastapi import APIRouter, Query, Request, Response
 from sightline.infra.web.bodies import Out
 from sightline.infra.web.deps import PathFrame, PathId, Viewer, Wired
 from sightline.infra.web.disconnect import Wanted, while_wanted
+from sightline.infra.web.pictures import JPEG, PNG, is_held, jpeg_once, picture_response, unchanged
 from sightline.recordings.frames.stills import Still, stills_of
 from sightline.recordings.ingest_job import thumbnail
 
 router = APIRouter()
 
-CACHING = "private, max-age=31536000, immutable"
-_SAME = {"description": "The picture that the browser has is the right one."}
-JPEG: dict[int | str, dict[str, Any]] = {200: {"content": {"image/jpeg": {}}}, 304: _SAME}
-PNG: dict[int | str, dict[str, Any]] = {200: {"content": {"image/png": {}}}, 304: _SAME}
 MOST_ROWS = 20_000
 Side = Annotated[int, Query(ge=1, le=4096)]
 Shown = Annotated[
@@ -83,7 +79,7 @@ async def still(
         kind = "" if display == "plain" else f"-{display}"
         etag = f'"{stills_of(services).crc(recording_id, n):08x}{kind}"'
         stills_of(services).announce_request(recording_id, n)
-        if has(request, etag):
+        if is_held(request, etag):
             return unchanged(etag)
         return picture(stills_of(services).still(recording_id, n, display, wanted), "image/jpeg", etag)
 
@@ -108,7 +104,7 @@ async def crop(
     def work(wanted: Wanted) -> Response:
         kind = "" if display == "plain" else f"-{display}"
         etag = f'"{stills_of(services).crc(recording_id, n):08x}-{x}.{y}.{w}.{h}{kind}"'
-        if has(request, etag):
+        if is_held(request, etag):
             return unchanged(etag)
         rectangle = (x, y, w, h)
         return picture(
@@ -125,24 +121,7 @@ def thumb(recording_id: PathId, frame: PathFrame, who: Viewer, services: Wired, 
     return jpeg_once(request, etag, lambda: thumbnail(services, recording_id, frame))
 
 
-def has(request: Request, etag: str) -> bool:
-    """Whether the browser has this very picture already."""
-    known = request.headers.get("if-none-match", "")
-    return etag in (one.strip().removeprefix("W/") for one in known.split(","))
-
-
-def jpeg_once(request: Request, etag: str, make: Callable[[], bytes]) -> Response:
-    """The JPEG, which is made only if the browser does not have it already."""
-    if has(request, etag):
-        return unchanged(etag)
-    return Response(make(), media_type="image/jpeg", headers={"ETag": etag, "Cache-Control": CACHING})
-
-
-def unchanged(etag: str) -> Response:
-    return Response(status_code=304, headers={"ETag": etag, "Cache-Control": CACHING})
-
-
 def picture(still: Still, media_type: str, etag: str) -> Response:
+    """A still as it goes out, with the identity of its frame."""
     identity = {"Sightline-Frame": str(still.n), "Sightline-Pts": str(still.pts)}
-    headers = {"ETag": etag, "Cache-Control": CACHING, **identity}
-    return Response(still.content, media_type=media_type, headers=headers)
+    return picture_response(still.content, media_type, etag, identity)

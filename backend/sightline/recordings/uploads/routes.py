@@ -4,7 +4,6 @@ import base64
 import binascii
 from collections.abc import AsyncIterator, Iterator
 from datetime import datetime
-from pathlib import PurePosixPath
 from typing import Annotated
 
 import anyio.from_thread
@@ -17,6 +16,7 @@ from sightline.errors import BadInput, SightlineError
 from sightline.infra.services import Services
 from sightline.infra.web.bodies import Out
 from sightline.infra.web.deps import OPEN, Operator, PathId, Reading, Viewer, Wired
+from sightline.infra.web.uploaded import clean_name
 from sightline.recordings.uploads import service, store
 from sightline.recordings.uploads.records import Upload
 
@@ -26,7 +26,6 @@ VERSION = "1.0.0"
 MAX_BYTES = 2**40
 PIECE_BYTES = 1 << 20
 CONTENT_TYPE = "application/offset+octet-stream"
-MOST_NAME = 400
 
 
 class OtherVersion(SightlineError):
@@ -204,10 +203,3 @@ def _told(metadata: str | None, wanted: str, word: str) -> str | None:
         except (binascii.Error, UnicodeDecodeError) as error:
             raise BadInput(f"The upload's {word} cannot be read; send it as base64 of UTF-8.") from error
     return None
-
-
-def clean_name(name: str) -> str:
-    """The last part of a path, without control characters, of a length that can be stored."""
-    last = PurePosixPath(name.replace("\\", "/")).name
-    readable = "".join(letter for letter in last if letter.isprintable()).strip()
-    return readable[-MOST_NAME:] or "recording"

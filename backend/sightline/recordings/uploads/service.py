@@ -6,15 +6,15 @@ recording, the end of the upload and the ingest job are one transaction.
 """
 
 import logging
-import re
 from collections.abc import Iterable
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 
 from sqlalchemy.orm import Session
 
 from sightline.enums import UploadPurpose
 from sightline.errors import Conflict, NotFound, SightlineError
 from sightline.infra.services import Services
+from sightline.infra.stored_bytes import suffix_of
 from sightline.media.store import upload_parts
 from sightline.media.store.local import key_of
 from sightline.recordings.ingest_job import queue_ingest
@@ -35,7 +35,6 @@ log = logging.getLogger(__name__)
 
 FOLDER = "uploads"
 GIVEN_UP_S = 7 * 24 * 3600.0
-_SUFFIX = re.compile(r"\.[A-Za-z0-9]{1,8}$")
 
 
 def upload_folder(services: Services) -> Path:
@@ -115,7 +114,7 @@ def keep_strip(services: Services, upload_id: int) -> Upload:
     if upload.finished_at is not None:
         return upload
     whole = upload_parts.finish(upload_folder(services), part_name(upload_id))
-    key = key_of(whole.sha256, upload_suffix(upload.filename))
+    key = key_of(whole.sha256, suffix_of(upload.filename))
     services.media.put_file(key, whole.path, link=True)
     actor = upload.created_by.id if upload.created_by else None
     with services.writing() as session:
@@ -140,7 +139,7 @@ def complete(services: Services, upload_id: int) -> Recording:
     whole = upload_parts.finish(upload_folder(services), part_name(upload_id))
     with services.reading() as session:
         filename = get_upload(session, upload_id).filename
-    key = key_of(whole.sha256, upload_suffix(filename))
+    key = key_of(whole.sha256, suffix_of(filename))
     # Linked where the store can: a copy would need the room twice. The part is discarded further down.
     services.media.put_file(key, whole.path, link=True)
     try:
@@ -216,9 +215,3 @@ def recover_uploads(services: Services) -> None:
 def part_name(upload_id: int) -> str:
     """The name of an upload's part in the folder of parts."""
     return f"upload-{upload_id}"
-
-
-def upload_suffix(filename: str) -> str:
-    """The file name's ending where it is an ordinary one, in lower case; else nothing."""
-    found = _SUFFIX.search(PurePosixPath(filename.replace("\\", "/")).name)
-    return found.group().lower() if found else ""

@@ -7,8 +7,7 @@ from pydantic import Field
 
 from sightline.enums import MeasurementStatus, Target
 from sightline.infra.web.bodies import Finite, In, Out, WhoBody
-from sightline.infra.web.quantities import InsetM, SigmaPx, UInsetM
-from sightline.measurements.preview.bodies import BudgetEntryBody
+from sightline.infra.web.quantities import BudgetEntryBody, InsetM, SigmaPx, UInsetM
 from sightline.scans.bodies import DistanceM, Line
 
 Row = Annotated[Finite, Field(ge=-1, le=1e6, description="Row of strip 1, fractional, from the top.")]

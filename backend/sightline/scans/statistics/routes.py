@@ -7,7 +7,7 @@ from pydantic import Field
 
 from sightline.infra.web.bodies import Out
 from sightline.infra.web.deps import PathId, Reading, Viewer
-from sightline.results.bodies import DensityBody, EcdfBody, FigureBody, PercentileBody, ReasonBody
+from sightline.infra.web.figures import DensityBody, EcdfBody, FigureBody, PercentileBody, ReasonBody
 from sightline.scans.rig.bodies import RigEstimateBody
 from sightline.scans.statistics.figures import scan_statistics
 from sightline.scans.statistics.paper import NOTE, TABLE_I

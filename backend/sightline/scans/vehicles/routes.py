@@ -7,8 +7,8 @@ from fastapi import APIRouter, Query, Request, Response
 from sightline.errors import BadInput
 from sightline.infra.services import Services
 from sightline.infra.web.deps import Operator, PathId, Reading, Reviewer, Viewer, Wired, Writing
+from sightline.infra.web.pictures import JPEG, jpeg_once
 from sightline.linescan.parts import Crossings
-from sightline.recordings.frames.routes import JPEG, jpeg_once
 from sightline.scans.bodies import (
     BoundariesIn,
     MatchPicture,

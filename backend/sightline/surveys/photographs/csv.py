@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from sightline.export.report.facts import Photo
-from sightline.export.rows import Cells, when
 from sightline.infra.csv_package.files import Files, read_rows, read_whole, unsafe
-from sightline.infra.csv_package.schema import Column, Table
-from sightline.surveys.photographs.records import Photograph
+from sightline.infra.csv_package.schema import Cells, Column, Table, when
+from sightline.surveys.photographs.records import Photograph, PhotographFile
 
 FOLDER = "photographs/"
 
@@ -53,9 +51,9 @@ def photograph_rows(photographs: Iterable[Photograph]) -> list[Cells]:
     ]
 
 
-def photos_in(files: Files) -> tuple[Photo, ...]:
+def photos_in(files: Files) -> tuple[PhotographFile, ...]:
     """The photographs of a package for its report."""
     return tuple(
-        Photo(unsafe(row["caption"]) or unsafe(row["name"]), read_whole(files, row["file"]))
+        PhotographFile(unsafe(row["caption"]) or unsafe(row["name"]), read_whole(files, row["file"]))
         for row in read_rows(files, PHOTOGRAPHS.path)
     )

@@ -1,6 +1,6 @@
 """A photograph of the set-up."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from datetime import datetime
 
 from sightline.infra.audit.records import Who
@@ -24,3 +24,11 @@ class Photograph:
     created_at: datetime
     created_by: Who | None
     deleted: bool
+
+
+@dataclass(frozen=True)
+class PhotographFile:
+    """A picture of the set-up: `content` is a PNG or JPEG file."""
+
+    caption: str
+    content: bytes = field(repr=False)

@@ -6,11 +6,10 @@ from typing import Annotated
 from fastapi import APIRouter, Form, Query, Request, Response, UploadFile
 from pydantic import Field
 
-from sightline.cameras.routes import whole_file
 from sightline.infra.web.bodies import Id, In, Out, WhoBody
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired, Writing
-from sightline.recordings.frames.routes import JPEG, jpeg_once
-from sightline.recordings.uploads.routes import clean_name
+from sightline.infra.web.pictures import JPEG, jpeg_once
+from sightline.infra.web.uploaded import clean_name, whole_file
 from sightline.surveys.photographs import service, store
 from sightline.surveys.photographs.records import Photograph
 from sightline.surveys.photographs.store import MOST_CAPTION, MOST_PHOTOGRAPHS

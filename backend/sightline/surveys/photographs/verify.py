@@ -6,13 +6,16 @@ from collections.abc import Mapping
 from typing import Any
 
 from sightline.errors import Damaged
-from sightline.export.verify.chain import Told, stamp
+from sightline.infra.csv_package.chain import stamp
 from sightline.infra.csv_package.files import Files, read_rows
 from sightline.infra.csv_package.schema import Cell, Written, cell_text
 from sightline.surveys.photographs.csv import FOLDER, PHOTOGRAPHS, photograph_path
 
+#: What the events say of each photograph, by number.
+Replayed = Mapping[int, Mapping[str, Any]]
 
-def check_photographs(files: Files, told: Told, written: Mapping[str, Written]) -> int:
+
+def check_photographs(files: Files, told: Replayed, written: Mapping[str, Written]) -> int:
     """Every photograph is the file that its audit event names, with the caption and in the order that the
     events give, and none is missing or put in; how many.
     """
@@ -37,10 +40,10 @@ def check_photographs(files: Files, told: Told, written: Mapping[str, Written]) 
     return len(rows)
 
 
-def _expected(told: Told) -> list[dict[str, Cell]]:
+def _expected(told: Replayed) -> list[dict[str, Cell]]:
     """The rows as the events tell them."""
     there: list[dict[str, Any]] = [
-        {"id": id_, **one} for id_, one in told.photographs.items() if not one.get("deleted", False)
+        {"id": id_, **one} for id_, one in told.items() if not one.get("deleted", False)
     ]
     there.sort(key=lambda one: (one["position"], one["id"]))
     return [

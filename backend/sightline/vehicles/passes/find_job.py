@@ -9,7 +9,6 @@ import numpy as np
 from sqlalchemy.orm import Session
 
 from sightline.detection.classify import FoundPass
-from sightline.detection.finder import PassesCancelled, find_passes
 from sightline.enums import JobState
 from sightline.errors import BadInput, Conflict, Damaged
 from sightline.geometry.documents import pose_from_dict
@@ -19,6 +18,7 @@ from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.registry import Cancelled, Finish, JobContext
 from sightline.infra.jobs.store import list_jobs
 from sightline.infra.services import Services
+from sightline.media.video.passes import PassesCancelled, find_passes
 from sightline.poses.store import get_pose
 from sightline.recordings.frames.stills import stills_of
 from sightline.recordings.ingest_job import LOW_LIGHT_BELOW, PASSES

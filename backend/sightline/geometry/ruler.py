@@ -1,0 +1,46 @@
+"""The live axes through a contact click, in plain lists: what a screen draws while the pointer moves."""
+
+from dataclasses import dataclass
+from typing import Any
+
+from sightline.geometry.road import Overlay, axes_at_contact, ladder_at_contact
+from sightline.geometry.road_pose import RoadPose
+
+
+@dataclass(frozen=True)
+class Ruler:
+    """The axes and the ladder through a contact click, as pixel polylines; or why there are none."""
+
+    ok: bool
+    reason: str | None
+    axes: dict[str, Any] | None
+    ladder: list[dict[str, Any]]
+    x_m: float | None
+    y_m: float | None
+    distance_m: float | None
+
+
+def ruler(pose: RoadPose, contact: tuple[float, float], inset_m: float) -> Ruler:
+    """The road's axes through a contact click and the ladder of heights `inset_m` behind it."""
+    axes = axes_at_contact(pose, contact)
+    rungs = ladder_at_contact(pose, contact, inset_m)
+    if isinstance(axes, str) or isinstance(rungs, str):
+        return Ruler(False, axes if isinstance(axes, str) else str(rungs), None, [], None, None, None)
+    ladder = [
+        {"height_m": rung.height_m, "points": rung.polyline_px.tolist(), "label": rung.label}
+        for rung in rungs
+    ]
+    at = axes.contact_m
+    away = at - pose.centre_m
+    distance_m = float((away @ away) ** 0.5)
+    return Ruler(True, None, drawn_axes(axes), ladder, float(at[0]), float(at[1]), distance_m)
+
+
+def drawn_axes(axes: Overlay) -> dict[str, Any]:
+    """An overlay as plain lists, for JSON."""
+    return {
+        "longitudinal": axes.longitudinal.tolist(),
+        "vertical": axes.vertical.tolist(),
+        "transversal": axes.transversal.tolist(),
+        "origin_px": axes.origin_px.tolist(),
+    }

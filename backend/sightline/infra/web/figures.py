@@ -1,0 +1,47 @@
+"""Bodies of statistical figures; a part that cannot be computed is its reason."""
+
+from pydantic import Field
+
+from sightline.infra.web.bodies import Out
+
+
+class ReasonBody(Out):
+    reason: str
+
+
+class IntervalBody(Out):
+    low: float
+    high: float
+
+
+class FigureBody(Out):
+    value: float | None
+    ci95: IntervalBody | None
+    reason: str | None = Field(description="Why the interval alone is missing.")
+
+
+class EcdfBody(Out):
+    """Shares of a sample that are <= value, with a 95 % band that holds everywhere at once."""
+
+    n: int
+    value: list[float]
+    share: list[float]
+    low: list[float]
+    high: list[float]
+
+
+class DensityBody(Out):
+    n: int
+    bandwidth: float
+    value: list[float]
+    density: list[float]
+    low: list[float]
+    high: list[float]
+
+
+class PercentileBody(Out):
+    percent: float
+    value: float
+    low: float | None
+    high: float | None
+    reason: str | None

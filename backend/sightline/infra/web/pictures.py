@@ -1,0 +1,35 @@
+"""Pictures that never change: sent once, and answered by their ETag afterwards."""
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from fastapi import Request, Response
+
+CACHING = "private, max-age=31536000, immutable"
+_SAME = {"description": "The picture that the browser has is the right one."}
+JPEG: dict[int | str, dict[str, Any]] = {200: {"content": {"image/jpeg": {}}}, 304: _SAME}
+PNG: dict[int | str, dict[str, Any]] = {200: {"content": {"image/png": {}}}, 304: _SAME}
+
+
+def is_held(request: Request, etag: str) -> bool:
+    """Whether the browser has this very picture already."""
+    held = request.headers.get("if-none-match", "")
+    return etag in (tag.strip().removeprefix("W/") for tag in held.split(","))
+
+
+def unchanged(etag: str) -> Response:
+    """304: the picture that the browser has is the right one."""
+    return Response(status_code=304, headers={"ETag": etag, "Cache-Control": CACHING})
+
+
+def picture_response(
+    content: bytes, media_type: str, etag: str, identity: Mapping[str, str] | None = None
+) -> Response:
+    """The picture, to be kept by the browser for ever; `identity` are headers that say which one it is."""
+    headers = {"ETag": etag, "Cache-Control": CACHING, **(identity or {})}
+    return Response(content, media_type=media_type, headers=headers)
+
+
+def jpeg_once(request: Request, etag: str, make: Callable[[], bytes]) -> Response:
+    """The JPEG, which is made only if the browser does not have it already."""
+    return unchanged(etag) if is_held(request, etag) else picture_response(make(), "image/jpeg", etag)
