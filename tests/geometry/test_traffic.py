@@ -5,15 +5,15 @@ import dataclasses
 import numpy as np
 import pytest
 
-from sightline.geometry.gain import best_second_frame, second_frame_gain
+from sightline.geometry.gain import second_frame_gain
 from sightline.geometry.height import measure_height
 from sightline.geometry.inset_trend import (
+    Sightings,
     inset_from_known_heights,
     inset_from_solved,
     inset_from_trend,
     sightings,
     together,
-    unshared,
 )
 from sightline.geometry.insets import bias_m
 from sightline.geometry.multiframe import measure_frames
@@ -23,6 +23,13 @@ from tests.geometry.scenes import pose_of
 from tests.geometry.simulate import Lens, Scene
 
 SCENE = Scene(Lens(), (0.0, -3.0, 1.5), 0.0, 4.0)
+
+
+def unshared(camera_height_m, distance_m, measured_m, u_m) -> Sightings:
+    """Sightings that share nothing, from numbers or columns (N,)."""
+    columns = [np.atleast_1d(v).astype(float) for v in (camera_height_m, distance_m, measured_m, u_m)]
+    n = len(columns[2])
+    return Sightings(*np.broadcast_arrays(*columns), np.zeros((n, n)))
 
 
 def test_gain_foretells_the_uncertainty_and_the_second_clicks() -> None:
@@ -36,8 +43,9 @@ def test_gain_foretells_the_uncertainty_and_the_second_clicks() -> None:
     found = measure_frames(pose, [first[0], second[0]], [first[1], second[1]])
     assert gain.u_double_m == pytest.approx(found.height.u_height_m, rel=1e-6)
     assert gain.u_double_m < 0.6 * gain.u_single_m
-    best = best_second_frame(pose, first[0], first[1], [0.01, 0.4, 1.8, 30.0], 1.0, 0.45, 0.1)
-    assert best is not None and best[0] == 2
+    nearer = second_frame_gain(pose, first[0], first[1], 0.4, 1.0, 0.45, 0.1)
+    assert nearer is not None and gain.u_double_m < nearer.u_double_m
+    assert second_frame_gain(pose, first[0], first[1], 0.01, 1.0, 0.45, 0.1) is None
     assert second_frame_gain(pose, first[0], first[1], 30.0) is None
     assert second_frame_gain(pose, (3, 3), (2, 2), 1.0) is None
 

@@ -3,8 +3,10 @@
 import csv
 import io
 import json
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 from uuid import uuid4
 
 import pytest
@@ -13,7 +15,7 @@ from sightline.commands.clicks import heights_csv
 from sightline.export.build import build
 from sightline.export.verify.package import verify_package
 from sightline.geometry.documents import pose_from_dict
-from sightline.infra.csv_package.files import MemoryFiles, Staging
+from sightline.infra.csv_package.files import Staging, missing
 from sightline.infra.csv_package.schema import CHECKSUMS, sha256_hex
 from sightline.infra.services import Services
 from tests.support.app import Client, error_of
@@ -22,6 +24,20 @@ from tests.support.ground import Ground, add_vehicle, lay_ground, pixel
 pytestmark = pytest.mark.once
 
 HEIGHT_M, INSET_M = 1.16, 0.42
+
+
+class MemoryFiles(dict[str, bytes]):
+    """A package in memory, by path."""
+
+    @property
+    def paths(self) -> frozenset[str]:
+        return frozenset(self)
+
+    @contextmanager
+    def open(self, path: str) -> Iterator[BinaryIO]:
+        if path not in self:
+            raise missing(path)
+        yield io.BytesIO(self[path])
 
 
 @pytest.fixture

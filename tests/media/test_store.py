@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import errno
 import os
+import threading
 from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -81,7 +83,9 @@ def test_linking_needs_no_room_and_outlives_the_given_file(
     store.put_file("a/b", video, link=True)
     video.unlink()
     monkeypatch.undo()
-    assert store.exists("a/b") and store.open("a/b").read() == DATA
+    assert store.exists("a/b")
+    with store.open("a/b") as file:
+        assert file.read() == DATA
 
 
 def test_where_links_do_not_work_bytes_are_copied(
@@ -119,7 +123,6 @@ def test_a_full_disk_is_seen_before_writing(
     store = LocalStore(tmp_path / "media")
     usage = type("Usage", (), {"free": local.RESERVE_BYTES + 1000})
     monkeypatch.setattr(local.shutil, "disk_usage", lambda _: usage)
-    assert store.free_bytes() == 1000
     with pytest.raises(NoRoom, match="There is no room for this file"):
         store.put_file("a/b", video)
     assert not any(p.is_file() for p in (tmp_path / "media").rglob("*"))
@@ -146,6 +149,33 @@ def test_s3_cache_is_bounded_and_refilled(open_s3: OpenS3, tmp_path: Path, video
     held = [p for p in (tmp_path / "cache").rglob("*") if p.is_file()]
     assert sum(p.stat().st_size for p in held) <= 700_000
     assert store.local_path("a/0").read_bytes() == DATA
+
+
+def test_s3_fetches_of_two_files_do_not_wait_for_each_other(
+    open_s3: OpenS3, video: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """One large file on its way stops nobody but those who want the same one, and it is fetched once."""
+    store = open_s3()
+    for key in ("large", "small"):
+        store.put_file(key, video)
+    under_way, go_on, fetched = threading.Event(), threading.Event(), []
+    fetch = store._fetch
+
+    def slowly(key: str, path: Path) -> None:
+        fetched.append(key)
+        if key == "large":
+            under_way.set()
+            assert go_on.wait(30)
+        fetch(key, path)
+
+    monkeypatch.setattr(store, "_fetch", slowly)
+    with ThreadPoolExecutor(3) as pool:
+        large = [pool.submit(store.local_path, "large") for _ in range(2)]
+        assert under_way.wait(30)
+        assert pool.submit(store.local_path, "small").result(30).read_bytes() == DATA
+        go_on.set()
+        assert [one.result(30).read_bytes() for one in large] == [DATA, DATA]
+    assert sorted(fetched) == ["large", "small"]
 
 
 def test_s3_is_shared_by_machines(open_s3: OpenS3, video: Path) -> None:

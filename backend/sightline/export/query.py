@@ -11,8 +11,7 @@ from sightline.cameras.calibrations.tables import calibrations
 from sightline.cameras.tables import cameras
 from sightline.enums import JsonObject
 from sightline.infra.audit.hashing import event_hash, plain
-from sightline.infra.audit.records import AuditHead
-from sightline.infra.audit.tables import audit_anchor, audit_events
+from sightline.infra.audit.tables import audit_events
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import row_content
 from sightline.measurements.query import is_first, measurement_of_row, measurement_revision_rows
@@ -116,13 +115,6 @@ def audit_pages(session: Session, survey_id: int) -> Iterator[list[dict[str, Any
             return
         yield [{**row, "content_sha256": event_hash({name: row[name] for name in names})} for row in rows]
         at = int(rows[-1]["id"]) + 1
-
-
-def head_and_moment(session: Session) -> tuple[AuditHead, str | None]:
-    """The end of the chain, and when its last event happened (as it was hashed)."""
-    anchor = session.execute(select(audit_anchor.c.count, audit_anchor.c.hash)).one()
-    moment = session.execute(select(audit_events.c.at).where(audit_events.c.id == anchor[0]))
-    return AuditHead(anchor[0], anchor[1]), moment.scalar_one_or_none()
 
 
 def pose_contents(session: Session, survey_id: int) -> dict[int, JsonObject]:

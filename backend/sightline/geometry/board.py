@@ -31,9 +31,6 @@ class Board:
     square_m: float
     charuco: Charuco | None = None
 
-    def transposed(self) -> "Board":
-        return replace(self, columns=self.rows, rows=self.columns)
-
     @property
     def corners(self) -> int:
         return self.columns * self.rows

@@ -44,11 +44,6 @@ class CrossValidation:
     height_differences: tuple[HeightDifference, ...]
 
     @property
-    def worst_m(self) -> float | None:
-        known = [abs(d.difference_m) for d in self.height_differences if d.difference_m is not None]
-        return max(known, default=None)
-
-    @property
     def all_held_out_rms_px(self) -> float:
         """Over both halves together."""
         (n1, n2), (second, first) = self.views, self.held_out_rms_px

@@ -69,27 +69,3 @@ def _moved(pose: RoadPose, contact: Floats, target: Floats, travel_m: float, ins
     at = pose.centre_m + ray * (float(seen.plane_m[0]) / float(seen.w_target_y[0]))
     shift = np.array([travel_m, 0.0, 0.0])
     return project(pose.camera, pose.to_camera(np.stack([np.array([x, y, 0.0]), at]) + shift))
-
-
-def best_second_frame(
-    pose: RoadPose,
-    contact_px: ArrayLike,
-    target_px: ArrayLike,
-    travels_m: ArrayLike,
-    sigma_px: float = 1.0,
-    inset_m: float = 0.0,
-    u_inset_m: float = 0.0,
-) -> tuple[int, Gain] | None:
-    """Of candidate frames, given by how far the vehicle has moved in each, the index of the best and its
-    gain.
-    """
-    found = [
-        (index, gain)
-        for index, travel in enumerate(np.asarray(travels_m, dtype=np.float64).ravel())
-        if (
-            gain := second_frame_gain(
-                pose, contact_px, target_px, float(travel), sigma_px, inset_m, u_inset_m
-            )
-        )
-    ]
-    return min(found, key=lambda pair: pair[1].u_double_m, default=None)

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.optimize import minimize_scalar
 
-from sightline.geometry.arrays import Bools, Floats, frozen
+from sightline.geometry.arrays import Bools, Floats
 from sightline.geometry.gradient import gradient
 from sightline.geometry.height import systematic_covariance
 from sightline.geometry.road_pose import RoadPose
@@ -236,17 +236,3 @@ def inset_from_solved(solved_m: ArrayLike, u_solved_m: ArrayLike) -> InsetEstima
     left_out = tuple(int(i) for i in np.flatnonzero(gone))
     caution = "It says next to nothing: the frames were close together." if found.u_mean > _WIDE_U_M else None
     return InsetEstimate(found.mean, found.u_mean, found.count, spread, caution, left_out)
-
-
-def unshared(
-    camera_height_m: ArrayLike, distance_m: ArrayLike, measured_m: ArrayLike, u_m: ArrayLike
-) -> Sightings:
-    """Sightings that share nothing, from numbers or columns (N,)."""
-    camera, distance, measured, u = np.broadcast_arrays(
-        *(
-            np.atleast_1d(np.asarray(v, dtype=np.float64))
-            for v in (camera_height_m, distance_m, measured_m, u_m)
-        )
-    )
-    n = len(measured)
-    return Sightings(frozen(camera), frozen(distance), frozen(measured), frozen(u), np.zeros((n, n)))

@@ -225,8 +225,3 @@ def _repeats(files: Files, told: ReplayedState, shelf: _Shelf) -> int:
     if left:
         raise Damaged(f"repeats.csv: repeat {left[0]} is missing, though its audit event is there.")
     return count
-
-
-def read_all(files: Files, path: str, key: str = "id") -> dict[str, dict[str, str]]:
-    """A small table by its key."""
-    return {row[key]: row for row in read_rows(files, path)}

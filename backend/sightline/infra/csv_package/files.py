@@ -225,20 +225,6 @@ class ZipFiles:
             raise Damaged(f"{path} cannot be unpacked; take the whole export again.") from error
 
 
-class MemoryFiles(dict[str, bytes]):
-    """A package in memory, by path; for small ones."""
-
-    @property
-    def paths(self) -> frozenset[str]:
-        return frozenset(self)
-
-    @contextmanager
-    def open(self, path: str) -> Iterator[BinaryIO]:
-        if path not in self:
-            raise missing(path)
-        yield io.BytesIO(self[path])
-
-
 def missing(path: str) -> Damaged:
     return Damaged(f"{path} is missing; take the whole export again.")
 

@@ -41,9 +41,6 @@ class MediaStore(Protocol):
     def open(self, key: str) -> BinaryIO:
         """The content from its start, for reading; the caller closes it. Raises NotFound."""
 
-    def free_bytes(self) -> int | None:
-        """Room that is left, None if the store does not know a bound."""
-
 
 def open_store(media_url: str, cache_dir: Path | None = None, cache_bytes: int = 20 << 30) -> MediaStore:
     """The store that an address names: a folder (path or file:///path) or s3://bucket/prefix.
@@ -134,9 +131,6 @@ class LocalStore:
 
     def open(self, key: str) -> BinaryIO:
         return self.local_path(key).open("rb")
-
-    def free_bytes(self) -> int | None:
-        return max(0, shutil.disk_usage(self._folder).free - RESERVE_BYTES)
 
     def _path(self, key: str) -> Path:
         return safe_path(self._folder, key)

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import os
 import threading
-from contextlib import suppress
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any, BinaryIO, cast
 from urllib.parse import parse_qs, urlsplit
 from uuid import uuid4
+from weakref import WeakValueDictionary
 
 import boto3
 from botocore.config import Config
@@ -16,6 +18,15 @@ from botocore.exceptions import BotoCoreError, ClientError
 
 from sightline.errors import BadInput, NotFound, SightlineError
 from sightline.media.store.local import check_room, no_room_told, safe_path
+
+PART = ".part"
+
+
+class _Turn:
+    """Whose turn it is to fetch one file; gone when nobody waits for it."""
+
+    def __init__(self) -> None:
+        self.lock = threading.Lock()
 
 
 class S3Store:
@@ -34,7 +45,9 @@ class S3Store:
         self._prefix = parts.path.strip("/")
         self._cache = cache_dir
         self._cache_bytes = cache_bytes
-        self._lock = threading.Lock()
+        self._lock = threading.Lock()  # of the two below and of what is in the cache; held for moments
+        self._fetching: WeakValueDictionary[str, _Turn] = WeakValueDictionary()
+        self._coming_bytes = 0
         cache_dir.mkdir(parents=True, exist_ok=True)
         config = Config(retries={"max_attempts": 4}, connect_timeout=5, read_timeout=60)
         self._client: Any = boto3.client(
@@ -54,17 +67,30 @@ class S3Store:
     def local_path(self, key: str) -> Path:
         path = safe_path(self._cache, key)
         with self._lock:
+            turn = self._fetching.setdefault(key, _Turn())
+        with turn.lock:  # who wants the same file waits for it, who wants another does not
             if path.is_file():
                 os.utime(path)
                 return path
             size = self._size(key)
             if size is None:
                 raise NotFound(f"The media file {key} is missing from the store; restore it from a backup.")
-            self._evict(keep_free=size)
-            check_room(self._cache, size, f"a local copy of {key}")
-            with _told(key), no_room_told(f"a local copy of {key}"):
+            with self._room_for(size, key), _told(key), no_room_told(f"a local copy of {key}"):
                 self._fetch(key, path)
             return path
+
+    @contextmanager
+    def _room_for(self, size: int, key: str) -> Iterator[None]:
+        """Make room in the cache and keep it while a file comes. Raises NoRoom."""
+        with self._lock:
+            self._evict(keep_free=size + self._coming_bytes)
+            check_room(self._cache, size, f"a local copy of {key}")
+            self._coming_bytes += size
+        try:
+            yield
+        finally:
+            with self._lock:
+                self._coming_bytes -= size
 
     def exists(self, key: str) -> bool:
         return self._size(key) is not None
@@ -83,9 +109,6 @@ class S3Store:
             raise _failed(key, error) from error
         except BotoCoreError as error:
             raise _failed(key, error) from error
-
-    def free_bytes(self) -> int | None:
-        return None
 
     def _name(self, key: str) -> str:
         return f"{self._prefix}/{key}" if self._prefix else key
@@ -111,7 +134,7 @@ class S3Store:
 
     def _fetch(self, key: str, path: Path) -> None:
         path.parent.mkdir(parents=True, exist_ok=True)
-        part = path.with_name(f".{uuid4().hex}.part")
+        part = path.with_name(f".{uuid4().hex}{PART}")
         try:
             self._client.download_file(self._bucket, self._name(key), str(part))
             os.replace(part, path)
@@ -120,7 +143,8 @@ class S3Store:
                 part.unlink()
 
     def _evict(self, keep_free: int) -> None:
-        files = [(p.stat().st_atime, p.stat().st_size, p) for p in self._cache.rglob("*") if p.is_file()]
+        whole = (p for p in self._cache.rglob("*") if p.suffix != PART and p.is_file())
+        files = [(p.stat().st_atime, p.stat().st_size, p) for p in whole]
         held = sum(size for _, size, _ in files)
         for _, size, path in sorted(files):
             if held + keep_free <= self._cache_bytes:

@@ -103,19 +103,16 @@ def _write_all(handle: int, chunk: bytes) -> None:
         view = view[os.write(handle, view) :]
 
 
-def finish(upload_dir: Path, upload_id: str, expected_sha256: str | None = None) -> FinishedUpload:
+def finish(upload_dir: Path, upload_id: str) -> FinishedUpload:
     """The whole file and its SHA-256; the part stays until `discard`, so a killed server can finish again.
 
-    Raises Conflict while bytes are missing and BadInput if the content is not what `expected_sha256` says.
+    Raises Conflict while bytes are missing.
     """
     path, whole = _part(upload_dir, upload_id), size(upload_dir, upload_id)
     have = path.stat().st_size
     if have != whole:
         raise Conflict(f"The upload is not complete: {have} of {whole} bytes have arrived; continue it.")
-    found = sha256_of(path)
-    if expected_sha256 is not None and found != expected_sha256.lower():
-        raise BadInput("The file was changed on its way (its SHA-256 differs); upload it again.")
-    return FinishedUpload(path, found, whole)
+    return FinishedUpload(path, sha256_of(path), whole)
 
 
 def discard(upload_dir: Path, upload_id: str) -> None:
