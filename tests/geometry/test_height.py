@@ -5,9 +5,10 @@ import dataclasses
 import numpy as np
 import pytest
 
+from sightline.coverage import COVERAGE_95
 from sightline.geometry.arrays import exp_rotation
 from sightline.geometry.gradient import gradient
-from sightline.geometry.height import COVERAGE_95, height_both, measure_height, measure_heights
+from sightline.geometry.height import height_both, measure_height, measure_heights
 from sightline.geometry.quick import QuickHeights
 from sightline.geometry.road_pose import BoardOnRoad, RoadPose
 from sightline.geometry.sight import REASONS, sight

@@ -5,8 +5,9 @@ import dataclasses
 import numpy as np
 import pytest
 
+from sightline.coverage import COVERAGE_95
 from sightline.geometry import multiframe
-from sightline.geometry.height import COVERAGE_95, measure_height
+from sightline.geometry.height import measure_height
 from sightline.geometry.multiframe import measure_frames
 from sightline.geometry.road_pose import BoardOnRoad, RoadPose
 from tests.geometry.scenes import LENSES, pose_of

@@ -6,11 +6,12 @@ import cv2
 import numpy as np
 import pytest
 
+from sightline.coverage import COVERAGE_95
 from sightline.errors import BadInput
 from sightline.geometry.arrays import frozen
 from sightline.geometry.board import Board
 from sightline.geometry.corners import Corners, not_found
-from sightline.geometry.height import COVERAGE_95, measure_height
+from sightline.geometry.height import measure_height
 from sightline.geometry.pose import expected_u, pose_from_corners
 from sightline.geometry.road_pose import Reference
 from tests.geometry.scenes import LENSES, camera_of, pose_of

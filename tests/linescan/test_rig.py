@@ -1,10 +1,14 @@
 """What the traffic says of the rig, and wheelbases from two clicks."""
 
+import re
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from sightline.errors import BadInput
 from sightline.linescan.parts import Crossings, Motion, Rig
-from sightline.linescan.rig import baseline_ratio, gain, misalignment, wheelbase
+from sightline.linescan.rig import baseline_ratio, gain, misalignment, require_rig, wheelbase
 
 RIG = Rig(0.593, 4882.8)
 
@@ -71,3 +75,23 @@ def test_clicks_that_give_no_wheelbase_have_a_reason() -> None:
     moving = motion(speed_mps=10.0, acceleration_mps2=-4.0)
     assert "different wheels" in str(wheelbase(moving, RIG, 1500, 1500).reason)
     assert "stood" in str(wheelbase(moving, RIG, 1500, 1000 + 4882.8 * 3).reason)
+
+
+@pytest.mark.parametrize(
+    ("field", "value", "says"),
+    [
+        ("baseline_m", 0.0, "A baseline of 0 m cannot be used; give 0.01 to 100 m."),
+        ("baseline_m", float("nan"), "A baseline of nan m"),
+        ("line_rate_hz", 2e6, "A line rate of 2000000 Hz cannot be used; give 10 to 1000000 Hz."),
+        ("u_baseline_m", 0.7, "give 0 to 0.593 m."),
+        ("u_line_rate_ratio", -1e-3, "give 0 to 0.1 of the line rate."),
+        ("divergence_rad", 0.3, "A divergence of 0.3 rad"),
+        ("distance_m", 0.0, "A distance to the vehicles of 0 m"),
+        ("misalignment_px", 2e3, "A misalignment of 2000 px"),
+    ],
+)
+def test_values_that_no_rig_has_are_refused(field: str, value: float, says: str) -> None:
+    rig = Rig(baseline_m=0.593, line_rate_hz=4882.8, u_baseline_m=0.0003)
+    require_rig(rig)
+    with pytest.raises(BadInput, match=re.escape(says)):
+        require_rig(replace(rig, **{field: value}))

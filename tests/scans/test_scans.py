@@ -8,6 +8,7 @@ import cv2
 import numpy as np
 import pytest
 
+from sightline.coverage import COVERAGE_95
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
 from tests.support.app import Client, error_of
@@ -43,7 +44,7 @@ def test_two_strips_become_measured_vehicles(
         assert motion["status"] == "ok", motion["reason"]
         assert abs(motion["speed_mps"] / true.vehicle.speed_mps - 1) < 0.003
         assert abs(motion["length_m"] - true.vehicle.length_m) < 0.05
-        assert motion["U95_speed_mps"] == pytest.approx(1.96 * motion["u_speed_mps"])
+        assert motion["U95_speed_mps"] == pytest.approx(COVERAGE_95 * motion["u_speed_mps"])
     assert found[0]["gap"] is None
     assert found[1]["gap"]["time_gap_s"] == pytest.approx(truth[1].time_gap_s, abs=0.003)
     tile_of_strip_and_cache(viewer, scan, first)

@@ -13,8 +13,9 @@ from pathlib import Path
 import numpy as np
 
 from sightline.commands.files import read_text
+from sightline.coverage import COVERAGE_95
 from sightline.errors import BadInput
-from sightline.geometry.height import COVERAGE_95, Height, measure_heights
+from sightline.geometry.height import Height, measure_heights
 from sightline.geometry.multiframe import measure_frames
 from sightline.geometry.road_pose import RoadPose
 from sightline.geometry.sight import REASONS

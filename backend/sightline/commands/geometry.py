@@ -11,6 +11,7 @@ import numpy as np
 from click.core import ParameterSource
 
 from sightline.commands.files import read_json, read_text, write_json, write_whole
+from sightline.coverage import expanded
 from sightline.errors import BadInput
 from sightline.geometry.board import Board, require_board
 from sightline.geometry.calibration_checks import CheckedCalibration, calibrate_and_check
@@ -246,7 +247,7 @@ def pose(
     )
     for distance, u in expected:
         if u is not None:
-            click.echo(f"expected at {distance:g} m: +- {1000 * 1.96 * u:.0f} mm (95 %)")
+            click.echo(f"expected at {distance:g} m: +- {1000 * expanded(u):.0f} mm (95 %)")
     for warning in solved.warnings:
         click.echo(f"warning: {warning}")
 

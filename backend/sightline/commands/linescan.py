@@ -5,7 +5,6 @@ from __future__ import annotations
 import csv
 import io
 import json
-import math
 from collections.abc import Iterator
 from contextlib import closing
 from dataclasses import asdict, dataclass, replace
@@ -24,6 +23,7 @@ from sightline.linescan.finding import Finder
 from sightline.linescan.gaps import gaps
 from sightline.linescan.paper import measure_paper
 from sightline.linescan.parts import Crossings, Gap, Method, Motion, Passage, Rig
+from sightline.linescan.rig import BASELINE_M, LINE_RATE_HZ, U_BASELINE_M, U_LINE_RATE_RATIO
 from sightline.media.strips.notes import column_of, lost_lines
 from sightline.media.strips.reader import Strip, TimeAxis, check_pair, open_strip
 
@@ -46,7 +46,6 @@ COLUMNS = (
     "reason",
 )
 _MEASURE = {"direct": measure_direct, "paper": measure_paper}
-_MOST_RATE_HZ = 1e6
 
 
 @dataclass(frozen=True)
@@ -142,15 +141,10 @@ class _Table:
 
 
 def _rig(baseline: float, line_rate: float, u_baseline: float, u_line_rate: float) -> Rig:
-    given = (
-        ("--baseline", baseline, 0.01, 100.0, "metres"),
-        ("--line-rate", line_rate, 10.0, _MOST_RATE_HZ, "lines a second"),
-        ("--u-baseline", u_baseline, 0.0, baseline, "metres"),
-        ("--u-line-rate", u_line_rate, 0.0, 0.1, "of the line rate"),
-    )
-    for name, value, least, most, unit in given:
-        if not (math.isfinite(value) and least <= value <= most):
-            raise BadInput(f"{name} {value:g} cannot be used; give {least:g} to {most:g} {unit}.")
+    BASELINE_M.require(baseline, "--baseline")
+    LINE_RATE_HZ.require(line_rate, "--line-rate")
+    replace(U_BASELINE_M, most=baseline).require(u_baseline, "--u-baseline")
+    U_LINE_RATE_RATIO.require(u_line_rate, "--u-line-rate")
     return Rig(baseline, line_rate, u_baseline_m=u_baseline, u_line_rate_ratio=u_line_rate)
 
 

@@ -7,13 +7,13 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from sightline.coverage import COVERAGE_95
 from sightline.geometry.arrays import Floats
 from sightline.geometry.board_errors import board_covariance, board_parts, unknown_parts
 from sightline.geometry.gradient import Gradient, gradient
 from sightline.geometry.road_pose import RoadPose
 from sightline.geometry.sight import BAD_SIGMA, OK, REASONS, Sight, contact_on_road, sight
 
-COVERAGE_95 = 1.959963984540054  # the 97.5 % point of the normal distribution
 _CHUNK = 8192  # rows at a time: the working set stays in the processor's cache
 _EDGE_FLAG = np.sin(np.deg2rad(10.0))
 

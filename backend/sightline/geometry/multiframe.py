@@ -13,10 +13,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from sightline.coverage import COVERAGE_95
 from sightline.geometry.arrays import Floats, skew
 from sightline.geometry.board_errors import board_parts
 from sightline.geometry.camera import project_with_jacobians, undistort
-from sightline.geometry.height import COVERAGE_95, BudgetEntry, Height, left_out, not_measurable
+from sightline.geometry.height import BudgetEntry, Height, left_out, not_measurable
 from sightline.geometry.road_pose import RoadPose
 from sightline.geometry.sight import BAD_SIGMA, BELOW_ROAD, NO_CROSSING, OK, REASONS, contact_on_road, sight
 

@@ -5,10 +5,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sightline.coverage import COVERAGE_95
 from sightline.geometry.arrays import Floats
 from sightline.geometry.camera import project
 from sightline.geometry.gain import second_frame_gain
-from sightline.geometry.height import COVERAGE_95, Height, measure_height, measure_heights, not_measurable
+from sightline.geometry.height import Height, measure_height, measure_heights, not_measurable
 from sightline.geometry.insets import DEFAULT_INSETS, INSET_CHOICES
 from sightline.geometry.road_pose import RoadPose
 from sightline.geometry.site import Site, middle_of_view_m, track_shown_m

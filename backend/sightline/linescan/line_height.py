@@ -10,8 +10,8 @@ from typing import Literal
 
 import numpy as np
 
+from sightline.coverage import COVERAGE_95
 from sightline.linescan.line_pose import LinePose
-from sightline.linescan.parts import K95
 
 STEP_M, MOST_LADDER_M = 0.5, 5.0
 
@@ -81,7 +81,7 @@ def line_height(
         u_distance_m=float(np.hypot(abs(by_contact[0]) * sigma_px, pose_distance)),
         height_m=height,
         u_height_m=u_height,
-        U95_height_m=K95 * u_height,
+        U95_height_m=COVERAGE_95 * u_height,
         budget=budget,
         warnings=_warnings(pose, contact_row_px, target_row_px),
     )

@@ -16,15 +16,6 @@ Method = Literal["direct", "paper"]
 Pixels = NDArray[np.uint8] | NDArray[np.uint16]
 
 
-#: Standard uncertainties to the half-width of a 95 % interval.
-K95 = 1.96
-
-
-def expanded(u: float | None) -> float | None:
-    """U95 of a standard uncertainty; None where there is none."""
-    return None if u is None else K95 * u
-
-
 @dataclass(frozen=True)
 class Rig:
     """Two line cameras a baseline apart, as measured on the road, with standard uncertainties.

@@ -9,7 +9,7 @@ Both are worst cases of whole lines; what the default chain reaches is far bette
 from dataclasses import dataclass
 from math import hypot, sqrt
 
-from sightline.linescan.parts import K95
+from sightline.coverage import COVERAGE_95
 
 # Two crossings, each rounded to a whole line: a uniform error of half a line either way.
 _U_TRANSIT_LINES = sqrt(2 / 12)
@@ -109,7 +109,7 @@ def plan_lines(
         u_lines,
         u_baseline,
         u_speed,
-        K95 * u_speed,
+        COVERAGE_95 * u_speed,
         words,
     )
 

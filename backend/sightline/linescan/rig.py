@@ -1,4 +1,4 @@
-"""What the traffic says of the rig: misalignment, gain, and the baseline by known lengths; and wheelbases.
+"""What a rig may be, and what the traffic says of it: misalignment, gain, baseline; and wheelbases.
 
 The residual divergence of the scanning planes cannot be told from the traffic: it acts as a longer baseline
 at a farther vehicle, which looks like a faster one. It takes vehicles of known length at several distances,
@@ -6,14 +6,16 @@ or a plumb line at two.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from math import hypot, sqrt
+from dataclasses import dataclass, replace
+from math import hypot, isfinite, sqrt
 from typing import Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy import stats
 
+from sightline.coverage import COVERAGE_95
+from sightline.errors import BadInput
 from sightline.linescan.equations import travelled_m
 from sightline.linescan.parts import Motion, Rig
 
@@ -22,6 +24,50 @@ LEAST_U_M = 1e-3
 # A median's standard deviation over a mean's, for normal errors.
 _MEDIAN = sqrt(np.pi / 2)
 _MAD = 1.4826
+
+
+@dataclass(frozen=True)
+class Limits:
+    """From where to where a value of a rig goes, both included, and what it is called in a sentence."""
+
+    name: str
+    least: float
+    most: float
+    unit: str
+
+    def require(self, value: float, name: str | None = None) -> None:
+        """Raise BadInput for a value that no rig has; name: what it is called instead."""
+        if not (isfinite(value) and self.least <= value <= self.most):
+            raise BadInput(
+                f"{name or self.name} of {value:.7g} {self.unit} cannot be used; "
+                f"give {self.least:.7g} to {self.most:.7g} {self.unit}."
+            )
+
+
+BASELINE_M = Limits("A baseline", 0.01, 100.0, "m")
+LINE_RATE_HZ = Limits("A line rate", 10.0, 1e6, "Hz")
+U_BASELINE_M = Limits("An uncertainty of the baseline", 0.0, BASELINE_M.most, "m")
+U_LINE_RATE_RATIO = Limits("An uncertainty of the line rate", 0.0, 0.1, "of the line rate")
+DIVERGENCE_RAD = Limits("A divergence", -0.2, 0.2, "rad")
+U_DIVERGENCE_RAD = Limits("An uncertainty of the divergence", 0.0, DIVERGENCE_RAD.most, "rad")
+DISTANCE_M = Limits("A distance to the vehicles", 0.01, 1000.0, "m")
+MISALIGNMENT_PX = Limits("A misalignment", -1000.0, 1000.0, "px")
+U_MISALIGNMENT_PX = Limits("An uncertainty of the misalignment", 0.0, MISALIGNMENT_PX.most, "px")
+
+
+def require_rig(rig: Rig) -> None:
+    """Raise BadInput for the first value that no rig has."""
+    BASELINE_M.require(rig.baseline_m)
+    LINE_RATE_HZ.require(rig.line_rate_hz)
+    replace(U_BASELINE_M, most=rig.baseline_m).require(rig.u_baseline_m)
+    U_LINE_RATE_RATIO.require(rig.u_line_rate_ratio)
+    DIVERGENCE_RAD.require(rig.divergence_rad)
+    U_DIVERGENCE_RAD.require(rig.u_divergence_rad)
+    if rig.distance_m is not None:
+        DISTANCE_M.require(rig.distance_m)
+    if rig.misalignment_px is not None:
+        MISALIGNMENT_PX.require(rig.misalignment_px)
+    U_MISALIGNMENT_PX.require(rig.u_misalignment_px)
 
 
 @dataclass(frozen=True)
@@ -158,5 +204,5 @@ def _median(values: Sequence[float], what: str) -> Estimate:
     middle = float(np.median(array))
     spread = _MAD * float(np.median(np.abs(array - middle)))
     # few vehicles: the spread itself is uncertain, as Student's t widens it
-    widened = float(stats.t.ppf(0.975, n - 1) / stats.norm.ppf(0.975))
+    widened = float(stats.t.ppf(0.975, n - 1) / COVERAGE_95)
     return Estimate(middle, widened * _MEDIAN * spread / sqrt(n), spread, n)

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import stats
 
+from sightline.coverage import COVERAGE_95
 from sightline.linescan.masks import Points, Sheet, sampled, shifted
 from sightline.linescan.registration import TUKEY, Clock, Fit, Look, Prior, levelled
 
@@ -92,4 +93,4 @@ def _solved(normal: Array, right: Array) -> Array:
 @lru_cache(maxsize=64)
 def _widening(freedom: int) -> float:
     """By how much an uncertainty from so few observations is to be widened for a coverage of 95 %."""
-    return float(stats.t.ppf(0.975, freedom) / stats.norm.ppf(0.975))
+    return float(stats.t.ppf(0.975, freedom) / COVERAGE_95)

@@ -16,10 +16,11 @@ import numpy as np
 import numpy.typing as npt
 from sqlalchemy.orm import Session
 
+from sightline.coverage import COVERAGE_95
 from sightline.errors import BadInput
 from sightline.geometry.follow import textured
 from sightline.geometry.gain import second_frame_gain
-from sightline.geometry.height import COVERAGE_95, measure_height
+from sightline.geometry.height import measure_height
 from sightline.geometry.road import road_point
 from sightline.geometry.road_pose import RoadPose
 from sightline.geometry.travel import Chase, body_of, further_gain

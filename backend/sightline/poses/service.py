@@ -10,13 +10,13 @@ from typing import Any
 import numpy as np
 from scipy.spatial import ConvexHull
 
+from sightline.coverage import COVERAGE_95
 from sightline.errors import BadInput
 from sightline.geometry.arrays import Floats
 from sightline.geometry.board import Board
 from sightline.geometry.camera import Camera, project
 from sightline.geometry.corners import Corners, Gray, detect
 from sightline.geometry.documents import pose_to_dict
-from sightline.geometry.height import COVERAGE_95
 from sightline.geometry.mean_picture import MeanPicture
 from sightline.geometry.pose import expected_u, pose_from_corners
 from sightline.geometry.road import axes_at_contact, iso_heights, road_grid

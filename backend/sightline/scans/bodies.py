@@ -4,6 +4,7 @@ from datetime import datetime
 from typing import Annotated, Literal
 
 from pydantic import Field
+from pydantic.fields import FieldInfo
 
 from sightline.enums import (
     Category,
@@ -19,7 +20,9 @@ from sightline.enums import (
 )
 from sightline.infra.web.bodies import Finite, Id, In, JobBody, Name, Out, Text, WhoBody
 from sightline.infra.web.quantities import Word
+from sightline.linescan import rig
 from sightline.linescan.parts import Method
+from sightline.linescan.rig import Limits
 from sightline.measurements.bodies import ReviewBody
 
 Version = Annotated[int, Field(ge=1, le=2**31 - 1, description="The version that you saw.")]
@@ -27,12 +30,22 @@ Line = Annotated[Finite, Field(ge=0, le=1e12, description="Line number, fraction
 Column = Annotated[int, Field(ge=0, le=2**16)]
 LengthM = Annotated[Finite, Field(gt=0, le=100)]
 ULengthM = Annotated[Finite, Field(ge=0, le=100)]
-BaselineM = Annotated[Finite, Field(gt=0, le=1000)]
-LineRateHz = Annotated[Finite, Field(gt=0, le=1e7)]
-Ratio = Annotated[Finite, Field(ge=0, le=1, description="Standard uncertainty over the value.")]
-Angle = Annotated[Finite, Field(ge=-0.2, le=0.2)]
-DistanceM = Annotated[Finite, Field(gt=0, le=1000)]
-Pixels = Annotated[Finite, Field(ge=-1000, le=1000)]
+
+
+def _within(limits: Limits, description: str | None = None) -> FieldInfo:
+    field: FieldInfo = Field(ge=limits.least, le=limits.most, description=description)
+    return field
+
+
+BaselineM = Annotated[Finite, _within(rig.BASELINE_M)]
+UBaselineM = Annotated[Finite, _within(rig.U_BASELINE_M)]
+LineRateHz = Annotated[Finite, _within(rig.LINE_RATE_HZ)]
+Ratio = Annotated[Finite, _within(rig.U_LINE_RATE_RATIO, "Standard uncertainty over the value.")]
+Angle = Annotated[Finite, _within(rig.DIVERGENCE_RAD)]
+UAngle = Annotated[Finite, _within(rig.U_DIVERGENCE_RAD)]
+DistanceM = Annotated[Finite, _within(rig.DISTANCE_M)]
+Pixels = Annotated[Finite, _within(rig.MISALIGNMENT_PX)]
+UPixels = Annotated[Finite, _within(rig.U_MISALIGNMENT_PX)]
 
 
 class RigIn(In):
@@ -40,13 +53,13 @@ class RigIn(In):
 
     baseline_m: BaselineM
     line_rate_hz: LineRateHz
-    u_baseline_m: ULengthM = 0.0
+    u_baseline_m: UBaselineM = 0.0
     u_line_rate_ratio: Ratio = 0.0
     divergence_rad: Angle = 0.0
-    u_divergence_rad: Annotated[Finite, Field(ge=0, le=0.2)] = 0.0
+    u_divergence_rad: UAngle = 0.0
     distance_m: DistanceM | None = None
     misalignment_px: Pixels | None = Field(default=None, description="null: estimated from the traffic.")
-    u_misalignment_px: Annotated[Finite, Field(ge=0, le=1000)] = 0.0
+    u_misalignment_px: UPixels = 0.0
 
 
 class NewScan(RigIn):
@@ -70,7 +83,7 @@ class NewScanFromVideo(In):
     column_1_px: Column = Field(description="The column that a vehicle reaches first.")
     column_2_px: Column
     baseline_m: BaselineM = Field(description="Between the two columns on the vehicle's side plane.")
-    u_baseline_m: ULengthM = 0.0
+    u_baseline_m: UBaselineM = 0.0
     lighting: Lighting | None = None
     find: Method | None = "direct"
 
@@ -83,13 +96,13 @@ class ChangedScan(In):
     lighting: Lighting | None = None
     baseline_m: BaselineM | None = None
     line_rate_hz: LineRateHz | None = None
-    u_baseline_m: ULengthM | None = None
+    u_baseline_m: UBaselineM | None = None
     u_line_rate_ratio: Ratio | None = None
     divergence_rad: Angle | None = None
-    u_divergence_rad: Annotated[Finite, Field(ge=0, le=0.2)] | None = None
+    u_divergence_rad: UAngle | None = None
     distance_m: DistanceM | None = None
     misalignment_px: Pixels | None = None
-    u_misalignment_px: Annotated[Finite, Field(ge=0, le=1000)] | None = None
+    u_misalignment_px: UPixels | None = None
 
 
 class RigBody(Out):

@@ -7,9 +7,10 @@ from dataclasses import replace
 
 from sqlalchemy.orm import Session
 
+from sightline.coverage import expanded
 from sightline.infra.audit.records import Who
 from sightline.infra.csv_package.schema import Cells, Column, Table, when
-from sightline.linescan.parts import Gap, expanded
+from sightline.linescan.parts import Gap
 from sightline.scans.heights import csv
 from sightline.scans.records import Scan, ScanMeasurement, ScanReview
 from sightline.scans.store import list_scans, rig_columns

@@ -2,8 +2,8 @@
 
 from typing import Any
 
+from sightline.coverage import expanded
 from sightline.enums import JsonObject
-from sightline.linescan.parts import expanded
 from sightline.media.strips.stored_writer import STEP, TILE_LINES, level_lines
 from sightline.scans.bodies import (
     GapBody,

@@ -15,6 +15,7 @@ from sightline.infra.database.rows import add_row, change_row, get_row, name_of,
 from sightline.infra.database.types import now
 from sightline.infra.jobs.store import latest_jobs_of_scans
 from sightline.linescan.parts import Rig
+from sightline.linescan.rig import require_rig
 from sightline.recordings.tables import recordings
 from sightline.recordings.uploads.tables import uploads
 from sightline.scans.heights.tables import line_heights, line_poses
@@ -57,7 +58,7 @@ def create_scan(
     Strips that came as uploads belong to it from then on. Raises BadInput for things of another survey.
     """
     get_row(session, surveys, survey_id, "survey")
-    check_rig(rig)
+    require_rig(rig)
     content: dict[str, Any] = {"survey_id": survey_id, "name": name.strip() or "line scan"}
     content |= {"time_axis": time_axis, "lighting": lighting, **rig_columns(rig)}
     if isinstance(source, ColumnSource):
@@ -129,7 +130,7 @@ def update_scan(
         raise BadInput(f"A scan's {', '.join(sorted(unknown))} cannot be changed; leave it out.")
     if "name" in change and not str(change["name"]).strip():
         raise BadInput("A scan needs a name; fill it in.")
-    check_rig(Rig(**{key: change.get(key, before[key]) for key in RIG}))
+    require_rig(Rig(**{key: change.get(key, before[key]) for key in RIG}))
     change_row(
         session,
         scans,
@@ -164,19 +165,6 @@ def scan_media_in_use(session: Session, media_key: str) -> bool:
 
 
 _unread: ColumnElement[bool] = scans.c.state != "ready"
-
-
-def check_rig(rig: Rig) -> None:
-    """Raises BadInput where a value of the rig cannot be."""
-    if not 0 < rig.baseline_m <= 1000:
-        raise BadInput(f"A baseline of {rig.baseline_m:g} m cannot be; give it in metres, as in 0.593.")
-    if not 0 < rig.line_rate_hz <= 1e7:
-        raise BadInput(f"A line rate of {rig.line_rate_hz:g} Hz cannot be; give it in lines a second.")
-    for name in ("u_baseline_m", "u_line_rate_ratio", "u_divergence_rad", "u_misalignment_px"):
-        if not getattr(rig, name) >= 0:
-            raise BadInput(f"The uncertainty {name} cannot be negative; give its standard uncertainty.")
-    if rig.distance_m is not None and not rig.distance_m > 0:
-        raise BadInput("The distance to the vehicles must be more than 0 m; leave it out if it is not known.")
 
 
 def rig_columns(rig: Rig) -> dict[str, Any]:

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy import stats
 
+from sightline.coverage import COVERAGE_95
 from sightline.statistics.errors import Interval
 from sightline.statistics.wording import there_are
 
@@ -104,7 +105,7 @@ def trend(at: ArrayLike, value: ArrayLike, points: int = 64) -> Trend | str:
 def _correlation_interval(r: float, n: int) -> Interval:
     """Fisher's z."""
     inside = float(np.clip(r, -1.0 + 1e-15, 1.0 - 1e-15))
-    half = float(stats.norm.ppf(0.5 + 0.5 * CONFIDENCE)) / np.sqrt(n - 3)
+    half = COVERAGE_95 / np.sqrt(n - 3)
     return Interval(float(np.tanh(np.arctanh(inside) - half)), float(np.tanh(np.arctanh(inside) + half)))
 
 
@@ -114,7 +115,7 @@ def bland_altman(error_m: ArrayLike) -> BlandAltman | str:
     n = len(error)
     if n < LEAST:
         return f"Limits of agreement need at least {LEAST} vehicles; {there_are(n)}."
-    z = float(stats.norm.ppf(0.5 + 0.5 * CONFIDENCE))
+    z = COVERAGE_95
     t = float(stats.t.ppf(0.5 + 0.5 * CONFIDENCE, n - 1))
     bias, sd = float(error.mean()), float(error.std(ddof=1))
     mean_half = t * sd / np.sqrt(n)

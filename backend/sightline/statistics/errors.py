@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy import stats
 
+from sightline.coverage import COVERAGE_95
 from sightline.statistics.wording import are_too_few
 
 Floats = NDArray[np.float64]
@@ -120,7 +121,7 @@ def _of_many(error: Floats, height: Floats) -> Floats:
             _pearson_influence(error, height, float(values[5])),
             _pearson_influence(absolute, height, float(values[6])),
         ]
-    half = stats.norm.ppf(0.975) * np.array([np.sqrt(np.mean(np.square(v)) / n) for v in influence])
+    half = COVERAGE_95 * np.array([np.sqrt(np.mean(np.square(v)) / n) for v in influence])
     return np.stack([values - half, values + half], axis=1)
 
 

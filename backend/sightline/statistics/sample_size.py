@@ -6,8 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import stats
 
+from sightline.coverage import COVERAGE_95
 from sightline.errors import BadInput
-from sightline.statistics.distributions import CONFIDENCE, vehicles_for_interval
+from sightline.statistics.distributions import vehicles_for_interval
 
 Floats = NDArray[np.float64]
 
@@ -34,7 +35,7 @@ def vehicles_needed(percent: float, width_m: float, sd_m: float) -> SampleSize:
     if not (0.0 < width_m < 10.0 and 0.0 < sd_m < 10.0):
         raise BadInput("Width and spread must be lengths above 0, in metres, such as 0.02 and 0.08.")
     p = percent / 100.0
-    z = float(stats.norm.ppf(0.5 + 0.5 * CONFIDENCE))
+    z = COVERAGE_95
     at_percentile = float(stats.norm.pdf(stats.norm.ppf(p))) / sd_m
     large = int(np.ceil((2.0 * z / (width_m * at_percentile)) ** 2 * p * (1.0 - p)))
     least = vehicles_for_interval(percent)

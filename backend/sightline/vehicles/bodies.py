@@ -6,7 +6,8 @@ from pydantic import Field
 
 from sightline.enums import Category, Direction, Lighting, VehicleOrigin, VehicleState
 from sightline.infra.web.bodies import Finite, FrameNumber, In, Out, Text
-from sightline.infra.web.quantities import HeightM, Word
+from sightline.infra.web.quantities import Word
+from sightline.vehicles.records import MOST_HEIGHT_M
 
 
 class VehicleFields(In):
@@ -19,8 +20,8 @@ class VehicleFields(In):
     model: Word | None = None
     year: Annotated[int, Field(ge=1885, le=2100)] | None = None
     category: Category | None = None
-    manufacturer_height_m: HeightM | None = None
-    u_manufacturer_height_m: Annotated[Finite, Field(ge=0, le=10)] | None = None
+    manufacturer_height_m: Annotated[Finite, Field(gt=0, le=MOST_HEIGHT_M)] | None = None
+    u_manufacturer_height_m: Annotated[Finite, Field(ge=0, le=MOST_HEIGHT_M)] | None = None
     height_source: Text | None = None
     lighting: Lighting | None = None
     notes: Text | None = None

@@ -4,6 +4,8 @@ from typing import TypedDict
 
 from sightline.enums import Category, Direction, JsonObject, Lighting, VehicleOrigin
 
+MOST_HEIGHT_M = 10.0  # of a vehicle, and of its uncertainty; a height is more than 0
+
 
 class VehicleChanges(TypedDict, total=False):
     """The fields of a vehicle record that people fill in; keys left out stay as they are."""

@@ -18,7 +18,7 @@ from sightline.measurements.records import Measurement, Vehicle
 from sightline.measurements.tables import measurement_series, measurements
 from sightline.quality.checks.tables import wheel_pairs
 from sightline.recordings.tables import recordings
-from sightline.vehicles.records import VehicleChanges
+from sightline.vehicles.records import MOST_HEIGHT_M, VehicleChanges
 from sightline.vehicles.tables import vehicles
 
 
@@ -188,10 +188,12 @@ def _checked(fields: Mapping[str, Any], frame_count: int | None) -> dict[str, An
     if best is not None and not first <= best <= last:
         raise BadInput(f"The best frame {best} lies outside frames {first} to {last}; choose one of them.")
     height, u_height = values.get("manufacturer_height_m"), values.get("u_manufacturer_height_m")
-    if height is not None and not 0 < height < 10:
-        raise BadInput(f"A manufacturer's height of {height} m cannot be; give it in metres, as in 1.624.")
-    if u_height is not None and not 0 <= u_height < 10:
-        raise BadInput(f"An uncertainty of {u_height} m cannot be; give it in metres, as in 0.005.")
+    if height is not None and not 0 < height <= MOST_HEIGHT_M:
+        raise BadInput(
+            f"A manufacturer's height of {height:g} m cannot be used; give it in metres, as in 1.624."
+        )
+    if u_height is not None and not 0 <= u_height <= MOST_HEIGHT_M:
+        raise BadInput(f"An uncertainty of {u_height:g} m cannot be used; give it in metres, as in 0.005.")
     return values
 
 

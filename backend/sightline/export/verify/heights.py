@@ -9,12 +9,12 @@ from collections.abc import Mapping
 from itertools import groupby
 from typing import cast
 
+from sightline.coverage import COVERAGE_95
 from sightline.enums import Target
 from sightline.errors import BadInput, Damaged
 from sightline.export.rows import clicks_path, pose_path
 from sightline.export.verify.chain import ReplayedState, same_repeat, same_words
 from sightline.geometry.documents import pose_from_dict
-from sightline.geometry.height import COVERAGE_95
 from sightline.geometry.road_pose import RoadPose
 from sightline.infra.csv_package.files import Files, read_rows, read_whole
 from sightline.infra.csv_package.files import number as figure_of

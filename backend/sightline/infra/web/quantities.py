@@ -17,9 +17,6 @@ InsetM = Annotated[
 UInsetM = Annotated[Finite, Field(ge=0, le=10)]
 
 
-HeightM = Annotated[Finite, Field(gt=0, le=10)]
-
-
 Revision = Annotated[int, Field(ge=1, le=2**31 - 1, description="The revision that you saw.")]
 
 

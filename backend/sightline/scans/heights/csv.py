@@ -7,9 +7,9 @@ from datetime import datetime
 
 from sqlalchemy.orm import Session
 
+from sightline.coverage import expanded
 from sightline.infra.audit.records import Who
 from sightline.infra.csv_package.schema import Cells, Column, Table, when
-from sightline.linescan.parts import expanded
 from sightline.scans.heights.pose_store import line_pose_history
 from sightline.scans.heights.poses import line_pose_result
 from sightline.scans.heights.records import StoredLineHeight, StoredLinePose

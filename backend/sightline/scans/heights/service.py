@@ -9,12 +9,12 @@ from dataclasses import asdict, dataclass
 
 from sqlalchemy.orm import Session
 
+from sightline.coverage import expanded
 from sightline.enums import Target
 from sightline.errors import BadInput
 from sightline.infra.version import code_version
 from sightline.linescan.line_height import LineHeight, contact_distance, ladder, line_height
 from sightline.linescan.line_pose import LinePose
-from sightline.linescan.parts import expanded
 from sightline.measurements.height_of_clicks import DEFAULT_SIGMA_PX, inset_for
 from sightline.scans.heights.pose_store import current_line_poses
 from sightline.scans.heights.poses import LENGTH_DECIMALS, pose_of

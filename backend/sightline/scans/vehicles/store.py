@@ -169,7 +169,7 @@ def _checked(fields: Mapping[str, Any]) -> dict[str, Any]:
         value = values.get(name)
         least = 0.0 if name.startswith("u_") else 1e-3
         if value is not None and not least <= value <= 100:
-            raise BadInput(f"A {name} of {value:g} cannot be; give it in metres, as in 4.447.")
+            raise BadInput(f"A {name} of {value:g} m cannot be used; give it in metres, as in 4.447.")
     return values
 
 
