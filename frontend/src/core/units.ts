@@ -28,7 +28,7 @@ export function speedScale(unit: LengthUnit = lengthUnit.value): Scale {
   return unit === "ft" ? [SECONDS_PER_HOUR / METRES_PER_MILE, "mph"] : [SECONDS_PER_HOUR / 1000, "km/h"];
 }
 
-export function accelerationScale(unit: LengthUnit = lengthUnit.value): Scale {
+function accelerationScale(unit: LengthUnit = lengthUnit.value): Scale {
   return unit === "ft" ? [1 / METRES_PER_FOOT, "ft/s²"] : [1, "m/s²"];
 }
 
