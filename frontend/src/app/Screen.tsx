@@ -7,19 +7,15 @@ import { loadedScreen, loadScreen } from "./screens";
 /** Loads a screen's code when it is first shown. */
 export function Screen({ here }: { here: Match }) {
   const { place, surveyId } = here;
-  const [, redraw] = useState(0);
   const [failed, setFailed] = useState(false);
   useEffect(() => {
     setFailed(false);
     if (loadedScreen(place.name)) return;
     let stale = false;
-    loadScreen(place.name).then(
-      () => !stale && redraw((n) => n + 1),
-      (error) => {
-        console.error(error);
-        if (!stale) setFailed(true);
-      },
-    );
+    loadScreen(place.name).catch((error) => {
+      console.error(error);
+      if (!stale) setFailed(true);
+    });
     return () => {
       stale = true;
     };

@@ -1,4 +1,5 @@
 /** The code of each place; it comes when the place is first shown. */
+import { signal } from "@preact/signals";
 import type { ComponentType } from "preact";
 import type { PlaceName, ScreenProps } from "../core/places";
 
@@ -27,13 +28,15 @@ const LOADERS: Record<PlaceName, () => Promise<{ default: Screen }>> = {
   account: () => import("../screens/account/AccountScreen"),
 };
 
-const loaded = new Map<PlaceName, Screen>();
+// a signal: the code may come while a page is between being drawn and being looked after
+const loaded = signal<ReadonlyMap<PlaceName, Screen>>(new Map());
 
 /** The screen of a place whose code is here. */
 export function loadedScreen(name: PlaceName): Screen | undefined {
-  return loaded.get(name);
+  return loaded.value.get(name);
 }
 
 export async function loadScreen(name: PlaceName): Promise<void> {
-  loaded.set(name, (await LOADERS[name]()).default);
+  const screen = (await LOADERS[name]()).default;
+  loaded.value = new Map(loaded.value).set(name, screen);
 }

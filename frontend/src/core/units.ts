@@ -13,9 +13,9 @@ const NBSP = " ";
 const THIN = " ";
 
 /** What a number of the server is multiplied by to be shown, and the name of the unit it then has. */
-export type Scale = readonly [factor: number, unit: string];
+export type Scale<Unit extends string = string> = readonly [factor: number, unit: Unit];
 
-export function lengthScale(unit: LengthUnit = lengthUnit.value): Scale {
+export function lengthScale(unit: LengthUnit = lengthUnit.value): Scale<LengthUnit> {
   return unit === "ft" ? [1 / METRES_PER_FOOT, "ft"] : [1, "m"];
 }
 
@@ -28,7 +28,7 @@ export function speedScale(unit: LengthUnit = lengthUnit.value): Scale {
   return unit === "ft" ? [SECONDS_PER_HOUR / METRES_PER_MILE, "mph"] : [SECONDS_PER_HOUR / 1000, "km/h"];
 }
 
-export function accelerationScale(unit: LengthUnit = lengthUnit.value): Scale {
+function accelerationScale(unit: LengthUnit = lengthUnit.value): Scale {
   return unit === "ft" ? [1 / METRES_PER_FOOT, "ft/s²"] : [1, "m/s²"];
 }
 

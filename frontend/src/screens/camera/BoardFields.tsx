@@ -8,7 +8,7 @@ import { BoardDrawing } from "./BoardDrawing";
 import { boardText, inUnit, problemsOf, type TypedBoard } from "./board";
 
 /** The board as it was for this camera's images; the square as it was typed last on this machine. */
-export function firstBoard(camera: CameraDetail): TypedBoard {
+function firstBoard(camera: CameraDetail): TypedBoard {
   const image = camera.images.find((one) => !one.found) ?? camera.images[0];
   const square_m = lastSquare();
   const share = image?.marker_share ?? null;

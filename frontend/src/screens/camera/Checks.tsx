@@ -1,5 +1,6 @@
 import type { Calibration } from "../../core/types";
-import { apart, boardInWords, halvesInWords, heldOutInWords } from "./checks";
+import { formatLength } from "../../core/units";
+import { apart, away, boardInWords, halvesInWords, heldOutInWords } from "./checks";
 
 /** What speaks for or against a calibration: two halves calibrated apart, and how flat the board was. */
 export function Checks({ calibration }: { calibration: Calibration }) {
@@ -25,7 +26,7 @@ export function Checks({ calibration }: { calibration: Calibration }) {
                 <tbody>
                   {halves.height_differences.map((d) => (
                     <tr key={d.distance_m}>
-                      <td>{d.distance_m} m</td>
+                      <td>{away(d.distance_m)}</td>
                       <td class="num">
                         {d.difference_m === null ? "not in the picture" : apart(d.difference_m)}
                       </td>
@@ -35,8 +36,9 @@ export function Checks({ calibration }: { calibration: Calibration }) {
                 </tbody>
               </table>
               <p class="small muted">
-                An eye at 1.16 m, camera level at 1.5 m, board at 3 m, the same clicks through either half.
-                Expected is what the noise of the corners alone would make.
+                An eye at {formatLength(1.16, 2)}, camera level at {formatLength(1.5, 1)}, board at{" "}
+                {formatLength(3, 0)}, the same clicks through either half. Expected is what the noise of the
+                corners alone would make.
               </p>
             </>
           )}

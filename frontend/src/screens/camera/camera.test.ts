@@ -4,7 +4,7 @@ import { lengthUnit } from "../../core/units";
 import { PLAIN } from "../../parts/boards/markers";
 import { inUnit, problemsOf, readBoard } from "./board";
 import { readSpan } from "./CalibrateForm";
-import { boardInWords, type Halves, halvesInWords, heldOutInWords } from "./checks";
+import { apart, away, boardInWords, type Halves, halvesInWords, heldOutInWords } from "./checks";
 import { angleOfView, coveredShare, figuresOf, listed, worstView } from "./lens";
 import { niceFactor } from "./ViewPicture";
 
@@ -183,6 +183,15 @@ describe("checks in words", () => {
       "Two halves of the pictures, calibrated apart, differ by 0.2 mm at 3 m and 16 mm at 5 m in a height.",
     );
     expect(heldOutInWords(halves)).toContain("0.171 px; of those that did: 0.160 px");
+  });
+
+  it("are in feet and inches where lengths are in feet", () => {
+    lengthUnit.value = "ft";
+    expect(apart(0.00002).replaceAll("\u00a0", " ")).toBe("under 0.01 in");
+    expect(apart(-0.016).replaceAll("\u00a0", " ")).toBe("0.63 in");
+    expect(away(2)).toBe("6.6 ft");
+    lengthUnit.value = "m";
+    expect([apart(0.00002), away(2)].join(", ").replaceAll("\u00a0", " ")).toBe("under 0.1 mm, 2 m");
   });
 
   it("a reason stands where there are no halves", () => {

@@ -1,16 +1,24 @@
 /** The checks of a calibration in words. Pure; the numbers are the server's. */
 import type { Calibration } from "../../core/types";
-import { formatSmall } from "../../core/units";
+import { formatSmall, lengthScale, lengthText, smallScale } from "../../core/units";
 import { listed } from "./lens";
 
 export type Halves = NonNullable<Calibration["cross_validation"]>;
 export type Shape = NonNullable<Calibration["board_shape"]>;
 
-/** A difference as people read it: no sign, and no "0.0 mm" for what is merely small. */
+/** A difference as people read it: no sign, and no "0.0 mm" or "0.00 in" for what is merely small. */
 export function apart(metres: number | null): string {
   if (metres === null) return "–";
   const size = Math.abs(metres);
-  return size < 0.00005 ? `under ${formatSmall(0.0001)}` : formatSmall(size);
+  const [factor, unit] = smallScale();
+  const least = (unit === "in" ? 0.01 : 0.1) / factor;
+  return size < least / 2 ? `under ${formatSmall(least)}` : formatSmall(size);
+}
+
+/** How far away a vehicle is, as short as can be: "2 m", "6.6 ft". */
+export function away(metres: number): string {
+  const [, unit] = lengthScale();
+  return `${lengthText(metres, unit, 1)} ${unit}`;
 }
 
 const px = (value: number | null): string => (value === null ? "–" : `${value.toFixed(3)} px`);
@@ -19,7 +27,7 @@ const px = (value: number | null): string => (value === null ? "–" : `${value.
 export function halvesInWords(halves: Halves): string {
   if (halves.reason !== null) return `Not done. ${halves.reason}`;
   const told = halves.height_differences.flatMap((d) =>
-    d.difference_m === null ? [] : [`${apart(d.difference_m)} at ${d.distance_m} m`],
+    d.difference_m === null ? [] : [`${apart(d.difference_m)} at ${away(d.distance_m)}`],
   );
   if (told.length === 0) return "The picture shows too little of such a scene to compare a height.";
   return `Two halves of the pictures, calibrated apart, differ by ${listed(told)} in a height.`;
