@@ -9,7 +9,7 @@ from starlette.exceptions import HTTPException
 
 from sightline.settings import Settings
 
-# the addresses of frontend/src/router.ts
+# the addresses of frontend/src/core/places.ts
 FRONT_END_ROUTE = re.compile(
     r"^(sign-in|account|people|audit|statistics|surveys/\d+"
     r"(/(planning|camera|recordings|pose|measure|review|checks|repeats|repeats/click|export"
