@@ -12,7 +12,7 @@ LATER = ("sightline.simulation", "sightline.demo.build", "matplotlib", "typst")
 @pytest.mark.parametrize(
     "start",
     [
-        "import sightline.commands.serve, sightline.app, sightline.infra.jobs.workers, sightline.demo.request",
+        "import sightline.commands.serve, sightline.app, sightline.infra.jobs.workers",
         "import sightline.commands.worker, sightline.job_handlers",
     ],
 )

@@ -15,10 +15,10 @@ import numpy as np
 import pytest
 
 from sightline.errors import NoRoom
+from sightline.media import atomic
 from sightline.media.cancelling import IngestCancelled
 from sightline.media.images import read_image
 from sightline.media.store import local
-from sightline.media.video import thumbnails
 from sightline.media.video.ingest import ingest
 from sightline.media.video.thumbnails import MOST
 from tests.media.clips import Spec, painted, uneven, write
@@ -146,7 +146,7 @@ def test_a_full_disk_is_told_and_leaves_no_working_copy(
     def full(*_: object) -> None:
         raise OSError(errno.ENOSPC, "No space left on device")
 
-    monkeypatch.setattr(thumbnails.os, "replace", full)
+    monkeypatch.setattr(atomic.os, "replace", full)
     with pytest.raises(NoRoom, match="disk is full"):
         ingest(clip(Spec("cfr.mp4")), lambda _: None, lambda: False, tmp_path / "t")
     monkeypatch.undo()

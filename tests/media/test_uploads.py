@@ -146,7 +146,8 @@ def test_a_killed_server_leaves_an_upload_that_goes_on(after_s: float, tmp_path:
     source = tmp_path / "source"
     source.write_bytes(DATA)
     program = (
-        "import sys, time\nfrom pathlib import Path\nfrom sightline.media import uploads\n"
+        "import sys, time\nfrom pathlib import Path\n"
+        "from sightline.media.store import upload_parts as uploads\n"
         f"folder, data = Path({str(tmp_path / 'u')!r}), Path({str(source)!r}).read_bytes()\n"
         "uploads.create(folder, 'u1', len(data))\n"
         "def slowly():\n"

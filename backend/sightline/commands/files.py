@@ -3,11 +3,11 @@
 import errno
 import json
 import os
-import tempfile
 from pathlib import Path
 from typing import Any
 
 from sightline.errors import BadInput, NoRoom
+from sightline.media.atomic import atomic_file
 
 _LARGEST_BYTES = 200_000_000
 
@@ -36,32 +36,16 @@ def read_json(path: Path, what: str) -> Any:
 
 
 def write_whole(path: Path, text: str) -> None:
-    """Write a text file so that it appears whole or not at all (a neighbour, flushed to disk, then
-    renamed).
-    """
-    part: str | None = None
+    """Write a text file so that it appears whole or not at all; its folder must be there."""
     try:
-        handle, part = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
-        with os.fdopen(handle, "w", encoding="utf-8", newline="") as file:
-            file.write(text)
-            file.flush()
-            os.fsync(file.fileno())
-        os.chmod(part, 0o666 & ~_umask())
-        os.replace(part, path)
-        part = None
+        if not path.parent.is_dir():
+            raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT))
+        with atomic_file(path) as part:
+            part.write_text(text, encoding="utf-8", newline="")
     except OSError as error:
         if error.errno in (errno.ENOSPC, errno.EDQUOT):
             raise NoRoom(f"{path} cannot be written because the disk is full; free some space.") from None
         raise BadInput(f"{path} cannot be written ({error.strerror}); choose another place.") from None
-    finally:
-        if part is not None:
-            Path(part).unlink(missing_ok=True)
-
-
-def _umask() -> int:
-    value = os.umask(0)
-    os.umask(value)
-    return value
 
 
 def write_json(path: Path, value: Any) -> None:

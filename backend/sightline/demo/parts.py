@@ -22,6 +22,7 @@ from sightline.geometry.corners import Gray, detect
 from sightline.geometry.road_pose import Reference
 from sightline.infra.csv_package.schema import json_bytes
 from sightline.infra.services import Services
+from sightline.media.atomic import atomic_file
 from sightline.media.cancelling import check_cancelled
 from sightline.media.images import png, read_image
 from sightline.media.store.local import key_of, sha256_of
@@ -232,8 +233,5 @@ def write_truth(services: Services, parts: Parts, numbers: Mapping[str, Sequence
         for one, number in zip(passes, numbers[video.scene.name], strict=True):
             one["vehicle_number"] = number
         documents[video.scene.name] = {**document, "recording": video.name}
-    folder = demonstration_folder(services)
-    folder.mkdir(parents=True, exist_ok=True)
-    half = folder / ".truth.json.part"
-    half.write_bytes(json_bytes(documents))
-    half.replace(folder / "truth.json")
+    with atomic_file(demonstration_folder(services) / "truth.json") as part:
+        part.write_bytes(json_bytes(documents))

@@ -15,6 +15,7 @@ from urllib.request import url2pathname
 from uuid import uuid4
 
 from sightline.errors import BadInput, NoRoom, NotFound
+from sightline.media.atomic import atomic_file
 
 CHUNK_BYTES = 1 << 20
 RESERVE_BYTES = 64 << 20
@@ -146,18 +147,8 @@ def safe_path(folder: Path, key: str) -> Path:
 
 def copy_whole(source: Path, target: Path) -> None:
     """Copy a file so that `target` is whole on disk or not there; a killed copy leaves only a .part."""
-    target.parent.mkdir(parents=True, exist_ok=True)
-    part = target.with_name(f".{uuid4().hex}.part")
-    try:
-        with source.open("rb") as read, part.open("xb") as write:
-            shutil.copyfileobj(read, write, CHUNK_BYTES)
-            write.flush()
-            os.fsync(write.fileno())
-        os.replace(part, target)
-        sync_folder(target.parent)
-    finally:
-        with suppress(OSError):
-            part.unlink()
+    with atomic_file(target) as part, source.open("rb") as read, part.open("xb") as write:
+        shutil.copyfileobj(read, write, CHUNK_BYTES)
 
 
 def link_whole(source: Path, target: Path) -> bool:

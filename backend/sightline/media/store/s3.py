@@ -5,11 +5,10 @@ from __future__ import annotations
 import os
 import threading
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, BinaryIO, cast
 from urllib.parse import parse_qs, urlsplit
-from uuid import uuid4
 from weakref import WeakValueDictionary
 
 import boto3
@@ -17,9 +16,8 @@ from botocore.config import Config
 from botocore.exceptions import BotoCoreError, ClientError
 
 from sightline.errors import BadInput, NotFound, SightlineError
+from sightline.media.atomic import PART, atomic_file
 from sightline.media.store.local import check_room, no_room_told, safe_path
-
-PART = ".part"
 
 
 class _Turn:
@@ -133,14 +131,8 @@ class S3Store:
             return int(head["ContentLength"])
 
     def _fetch(self, key: str, path: Path) -> None:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        part = path.with_name(f".{uuid4().hex}{PART}")
-        try:
+        with atomic_file(path, lasting=False) as part:
             self._client.download_file(self._bucket, self._name(key), str(part))
-            os.replace(part, path)
-        finally:
-            with suppress(OSError):
-                part.unlink()
 
     def _evict(self, keep_free: int) -> None:
         whole = (p for p in self._cache.rglob("*") if p.suffix != PART and p.is_file())

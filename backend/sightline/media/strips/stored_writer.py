@@ -8,9 +8,7 @@ before (means of four) and all rows, down to one tile. Over Zarr, HDF5 and lossl
 from __future__ import annotations
 
 import json
-import os
 from collections.abc import Callable, Iterator
-from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from tempfile import TemporaryFile
@@ -20,6 +18,7 @@ import imagecodecs
 import numpy as np
 import tifffile
 
+from sightline.media.atomic import atomic_file
 from sightline.media.cancelling import Cancelled, check_cancelled
 from sightline.media.store.local import check_room, no_room_told, sha256_of
 from sightline.media.strips.notes import StripNotes
@@ -67,18 +66,14 @@ def store_strip(
     check_room(
         target.parent, strip.lines * strip.rows * strip.dtype.itemsize, f"the stored form of {strip.name}"
     )
-    part = target.with_name(f".{target.name}.{os.getpid()}.part")
-    try:
-        with no_room_told(strip.name), TemporaryFile(dir=target.parent) as spool:
-            pyramid = _Pyramid(strip.lines, strip.rows, strip.dtype, spool)
-            _write(part, strip, pyramid, on_progress, is_cancelled)
-            sha256 = sha256_of(part)
-            with part.open("rb") as written:
-                os.fsync(written.fileno())
-            os.replace(part, target)
-    finally:
-        with suppress(OSError):
-            part.unlink()
+    with (
+        no_room_told(strip.name),
+        TemporaryFile(dir=target.parent) as spool,
+        atomic_file(target) as part,
+    ):
+        pyramid = _Pyramid(strip.lines, strip.rows, strip.dtype, spool)
+        _write(part, strip, pyramid, on_progress, is_cancelled)
+        sha256 = sha256_of(part)
     on_progress(1.0)
     return StoredStrip(
         target,

@@ -11,6 +11,8 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Generic, TypeVar
 
+from sightline.media.atomic import atomic_file
+
 Value = TypeVar("Value")
 
 
@@ -110,14 +112,10 @@ class DiskCache:
 
     def put(self, key: str, data: bytes) -> None:
         path = self._folder / key
-        part = path.with_name(f"{path.name}.{os.getpid()}.{threading.get_ident()}.part")
         try:
-            path.parent.mkdir(parents=True, exist_ok=True)
-            part.write_bytes(zlib.crc32(data).to_bytes(4, "big") + data)
-            os.replace(part, path)
+            with atomic_file(path, lasting=False) as part:
+                part.write_bytes(zlib.crc32(data).to_bytes(4, "big") + data)
         except OSError:
-            with suppress(OSError):
-                part.unlink()
             return
         with self._lock:
             self._held += len(data) + 4

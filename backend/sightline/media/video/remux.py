@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import errno
 import itertools
-import os
 from collections.abc import Callable, Iterator
 from contextlib import closing, suppress
 from dataclasses import dataclass
@@ -21,6 +20,7 @@ from av.container import InputContainer
 from av.video.stream import VideoStream
 
 from sightline.errors import BadInput, NoRoom
+from sightline.media.atomic import atomic_file
 from sightline.media.cancelling import Cancelled, check_cancelled
 from sightline.media.store.local import check_room
 from sightline.media.video.decode import Damage, frame_pts, frames_of_packet, open_container, video_stream
@@ -105,22 +105,18 @@ def _write(
         stream = video_stream(source, name)
         suffix = "mp4" if stream.codec_context.name in _IN_MP4 else "mkv"
         target = folder / f"{path.stem}.work.{suffix}"
-        part = target.with_suffix(f".{os.getpid()}.part")
-        try:
-            container = av.open(str(part), "w", format="mp4" if suffix == "mp4" else "matroska")
-            with closing(container):
-                out = container.add_stream_from_template(stream)
-                out.time_base = Fraction(1, TICKS_HZ)
-                for i, packet in enumerate(_packets(source, stream)):
-                    check_cancelled(is_cancelled, name)
-                    if not prepare(i, packet):
-                        raise ValueError("time stamps are not in order")
-                    packet.stream = out
-                    container.mux(packet)
-            os.replace(part, target)
-        finally:
-            with suppress(OSError):
-                part.unlink()
+        with (
+            atomic_file(target) as part,
+            closing(av.open(str(part), "w", format="mp4" if suffix == "mp4" else "matroska")) as container,
+        ):
+            out = container.add_stream_from_template(stream)
+            out.time_base = Fraction(1, TICKS_HZ)
+            for i, packet in enumerate(_packets(source, stream)):
+                check_cancelled(is_cancelled, name)
+                if not prepare(i, packet):
+                    raise ValueError("time stamps are not in order")
+                packet.stream = out
+                container.mux(packet)
     return target
 
 

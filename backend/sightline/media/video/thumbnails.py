@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -10,6 +9,7 @@ import av
 import cv2
 import numpy as np
 
+from sightline.media.atomic import atomic_file
 from sightline.media.images import jpeg
 from sightline.media.video.picture import Layout, mean_luminance, upright_small
 
@@ -66,9 +66,8 @@ class ThumbnailWriter:
     def _keep(self, n: int, frame: av.VideoFrame) -> None:
         small = upright_small(frame, self._layout, WIDTH_PX)
         name = f"{n:08d}.jpg"
-        part = self._folder / f"{name}.part"
-        part.write_bytes(jpeg(small, QUALITY))
-        os.replace(part, self._folder / name)
+        with atomic_file(self._folder / name, lasting=False) as part:
+            part.write_bytes(jpeg(small, QUALITY))
         gray = np.asarray(cv2.cvtColor(small, cv2.COLOR_BGR2GRAY), np.uint8)
         self._kept.append(Thumbnail(n, name, mean_luminance(gray)))
 

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterable
-from contextlib import closing, suppress
+from contextlib import closing
 from fractions import Fraction
 from pathlib import Path
 
@@ -13,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sightline.errors import BadInput
+from sightline.media.atomic import atomic_file
 from sightline.media.store.local import no_room_told
 
 
@@ -32,18 +32,8 @@ def write_mp4(
     Raises BadInput for no frames, odd or changing sizes, and NoRoom on a full disk.
     """
     rate = Fraction(fps).limit_denominator(1001)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    part = path.with_name(f".{path.name}.{os.getpid()}.part")
-    try:
-        with no_room_told(path.name):
-            count = _encode(part, path.name, frames, rate, crf, gop, preset)
-            with part.open("rb") as written:
-                os.fsync(written.fileno())
-            os.replace(part, path)
-    finally:
-        with suppress(OSError):
-            part.unlink()
-    return count
+    with no_room_told(path.name), atomic_file(path) as part:
+        return _encode(part, path.name, frames, rate, crf, gop, preset)
 
 
 def _encode(
