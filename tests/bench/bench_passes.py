@@ -2,6 +2,7 @@
 
     python -m tests.bench.bench_passes             the demonstration's two videos
     python -m tests.bench.bench_passes --sites     twelve other surveys, in which vehicles meet and are hidden
+    python -m tests.bench.bench_passes --baseline  the held-out surveys by OpenCV's MOG2 and KNN, and by ours
     python -m tests.bench.bench_passes VIDEO ...   a contact sheet of the best frames, in .build/passes
 
 The first needs a made demonstration survey: SIGHTLINE_DATA_DIR (default .data) with demonstration/truth.json.
@@ -22,7 +23,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from time import process_time
-from typing import Any
+from typing import Any, get_args
 
 import cv2
 import numpy as np
@@ -37,6 +38,7 @@ from sightline.media.video.decode import frames_of  # noqa: E402
 from sightline.media.video.passes import find_passes  # noqa: E402
 from sightline.settings import load_settings  # noqa: E402
 from sightline.vehicles.passes.find_job import square_at  # noqa: E402
+from tests.bench import pass_baseline  # noqa: E402
 from tests.bench.goals import Row, report, row  # noqa: E402
 from tests.bench.surveys import HELD_OUT, TRAINING, Passing, passings, pose_of, site, video_of  # noqa: E402
 
@@ -83,10 +85,15 @@ def overlap(one: FoundPass, true: Passing) -> float:
     return max(0.0, shared / both)
 
 
-def counted(path: Path, truth: list[Passing], fps: float, square: float) -> Counted:
+def counted(
+    path: Path, truth: list[Passing], fps: float, square: float, method: pass_baseline.Method | None = None
+) -> Counted:
     """Search a video; each true pass is paired with the found one that covers it best, none twice."""
     started = process_time()
-    found, frames = find_passes(path, square_at=square)
+    if method is None:
+        found, frames = find_passes(path, square_at=square)
+    else:
+        found, frames = pass_baseline.find_passes(path, method)
     speed = frames / fps / (process_time() - started)
     left, pairs = list(found), []
     for true in truth:
@@ -124,6 +131,20 @@ def _passing(one: dict[str, Any]) -> Passing:
         one["number"], one["category"], one["lane"], one["direction"], one["speed_mps"],
         one["first_frame"], one["last_frame"], None if None in whole else whole, 0.0,
     )  # fmt: skip
+
+
+def baselines() -> Iterator[Row]:
+    """The same held-out surveys by what a library gives, and by ours."""
+    for method in (None, *get_args(pass_baseline.Method)):
+        every = []
+        for seed in HELD_OUT:
+            scene = site(seed)
+            path = video_of(scene, BUILD)
+            every.append(counted(path, passings(scene), scene.fps, square_at(pose_of(scene)), method))
+        pairs, found = sum(len(one.pairs) for one in every), sum(one.found for one in every)
+        recall, precision = pairs / sum(one.true for one in every), pairs / max(1, found)
+        words = f"recall {recall:.3f}, precision {precision:.3f}, slowest {min(o.speed for o in every):.1f} x"
+        yield row(f"held out, {method or 'ours'}", "-", words, True)
 
 
 def sites() -> Iterator[Row]:
@@ -175,6 +196,8 @@ def sheet(path: Path) -> None:
 if __name__ == "__main__":
     if sys.argv[1:] == ["--sites"]:
         raise SystemExit(report([sites], []))
+    if sys.argv[1:] == ["--baseline"]:
+        raise SystemExit(report([baselines], []))
     if len(sys.argv) > 1:
         for argument in sys.argv[1:]:
             sheet(Path(argument))
