@@ -11,12 +11,17 @@ from pathlib import Path
 from uuid import uuid4
 
 import pytest
+from hypothesis import settings
 from sqlalchemy import Engine, create_engine, inspect, make_url, text
 from sqlalchemy.orm import Session
 
 from sightline.infra.database.engine import SessionFactory, make_engine, migrate, session_factory, writing
 
 pytest_plugins = ["tests.support.app"]
+
+# A busy machine is slow, not wrong.
+settings.register_profile("sightline", deadline=None)
+settings.load_profile("sightline")
 
 SERVER = os.environ.get("SIGHTLINE_TEST_DATABASE_URL", "")
 
