@@ -28,7 +28,9 @@ def environment() -> Iterator[dict[str, str]]:
     endpoint = f"http://{host}:{port}"
     keys = {"AWS_ACCESS_KEY_ID": "key", "AWS_SECRET_ACCESS_KEY": "secret", "AWS_DEFAULT_REGION": "us-east-1"}
     session = boto3.Session("key", "secret", region_name="us-east-1")
-    session.client("s3", endpoint_url=endpoint).create_bucket(Bucket="sightline")
+    client = session.client("s3", endpoint_url=endpoint)
+    client.create_bucket(Bucket="sightline")
+    client.close()
     yield keys | {
         "SIGHTLINE_MEDIA_URL": f"s3://sightline?endpoint={endpoint}",
         "SIGHTLINE_SECRET": "thirty-two characters at the least",

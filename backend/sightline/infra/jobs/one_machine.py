@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import fcntl
-import logging
 import socket
 from collections.abc import Sequence
+from pathlib import Path
 from queue import SimpleQueue
 from typing import IO
 
@@ -17,8 +17,6 @@ from sightline.infra.jobs.runner import Runner
 from sightline.infra.jobs.store import queued_jobs
 from sightline.infra.jobs.workers import WorkerProcess, on_stop, watch_supervisor
 from sightline.settings import Settings
-
-log = logging.getLogger("sightline.worker")
 
 LOCK_NAME = "workers.lock"
 IDLE = b"\n"
@@ -38,15 +36,9 @@ class OneMachine:
 
     def start(self, settings: Settings, sessions: SessionFactory) -> bool:
         """Whether this supervisor is the only one; what was running before it has no worker any more."""
-        settings.data_dir.mkdir(parents=True, exist_ok=True)
-        lock = (settings.data_dir / LOCK_NAME).open("ab")
-        try:
-            # Of this process alone (forks have no part in it), and gone with it however it ends.
-            fcntl.lockf(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError:
-            lock.close()
+        self._lock = self._lock or _locked(settings.data_dir / LOCK_NAME)
+        if self._lock is None:
             return False
-        self._lock = lock
         take_back(sessions)
         return True
 
@@ -74,3 +66,15 @@ class OneMachine:
         orders.sendall(IDLE)
         while (job_id := job_ids.get()) is not None and runner.run(job_id):
             orders.sendall(IDLE)
+
+
+def _locked(path: Path) -> IO[bytes] | None:
+    """The file, locked by this process alone (forks have no part in it) until that ends, however it does."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    file = path.open("ab")
+    try:
+        fcntl.lockf(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        file.close()
+        return None
+    return file

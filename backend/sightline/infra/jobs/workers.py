@@ -125,8 +125,10 @@ class Supervisor:
         signal.signal(signal.SIGTERM, self._stop)
         # Ctrl+C in a terminal reaches the server's child as well; the server then says when to stop.
         signal.signal(signal.SIGINT, self._stop if self.parent is None else signal.SIG_IGN)
-        while not self._is_over() and not self._may_start():
-            time.sleep(TICK_S)
+        if not self._may_start():
+            log.warning("waiting for the turn to do jobs: another process does those of this data folder")
+            while not self._is_over() and not self._may_start():
+                time.sleep(TICK_S)
         while not self._is_over():
             self._fill()
             self._trying(self._hand_out)
