@@ -61,6 +61,7 @@ def test_app_and_worker_share_postgresql_and_storage(
         still: httpx2.Response = client.http.get(f"/api/recordings/{recording}/frames/17.jpg")
         assert still.status_code == 200, still.text
         assert read_number(read_image_bgr(still.content, "17.jpg")) == 17
+        client.http.close()
     finally:
         for one in reversed(running):
             one.stop()
