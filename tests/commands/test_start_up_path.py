@@ -6,7 +6,7 @@ from tests.commands.running import python
 
 pytestmark = pytest.mark.once
 
-LATER = ("sightline.simulation", "sightline.demo.build", "matplotlib", "typst")
+LATER = ("sightline.simulation", "sightline.demo.build", "matplotlib", "typst", "pyarrow")
 
 
 @pytest.mark.parametrize(

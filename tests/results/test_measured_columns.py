@@ -1,15 +1,30 @@
 """The columns for statistics say of every measurement what its record says."""
 
+import os
+import subprocess
+import sys
 from dataclasses import replace
 from datetime import UTC, datetime
+from pathlib import Path
 
 import numpy as np
+import pyarrow as pa
 import pytest
 from sqlalchemy import select, update
 
 from sightline.cameras.store import create_camera
-from sightline.infra.database import bulk_columns
-from sightline.infra.database.engine import SessionFactory, reading, writing
+from sightline.errors import Damaged
+from sightline.infra.audit.tables import audit_anchor
+from sightline.infra.database.arrow import arrow_rows, arrow_tables
+from sightline.infra.database.engine import (
+    SessionFactory,
+    engine_of,
+    make_engine,
+    migrate,
+    reading,
+    session_factory,
+    writing,
+)
 from sightline.measurements.store import (
     add_measurement,
     list_measurements,
@@ -17,6 +32,7 @@ from sightline.measurements.store import (
     withdraw_measurement,
 )
 from sightline.recordings.store import update_recording
+from sightline.results import measured_columns_query
 from sightline.results.measured_columns_query import (
     CATEGORIES,
     LIGHTING,
@@ -33,7 +49,10 @@ from tests.support import samples
 pytestmark = pytest.mark.dialect
 
 
-def test_columns_are_the_records(factory: SessionFactory) -> None:
+@pytest.mark.parametrize("few", [measured_columns_query._FEW, -1])
+def test_columns_are_the_records(factory: SessionFactory, monkeypatch: pytest.MonkeyPatch, few: int) -> None:
+    """Read through the session as well as by ADBC."""
+    monkeypatch.setattr(measured_columns_query, "_FEW", few)
     one = samples.fill(factory, 30)
     with writing(factory) as session:
         other = create_survey(session, name="Other", actor=None)
@@ -90,28 +109,96 @@ def test_columns_are_the_records(factory: SessionFactory) -> None:
     assert 0 < len(chosen) < len(found)
 
 
-@pytest.mark.parametrize("far_m", [None, 63.999, 1e6])
-def test_bulk_columns_lose_no_digit(
-    factory: SessionFactory, monkeypatch: pytest.MonkeyPatch, far_m: float | None
+STATE = select(audit_anchor.c.hash)
+
+
+def test_arrow_columns_lose_no_digit_and_no_null(
+    factory: SessionFactory, caplog: pytest.LogCaptureFixture
 ) -> None:
-    """Batches smaller than the table, NULL, and lengths that need the slow way."""
-    monkeypatch.setattr(bulk_columns, "_AT_ONCE", 4)
-    one = samples.fill(factory, 30)
+    """The first rows NULL, whole numbers among the lengths, all NULL, and no row at all."""
+    samples.fill(factory, 30)
     v = vehicles_table.c
-    known = [0.0625, 1.0 / 3.0, 1.2345678901234567, -2.2, 0.1 + 0.2, np.nextafter(1.5, 2.0), far_m]
+    known: list[float | None] = [
+        None,
+        None,
+        0.0625,
+        1.0 / 3.0,
+        1.2345678901234567,
+        0.1 + 0.2,
+        np.nextafter(1.5, 2.0),
+        5e-324,
+        2.0,
+    ]
     with writing(factory) as session:
         for id_, value in enumerate(known, start=1):
             row = update(vehicles_table).where(v.id == id_)
             session.execute(row.values(manufacturer_height_m=None if value is None else float(value)))
+    query = select(v.id, v.manufacturer_height_m, v.u_manufacturer_height_m, v.height_source, v.category)
     with reading(factory) as session:
-        ids, heights = bulk_columns.columns(session, select(v.id, v.manufacturer_height_m), v.id)
-        there = session.execute(select(v.id, v.manufacturer_height_m).order_by(v.id)).all()
-        nothing = bulk_columns.columns(session, select(v.id, v.manufacturer_height_m).where(v.id < 0), v.id)
-        narrowed = load_measured_columns(session, [one.survey.id])
-    assert list(ids) == [row[0] for row in there] and len(ids) > 7
-    assert np.array_equal(heights, np.array([row[1] for row in there], float), equal_nan=True)
-    assert [(len(one), one.dtype.kind) for one in nothing] == [(0, "i"), (0, "f")]
-    assert len(narrowed) > 8
+        found, nothing = arrow_tables(session, STATE, [query, query.where(v.id < 0)])
+        there = session.execute(query.order_by(v.id)).all()
+        by_rows = arrow_rows(session, query.where(v.id < 0))
+    rows = sorted(found.to_pylist(), key=lambda row: row["id"])
+    assert [tuple(row.values()) for row in rows] == [tuple(row) for row in there] and len(there) > len(known)
+    assert found.schema.names == nothing.schema.names == by_rows.schema.names
+    assert len(nothing) == len(by_rows) == 0 and str(nothing.schema.types[1]) == "double"
+    assert not caplog.records  # by ADBC, not row by row
+
+
+def test_columns_are_of_the_sessions_state(factory: SessionFactory, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What was committed before is seen, what another session commits meanwhile is not; what the session
+    itself wrote is, before it commits.
+    """
+    one = samples.fill(factory, 30)
+    with reading(factory) as session:
+        before = load_measured_columns(session, [one.survey.id])
+        chosen = list_measurements(session, one.survey.id)[0]
+    monkeypatch.setattr(measured_columns_query, "_FEW", -1)
+    with reading(factory) as session:
+        session.execute(STATE)
+        with writing(factory) as other:
+            withdraw_measurement(other, chosen.id, seen_revision=chosen.revision, actor=None)
+        assert list(load_measured_columns(session).measurement_id) == list(before.measurement_id)
+    with reading(factory) as session:
+        after = load_measured_columns(session)
+    assert len(after) == len(before) - 1 and chosen.id not in after.measurement_id
+    with writing(factory) as session:
+        remove_vehicle(session, int(after.vehicle_id[0]), actor=None)
+        assert after.vehicle_id[0] not in load_measured_columns(session).vehicle_id
+
+
+@pytest.mark.once
+@pytest.mark.parametrize("name", ["what%3Fmode=ro", "a b#c", "é", "a%20b"])
+def test_a_file_of_any_name_is_read(tmp_path: Path, name: str, caplog: pytest.LogCaptureFixture) -> None:
+    factory = session_factory(make_engine(f"sqlite:///{tmp_path / name}"))
+    migrate(engine_of(factory))
+    with reading(factory) as session:
+        (found,) = arrow_tables(session, STATE, [STATE])
+        assert found.column(0).to_pylist() == [session.execute(STATE).scalar_one()]
+    assert "ADBC" not in caplog.text
+
+
+@pytest.mark.once
+def test_adbcs_sqlite_stays_in_its_own_process() -> None:
+    """Two copies of SQLite in one process undo each other's locks."""
+    code = "import sys, sightline.app; sys.exit('adbc_driver_sqlite' in sys.modules)"
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
+    assert subprocess.run([sys.executable, "-c", code], env=environment, check=False).returncode == 0
+
+
+@pytest.mark.once
+def test_an_unknown_word_is_refused() -> None:
+    table = pa.table({"target": ["roof", None, "wing"]})
+    with pytest.raises(Damaged, match="“wing”"):
+        measured_columns_query._codes(table, "target", TARGETS)
+    assert list(measured_columns_query._codes(table.slice(0, 2), "target", TARGETS)) == [0, -1]
+
+
+@pytest.mark.once
+@pytest.mark.parametrize("ids", [[3, 1, 2], [2**31 - 1, 5, 9], []])
+def test_ids_are_found_close_together_and_far_apart(ids: list[int]) -> None:
+    places = measured_columns_query._Places(np.array(ids, np.int64))
+    assert list(places(np.array([*ids, 7, 2**31 - 2], np.int64))) == [*range(len(ids)), -1, -1]
 
 
 def test_a_small_survey_among_others_is_the_same(factory: SessionFactory) -> None:

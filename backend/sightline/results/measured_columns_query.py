@@ -1,24 +1,30 @@
 """All measurements that statistics are made of, as columns: plain scans in SQL, joined in NumPy.
 
 Lists of records cost 30 microseconds a row; these columns must serve a million rows. Joins in SQL cost more
-than those of sorted arrays.
+than those by position here.
 """
+
+from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
-from typing import Any, get_args
+from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 from numpy.typing import NDArray
-from sqlalchemy import BigInteger, ColumnElement, Select, case, cast, extract, func, select
+from sqlalchemy import ColumnElement, Select, case, func, null, select
 from sqlalchemy.orm import Session
 
 from sightline.enums import Category, Lighting, Target, Verdict
-from sightline.infra.database.bulk_columns import columns
+from sightline.errors import Damaged
+from sightline.infra.audit.tables import audit_anchor
 from sightline.measurements.tables import measurement_series, measurements
 from sightline.recordings.tables import recordings
 from sightline.reviews.tables import reviews
 from sightline.vehicles.tables import vehicles
+
+if TYPE_CHECKING:
+    import pyarrow as pa
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -28,8 +34,8 @@ LIGHTING: tuple[str, ...] = get_args(Lighting)
 CATEGORIES: tuple[str, ...] = get_args(Category)
 VERDICTS: tuple[str, ...] = get_args(Verdict)
 NONE = -1
-_DAY_S = 86_400
-_JULIAN_1970 = 2_440_587.5
+_SPARSE = 2**20
+_FEW = 20_000  # series: so many are read sooner through the session than another connection is opened
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,99 +64,92 @@ class Measured:
     def __len__(self) -> int:
         return len(self.measurement_id)
 
-    def where(self, chosen: NDArray[np.bool_]) -> "Measured":
+    def where(self, chosen: NDArray[np.bool_]) -> Measured:
         """The rows that are chosen (N,)."""
-        return Measured(*(getattr(self, one.name)[chosen] for one in fields(self)))
+        return Measured(**{one.name: getattr(self, one.name)[chosen] for one in fields(self)})
 
 
 def load_measured_columns(
     session: Session, survey_ids: Sequence[int] | None = None, *, days: bool = False
 ) -> Measured:
-    """The columns of some surveys, or of all.
+    """The columns of some surveys, or of all, from one state of the database.
 
-    days: whether each one's day is wanted; reading a million dates takes a third of a second.
+    days: whether each one's day is wanted. Raises Damaged for a word that the program does not know.
     """
-    series, vehicle = _unpacked(columns(session, _series(survey_ids), measurement_series.c.id)[0], _IDS)
-    cars, words, *of_cars = columns(session, _vehicles(survey_ids), vehicles.c.id)
-    few = _few(session, survey_ids, len(series))
-    keys, stamps, *lengths = columns(session, _revisions(session, few, days), measurements.c.id)
-    newest = _newest(keys, keys // _REVISIONS)
-    at = _places(series, keys[newest] // _REVISIONS)
-    car = np.where(at == NONE, NONE, _places(cars, vehicle)[at]) if len(series) else at
-    keep = (stamps[newest] % 2 == 0) & ~np.isnan(lengths[0][newest]) & (car != NONE)
-    rows, at, car = newest[keep], at[keep], car[keep]
-    survey, lighting, category = _unpacked(words[car], _WORDS, _WORDS)
-    operator, target, _ = _unpacked(stamps[rows], _WORDS, 2)
+    series, cars, revisions, judged = _tables(session, survey_ids, days)
+    id_, car_id = _ints(series, "id"), _ints(cars, "id")
+    order = np.argsort(id_, kind="stable")
+    id_, vehicle = id_[order], _ints(series, "vehicle_id")[order]
+    at_series = _Places(id_)
+    row, revision = _newest(at_series, revisions, len(id_))
+    verdict = _verdicts(at_series, judged, revision)
+    height = np.append(_floats(revisions, "height_m"), np.nan)[row]
+    car = _Places(car_id)(vehicle)
+    keep = (row != NONE) & ~np.isnan(height) & (car != NONE)
+    row, car = row[keep], car[keep]
     return Measured(
-        series[at],
-        vehicle[at],
-        survey,
-        operator + NONE,
-        lengths[2][rows] if days else np.zeros(len(rows), np.int64),
-        target,
-        lighting + NONE,
-        category + NONE,
-        _verdicts(columns(session, _judged(few), reviews.c.id)[0], keys[rows]),
-        *(length[rows] for length in lengths[:2]),
-        *(length[car] for length in of_cars),
+        measurement_id=id_[keep],
+        vehicle_id=vehicle[keep],
+        survey_id=_ints(cars, "survey_id")[car],
+        operator_id=_ints(revisions, "created_by")[row],
+        day=_days(revisions)[row] if days else np.zeros(len(row), np.int64),
+        target=_codes(revisions, "target", TARGETS)[row],
+        lighting=_codes(cars, "lighting", LIGHTING)[car],
+        category=_codes(cars, "category", CATEGORIES)[car],
+        verdict=verdict[keep],
+        height_m=height[keep],
+        uncorrected_height_m=_floats(revisions, "uncorrected_height_m")[row],
+        manufacturer_height_m=_floats(cars, "manufacturer_height_m")[car],
+        u_manufacturer_height_m=_floats(cars, "u_manufacturer_height_m")[car],
     )
 
 
-# Small numbers travel as one, for each costs as much as its digits do.
-_IDS = 2**31
-_REVISIONS = 2**20
-_WORDS = 2**3
+def _tables(session: Session, survey_ids: Sequence[int] | None, days: bool) -> list[pa.Table]:
+    """Series, vehicles, revisions and reviews, at least those of the surveys."""
+    from sightline.infra.database.arrow import arrow_rows, arrow_tables  # a start needs no Arrow
 
-
-def _few(session: Session, survey_ids: Sequence[int] | None, found: int) -> Sequence[int] | None:
-    """The surveys again where they hold a small part of all measurements; of most, a scan of all is quicker
-    than a join, and the others fall out afterwards.
-    """
-    if survey_ids is None:
-        return None
-    of_all = session.execute(select(func.count()).select_from(measurement_series)).scalar_one()
-    return survey_ids if 4 * found < of_all else None
+    s = measurement_series.c
+    counted = select(func.count()).select_from(measurement_series)
+    wanted = session.execute(counted.where(*_of(s.survey_id, survey_ids))).scalar_one()
+    # Of most, a scan of all is quicker than a join, and the others fall out afterwards.
+    few = wanted <= _FEW or 4 * wanted < session.execute(counted).scalar_one()
+    joined = survey_ids if few else None
+    queries = (_series(survey_ids), _vehicles(survey_ids), _revisions(joined, days), _judged(joined))
+    if wanted <= _FEW:
+        return [arrow_rows(session, query) for query in queries]
+    return arrow_tables(session, select(audit_anchor.c.hash), queries)
 
 
 def _series(survey_ids: Sequence[int] | None) -> Select[Any]:
-    """(id, vehicle); without repeats."""
+    """Without repeats."""
     s = measurement_series.c
-    packed = cast(s.id, BigInteger) * _IDS + s.vehicle_id
-    return select(packed).where(s.repeat_of.is_(None), *_of(s.survey_id, survey_ids))
+    return select(s.id, s.vehicle_id).where(s.repeat_of.is_(None), *_of(s.survey_id, survey_ids))
 
 
 def _vehicles(survey_ids: Sequence[int] | None) -> Select[Any]:
-    """id, (survey, lighting + 1, category + 1), manufacturer's height, its u.
-
-    A vehicle without lighting has its recording's.
-    """
+    """Living ones; a vehicle without lighting has its recording's."""
     v = vehicles.c
-    lighting = _code(func.coalesce(v.lighting, recordings.c.lighting), LIGHTING) - NONE
-    words = (
-        (cast(v.survey_id, BigInteger) * _WORDS + lighting) * _WORDS + _code(v.category, CATEGORIES) - NONE
-    )
-    query = select(v.id, words, v.manufacturer_height_m, v.u_manufacturer_height_m)
-    joined = query.join(recordings, recordings.c.id == v.recording_id)
-    return joined.where(v.deleted_at.is_(None), *_of(v.survey_id, survey_ids))
+    lighting = func.coalesce(v.lighting, recordings.c.lighting).label("lighting")
+    query = select(
+        v.id, v.survey_id, lighting, v.category, v.manufacturer_height_m, v.u_manufacturer_height_m
+    ).join(recordings, recordings.c.id == v.recording_id)
+    return query.where(v.deleted_at.is_(None), *_of(v.survey_id, survey_ids))
 
 
-def _revisions(session: Session, survey_ids: Sequence[int] | None, days: bool) -> Select[Any]:
-    """(series, revision), (operator + 1, target, withdrawn), both heights, the day if wanted."""
+def _revisions(survey_ids: Sequence[int] | None, days: bool) -> Select[Any]:
+    """All of them; a withdrawn one has no height."""
     m = measurements.c
-    operator = cast(func.coalesce(m.created_by, NONE) - NONE, BigInteger)
-    stamps = (operator * _WORDS + _code(m.target, TARGETS)) * 2 + case((m.withdrawn, 1), else_=0)
-    keys = cast(m.series_id, BigInteger) * _REVISIONS + m.revision
-    query = select(keys, stamps, m.height_m, m.uncorrected_height_m)
+    height = case((m.withdrawn, null()), else_=m.height_m).label("height_m")
+    query = select(m.series_id, m.revision, m.created_by, m.target, height, m.uncorrected_height_m)
     if days:
-        query = query.add_columns(_day(session, m.created_at))
+        query = query.add_columns(m.created_at)
     return query.where(*_series_of(m.series_id, survey_ids))
 
 
 def _judged(survey_ids: Sequence[int] | None) -> Select[Any]:
-    """(series, revision that the verdict holds for, verdict)."""
+    """Reviews with the revision that the verdict holds for."""
     r = reviews.c
-    keys = cast(r.series_id, BigInteger) * _REVISIONS + r.result_revision
-    query = select(keys * _WORDS + _code(r.verdict, VERDICTS))
+    query = select(r.id, r.series_id, r.result_revision, r.verdict)
     return query.where(*_series_of(r.series_id, survey_ids))
 
 
@@ -165,47 +164,80 @@ def _series_of(column: ColumnElement[Any], survey_ids: Sequence[int] | None) -> 
     return [column.in_(select(s.id).where(s.survey_id.in_(survey_ids)))]
 
 
-def _code(column: ColumnElement[Any], words: Sequence[str]) -> ColumnElement[int]:
-    """The index of a word, -1 for none: numbers are cheaper to fetch than text."""
-    return case(*((column == word, index) for index, word in enumerate(words)), else_=NONE)
+def _ints(table: pa.Table, name: str) -> Ints:
+    """Whole numbers, NONE for null."""
+    return np.asarray(table[name].fill_null(NONE), dtype=np.int64)
 
 
-def _day(session: Session, moment: ColumnElement[Any]) -> ColumnElement[Any]:
-    if session.get_bind().dialect.name == "sqlite":
-        return cast(func.floor(func.julianday(moment) - _JULIAN_1970), BigInteger)
-    return cast(func.floor(extract("epoch", moment) / _DAY_S), BigInteger)
+def _floats(table: pa.Table, name: str) -> Floats:
+    """NaN for null."""
+    return np.asarray(table[name], dtype=np.float64)
 
 
-def _unpacked(packed: Ints, *sizes: int) -> list[Ints]:
-    """The numbers that were packed as ((first * size + second) * size + ...), in that order."""
-    left = packed
-    found: list[Ints] = []
-    for size in reversed(sizes):
-        found.append(left % size)
-        left = left // size
-    return [left, *reversed(found)]
+def _codes(table: pa.Table, name: str, words: Sequence[str]) -> Ints:
+    """The index of each word, NONE for null."""
+    import pyarrow as pa
+    import pyarrow.compute as pc
+
+    column = table[name]
+    code = pc.index_in(column, value_set=pa.array(words, pa.string()))
+    if code.null_count != column.null_count:
+        unknown = sorted(set(column.unique().to_pylist()) - {*words, None})
+        raise Damaged(f"The database holds the {name} “{unknown[0]}”, which this version does not know.")
+    return np.asarray(code.fill_null(NONE), dtype=np.int64)
 
 
-def _newest(order: Ints, keys: Ints) -> Ints:
-    """Of rows (N,), the place of the one that comes last in `order` for each key, in the order of the keys;
-    `order` keeps equal keys together, and of equal rows the last one counts.
+def _days(table: pa.Table) -> Ints:
+    """Days since 1970-01-01, UTC; SQLite has times as text, without a zone."""
+    column = table["created_at"]
+    if str(column.type) == "string":
+        column = column.cast("timestamp[us]")
+    return np.asarray(column).astype("datetime64[D]").astype(np.int64)
+
+
+class _Places:
+    """Where an id stands among ids (N,) that are all different. Ids of a database lie close together, so they
+    are looked up in a table; where they do not, in their order.
     """
-    sorted_ = np.argsort(order, kind="stable")
-    last = np.append(np.diff(keys[sorted_]) != 0, True)[: len(keys)]
-    return np.asarray(sorted_[last], dtype=np.int64)
+
+    def __init__(self, ids: Ints) -> None:
+        self._order: Ints | None = None
+        if int(ids.max(initial=0)) > 64 * len(ids) + _SPARSE:
+            self._order = np.argsort(ids, kind="stable")
+            self._ids = ids[self._order]
+            return
+        self._at = np.full(int(ids.max(initial=0)) + 2, NONE, dtype=np.int32)
+        self._at[ids] = np.arange(len(ids), dtype=np.int32)
+
+    def __call__(self, ids: Ints) -> Ints:
+        """The place of each id (M,), NONE where it does not stand there."""
+        if self._order is not None:
+            at = np.minimum(np.searchsorted(self._ids, ids), len(self._ids) - 1)
+            return np.where(self._ids[at] == ids, self._order[at], NONE)
+        # the last place is nobody's
+        return np.asarray(self._at[np.minimum(ids, len(self._at) - 1)], dtype=np.int64)
 
 
-def _places(ids: Ints, wanted: Ints) -> Ints:
-    """Where each wanted id stands among ascending ids, -1 where it does not."""
-    if len(ids) == 0:
-        return np.full(len(wanted), NONE)
-    at = np.minimum(np.searchsorted(ids, wanted), len(ids) - 1)
-    return np.asarray(np.where(ids[at] == wanted, at, NONE), dtype=np.int64)
+def _newest(at_series: _Places, revisions: pa.Table, count: int) -> tuple[Ints, Ints]:
+    """For each of `count` series, (count,) each: the row and the number of its newest revision, else NONE."""
+    number = _ints(revisions, "revision")
+    at, order = at_series(_ints(revisions, "series_id")), _ascending(number)
+    row = np.full(count + 1, NONE)  # the last is for rows of no series
+    row[at[order]] = order  # of equal places the last value stays
+    return row[:count], np.append(number, NONE)[row[:count]]
 
 
-def _verdicts(packed: Ints, wanted: Ints) -> Ints:
-    """The newest verdict on each wanted (series, revision) (N,), "to_review" where there is none."""
-    judged, verdict = _unpacked(packed, _WORDS)
-    newest = _newest(judged, judged)
-    at = _places(judged[newest], wanted)
-    return np.where(at == NONE, 0, verdict[newest][at]) if len(newest) else np.zeros(len(wanted), np.int64)
+def _verdicts(at_series: _Places, judged: pa.Table, revision: Ints) -> Ints:
+    """The newest verdict on the newest revision (N,) of each series, the first of VERDICTS without any."""
+    at = at_series(_ints(judged, "series_id"))
+    holds = (at != NONE) & (np.append(revision, NONE)[at] == _ints(judged, "result_revision"))
+    order = _ascending(_ints(judged, "id")[holds])
+    verdict = np.zeros(len(revision), dtype=np.int64)
+    verdict[at[holds][order]] = _codes(judged, "verdict", VERDICTS)[holds][order]
+    return verdict
+
+
+def _ascending(values: Ints) -> Ints:
+    """The order (N,) in which values ascend; small numbers are sorted several times quicker as such."""
+    small = np.min_scalar_type(int(values.max(initial=0)))
+    return np.argsort(values.astype(small), kind="stable")
