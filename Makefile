@@ -7,7 +7,7 @@ PIP := $(BIN)/python -m pip --quiet --disable-pip-version-check
 NPM := npm --prefix frontend --no-fund --no-audit --loglevel=error
 WEB_SOURCES := $(shell find frontend/src frontend/public frontend/index.html frontend/vite.config.ts -type f 2>/dev/null)
 
-.PHONY: run wheel image test test-postgresql test-browser setup check lock types bench clean
+.PHONY: run wheel image test test-postgresql test-browser setup check lock types dev bench clean
 .DELETE_ON_ERROR:
 
 run: setup
@@ -75,19 +75,23 @@ test-postgresql:
 test-browser:
 	@SIGHTLINE_TEST_DATABASE_URL= $(BIN)/python -m pytest tests/browser
 
-check: .build/python-dev .build/node
+check: types
 	@$(BIN)/ruff check backend tests migrations
 	@$(BIN)/ruff format --check backend tests migrations
 	@$(BIN)/mypy
 	@$(BIN)/lint-imports
-	@$(BIN)/python -m sightline.commands.openapi .build/openapi.json
-	@$(NPM) run --silent types -- --check
 	@$(NPM) run --silent check
 	@$(NPM) run --silent test
 
+# The front end's types of what the server sends and takes, out of the server's own description. Only
+# type checks and editors read them: a build strips types, so `make run` and the image need none.
 types: .build/python-dev .build/node
 	@$(BIN)/python -m sightline.commands.openapi .build/openapi.json
 	@$(NPM) run --silent types
+
+# Pages that reload while they are written, beside a server that runs.
+dev: types
+	@$(NPM) run dev
 
 bench: setup .build/python-dev .build/chromium
 	@for script in tests/bench/bench_*.py; do $(BIN)/python $$script || exit 1; done

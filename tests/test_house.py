@@ -1,4 +1,4 @@
-"""The rules of the house that no other tool keeps: small files, clean locks, no machine paths, papers."""
+"""The rules of the house that no other tool keeps: clean locks, no machine paths, papers."""
 
 import re
 import subprocess

@@ -1,6 +1,6 @@
 /** What the server sends and takes. Names come from its description (`schema.d.ts`, made by `npm run types`); here they get the
  *  short names that the screens use, and pairs of numbers become points. Lengths in metres, times ISO 8601 UTC. */
-import type { components } from "./schema";
+import type { components } from "#schema";
 
 type Schemas = components["schemas"];
 

@@ -1,5 +1,5 @@
 /** What the server sends for the curves of a figure; lengths in metres. */
-import type { components } from "../../core/schema";
+import type { components } from "#schema";
 
 type Schemas = components["schemas"];
 export type Ecdf = Schemas["EcdfBody"];

@@ -1,5 +1,5 @@
 /** What the checks send, with points as points. */
-import type { components } from "../../core/schema";
+import type { components } from "#schema";
 import type { PoseOverlay, Px, Target } from "../../core/types";
 
 type Schemas = components["schemas"];

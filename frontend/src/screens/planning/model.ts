@@ -1,4 +1,4 @@
-import type { components } from "../../core/schema";
+import type { components } from "#schema";
 
 type Schemas = components["schemas"];
 export type Plan = Schemas["PlanBody"];

@@ -1,5 +1,5 @@
 /** The rig's values as they are typed, and what is wrong with them. */
-import type { components } from "../../core/schema";
+import type { components } from "#schema";
 import type { Scan } from "../../core/types";
 import { fixed, lengthScale, parseLength, parseNumber } from "../../core/units";
 

@@ -1,8 +1,8 @@
 import { useState } from "preact/hooks";
+import type { components } from "#schema";
 import { Button, Loading, Problem, SelectField, TextField } from "../../components";
 import { api } from "../../core/api";
 import { useResource } from "../../core/resource";
-import type { components } from "../../core/schema";
 import { lengthText, lengthUnit, parseLength } from "../../core/units";
 import type { Standard } from "../../parts/figures/types";
 import { STANDARD_OF } from "./model";

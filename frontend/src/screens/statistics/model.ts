@@ -1,6 +1,6 @@
 /** What the server says of many measurements; lengths in metres. */
 
-import type { components } from "../../core/schema";
+import type { components } from "#schema";
 import type { Category, Lighting, Target } from "../../core/types";
 import type { Standard } from "../../parts/figures/types";
 
