@@ -36,7 +36,7 @@ from sightline.infra.jobs.store import (
     requeue_job,
 )
 from sightline.measurements.click_sigma_store import choose_click_sigma
-from sightline.measurements.store import restore_measurement, revise_measurement, withdraw_measurement
+from sightline.measurements.store import restore_measurement, revise_current_measurement, withdraw_measurement
 from sightline.people.store import (
     create_sign_in_link,
     end_sessions,
@@ -119,7 +119,7 @@ def _review(session: Session, one: Sample, made: Any) -> Any:
 def _wheels(session: Session, one: Sample) -> Any:
     crc = int(frame_table().crc32[20])
     points: dict[str, Any] = {"first": (100.0, 400.0), "second": (300.5, 410.0)}
-    return add_wheel_pair(session, one.vehicle.id, frame=20, frame_crc=crc, **points, actor=one.olga.id)
+    return add_wheel_pair(session, one.vehicle.id, frame=20, crc32=crc, **points, actor=one.olga.id)
 
 
 def _moved(session: Session, one: Sample) -> Any:
@@ -285,10 +285,10 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
         lambda s, o, _: restore_vehicle(s, o.vehicle.id, actor=o.olga.id),
     ),
     "add_measurement": (lambda s, o: None, lambda s, o, _: samples.measure(s, o)),
-    "revise_measurement": (
+    "revise_current_measurement": (
         lambda s, o: samples.measure(s, o),
-        lambda s, o, made: revise_measurement(
-            s, made.id, seen_revision=1, values=values(o, point=(1.0, 2.0)), actor=o.olga.id
+        lambda s, o, made: revise_current_measurement(
+            s, made, values(o, target_point=(1.0, 2.0)), actor=o.olga.id
         ),
     ),
     "withdraw_measurement": (
@@ -393,7 +393,7 @@ def test_a_fix_writes_the_revision_and_the_review(factory: SessionFactory) -> No
         one = samples.sample(session)
         made = samples.measure(session, one)
         before = trail.head(session).count
-        content = values(one, point=(1.0, 2.0))
+        content = values(one, target_point=(1.0, 2.0))
         add_review(session, made.id, seen_revision=1, verdict="fixed", fixed=content, actor=one.rene.id)
         told = [(e.entity, e.action) for e in trail.listing(session, limit=2)]
     assert audit_count(factory) - before == 2

@@ -84,7 +84,7 @@ def test_a_vehicles_state_follows_from_its_measurements(session: Session, one: S
     )
     assert state(session, one) == "rejected"
     again = revise_measurement(
-        session, roof.id, seen_revision=1, values=values(one, point=(5.0, 6.0)), actor=one.olga.id
+        session, roof.id, seen_revision=1, values=values(one, target_point=(5.0, 6.0)), actor=one.olga.id
     )
     assert (again.revision, again.review.verdict, state(session, one)) == (2, "to_review", "measured")
     withdraw_measurement(session, roof.id, seen_revision=2, actor=one.olga.id)
@@ -122,9 +122,9 @@ def test_nobody_reviews_their_own(session: Session, one: Sample) -> None:
     with pytest.raises(NotAllowed, match="their own"):
         add_review(session, made.id, seen_revision=1, verdict="accepted", actor=one.olga.id)
     assert [item.mine for item in review_queue(session, one.survey.id, actor=one.olga.id)] == [True]
-    fix = values(one, point=(1.0, 2.0))
+    fix = values(one, target_point=(1.0, 2.0))
     fixed = add_review(session, made.id, seen_revision=1, verdict="fixed", fixed=fix, actor=one.rene.id)
-    assert (fixed.revision, fixed.review.verdict, fixed.point) == (2, "fixed", (1.0, 2.0))
+    assert (fixed.revision, fixed.review.verdict, fixed.values.target_point) == (2, "fixed", (1.0, 2.0))
     assert fixed.created_by is not None and fixed.created_by.name == "René"
     with pytest.raises(NotAllowed):
         add_review(session, made.id, seen_revision=2, verdict="accepted", actor=one.rene.id)
@@ -186,7 +186,7 @@ def test_a_click_sent_twice_is_one_measurement(session: Session, one: Sample) ->
     other = create_vehicle(session, one.recording.id, {"first_frame": 1, "last_frame": 2}, actor=None)
     with pytest.raises(Conflict, match="another vehicle"):
         add_measurement(session, other.id, client_key=KEY.format(1), values=values(one), actor=None)
-    assert (made.height_m, made.contact, made.sigma_px, made.budget) == (
+    assert (made.values.height_m, made.values.contact, made.values.sigma_px, made.values.budget) == (
         1.6180339887,
         (301.5, 400.0),
         1.0,
@@ -195,14 +195,18 @@ def test_a_click_sent_twice_is_one_measurement(session: Session, one: Sample) ->
 
 
 def test_a_measurement_stands_on_the_stored_frame(session: Session, one: Sample) -> None:
-    for wrong, error in (({"pts": 1}, Conflict), ({"frame_crc": 1}, Conflict), ({"frame": 500}, NotFound)):
+    for wrong, error in (({"pts": 1}, Conflict), ({"crc32": 1}, Conflict), ({"frame": 500}, NotFound)):
         with pytest.raises(error):
             add_measurement(
                 session, one.vehicle.id, client_key=KEY.format(9), values=values(one, **wrong), actor=None
             )
     nothing = values(one, height_m=None, status="not_measurable", reason="Above the horizon.")
     made = add_measurement(session, one.vehicle.id, client_key=KEY.format(9), values=nothing, actor=None)
-    assert (made.status, made.reason, made.height_m) == ("not_measurable", "Above the horizon.", None)
+    assert (made.values.status, made.values.reason, made.values.height_m) == (
+        "not_measurable",
+        "Above the horizon.",
+        None,
+    )
 
 
 def test_a_measured_recording_stays_with_its_frames(session: Session, one: Sample) -> None:

@@ -57,7 +57,7 @@ def filled(factory: SessionFactory) -> SessionFactory:
         create_vehicle(session, one.recording.id, {"first_frame": 50, "last_frame": 60}, actor=None)
         crc = int(samples.frame_table().crc32[20])
         points: dict[str, Any] = {"first": (1.0, 2.0), "second": (3.0, 2.0)}
-        add_wheel_pair(session, one.vehicle.id, frame=20, frame_crc=crc, **points, actor=one.olga.id)
+        add_wheel_pair(session, one.vehicle.id, frame=20, crc32=crc, **points, actor=one.olga.id)
         choose_click_sigma(session, one.survey.id, one.olga.id, sigma_px=0.7, pairs=9, actor=None)
         for n in range(2):
             samples.photograph(session, one, f"{n}.jpg")
@@ -136,7 +136,7 @@ TAMPERED: dict[str, tuple[tuple[str, ...], str]] = {
     ),
     "a height": (("UPDATE measurements SET height_m = 1.5 WHERE id = 1",), "measurement revision 1 is not"),
     "a click": (
-        ("UPDATE measurements SET point_x_px = point_x_px + 1e-9 WHERE id = 2",),
+        ("UPDATE measurements SET target_x_px = target_x_px + 1e-9 WHERE id = 2",),
         "measurement revision 2 is not",
     ),
     "a revision removed": (("DELETE FROM measurements WHERE id = 2",), "measurement revision 2 was removed"),

@@ -181,7 +181,7 @@ def test_roofs_of_known_height_offer_the_inset_with_its_origin(
     assert target["measured"] == 12  # measured with the inset before: they still count
     with services.reading() as session:
         stored = list_measurements(session, ground.survey_id)
-        assert {one.inset_m for one in stored} == {0.3}
+        assert {one.values.inset_m for one in stored} == {0.3}
         assert len(list_vehicles(session, ground.survey_id)) == 12
 
 

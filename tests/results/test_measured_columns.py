@@ -63,7 +63,7 @@ def test_columns_are_the_records(factory: SessionFactory, monkeypatch: pytest.Mo
         withdraw_measurement(session, first.id, seen_revision=first.revision, actor=None)
         nothing = samples.values(one, height_m=None, status="not_measurable", reason="Sky.")
         revise_measurement(session, second.id, seen_revision=second.revision, values=nothing, actor=None)
-        content = samples.values(one, target=third.target, height_m=1.5)
+        content = samples.values(one, target=third.values.target, height_m=1.5)
         vehicle_id, key = third.vehicle_id, samples.KEY.format(77)
         add_measurement(
             session, vehicle_id, client_key=key, values=content, repeat_of=third.id, actor=one.olga.id
@@ -80,7 +80,7 @@ def test_columns_are_the_records(factory: SessionFactory, monkeypatch: pytest.Mo
             )
     with reading(factory) as session:
         found = load_measured_columns(session, [one.survey.id], days=True)
-        records = [m for m in list_measurements(session, one.survey.id) if m.height_m is not None]
+        records = [m for m in list_measurements(session, one.survey.id) if m.values.height_m is not None]
         cars = {vehicle.id: vehicle for vehicle in list_vehicles(session, one.survey.id)}
         everything = load_measured_columns(session)
         assert not everything.day.any()  # not asked for
@@ -93,7 +93,9 @@ def test_columns_are_the_records(factory: SessionFactory, monkeypatch: pytest.Mo
         vehicle = cars[m.vehicle_id]
         assert (found.vehicle_id[row], found.survey_id[row]) == (m.vehicle_id, m.survey_id)
         assert found.operator_id[row] == (m.created_by.id if m.created_by else -1)
-        assert TARGETS[found.target[row]] == m.target and VERDICTS[found.verdict[row]] == m.review.verdict
+        assert (
+            TARGETS[found.target[row]] == m.values.target and VERDICTS[found.verdict[row]] == m.review.verdict
+        )
         assert LIGHTING[found.lighting[row]] == (vehicle.lighting or "daytime")
         assert (
             (found.category[row] == -1)
@@ -101,7 +103,7 @@ def test_columns_are_the_records(factory: SessionFactory, monkeypatch: pytest.Mo
             else (CATEGORIES[found.category[row]] == vehicle.category)
         )
         lengths = (found.height_m[row], found.uncorrected_height_m[row])
-        assert lengths == (m.height_m, m.uncorrected_height_m)
+        assert lengths == (m.values.height_m, m.values.uncorrected_height_m)
         assert np.isnan(found.manufacturer_height_m[row]) == (vehicle.manufacturer_height_m is None)
         assert today - 1 <= found.day[row] <= today
     assert "accepted" in {VERDICTS[v] for v in found.verdict}

@@ -106,9 +106,9 @@ def judge(session: Session, passes: list[Pass], stored: dict[int, list[Measureme
         for made in stored.get(one.vehicle.id, []):
             if index < len(passes) // 2:
                 _accept(session, made, actor)
-            elif index == len(passes) - 4 and made.target == "taillight":
+            elif index == len(passes) - 4 and made.values.target == "taillight":
                 _say(session, made, "rejected", actor, reason=REJECTED)
-            elif index == len(passes) - 5 and made.target == "roof":
+            elif index == len(passes) - 5 and made.values.target == "roof":
                 _fix(session, made, one.truth, actor)
 
 
@@ -117,7 +117,7 @@ def _accept(session: Session, made: Measurement, actor: int) -> None:
 
 
 def _fix(session: Session, made: Measurement, truth: PassTruth, actor: int) -> None:
-    found = sight_of(truth, made.target)
+    found = sight_of(truth, made.values.target)
     assert found is not None
     rng = np.random.default_rng(made.id)
     contact, point = _beside(found[1], rng), _beside(found[2], rng)

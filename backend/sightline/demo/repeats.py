@@ -36,10 +36,12 @@ def click_again(
     for actor, noise_px in ((operator, CLICK_NOISE_PX), (reviewer, REVIEWER_NOISE_PX)):
         for index in sorted(rng.permutation(len(found))[:OF_EACH]):
             first = found[int(index)]
-            sight = sight_of(truths[first.vehicle_id], first.target)
+            sight = sight_of(truths[first.vehicle_id], first.values.target)
             assert sight is not None
             frame, contact, point = sight
-            clicked = Clicked(first.target, _beside(contact, noise_px, rng), _beside(point, noise_px, rng))
+            clicked = Clicked(
+                first.values.target, _beside(contact, noise_px, rng), _beside(point, noise_px, rng)
+            )
             key = str(uuid5(_NAMESPACE, f"{first.id} {actor}"))
             store_measurement(session, first.vehicle_id, key, frame, clicked, repeat_of=first.id, actor=actor)
 

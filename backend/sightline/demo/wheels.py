@@ -27,7 +27,7 @@ def click_wheels(session: Session, passes: list[Pass], *, actor: int) -> int:
             session,
             one.vehicle.id,
             frame=frame,
-            frame_crc=None,
+            crc32=None,
             first=_beside(rear, rng),
             second=_beside(front, rng),
             actor=actor,

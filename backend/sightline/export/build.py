@@ -86,7 +86,7 @@ class _Seen:
             self.people[person.id] = person.name
 
     def mark(self, one: Measurement) -> None:
-        for n in (one.frame, *(more.frame for more in one.more_frames)):
+        for n in (one.values.frame, *(more.frame for more in one.values.more_frames)):
             marks = self.marks.setdefault(one.recording_id, bytearray())
             if len(marks) <= n:
                 marks.extend(bytes(n + 1 - len(marks)))
@@ -200,7 +200,7 @@ class _Writers:
         if not newest.withdrawn:
             clicks = rows.click_row(newest, car)
             self._clicks.add(clicks)
-            self._of_pose(newest.pose_id).add(clicks)
+            self._of_pose(newest.values.pose_id).add(clicks)
 
     def _of_pose(self, pose_id: int) -> TableWriter:
         if pose_id not in self._of_poses:

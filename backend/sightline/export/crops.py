@@ -20,7 +20,7 @@ from sightline.export.columns import TARGETS
 from sightline.infra.csv_package.files import Staging, Tick, number
 from sightline.infra.csv_package.schema import Cell, Column, Table, sha256_hex
 from sightline.infra.services import Services
-from sightline.measurements.records import FurtherFrame, Measurement
+from sightline.measurements.records import FurtherFrame, Measurement, MeasurementValues
 from sightline.media.video.picture import Bgr
 from sightline.recordings.frames.stills import stills_of
 
@@ -71,11 +71,12 @@ def spots_of(found: Sequence[Measurement]) -> Spots:
     """Where crops are to be taken: one record a frame of each measurement, compact (some 90 bytes)."""
     rows: list[tuple[Any, ...]] = []
     for one in found:
-        height, u95 = (np.nan if value is None else value for value in (one.height_m, one.U95_height_m))
-        on_frames: tuple[Measurement | FurtherFrame, ...] = (one, *one.more_frames)
+        values = one.values
+        height, u95 = (np.nan if m is None else m for m in (values.height_m, values.U95_height_m))
+        on_frames: tuple[MeasurementValues | FurtherFrame, ...] = (values, *values.more_frames)
         for k, on in enumerate(on_frames, start=1):
-            place = (one.recording_id, on.frame, one.id, k, TARGETS.index(one.target), on.frame_crc)
-            rows.append((*place, *on.contact, *on.point, height, u95))
+            place = (one.recording_id, on.frame, one.id, k, TARGETS.index(values.target), on.crc32)
+            rows.append((*place, *on.contact, *on.target_point, height, u95))
     return np.array(rows, dtype=_RECORD)
 
 

@@ -61,19 +61,18 @@ def revision_pages(session: Session, survey_id: int) -> Iterator[list[tuple[Meas
     (measurement, revision); all revisions of one measurement come in one page.
     """
     v = vehicle_rows.c
-    base = measurement_revision_rows()
-    width = len(base.selected_columns)
     chosen: Select[Any] = (
-        base.add_columns(v.number, v.lighting, v.category, v.manufacturer_height_m)
+        measurement_revision_rows()
+        .add_columns(v.number, v.lighting, v.category, v.manufacturer_height_m)
         .join(vehicle_rows, v.id == measurement_series.c.vehicle_id)
         .where(measurement_series.c.survey_id == survey_id, v.deleted_at.is_(None))
         .order_by(measurements.c.series_id, measurements.c.revision)
     )
     of_survey = select(measurement_series.c.id).where(measurement_series.c.survey_id == survey_id)
     for first, last in _spans(session, of_survey, measurement_series.c.id):
-        rows = session.execute(chosen.where(measurement_series.c.id.between(first, last))).all()
-        found: Any = tuple([measurement_of_row(row[:width]) for row in rows])  # type: ignore[arg-type]
-        cars = [OfVehicle(*row[width:]) for row in rows]
+        rows = session.execute(chosen.where(measurement_series.c.id.between(first, last))).mappings().all()
+        found = tuple([measurement_of_row(row) for row in rows])
+        cars = [OfVehicle(**{name: row[name] for name in OfVehicle.__slots__}) for row in rows]
         yield list(zip(flagged(session, found), cars, strict=True))
 
 

@@ -44,28 +44,28 @@ def measured(one: Measurement) -> Cells:
     return {
         "vehicle_id": one.vehicle_id,
         "recording_id": one.recording_id,
-        "target": one.target,
-        "frame": one.frame,
-        "pts": one.pts,
-        "time_s": one.time_s,
-        "frame_crc32": one.frame_crc,
+        "target": one.values.target,
+        "frame": one.values.frame,
+        "pts": one.values.pts,
+        "time_s": one.values.time_s,
+        "frame_crc32": one.values.crc32,
         **clicked(one),
-        "frames": 1 + len(one.more_frames),
-        **{f"frame{k}": other.frame for k, other in enumerate(one.more_frames, start=2)},
+        "frames": 1 + len(one.values.more_frames),
+        **{f"frame{k}": other.frame for k, other in enumerate(one.values.more_frames, start=2)},
         **further(one),
-        "solved_inset_m": one.solved_inset_m,
-        "u_solved_inset_m": one.u_solved_inset_m,
-        "pose_id": one.pose_id,
-        "calibration_id": one.calibration_id,
-        "height_m": one.height_m,
-        "uncorrected_height_m": one.uncorrected_height_m,
-        "u_height_m": one.u_height_m,
-        "U95_height_m": one.U95_height_m,
-        "distance_m": one.distance_m,
-        "status": one.status,
-        "reason": one.reason,
+        "solved_inset_m": one.values.solved_inset_m,
+        "u_solved_inset_m": one.values.u_solved_inset_m,
+        "pose_id": one.values.pose_id,
+        "calibration_id": one.values.calibration_id,
+        "height_m": one.values.height_m,
+        "uncorrected_height_m": one.values.uncorrected_height_m,
+        "u_height_m": one.values.u_height_m,
+        "U95_height_m": one.values.U95_height_m,
+        "distance_m": one.values.distance_m,
+        "status": one.values.status,
+        "reason": one.values.reason,
         "flags": "; ".join(one.all_flags),
-        "code_version": one.code_version,
+        "code_version": one.values.code_version,
         "created_by_id": _who(one.created_by),
         "created_at": when(one.created_at),
         "withdrawn": one.withdrawn,
@@ -75,21 +75,21 @@ def measured(one: Measurement) -> Cells:
 def clicked(one: Measurement) -> Cells:
     """The two points with their sigma and inset, as `sightline height --clicks` names them."""
     return {
-        "contact_x_px": float(one.contact[0]),
-        "contact_y_px": float(one.contact[1]),
-        "target_x_px": float(one.point[0]),
-        "target_y_px": float(one.point[1]),
-        "sigma_px": float(one.sigma_px),
-        "inset_m": float(one.inset_m),
-        "u_inset_m": float(one.u_inset_m),
+        "contact_x_px": float(one.values.contact[0]),
+        "contact_y_px": float(one.values.contact[1]),
+        "target_x_px": float(one.values.target_point[0]),
+        "target_y_px": float(one.values.target_point[1]),
+        "sigma_px": float(one.values.sigma_px),
+        "inset_m": float(one.values.inset_m),
+        "u_inset_m": float(one.values.u_inset_m),
     }
 
 
 def further(one: Measurement) -> Cells:
     """The same two points on the further frames: contact2, target2 on the second, and so on."""
     cells: Cells = {}
-    for k, other in enumerate(one.more_frames, start=2):
-        for word, (x, y) in (("contact", other.contact), ("target", other.point)):
+    for k, other in enumerate(one.values.more_frames, start=2):
+        for word, (x, y) in (("contact", other.contact), ("target", other.target_point)):
             cells |= {f"{word}{k}_x_px": float(x), f"{word}{k}_y_px": float(y)}
     return cells
 
@@ -113,7 +113,7 @@ def revision_row(one: Measurement) -> Cells:
 def budget_rows(one: Measurement) -> list[Cells]:
     return [
         {"measurement_id": one.id, "source": str(entry["source"]), "u_m": float(entry["u_m"])}
-        for entry in one.budget
+        for entry in one.values.budget
     ]
 
 
@@ -123,11 +123,11 @@ def click_row(one: Measurement, car: OfVehicle) -> Cells:
         **clicked(one),
         **further(one),
         "lighting": car.lighting,
-        "reference_height_m": car.manufacturer_height_m if one.target == "roof" else None,
-        "target": one.target,
+        "reference_height_m": car.manufacturer_height_m if one.values.target == "roof" else None,
+        "target": one.values.target,
         "category": car.category,
-        "pose_id": one.pose_id,
-        "pose_file": pose_path(one.pose_id),
+        "pose_id": one.values.pose_id,
+        "pose_file": pose_path(one.values.pose_id),
     }
 
 

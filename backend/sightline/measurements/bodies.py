@@ -4,7 +4,7 @@ from datetime import datetime
 from typing import Annotated, Any, Literal
 from uuid import UUID
 
-from pydantic import AliasChoices, Field
+from pydantic import AliasChoices, AliasPath, Field
 
 from sightline.enums import (
     MeasurementStatus,
@@ -29,9 +29,9 @@ class FurtherFrameBody(Out):
     frame: int
     pts: int
     time_s: float
-    frame_crc: int
+    frame_crc: int = Field(validation_alias="crc32")
     contact: list[float]
-    point: list[float]
+    point: list[float] = Field(validation_alias="target_point")
 
 
 class MeasurementBody(Out):
@@ -43,36 +43,37 @@ class MeasurementBody(Out):
     vehicle_id: int
     recording_id: int
     repeat_of: int | None = Field(description="The measurement that this one repeats.")
-    target: Target
-    frame: int
-    pts: int
-    time_s: float
-    frame_crc: int
-    contact: list[float]
-    point: list[float]
-    sigma_px: float
-    pose_id: int
-    calibration_id: int
-    inset_m: float
-    u_inset_m: float
+    target: Target = Field(validation_alias=AliasPath("values", "target"))
+    frame: int = Field(validation_alias=AliasPath("values", "frame"))
+    pts: int = Field(validation_alias=AliasPath("values", "pts"))
+    time_s: float = Field(validation_alias=AliasPath("values", "time_s"))
+    frame_crc: int = Field(validation_alias=AliasPath("values", "crc32"))
+    contact: list[float] = Field(validation_alias=AliasPath("values", "contact"))
+    point: list[float] = Field(validation_alias=AliasPath("values", "target_point"))
+    sigma_px: float = Field(validation_alias=AliasPath("values", "sigma_px"))
+    pose_id: int = Field(validation_alias=AliasPath("values", "pose_id"))
+    calibration_id: int = Field(validation_alias=AliasPath("values", "calibration_id"))
+    inset_m: float = Field(validation_alias=AliasPath("values", "inset_m"))
+    u_inset_m: float = Field(validation_alias=AliasPath("values", "u_inset_m"))
     more_frames: list[FurtherFrameBody] = Field(
-        description="With any, the inset is solved for; `inset_m` is what one frame would assume."
+        validation_alias=AliasPath("values", "more_frames"),
+        description="With any, the inset is solved for; `inset_m` is what one frame would assume.",
     )
-    solved_inset_m: float | None
-    u_solved_inset_m: float | None
-    height_m: float | None
-    uncorrected_height_m: float | None
-    u_height_m: float | None
-    U95_height_m: float | None
-    distance_m: float | None
-    status: MeasurementStatus
-    reason: str | None
+    solved_inset_m: float | None = Field(validation_alias=AliasPath("values", "solved_inset_m"))
+    u_solved_inset_m: float | None = Field(validation_alias=AliasPath("values", "u_solved_inset_m"))
+    height_m: float | None = Field(validation_alias=AliasPath("values", "height_m"))
+    uncorrected_height_m: float | None = Field(validation_alias=AliasPath("values", "uncorrected_height_m"))
+    u_height_m: float | None = Field(validation_alias=AliasPath("values", "u_height_m"))
+    U95_height_m: float | None = Field(validation_alias=AliasPath("values", "U95_height_m"))
+    distance_m: float | None = Field(validation_alias=AliasPath("values", "distance_m"))
+    status: MeasurementStatus = Field(validation_alias=AliasPath("values", "status"))
+    reason: str | None = Field(validation_alias=AliasPath("values", "reason"))
     flags: list[str] = Field(
         validation_alias=AliasChoices("all_flags", "flags"),
         description="As stored, and, derived when read, that the camera had moved on this frame.",
     )
-    budget: list[dict[str, Any]]
-    code_version: str
+    budget: list[dict[str, Any]] = Field(validation_alias=AliasPath("values", "budget"))
+    code_version: str = Field(validation_alias=AliasPath("values", "code_version"))
     created_by: WhoBody | None
     created_at: datetime
     withdrawn: bool

@@ -1,20 +1,24 @@
-"""What a click on a recording needs to become a height, in one query: pose, insets, the person's sigma."""
+"""What a click on a recording needs to become a height, in one query: pose, insets, sigma and the frames."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 
-from sqlalchemy import ScalarSelect, select
+from sqlalchemy import ScalarSelect, and_, select
 from sqlalchemy.orm import Session
 
 from sightline.infra.database.rows import missing
 from sightline.measurements.tables import click_sigmas
 from sightline.poses.tables import road_poses
+from sightline.recordings.frames.records import Frame
+from sightline.recordings.frames.store import missing_frame
+from sightline.recordings.frames.tables import frames
 from sightline.recordings.tables import recordings
 from sightline.surveys.records import Inset
 from sightline.surveys.tables import surveys
+from sightline.vehicles.tables import vehicles
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class ClickContext:
     """`pose_id` and `calibration_id` are None while the recording has no road pose.
 
@@ -29,12 +33,51 @@ class ClickContext:
     size_px: tuple[int | None, int | None]
     insets: Mapping[str, Inset]
     own_sigma_px: float | None
+    frames: Mapping[int, Frame] = field(default_factory=dict)
+
+    def frame(self, n: int) -> Frame:
+        """One of the frames asked for. Raises NotFound where the recording has no such frame."""
+        if n not in self.frames:
+            raise missing_frame(self.recording_id, n)
+        return self.frames[n]
 
 
-def click_context(session: Session, recording_id: int, person_id: int | None = None) -> ClickContext:
-    """The context of a person's clicks on a recording. Raises NotFound (also when it was deleted)."""
+def click_context(
+    session: Session, recording_id: int, person_id: int | None = None, frame_numbers: Sequence[int] = ()
+) -> ClickContext:
+    """The context of a person's clicks on frames of a recording.
+
+    Raises NotFound (also when the recording was deleted).
+    """
+    context = _context(session, recording_id, person_id, frame_numbers)
+    if context is None:
+        raise missing("recording", recording_id)
+    return context
+
+
+def click_context_of_vehicle(
+    session: Session, vehicle_id: int, person_id: int, frame_numbers: Sequence[int]
+) -> ClickContext:
+    """`click_context` of a vehicle's recording. Raises NotFound (also when the vehicle was deleted)."""
+    its_recording = select(vehicles.c.recording_id).where(
+        vehicles.c.id == vehicle_id, vehicles.c.deleted_at.is_(None)
+    )
+    context = _context(session, its_recording.scalar_subquery(), person_id, frame_numbers)
+    if context is None:
+        raise missing("vehicle", vehicle_id)
+    return context
+
+
+def _context(
+    session: Session,
+    recording_id: int | ScalarSelect[int],
+    person_id: int | None,
+    frame_numbers: Sequence[int],
+) -> ClickContext | None:
+    clicked_on = and_(frames.c.recording_id == recordings.c.id, frames.c.n.in_(frame_numbers))
     query = (
         select(
+            recordings.c.id,
             recordings.c.survey_id,
             recordings.c.name,
             recordings.c.pose_id,
@@ -43,17 +86,32 @@ def click_context(session: Session, recording_id: int, person_id: int | None = N
             recordings.c.height_px,
             surveys.c.insets,
             _own_sigma(person_id).label("own_sigma_px"),
+            *(frames.c.n, frames.c.pts, frames.c.time_s, frames.c.key, frames.c.crc32),
         )
         .join(surveys, surveys.c.id == recordings.c.survey_id)
         .outerjoin(road_poses, road_poses.c.id == recordings.c.pose_id)
+        .outerjoin(frames, clicked_on)
         .where(recordings.c.id == recording_id, recordings.c.deleted_at.is_(None))
     )
-    row = session.execute(query).one_or_none()
-    if row is None:
-        raise missing("recording", recording_id)
-    insets = {target: Inset(**values) for target, values in row.insets.items()}
-    pose, size_px = (row.pose_id, row.calibration_id), (row.width_px, row.height_px)
-    return ClickContext(recording_id, row.survey_id, row.name, *pose, size_px, insets, row.own_sigma_px)
+    rows = session.execute(query).all()
+    if not rows:
+        return None
+    row = rows[0]
+    return ClickContext(
+        recording_id=row.id,
+        survey_id=row.survey_id,
+        name=row.name,
+        pose_id=row.pose_id,
+        calibration_id=row.calibration_id,
+        size_px=(row.width_px, row.height_px),
+        insets={target: Inset(**values) for target, values in row.insets.items()},
+        own_sigma_px=row.own_sigma_px,
+        frames={
+            of.n: Frame(n=of.n, pts=of.pts, time_s=of.time_s, key=of.key, crc32=of.crc32)
+            for of in rows
+            if of.n is not None
+        },
+    )
 
 
 def _own_sigma(person_id: int | None) -> ScalarSelect[float | None]:

@@ -1,14 +1,16 @@
 """The one query by which measurements are read: a revision with its series, its maker and its verdict."""
 
 from collections.abc import Iterable
+from dataclasses import fields
 from typing import Any
 
-from sqlalchemy import ColumnElement, Row, Select, exists, func, select
+from sqlalchemy import ColumnElement, RowMapping, Select, exists, func, select
 from sqlalchemy.orm import Session
 
+from sightline.enums import JsonObject
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import who
-from sightline.measurements.records import FurtherFrame, Measurement, ReviewState
+from sightline.measurements.records import FurtherFrame, Measurement, MeasurementValues, ReviewState
 from sightline.measurements.tables import measurement_series, measurements
 from sightline.recordings.drift_query import flagged
 from sightline.reviews.tables import reviews
@@ -46,36 +48,33 @@ def with_verdict(*columns: Any) -> Select[Any]:
     )
 
 
-# In the order of Measurement's fields, so that a row becomes a record without looking up names: a survey has
-# thousands of them.
+# The fields of MeasurementValues that are a column of the same name.
+_MADE_OF_SEVERAL = ("contact", "target_point", "more_frames")
+_STORED = [field.name for field in fields(MeasurementValues) if field.name not in _MADE_OF_SEVERAL]
 _m = measurements.c
-_FIELDS = (
-    (_m.series_id, _m.revision, _m.id, series.c.survey_id, series.c.vehicle_id, series.c.recording_id),
-    (series.c.repeat_of,),
-    (_m.target, _m.frame, _m.pts, _m.time_s, _m.frame_crc),
-    (_m.contact_x_px, _m.contact_y_px, _m.point_x_px, _m.point_y_px),
-    (_m.sigma_px, _m.pose_id, _m.calibration_id, _m.inset_m, _m.u_inset_m),
-    (_m.height_m, _m.uncorrected_height_m, _m.u_height_m, _m.U95_height_m, _m.distance_m),
-    (_m.status, _m.reason, _m.flags, _m.budget, _m.code_version),
-    (_m.more_frames, _m.solved_inset_m, _m.u_solved_inset_m),
-    (_m.created_by, _maker.c.name, _m.created_at, _m.withdrawn),
-    (reviews.c.verdict, reviews.c.reason, reviews.c.created_by, _reviewer.c.name, reviews.c.created_at),
-)
-_POINTS, _MORE, _MAKER, _REVIEW = 12, 31, 34, 38
 
 
 def measurement_revision_rows() -> Select[Any]:
     """Whole revisions, for `measurement`; add the conditions and the order."""
     return (
-        with_verdict(*(column for group in _FIELDS for column in group))
+        with_verdict(
+            *(_m[name] for name in _STORED),
+            *(_m.contact_x_px, _m.contact_y_px, _m.target_x_px, _m.target_y_px, _m.more_frames),
+            *(_m.series_id, _m.revision, _m.id.label("revision_id")),
+            *(series.c.survey_id, series.c.vehicle_id, series.c.recording_id, series.c.repeat_of),
+            *(_m.created_by, _maker.c.name.label("maker_name"), _m.created_at, _m.withdrawn),
+            *(reviews.c.verdict, reviews.c.reason.label("review_reason")),
+            *(reviews.c.created_by.label("reviewer_id"), _reviewer.c.name.label("reviewer_name")),
+            reviews.c.created_at.label("reviewed_at"),
+        )
         .outerjoin(_maker, _maker.c.id == measurements.c.created_by)
         .outerjoin(_reviewer, _reviewer.c.id == reviews.c.created_by)
     )
 
 
 def fetch_measurements(session: Session, query: Select[Any]) -> tuple[Measurement, ...]:
-    """Run a `revisions()` query."""
-    return flagged(session, tuple([measurement_of_row(row) for row in session.execute(query).all()]))
+    """Run a `measurement_revision_rows()` query."""
+    return flagged(session, tuple([measurement_of_row(row) for row in session.execute(query).mappings()]))
 
 
 def measurements_of_vehicles(
@@ -89,28 +88,43 @@ def measurements_of_vehicles(
     return found
 
 
-def measurement_of_row(row: Row[Any]) -> Measurement:
-    """The record of a row of `revisions()`."""
-    values = tuple(row)
-    contact_x, contact_y, point_x, point_y = values[_POINTS : _POINTS + 4]
-    maker, maker_name, created_at, withdrawn = values[_MAKER:_REVIEW]
-    points = ((contact_x, contact_y), (point_x, point_y))
-    made = (who(maker, maker_name), created_at, withdrawn, _review(*values[_REVIEW:]))
-    more = tuple([_further(one) for one in values[_MORE]])
-    solved = (more, *values[_MORE + 1 : _MAKER])
-    fields: tuple[Any, ...] = (*values[:_POINTS], *points, *values[_POINTS + 4 : _MORE], *solved, *made)
-    return Measurement(*fields)
+def measurement_of_row(row: RowMapping) -> Measurement:
+    """The record of a row of `measurement_revision_rows()`."""
+    return Measurement(
+        id=row["series_id"],
+        revision=row["revision"],
+        revision_id=row["revision_id"],
+        survey_id=row["survey_id"],
+        vehicle_id=row["vehicle_id"],
+        recording_id=row["recording_id"],
+        repeat_of=row["repeat_of"],
+        values=MeasurementValues(
+            contact=(row["contact_x_px"], row["contact_y_px"]),
+            target_point=(row["target_x_px"], row["target_y_px"]),
+            more_frames=tuple([_further(document) for document in row["more_frames"]]),
+            **{name: row[name] for name in _STORED},
+        ),
+        created_by=who(row["created_by"], row["maker_name"]),
+        created_at=row["created_at"],
+        withdrawn=row["withdrawn"],
+        review=_review(row),
+    )
 
 
-def _further(one: dict[str, Any]) -> FurtherFrame:
-    points = {word: (one[word][0], one[word][1]) for word in ("contact", "point")}
-    return FurtherFrame(**{**one, **points})
+def _further(document: JsonObject) -> FurtherFrame:
+    points = {word: (document[word][0], document[word][1]) for word in ("contact", "target_point")}
+    return FurtherFrame(**{**document, **points})
 
 
-def _review(verdict: Any, reason: Any, reviewer: Any, name: Any, at: Any) -> ReviewState:
-    if verdict is None:
+def _review(row: RowMapping) -> ReviewState:
+    if row["verdict"] is None:
         return _NOT_YET
-    return ReviewState(verdict, reason, who(reviewer, name), at)
+    return ReviewState(
+        verdict=row["verdict"],
+        reason=row["review_reason"],
+        reviewer=who(row["reviewer_id"], row["reviewer_name"]),
+        at=row["reviewed_at"],
+    )
 
 
 _NOT_YET = ReviewState("to_review")

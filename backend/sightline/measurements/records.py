@@ -18,29 +18,33 @@ from sightline.enums import (
 from sightline.infra.audit.records import Who
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class FurtherFrame:
     """The same two points, clicked on another frame of the pass."""
 
     frame: int
     pts: int
     time_s: float
-    frame_crc: int
+    crc32: int
     contact: Point
-    point: Point
+    target_point: Point
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class MeasurementValues:
-    """The content of one revision: what was clicked, on what, and the height computed from it."""
+    """The content of one revision: what was clicked, on what, and the height computed from it.
+
+    Points are (x, y) in pixels of the frame; `crc32` is of the frame's decoded luma. A name that ends in _m
+    is in metres.
+    """
 
     target: Target
     frame: int
     pts: int
     time_s: float
-    frame_crc: int
+    crc32: int
     contact: Point
-    point: Point
+    target_point: Point
     sigma_px: float
     pose_id: int
     calibration_id: int
@@ -60,6 +64,26 @@ class MeasurementValues:
     solved_inset_m: float | None = None
     u_solved_inset_m: float | None = None
 
+    @property
+    def frames(self) -> tuple[int, ...]:
+        """The frames clicked on, the first one first."""
+        return (self.frame, *(further.frame for further in self.more_frames))
+
+    @property
+    def contacts(self) -> tuple[Point, ...]:
+        """The contact point on each of `frames`."""
+        return (self.contact, *(further.contact for further in self.more_frames))
+
+    @property
+    def target_points(self) -> tuple[Point, ...]:
+        """The target point on each of `frames`."""
+        return (self.target_point, *(further.target_point for further in self.more_frames))
+
+    @property
+    def first_clicks(self) -> tuple[int, Point, Point]:
+        """(frame, contact, target point) of the first frame: who clicked these made the measurement."""
+        return self.frame, self.contact, self.target_point
+
 
 @dataclass(frozen=True, slots=True)
 class ReviewState:
@@ -71,7 +95,7 @@ class ReviewState:
     at: datetime | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Measurement:
     """One revision of a measurement (`id` is the series); lists and lookups give the current one.
 
@@ -85,31 +109,7 @@ class Measurement:
     vehicle_id: int
     recording_id: int
     repeat_of: int | None
-    target: Target
-    frame: int
-    pts: int
-    time_s: float
-    frame_crc: int
-    contact: Point
-    point: Point
-    sigma_px: float
-    pose_id: int
-    calibration_id: int
-    inset_m: float
-    u_inset_m: float
-    height_m: float | None
-    uncorrected_height_m: float | None
-    u_height_m: float | None
-    U95_height_m: float | None
-    distance_m: float | None
-    status: MeasurementStatus
-    reason: str | None
-    flags: list[str]
-    budget: list[JsonObject]
-    code_version: str
-    more_frames: tuple[FurtherFrame, ...]
-    solved_inset_m: float | None
-    u_solved_inset_m: float | None
+    values: MeasurementValues
     created_by: Who | None
     created_at: datetime
     withdrawn: bool
@@ -120,7 +120,8 @@ class Measurement:
     @property
     def all_flags(self) -> list[str]:
         """What was stored, and what was found out since about the camera."""
-        return self.flags if self.drift_flag is None else [*self.flags, self.drift_flag]
+        flags = self.values.flags
+        return flags if self.drift_flag is None else [*flags, self.drift_flag]
 
 
 @dataclass(frozen=True, slots=True)

@@ -73,7 +73,7 @@ def revise_measurement(
 
     Further frames left out are taken away: what is sent is what the revision stands on.
     """
-    target = body.target or store.get_measurement(session, measurement_id).target
+    target = body.target or store.get_measurement(session, measurement_id).values.target
     changed = service.store_revision(
         session, measurement_id, body.revision, body.frame, clicked_of(body, target), actor=who.id
     )

@@ -163,7 +163,7 @@ def _known_travels(
         seen = follow(services, opened, pose, clicks, n, span)
         if seen:
             return [Travels(seen, "followed")]
-        others = (_clicked_on(one) for one in vehicle.measurements if one.more_frames)
+        others = (_clicked_on(one) for one in vehicle.measurements if one.values.more_frames)
         speed = next((v for other in others if (v := _speed(pose, times, other)) is not None), None)
     if speed is not None:
         return [Travels(_at_speed(times, n, span, speed), "measured")]
@@ -179,7 +179,7 @@ def _known_travels(
 
 
 def _clicked_on(one: Measurement) -> list[tuple[int, Point]]:
-    return [(one.frame, one.contact), *((other.frame, other.contact) for other in one.more_frames)]
+    return list(zip(one.values.frames, one.values.contacts, strict=True))
 
 
 def _speed(

@@ -17,7 +17,11 @@ from sightline.errors import BadInput, Conflict
 from sightline.geometry.road_pose import RoadPose
 from sightline.geometry.ruler import Ruler, ruler
 from sightline.infra.version import code_version
-from sightline.measurements.click_context_query import ClickContext, click_context
+from sightline.measurements.click_context_query import (
+    ClickContext,
+    click_context,
+    click_context_of_vehicle,
+)
 from sightline.measurements.height_of_clicks import (
     Answer,
     Clicks,
@@ -31,11 +35,9 @@ from sightline.measurements.store import (
     add_measurement,
     get_measurement,
     require_measurement_revision,
-    revise_measurement,
+    revise_current_measurement,
 )
 from sightline.poses.store import get_pose
-from sightline.recordings.frames.store import get_frame
-from sightline.vehicles.store import get_vehicle
 
 Point = tuple[float, float]
 
@@ -104,11 +106,11 @@ def store_measurement(
     the heights differ by the clicks alone. Raises NotFound, Conflict without a road pose, BadInput for a
     frame outside the recording or a repeat of another target's or vehicle's.
     """
-    vehicle = get_vehicle(session, vehicle_id)
+    context = click_context_of_vehicle(session, vehicle_id, actor, clicked_frames(frame, clicked))
     if repeat_of is not None and clicked.inset_m is None:
         first = get_measurement(session, repeat_of)
-        clicked = replace(clicked, inset_m=first.inset_m, u_inset_m=first.u_inset_m)
-    values = values_at(session, vehicle.recording_id, frame, clicked, actor=actor)
+        clicked = replace(clicked, inset_m=first.values.inset_m, u_inset_m=first.values.u_inset_m)
+    values = values_of_clicks(session, context, frame, clicked)
     return add_measurement(
         session, vehicle_id, client_key=client_key, values=values, repeat_of=repeat_of, actor=actor
     )
@@ -119,28 +121,40 @@ def store_revision(
 ) -> Measurement:
     """Measure again and store a new revision. Raises Conflict if `revision` is not the current one."""
     before = require_measurement_revision(session, series_id, revision)
-    values = values_at(session, before.recording_id, frame, clicked, actor=actor)
-    return revise_measurement(session, series_id, seen_revision=revision, values=values, actor=actor)
+    context = click_context(session, before.recording_id, actor, clicked_frames(frame, clicked))
+    values = values_of_clicks(session, context, frame, clicked)
+    return revise_current_measurement(session, before, values, actor=actor)
 
 
-def values_at(
-    session: Session, recording_id: int, n: int, clicked: Clicked, *, actor: int | None
-) -> MeasurementValues:
-    """Everything that is stored of a measurement, so that anybody can compute it again."""
-    context = click_context(session, recording_id, actor)
+def clicked_frames(n: int, clicked: Clicked) -> tuple[int, ...]:
+    """The numbers of the frames clicked on, the first one first.
+
+    Raises BadInput where a frame is there twice: the vehicle has not moved between a frame and itself.
+    """
+    numbers = (n, *(other.frame for other in clicked.more_frames))
+    twice = next((number for number in numbers if numbers.count(number) > 1), None)
+    if twice is not None:
+        raise BadInput(f"Frame {twice} is clicked twice; click the two points on another frame of the pass.")
+    return numbers
+
+
+def values_of_clicks(session: Session, context: ClickContext, n: int, clicked: Clicked) -> MeasurementValues:
+    """Everything that is stored of a measurement, so that anybody can compute it again.
+
+    `context` holds the `clicked_frames`. Raises NotFound for a frame outside the recording.
+    """
     pose, pose_id, calibration_id = pose_in_force(session, context)
     clicks = filled_in(clicked, context)
-    _check_frames(n, clicked.more_frames)
     found = answer(pose, clicks)
-    frame = get_frame(session, recording_id, n)
+    frame = context.frame(n)
     return MeasurementValues(
         target=clicks.target,
         frame=n,
         pts=frame.pts,
         time_s=frame.time_s,
-        frame_crc=frame.crc32,
+        crc32=frame.crc32,
         contact=clicks.contact,
-        point=clicks.point,
+        target_point=clicks.point,
         sigma_px=clicks.sigma_px,
         pose_id=pose_id,
         calibration_id=calibration_id,
@@ -156,23 +170,22 @@ def values_at(
         flags=found.flags,
         budget=found.budget,
         code_version=code_version(),
-        more_frames=tuple(_further(session, recording_id, one) for one in clicked.more_frames),
+        more_frames=tuple(_further(context, one) for one in clicked.more_frames),
         solved_inset_m=found.solved_inset_m,
         u_solved_inset_m=found.u_solved_inset_m,
     )
 
 
-def _further(session: Session, recording_id: int, one: ClickedFrame) -> FurtherFrame:
-    frame = get_frame(session, recording_id, one.frame)
-    return FurtherFrame(one.frame, frame.pts, frame.time_s, frame.crc32, one.contact, one.point)
-
-
-def _check_frames(n: int, more: tuple[ClickedFrame, ...]) -> None:
-    """Raises BadInput where a frame is there twice: the vehicle has not moved between a frame and itself."""
-    numbers = [n, *(one.frame for one in more)]
-    twice = next((number for number in numbers if numbers.count(number) > 1), None)
-    if twice is not None:
-        raise BadInput(f"Frame {twice} is clicked twice; click the two points on another frame of the pass.")
+def _further(context: ClickContext, one: ClickedFrame) -> FurtherFrame:
+    frame = context.frame(one.frame)
+    return FurtherFrame(
+        frame=one.frame,
+        pts=frame.pts,
+        time_s=frame.time_s,
+        crc32=frame.crc32,
+        contact=one.contact,
+        target_point=one.point,
+    )
 
 
 def filled_in(clicked: Clicked, context: ClickContext) -> Clicks:
@@ -225,13 +238,14 @@ def as_clicked(one: Measurement, n: int, contact: Point, point: Point) -> Clicke
 
     On another frame the further frames fall away: they were clicked to go with the frame before.
     """
-    more = tuple(ClickedFrame(other.frame, other.contact, other.point) for other in one.more_frames)
+    values = one.values
+    more = tuple(ClickedFrame(other.frame, other.contact, other.target_point) for other in values.more_frames)
     return Clicked(
-        one.target,
-        contact,
-        point,
-        one.sigma_px,
-        one.inset_m,
-        one.u_inset_m,
-        more if n == one.frame else (),
+        target=values.target,
+        contact=contact,
+        point=point,
+        sigma_px=values.sigma_px,
+        inset_m=values.inset_m,
+        u_inset_m=values.u_inset_m,
+        more_frames=more if n == values.frame else (),
     )

@@ -1,27 +1,47 @@
 """Measurements: append-only revisions of a series. Nothing changes a row; the database refuses it too."""
 
-from dataclasses import asdict
+from dataclasses import asdict, dataclass
 from typing import Any
 
-from sqlalchemy import select
+from sqlalchemy import RowMapping, Select, and_, select
 from sqlalchemy.orm import Session
 
 from sightline.cameras.calibrations.tables import calibrations
+from sightline.enums import JsonObject
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
 from sightline.infra.audit.hashing import plain
-from sightline.infra.database.rows import add_row, get_row, missing, name_of, stored_hash
-from sightline.infra.database.types import now
-from sightline.measurements.query import fetch_measurements, is_current, is_first, measurement_revision_rows
-from sightline.measurements.records import Measurement, MeasurementValues
+from sightline.infra.database.rows import add_row, missing, name_of, row_hash
+from sightline.infra.database.types import columns_of, now
+from sightline.measurements.query import (
+    fetch_measurements,
+    is_current,
+    is_first,
+    measurement_of_row,
+    measurement_revision_rows,
+)
+from sightline.measurements.records import FurtherFrame, Measurement, MeasurementValues
 from sightline.measurements.tables import measurement_series, measurements
 from sightline.poses.tables import road_poses
-from sightline.recordings.frames.store import get_frame
+from sightline.recordings.drift_query import flagged_by
+from sightline.recordings.frames.store import missing_frame
+from sightline.recordings.frames.tables import frames
+from sightline.recordings.tables import recordings
 from sightline.reviews.query import reviews_of_series
 from sightline.reviews.records import MeasurementHistory
 from sightline.vehicles.tables import vehicles
 
-_TOLD = ("target", "frame", "contact", "point", "height_m", "U95_height_m", "status", "reason", "pose_id")
+_IN_EVENTS = (
+    "target",
+    "frame",
+    "contact",
+    "target_point",
+    "height_m",
+    "U95_height_m",
+    "status",
+    "reason",
+    "pose_id",
+)
 
 
 def add_measurement(
@@ -39,19 +59,18 @@ def add_measurement(
     that it repeats itself). Raises NotFound for a deleted vehicle, Conflict for a key used on another vehicle
     or a frame that is not the stored one.
     """
-    known = select(measurement_series).where(measurement_series.c.client_key == client_key)
-    series = session.execute(known).mappings().one_or_none()
-    if series is not None:
-        if series["vehicle_id"] != vehicle_id:
+    ground = _ground_of(session, vehicle_id, values, client_key)
+    if ground.known_id is not None:
+        if ground.known_vehicle_id != vehicle_id:
             raise Conflict("This measurement was stored for another vehicle already; click again.")
-        return get_measurement(session, series["id"])
-    vehicle = get_row(session, vehicles, vehicle_id, "vehicle", vehicles.c.deleted_at.is_(None))
-    place = {key: vehicle[key] for key in ("survey_id", "recording_id")}
-    _check(session, place, values)
+        return get_measurement(session, ground.known_id)
+    if ground.vehicle_deleted:
+        raise missing("vehicle", vehicle_id)
+    _check(ground, values)
+    place: dict[str, Any] = {"survey_id": ground.survey_id, "recording_id": ground.recording_id}
     place |= {"vehicle_id": vehicle_id, "repeat_of": _repeated(session, vehicle_id, repeat_of, values.target)}
     series_id = add_row(session, measurement_series, {**place, "client_key": client_key})
-    _append(session, series_id, 1, place, values, False, None, "create", actor)
-    return get_measurement(session, series_id)
+    return _append(session, series_id, 1, values, withdrawn=False, before=None, action="create", actor=actor)
 
 
 def revise_measurement(
@@ -59,12 +78,18 @@ def revise_measurement(
 ) -> Measurement:
     """A new revision with other content. Raises Conflict for one not current, or withdrawn."""
     before = require_measurement_revision(session, series_id, seen_revision)
+    return revise_current_measurement(session, before, values, actor=actor)
+
+
+def revise_current_measurement(
+    session: Session, before: Measurement, values: MeasurementValues, *, actor: int | None
+) -> Measurement:
+    """`revise_measurement` of what `require_measurement_revision` gave in the same transaction."""
     if before.withdrawn:
         raise Conflict("This measurement is withdrawn; restore it before you change it.")
     if before.repeat_of is not None:
         raise Conflict("A repeat stands as it was clicked; withdraw it and click it again.")
-    append_measurement_revision(session, before, values, withdrawn=False, action="revise", actor=actor)
-    return get_measurement(session, series_id)
+    return append_measurement_revision(session, before, values, withdrawn=False, action="revise", actor=actor)
 
 
 def withdraw_measurement(
@@ -74,10 +99,9 @@ def withdraw_measurement(
     before = require_measurement_revision(session, series_id, seen_revision)
     if before.withdrawn:
         raise Conflict("This measurement is withdrawn already; restore it to use it again.")
-    append_measurement_revision(
-        session, before, values_of(before), withdrawn=True, action="withdraw", actor=actor
+    return append_measurement_revision(
+        session, before, before.values, withdrawn=True, action="withdraw", actor=actor
     )
-    return get_measurement(session, series_id)
 
 
 def restore_measurement(
@@ -87,20 +111,40 @@ def restore_measurement(
     before = require_measurement_revision(session, series_id, seen_revision)
     if not before.withdrawn:
         raise Conflict("This measurement is not withdrawn, so there is nothing to restore.")
-    append_measurement_revision(
-        session, before, values_of(before), withdrawn=False, action="restore", actor=actor
+    return append_measurement_revision(
+        session, before, before.values, withdrawn=False, action="restore", actor=actor
     )
-    return get_measurement(session, series_id)
 
 
 def get_measurement(session: Session, series_id: int) -> Measurement:
     """The current revision, withdrawn or not. Raises NotFound."""
-    found = fetch_measurements(
-        session, measurement_revision_rows().where(measurements.c.series_id == series_id, is_current)
+    return _measurement_of(_current_row(session, series_id))
+
+
+def _with_place() -> Select[Any]:
+    """Whole revisions with what is known of the recording's camera and whether the vehicle was deleted."""
+    return (
+        measurement_revision_rows()
+        .add_columns(
+            *(recordings.c.drift, recordings.c.drift_decision),
+            *(vehicles.c.number.label("vehicle_number"), vehicles.c.deleted_at.label("vehicle_deleted_at")),
+            *(vehicles.c.updated_at.label("vehicle_updated_at"), vehicles.c.updated_by.label("deleter_id")),
+        )
+        .join(recordings, recordings.c.id == measurement_series.c.recording_id)
+        .join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
     )
-    if not found:
+
+
+def _current_row(session: Session, series_id: int) -> RowMapping:
+    query = _with_place().where(measurements.c.series_id == series_id, is_current)
+    row = session.execute(query).mappings().one_or_none()
+    if row is None:
         raise missing("measurement", series_id)
-    return found[0]
+    return row
+
+
+def _measurement_of(row: RowMapping) -> Measurement:
+    return flagged_by(measurement_of_row(row), row["drift"], row["drift_decision"])
 
 
 def measurement_revisions(session: Session, series_id: int) -> MeasurementHistory:
@@ -141,22 +185,18 @@ def require_measurement_revision(session: Session, series_id: int, revision: int
 
     Also for a vehicle that was deleted meanwhile: what is written to it, nobody would see.
     """
-    current = get_measurement(session, series_id)
-    vehicle = get_row(session, vehicles, current.vehicle_id, "vehicle")
-    if vehicle["deleted_at"] is not None:
-        name, when = name_of(session, vehicle["updated_by"]), f"{vehicle['updated_at']:%Y-%m-%d %H:%M:%S} UTC"
-        raise Conflict(f"{name} deleted vehicle {vehicle['number']} at {when}; restore it first.")
+    row = _current_row(session, series_id)
+    if row["vehicle_deleted_at"] is not None:
+        name = name_of(session, row["deleter_id"])
+        when = f"{row['vehicle_updated_at']:%Y-%m-%d %H:%M:%S} UTC"
+        raise Conflict(f"{name} deleted vehicle {row['vehicle_number']} at {when}; restore it first.")
+    current = _measurement_of(row)
     if current.revision != revision:
         name = current.created_by.name if current.created_by else "The system"
         raise Conflict(
             f"{name} changed this measurement at {current.created_at:%Y-%m-%d %H:%M:%S} UTC; look again."
         )
     return current
-
-
-def values_of(one: Measurement) -> MeasurementValues:
-    """The content of a revision, to be written again."""
-    return MeasurementValues(**{name: getattr(one, name) for name in MeasurementValues.__slots__})
 
 
 def append_measurement_revision(
@@ -167,49 +207,63 @@ def append_measurement_revision(
     withdrawn: bool,
     action: str,
     actor: int | None,
-) -> int:
-    """Write the revision after `before` with its audit event; returns its number."""
-    place: dict[str, Any] = {"survey_id": before.survey_id, "recording_id": before.recording_id}
-    place |= {"vehicle_id": before.vehicle_id, "repeat_of": before.repeat_of}
-    _check(session, place, values)
-    then = {name: getattr(before, name) for name in _TOLD} | {"revision": before.revision}
-    number = before.revision + 1
-    _append(session, before.id, number, place, values, withdrawn, then, action, actor)
-    return number
+) -> Measurement:
+    """Write the revision after `before` with its audit event, and give it back."""
+    _check(_ground_of(session, before.vehicle_id, values), values)
+    then = {name: getattr(before.values, name) for name in _IN_EVENTS} | {"revision": before.revision}
+    return _append(
+        session,
+        before.id,
+        before.revision + 1,
+        values,
+        withdrawn=withdrawn,
+        before=then,
+        action=action,
+        actor=actor,
+    )
 
 
 def _append(
     session: Session,
     series_id: int,
     revision: int,
-    place: dict[str, Any],
     values: MeasurementValues,
+    *,
     withdrawn: bool,
-    before: dict[str, Any] | None,
+    before: JsonObject | None,
     action: str,
     actor: int | None,
-) -> None:
+) -> Measurement:
     row = asdict(values)
     (row["contact_x_px"], row["contact_y_px"]) = row.pop("contact")
-    (row["point_x_px"], row["point_y_px"]) = row.pop("point")
+    (row["target_x_px"], row["target_y_px"]) = row.pop("target_point")
     row["more_frames"] = [plain(one) for one in values.more_frames]
     stamps = {"series_id": series_id, "revision": revision, "withdrawn": withdrawn}
-    moment = now()
-    row_id = add_row(session, measurements, {**row, **stamps, "created_at": moment, "created_by": actor})
-    after = {name: getattr(values, name) for name in _TOLD} | {
+    row_id = add_row(session, measurements, {**row, **stamps, "created_at": now(), "created_by": actor})
+    made, content_sha256 = _as_stored(session, row_id)
+    after = {name: getattr(values, name) for name in _IN_EVENTS} | {
         "revision": revision,
         "revision_id": row_id,
-        "vehicle_id": place["vehicle_id"],
+        "vehicle_id": made.vehicle_id,
         "withdrawn": withdrawn,
         "code_version": values.code_version,
-        "created_at": moment,
-        "content_sha256": stored_hash(session, measurements, row_id),
+        "created_at": made.created_at,
+        "content_sha256": content_sha256,
     }
-    if place["repeat_of"] is not None:
-        after["repeat_of"] = place["repeat_of"]
+    if made.repeat_of is not None:
+        after["repeat_of"] = made.repeat_of
     if values.more_frames:
-        after["more_frames"] = [[one.frame, one.contact, one.point] for one in values.more_frames]
-    trail.record(session, actor, action, "measurement", series_id, place["survey_id"], before, after)
+        after["more_frames"] = [[one.frame, one.contact, one.target_point] for one in values.more_frames]
+    trail.record(session, actor, action, "measurement", series_id, made.survey_id, before, after)
+    return made
+
+
+def _as_stored(session: Session, revision_id: int) -> tuple[Measurement, str]:
+    """A revision as the database gives it back, and the hash of its row as a verification computes it."""
+    query = _with_place().where(measurements.c.id == revision_id)
+    row = session.execute(query).mappings().one()
+    content = {column.name: row[column.name] for column in columns_of(measurements, "id")}
+    return _measurement_of(row), row_hash(content)
 
 
 def _repeated(session: Session, vehicle_id: int, repeat_of: int | None, target: str) -> int | None:
@@ -217,22 +271,76 @@ def _repeated(session: Session, vehicle_id: int, repeat_of: int | None, target: 
     if repeat_of is None:
         return None
     first = get_measurement(session, repeat_of)
-    if (first.vehicle_id, first.target) != (vehicle_id, target):
+    if (first.vehicle_id, first.values.target) != (vehicle_id, target):
         raise BadInput("A repeat needs the vehicle and the target of the measurement that it repeats.")
     return first.repeat_of or first.id
 
 
-def _check(session: Session, place: dict[str, Any], values: MeasurementValues) -> None:
-    clicked_on = [(values.frame, values.pts, values.frame_crc)]
-    clicked_on += [(one.frame, one.pts, one.frame_crc) for one in values.more_frames]
-    for n, pts, crc in clicked_on:
-        frame = get_frame(session, place["recording_id"], n)
-        if (frame.pts, frame.crc32) != (pts, crc):
-            raise Conflict(f"Frame {n} is not the picture that was clicked on; load it again.")
-    pose = get_row(session, road_poses, values.pose_id, "road pose")
-    if pose["survey_id"] != place["survey_id"]:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Ground:
+    """What a revision is checked against. `known_*`: the measurement stored with the same client key."""
+
+    survey_id: int
+    recording_id: int
+    vehicle_deleted: bool
+    known_id: int | None
+    known_vehicle_id: int | None
+    pose_survey_id: int | None
+    has_calibration: bool
+    frames: dict[int, tuple[int, int]]  # pts and crc32
+
+
+def _ground_of(
+    session: Session, vehicle_id: int, values: MeasurementValues, client_key: str | None = None
+) -> _Ground:
+    """All of it in one query. Raises NotFound for a vehicle that never was."""
+    known = measurement_series.alias("known")
+    query = (
+        select(
+            *(vehicles.c.survey_id, vehicles.c.recording_id, vehicles.c.deleted_at),
+            *(known.c.id.label("known_id"), known.c.vehicle_id.label("known_vehicle_id")),
+            road_poses.c.survey_id.label("pose_survey_id"),
+            calibrations.c.id.label("calibration_id"),
+            *(frames.c.n, frames.c.pts, frames.c.crc32),
+        )
+        .select_from(vehicles)
+        .outerjoin(known, known.c.client_key == client_key)
+        .outerjoin(road_poses, road_poses.c.id == values.pose_id)
+        .outerjoin(calibrations, calibrations.c.id == values.calibration_id)
+        .outerjoin(
+            frames, and_(frames.c.recording_id == vehicles.c.recording_id, frames.c.n.in_(values.frames))
+        )
+        .where(vehicles.c.id == vehicle_id)
+    )
+    rows = session.execute(query).all()
+    if not rows:
+        raise missing("vehicle", vehicle_id)
+    row = rows[0]
+    return _Ground(
+        survey_id=row.survey_id,
+        recording_id=row.recording_id,
+        vehicle_deleted=row.deleted_at is not None,
+        known_id=row.known_id,
+        known_vehicle_id=row.known_vehicle_id,
+        pose_survey_id=row.pose_survey_id,
+        has_calibration=row.calibration_id is not None,
+        frames={of.n: (of.pts, of.crc32) for of in rows if of.n is not None},
+    )
+
+
+def _check(ground: _Ground, values: MeasurementValues) -> None:
+    clicked_on: tuple[MeasurementValues | FurtherFrame, ...] = (values, *values.more_frames)
+    for clicked in clicked_on:
+        if clicked.frame not in ground.frames:
+            raise missing_frame(ground.recording_id, clicked.frame)
+        if ground.frames[clicked.frame] != (clicked.pts, clicked.crc32):
+            raise Conflict(f"Frame {clicked.frame} is not the picture that was clicked on; load it again.")
+    if ground.pose_survey_id is None:
+        raise missing("road pose", values.pose_id)
+    if ground.pose_survey_id != ground.survey_id:
         raise BadInput(f"Road pose {values.pose_id} belongs to another survey; choose one of this survey's.")
-    get_row(session, calibrations, values.calibration_id, "calibration")
+    if not ground.has_calibration:
+        raise missing("calibration", values.calibration_id)
     if values.status == "ok" and values.height_m is None:
         raise BadInput("A measurement without a height needs the reason why; compute it again.")
     if values.status != "ok" and not values.reason:

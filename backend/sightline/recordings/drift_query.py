@@ -84,10 +84,15 @@ def sentence(span: MovedSpan) -> str:
 
 def flagged(session: Session, found: tuple[Measurement, ...]) -> tuple[Measurement, ...]:
     """The measurements, those on a frame after a bump with the sentence that says so."""
-    spans = _spans_by_pose(session, {(one.recording_id, one.pose_id) for one in found})
+    spans = _spans_by_pose(session, {(one.recording_id, one.values.pose_id) for one in found})
     if not spans:
         return found
-    return tuple([_with_flag(one, spans.get((one.recording_id, one.pose_id), [])) for one in found])
+    return tuple([_with_flag(one, spans.get((one.recording_id, one.values.pose_id), [])) for one in found])
+
+
+def flagged_by(one: Measurement, drift: JsonObject | None, decision: JsonObject | None) -> Measurement:
+    """`flagged` of one measurement whose recording's drift and decision were read with it."""
+    return _with_flag(one, open_spans(drift, decision, one.values.pose_id))
 
 
 def _spans_by_pose(
@@ -111,7 +116,7 @@ def _spans_by_pose(
 
 
 def _with_flag(one: Measurement, spans: list[MovedSpan]) -> Measurement:
-    frames = [one.frame, *(further.frame for further in one.more_frames)]
+    frames = one.values.frames
     on = [span for span in spans if any(span.first_frame <= n <= span.last_frame for n in frames)]
     if not on:
         return one

@@ -6,8 +6,9 @@ from sqlalchemy.orm import Session
 
 from sightline.enums import ReviewVerdict
 from sightline.errors import BadInput
+from sightline.measurements.click_context_query import click_context
 from sightline.measurements.records import Measurement, MeasurementValues
-from sightline.measurements.service import Point, as_clicked, values_at
+from sightline.measurements.service import Point, as_clicked, clicked_frames, values_of_clicks
 from sightline.measurements.store import require_measurement_revision
 from sightline.reviews.store import add_review
 
@@ -57,5 +58,7 @@ def _fixed(
 ) -> MeasurementValues:
     if contact is None or point is None:
         raise BadInput("A fix needs both points, contact and target; click them and send them along.")
-    n = before.frame if frame is None else frame
-    return values_at(session, before.recording_id, n, as_clicked(before, n, contact, point), actor=actor)
+    n = before.values.frame if frame is None else frame
+    clicked = as_clicked(before, n, contact, point)
+    context = click_context(session, before.recording_id, actor, clicked_frames(n, clicked))
+    return values_of_clicks(session, context, n, clicked)

@@ -61,7 +61,7 @@ def add_review(
     if fixed is not None:
         result_revision = append_measurement_revision(
             session, before, fixed, withdrawn=False, action="fix", actor=actor
-        )
+        ).revision
     moment = now()
     stamps = {"result_revision": result_revision, "created_at": moment, "created_by": actor}
     review_id = add_row(session, reviews, {**content, **stamps})
@@ -137,7 +137,7 @@ def _of_own_points(session: Session, found: Sequence[Measurement], actor: int | 
 
 
 def _same_points(other: FromClause) -> ColumnElement[bool]:
-    names = ("frame", "contact_x_px", "contact_y_px", "point_x_px", "point_y_px")
+    names = ("frame", "contact_x_px", "contact_y_px", "target_x_px", "target_y_px")
     return and_(*(other.c[name] == revision_rows.c[name] for name in names))
 
 
@@ -148,10 +148,10 @@ def list_for_survey(session: Session, survey_id: int) -> tuple[Review, ...]:
 
 def _not_own(session: Session, before: Measurement, actor: int) -> None:
     """Nobody reviews points of their own, nor does somebody else's withdrawing and restoring make them so."""
-    points = (before.frame, before.contact, before.point)
+    clicks = before.values.first_clicks
     for one in measurement_revisions(session, before.id).revisions:
         own = one.created_by is not None and one.created_by.id == actor
-        if own and (one.revision == before.revision or (one.frame, one.contact, one.point) == points):
+        if own and (one.revision == before.revision or one.values.first_clicks == clicks):
             raise NotAllowed("Nobody reviews their own measurement; ask another reviewer.")
 
 

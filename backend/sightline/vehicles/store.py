@@ -129,7 +129,10 @@ def pass_spans(session: Session, recording_id: int) -> tuple[PassSpan, ...]:
     """The spans of all passes of a recording, discarded ones too."""
     columns = (vehicles.c.first_frame, vehicles.c.last_frame, vehicles.c.direction)
     query = select(*columns).where(vehicles.c.recording_id == recording_id).order_by(vehicles.c.first_frame)
-    return tuple(PassSpan(*row) for row in session.execute(query))
+    return tuple(
+        PassSpan(first_frame=row.first_frame, last_frame=row.last_frame, direction=row.direction)
+        for row in session.execute(query)
+    )
 
 
 def frames_used_of_vehicle(session: Session, vehicle_id: int) -> tuple[tuple[int, ...], ...]:
@@ -155,7 +158,7 @@ def state_of(found: Sequence[Measurement]) -> VehicleState:
     verdicts = {one.review.verdict for one in found}
     if "rejected" in verdicts:
         return "rejected"
-    if not set(REQUIRED_TARGETS) <= {one.target for one in found}:
+    if not set(REQUIRED_TARGETS) <= {one.values.target for one in found}:
         return "partial" if found else "to_do"
     return "accepted" if verdicts <= {"accepted", "fixed"} else "measured"
 

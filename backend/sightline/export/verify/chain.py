@@ -122,7 +122,7 @@ def _measured(told: ReplayedState, number: int, after: Mapping[str, Any]) -> Non
 
 def _short_of_event(after: Mapping[str, Any]) -> list[Any]:
     plain = [after[name] for name in ("vehicle_id", "target", "frame", "pose_id", "status", "withdrawn")]
-    points = [*after["contact"], *after["point"]]
+    points = [*after["contact"], *after["target_point"]]
     return [*plain, safe_text(after["reason"] or ""), _length(after["height_m"]), after["by"], points]
 
 

@@ -143,7 +143,7 @@ def _drift(told: ReplayedState, row: Mapping[str, str]) -> dict[str, Any]:
 
 
 def _of_pair(pair: Mapping[str, Any]) -> dict[str, Any]:
-    return {**pair, "created_at": stamp(pair["created_at"]), "frame_crc32": pair["frame_crc"]}
+    return {**pair, "created_at": stamp(pair["created_at"]), "frame_crc32": pair["crc32"]}
 
 
 def _check_vehicles(files: Files, told: ReplayedState) -> None:

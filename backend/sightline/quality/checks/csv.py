@@ -51,7 +51,7 @@ def wheel_pair_rows(pairs: Sequence[WheelPair]) -> list[dict[str, Cell]]:
             "frame": one.frame,
             "pts": one.pts,
             "time_s": one.time_s,
-            "frame_crc32": one.frame_crc,
+            "frame_crc32": one.crc32,
             "first_x_px": one.first[0],
             "first_y_px": one.first[1],
             "second_x_px": one.second[0],

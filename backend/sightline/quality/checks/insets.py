@@ -139,7 +139,7 @@ def check_insets(session: Session, survey_id: int) -> InsetCheck:
         if one.review.verdict != "rejected" and one.vehicle_id in known
     ]
     found = tuple(
-        _target(session, survey, target, [one for one in standing if one.target == target], known)
+        _target(session, survey, target, [one for one in standing if one.values.target == target], known)
         for target in get_args(Target)
     )
     camera_m = _camera_height(session, survey_id)
@@ -187,7 +187,7 @@ def _target(
         (in_force.inset_m, in_force.u_inset_m) == default,
         len(fitting),
         len(standing) - len(fitting),
-        _median([one.height_m for one in fitting if one.height_m is not None]),
+        _median([one.values.height_m for one in fitting if one.values.height_m is not None]),
         None if rows.seen is None else _median(rows.seen.distance_m.tolist()),
         tuple(_offered(one, target, in_force, rows.seen) for one in estimates),
     )
@@ -195,21 +195,22 @@ def _target(
 
 def _is_other_choice(one: Measurement, in_force: Inset) -> bool:
     """Whether it was clicked as something else: a driver on the far side, a roof's crown."""
-    stored = (one.inset_m, one.u_inset_m)
-    others = {(inset, u) for _, inset, u in INSET_CHOICES.get(one.target, ())[1:]}
+    stored = (one.values.inset_m, one.values.u_inset_m)
+    others = {(inset, u) for _, inset, u in INSET_CHOICES.get(one.values.target, ())[1:]}
     return stored in others and stored != (in_force.inset_m, in_force.u_inset_m)
 
 
 def _rows(session: Session, made: Sequence[Measurement]) -> _Rows:
     """The uncorrected heights of measurements, each under the pose that it was measured with."""
     parts, kept = [], []
-    for pose_id, group in groupby(sorted(made, key=lambda one: one.pose_id), key=lambda one: one.pose_id):
+    by_pose = sorted(made, key=lambda one: one.values.pose_id)
+    for pose_id, group in groupby(by_pose, key=lambda one: one.values.pose_id):
         of_pose = list(group)
         seen, fine = sightings(
             road_pose(session, pose_id),
-            [one.contact for one in of_pose],
-            [one.point for one in of_pose],
-            [one.sigma_px for one in of_pose],
+            [one.values.contact for one in of_pose],
+            [one.values.target_point for one in of_pose],
+            [one.values.sigma_px for one in of_pose],
         )
         parts.append(seen)
         kept += [one for one, good in zip(of_pose, fine, strict=True) if good]
@@ -240,9 +241,14 @@ def _from_trend(rows: _Rows, known: dict[int, Vehicle]) -> Estimate:
 
 
 def _from_solved(made: Sequence[Measurement], known: dict[int, Vehicle]) -> Estimate:
-    solved = [one for one in made if one.solved_inset_m is not None and one.u_solved_inset_m is not None]
+    solved = [
+        one
+        for one in made
+        if one.values.solved_inset_m is not None and one.values.u_solved_inset_m is not None
+    ]
     found = inset_from_solved(
-        [one.solved_inset_m or 0.0 for one in solved], [one.u_solved_inset_m or 0.0 for one in solved]
+        [one.values.solved_inset_m or 0.0 for one in solved],
+        [one.values.u_solved_inset_m or 0.0 for one in solved],
     )
     return _estimate("two_frames", found, solved, known)
 

@@ -20,7 +20,7 @@ class WheelPair:
     frame: int
     pts: int
     time_s: float
-    frame_crc: int
+    crc32: int
     first: Point
     second: Point
     withdrawn: bool

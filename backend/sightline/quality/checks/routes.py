@@ -48,7 +48,7 @@ def add_wheel_pair(vehicle_id: PathId, body: NewWheelPair, who: Operator, sessio
         session,
         vehicle_id,
         frame=body.frame,
-        frame_crc=body.frame_crc,
+        crc32=body.frame_crc,
         first=(body.first[0], body.first[1]),
         second=(body.second[0], body.second[1]),
         actor=who.id,

@@ -188,16 +188,15 @@ def _from_frames(pose: RoadPose, made: Sequence[Measurement]) -> tuple[int, Head
     """The heading that two-frame clicks solve for, nothing being known of it before."""
     best: tuple[int, Heading] | None = None
     for one in made:
-        if not one.more_frames:
+        if not one.values.more_frames:
             continue
-        contacts = [one.contact, *(more.contact for more in one.more_frames)]
-        points = [one.point, *(more.point for more in one.more_frames)]
-        solved = measure_frames(pose, contacts, points, one.sigma_px, None)
+        values = one.values
+        solved = measure_frames(pose, values.contacts, values.target_points, values.sigma_px, None)
         if solved.heading_rad is None or solved.u_heading_rad is None or solved.travel_m is None:
             continue
         heading = Heading(solved.heading_rad, solved.u_heading_rad, solved.travel_m)
         if best is None or heading.u_heading_rad < best[1].u_heading_rad:
-            best = one.frame, heading
+            best = one.values.frame, heading
     return best
 
 
@@ -231,7 +230,7 @@ def store_pair(
     vehicle_id: int,
     *,
     frame: int,
-    frame_crc: int | None,
+    crc32: int | None,
     first: Point,
     second: Point,
     actor: int,
@@ -251,7 +250,7 @@ def store_pair(
             f"Frame {frame} is not of vehicle {vehicle.number}, which passes in frames {vehicle.first_frame} "
             f"to {vehicle.last_frame}; go to one of them."
         )
-    crc = get_frame(session, vehicle.recording_id, frame).crc32 if frame_crc is None else frame_crc
+    stored = get_frame(session, vehicle.recording_id, frame).crc32 if crc32 is None else crc32
     return add_wheel_pair(
-        session, vehicle_id, frame=frame, frame_crc=crc, first=first, second=second, actor=actor
+        session, vehicle_id, frame=frame, crc32=stored, first=first, second=second, actor=actor
     )

@@ -53,7 +53,7 @@ def changes_of_heights(pose: RoadPose, turn_rad: float, standing: Sequence[Measu
     """What turning the pose would change, the clicks and insets being the same; no measurement is touched."""
     before, after = _heights(pose, standing), _heights(turned(pose, turn_rad), standing)
     found = [
-        HeightChange(one.id, one.vehicle_id, one.target, float(h0), float(h1), float(h1 - h0))
+        HeightChange(one.id, one.vehicle_id, one.values.target, float(h0), float(h1), float(h1 - h0))
         for one, h0, h1 in zip(standing, before, after, strict=True)
         if np.isfinite(h0) and np.isfinite(h1)
     ]
@@ -69,18 +69,17 @@ def _heights(pose: RoadPose, standing: Sequence[Measurement]) -> Floats:
     out = np.array(
         measure_heights(
             pose,
-            [one.contact for one in standing],
-            [one.point for one in standing],
-            inset_m=[one.inset_m for one in standing],
+            [one.values.contact for one in standing],
+            [one.values.target_point for one in standing],
+            inset_m=[one.values.inset_m for one in standing],
             with_uncertainty=False,
         ).height_m
     )
     for i, one in enumerate(standing):
-        if one.more_frames:
-            contacts = [one.contact, *(more.contact for more in one.more_frames)]
-            points = [one.point, *(more.point for more in one.more_frames)]
-            found = measure_frames(pose, contacts, points, one.sigma_px).height.height_m
-            out[i] = np.nan if found is None else found
+        if one.values.more_frames:
+            values = one.values
+            found = measure_frames(pose, values.contacts, values.target_points, values.sigma_px).height
+            out[i] = np.nan if found.height_m is None else found.height_m
     return out
 
 

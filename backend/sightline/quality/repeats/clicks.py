@@ -73,8 +73,8 @@ def clicks_of_survey(session: Session, survey_id: int) -> tuple[Click, ...]:
 
 def author(revisions: Iterable[Measurement], standing: Measurement) -> Who | None:
     """Who clicked the points that stand: not who took them back or restored them."""
-    points = (standing.frame, standing.contact, standing.point)
-    return next((one.created_by for one in revisions if (one.frame, one.contact, one.point) == points), None)
+    clicks = standing.values.first_clicks
+    return next((one.created_by for one in revisions if one.values.first_clicks == clicks), None)
 
 
 def alone(session: Session, one: Measurement) -> tuple[float | None, float | None]:
@@ -82,10 +82,18 @@ def alone(session: Session, one: Measurement) -> tuple[float | None, float | Non
 
     Of a measurement on several frames too: a repeat is on one, and only like can be compared with like.
     """
-    if not one.more_frames:
-        return one.height_m, _u_clicks(one.height_m, one.budget)
-    clicks = Clicks(one.target, one.contact, one.point, one.sigma_px, one.inset_m, one.u_inset_m)
-    found = answer(road_pose(session, one.pose_id), clicks)
+    if not one.values.more_frames:
+        return one.values.height_m, _u_clicks(one.values.height_m, one.values.budget)
+    values = one.values
+    clicks = Clicks(
+        target=values.target,
+        contact=values.contact,
+        point=values.target_point,
+        sigma_px=values.sigma_px,
+        inset_m=values.inset_m,
+        u_inset_m=values.u_inset_m,
+    )
+    found = answer(road_pose(session, one.values.pose_id), clicks)
     return found.height_m, _u_clicks(found.height_m, found.budget)
 
 
@@ -105,15 +113,15 @@ def _click(session: Session, one: Measurement, first: Measurement, person: Who) 
     return Click(
         measurement_id=one.id,
         first_id=first.id,
-        first_contact=first.contact,
+        first_contact=first.values.contact,
         vehicle_id=one.vehicle_id,
-        target=one.target,
-        frame=one.frame,
-        pose_id=one.pose_id,
-        inset_m=one.inset_m,
+        target=one.values.target,
+        frame=one.values.frame,
+        pose_id=one.values.pose_id,
+        inset_m=one.values.inset_m,
         person=person,
-        contact=one.contact,
-        point=one.point,
+        contact=one.values.contact,
+        point=one.values.target_point,
         height_m=height_m,
         u_clicks_m=u_clicks_m,
     )

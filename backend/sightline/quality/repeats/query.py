@@ -51,9 +51,9 @@ def measurements_to_click_again(
     )
     query = (
         select(
-            measurements.c.series_id,
-            vehicles.c.id,
-            vehicles.c.number,
+            measurements.c.series_id.label("measurement_id"),
+            vehicles.c.id.label("vehicle_id"),
+            vehicles.c.number.label("vehicle_number"),
             measurement_series.c.recording_id,
             measurements.c.frame,
             measurements.c.target,
@@ -67,8 +67,11 @@ def measurements_to_click_again(
     )
     if only_own:
         query = query.where(measurements.c.created_by == person_id)
-    rows = session.execute(query).all()
-    fresh, known = ([Blind(*row[:6]) for row in rows if bool(row[6]) is seen] for seen in (False, True))
+    fresh: list[Blind] = []
+    known: list[Blind] = []
+    for row in session.execute(query).mappings():
+        of = known if row["repeated"] else fresh
+        of.append(Blind(**{name: row[name] for name in Blind.__slots__}))
     return tuple(fresh), tuple(known)
 
 

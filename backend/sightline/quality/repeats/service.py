@@ -316,13 +316,13 @@ def _not_alike(
     first: Measurement, one: Measurement, height_m: float | None, again_m: float | None
 ) -> str | None:
     if height_m is None:
-        return f"The first clicks give no height: {first.reason}"
+        return f"The first clicks give no height: {first.values.reason}"
     if again_m is None:
-        return f"The second clicks give no height: {one.reason}"
-    if first.frame != one.frame:
+        return f"The second clicks give no height: {one.values.reason}"
+    if first.values.frame != one.values.frame:
         return "They were clicked on different frames, so more than the clicks differs."
-    if first.pose_id != one.pose_id:
+    if first.values.pose_id != one.values.pose_id:
         return "The road pose is another one since, so more than the clicks differs."
-    if first.inset_m != one.inset_m:
+    if first.values.inset_m != one.values.inset_m:
         return "The inset is another one, so more than the clicks differs."
     return None

@@ -40,8 +40,13 @@ def get_frame(session: Session, recording_id: int, n: int) -> Frame:
     query = select(frames).where(frames.c.recording_id == recording_id, frames.c.n == n)
     row = session.execute(query).one_or_none()
     if row is None:
-        raise NotFound(f"Recording {recording_id} has no frame {n}; choose one within the recording.")
-    return Frame(row.n, row.pts, row.time_s, row.key, row.crc32)
+        raise missing_frame(recording_id, n)
+    return Frame(n=row.n, pts=row.pts, time_s=row.time_s, key=row.key, crc32=row.crc32)
+
+
+def missing_frame(recording_id: int, n: int) -> NotFound:
+    """The error for a frame that is not there."""
+    return NotFound(f"Recording {recording_id} has no frame {n}; choose one within the recording.")
 
 
 def replace_frames(session: Session, recording_id: int, found: FrameTable) -> None:
