@@ -105,15 +105,19 @@ def test_a_server_killed_behind_the_last_byte(
     assert not list(service.upload_folder(services).iterdir())
 
 
-def test_a_client_that_asks_finishes_what_the_kill_left(
+def test_an_empty_patch_finishes_what_the_kill_left(
     operator: Client, survey_id: int, clip: Path, services: Services
 ) -> None:
     content = clip.read_bytes()
     location = announce(operator, survey_id, "a.mp4", len(content)).headers["Location"]
     part = f"upload-{location.rpartition('/')[2]}"
     upload_parts.append(service.upload_folder(services), part, 0, [content])
-    answer = operator.http.head(location, headers=TUS)
-    assert answer.headers["Sightline-Recording"]
+    asked = operator.http.head(location, headers=TUS)
+    assert asked.headers["Upload-Offset"] == str(len(content))
+    assert not {"Sightline-Recording", "Sightline-Finished"} & set(asked.headers)
+    assert operator.seen(f"/surveys/{survey_id}/recordings") == []
+    assert send(operator, location, len(content), b"").headers["Sightline-Recording"]
+    assert operator.http.head(location, headers=TUS).headers["Sightline-Finished"] == "1"
     assert len(operator.seen(f"/surveys/{survey_id}/recordings")) == 1
 
 

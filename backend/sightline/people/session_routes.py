@@ -1,7 +1,6 @@
 """Signing in and out, and who am I."""
 
 from collections.abc import Callable
-from datetime import UTC, datetime, timedelta
 from typing import Annotated
 
 from fastapi import APIRouter, Request, Response
@@ -19,7 +18,6 @@ from sightline.people.routes import PersonBody
 
 router = APIRouter()
 
-SEEN_EVERY = timedelta(minutes=10)
 Secret = Annotated[str, Field(max_length=1000)]
 
 
@@ -65,9 +63,6 @@ def sign_in_by_link(body: LinkToken, request: Request, response: Response, servi
 @router.get("/session")
 def who_am_i(who: Viewer, request: Request, services: Wired) -> Me:
     """The signed-in person and what the front end needs to begin."""
-    if who.last_seen_at is None or datetime.now(UTC) - who.last_seen_at > SEEN_EVERY:
-        with services.writing() as session:
-            store.note_person_seen(session, who.id)
     return _me(request, services, who, _cookies(request).by_link(request))
 
 

@@ -92,14 +92,16 @@ def create_upload(
 
 @router.head("/uploads/{upload_id}", response_class=Response, dependencies=[SPEAKS])
 def upload_offset(upload_id: PathId, who: Operator, services: Wired) -> Response:
-    """How far the upload has come. One that was complete when the server was killed is finished now."""
+    """How far the upload has come; `Sightline-Finished: 1` once it is a recording or a waiting strip.
+
+    One whose bytes are all here but that is not finished is finished by an empty PATCH behind its last byte.
+    """
     upload = _upload(services, upload_id)
     offset = service.upload_arrived(services, upload)
-    recording_id = upload.recording_id
-    if offset == upload.size_bytes and recording_id is None:
-        recording_id = service.upload_arrived_whole(services, upload)
-    told = {"Upload-Length": str(upload.size_bytes), "Cache-Control": "no-store"}
-    return Response(status_code=200, headers={**_progress(offset, recording_id), **told})
+    headers = {"Upload-Length": str(upload.size_bytes), "Cache-Control": "no-store"}
+    if upload.finished_at is not None:
+        headers["Sightline-Finished"] = "1"
+    return Response(status_code=200, headers={**_progress(offset, upload.recording_id), **headers})
 
 
 @router.patch("/uploads/{upload_id}", status_code=204, dependencies=[SPEAKS])

@@ -74,6 +74,7 @@ export async function startUpload(
     return;
   }
   let recordingId: number | null = null;
+  let finished = false;
   const upload = new Upload(file, {
     endpoint: `/api/surveys/${surveyId}/uploads`,
     headers: { "X-Sightline": "1" },
@@ -87,15 +88,27 @@ export async function startUpload(
       if (again) change(key, { state: "retrying", speed: null });
       return again;
     },
-    onAfterResponse: (_request, response) => {
+    onAfterResponse: (request, response) => {
       const made = response.getHeader("Sightline-Recording");
       if (made) recordingId = Number(made);
+      finished = request.getMethod() !== "HEAD" || response.getHeader("Sightline-Finished") === "1";
     },
     onProgress: (sent) => progress(key, sent),
     onError: (error) => {
       change(key, { state: "failed", problem: sentence(error, file.name), speed: null });
     },
-    onSuccess: () => {
+    onSuccess: async () => {
+      if (!finished && upload.url) {
+        // All bytes were there before, and the server was stopped behind the last one.
+        const answer = await finish(upload.url, file.size);
+        if (!answer.ok) {
+          const body: unknown = await answer.json().catch(() => null);
+          change(key, { state: "failed", problem: toApiError(answer.status, body).message, speed: null });
+          return;
+        }
+        const made = answer.headers.get("Sightline-Recording");
+        if (made) recordingId = Number(made);
+      }
       running.delete(key);
       change(key, { state: "done", sent: file.size, recordingId });
       onDone(recordingId);
@@ -111,6 +124,20 @@ export async function startUpload(
   }
   change(key, { state: "sending" });
   upload.start();
+}
+
+/** An empty piece behind the last byte: the server makes the recording, or keeps the strip. */
+function finish(url: string, size: number): Promise<Response> {
+  return fetch(url, {
+    method: "PATCH",
+    headers: {
+      "X-Sightline": "1",
+      "Tus-Resumable": "1.0.0",
+      "Content-Type": "application/offset+octet-stream",
+      "Upload-Offset": String(size),
+    },
+    body: "",
+  });
 }
 
 function progress(key: number, sent: number): void {

@@ -77,7 +77,7 @@ export default function PeopleScreen() {
                 <th>e-mail</th>
                 <th>role</th>
                 <th>state</th>
-                <th>last seen</th>
+                <th>last sign-in</th>
                 <th>
                   <span class="visually-hidden">actions</span>
                 </th>
