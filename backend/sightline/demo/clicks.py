@@ -13,9 +13,9 @@ from uuid import UUID, uuid5
 import numpy as np
 from sqlalchemy.orm import Session
 
-from sightline.enums import REQUIRED_TARGETS, Target
-from sightline.measurements.records import Measurement, Vehicle
-from sightline.measurements.service import Clicked, ClickedFrame, Point, store_measurement
+from sightline.enums import REQUIRED_TARGETS, Point
+from sightline.measurements.records import ClickedFrame, Clicks, Measurement, Vehicle
+from sightline.measurements.service import store_measurement
 from sightline.reviews.service import review
 from sightline.simulation.scene import FPS
 from sightline.simulation.truth import PassTruth
@@ -44,16 +44,16 @@ def measure(session: Session, passes: list[Pass], *, actor: int) -> dict[int, li
     stored: dict[int, list[Measurement]] = {}
     for index, one in enumerate(passes):
         again = np.random.default_rng(one.vehicle.id)
-        for target, frame, clicked in _clicks(one.truth, rng, slip=index == len(passes) - 4):
-            if target == "taillight" and index % _SECOND_EVERY == 0 and index != len(passes) - 4:
-                clicked = replace(clicked, more_frames=_second(one.truth, frame, target, again))
-            key = str(uuid5(_NAMESPACE, f"{one.vehicle.id} {target}"))
-            made = store_measurement(session, one.vehicle.id, key, frame, clicked, actor=actor)
+        for clicks in _clicks(one.truth, rng, slip=index == len(passes) - 4):
+            if clicks.target == "taillight" and index % _SECOND_EVERY == 0 and index != len(passes) - 4:
+                clicks = replace(clicks, more_frames=_second(one.truth, clicks.frame, clicks.target, again))
+            key = str(uuid5(_NAMESPACE, f"{one.vehicle.id} {clicks.target}"))
+            made = store_measurement(session, one.vehicle.id, key, clicks, actor=actor)
             stored.setdefault(one.vehicle.id, []).append(made)
     return stored
 
 
-def _clicks(truth: PassTruth, rng: np.random.Generator, slip: bool) -> Iterator[tuple[Target, int, Clicked]]:
+def _clicks(truth: PassTruth, rng: np.random.Generator, slip: bool) -> Iterator[Clicks]:
     for target in REQUIRED_TARGETS:
         found = sight_of(truth, target)
         if found is None:
@@ -61,16 +61,13 @@ def _clicks(truth: PassTruth, rng: np.random.Generator, slip: bool) -> Iterator[
         frame, contact, point = found
         far_driver = target == "driver_eye" and truth.vehicle.driver_side == "far"
         below = _SLIP_PX if slip and target == "taillight" else 0.0
-        yield (
-            target,
-            frame,
-            Clicked(
-                target=target,
-                contact=_beside((contact[0], contact[1] + below), rng),
-                point=_beside(point, rng),
-                inset_m=FAR_EYE_INSET_M if far_driver else None,
-                u_inset_m=U_FAR_EYE_INSET_M if far_driver else None,
-            ),
+        yield Clicks(
+            target=target,
+            frame=frame,
+            contact=_beside((contact[0], contact[1] + below), rng),
+            target_point=_beside(point, rng),
+            inset_m=FAR_EYE_INSET_M if far_driver else None,
+            u_inset_m=U_FAR_EYE_INSET_M if far_driver else None,
         )
 
 
@@ -82,7 +79,8 @@ def _second(truth: PassTruth, first: int, target: str, rng: np.random.Generator)
         seen = before.contact is not None and before.contact in one.pixels and one.shows(target)
         if seen and abs(one.frame - first) == apart and before.contact is not None:
             contact, point = one.pixels[before.contact], one.pixels[target]
-            return (ClickedFrame(one.frame, _beside(contact, rng), _beside(point, rng)),)
+            beside = {"contact": _beside(contact, rng), "target_point": _beside(point, rng)}
+            return (ClickedFrame(frame=one.frame, **beside),)
     return ()
 
 
@@ -141,6 +139,6 @@ def _say(
         reason=reason,
         frame=None,
         contact=points[0] if points else None,
-        point=points[1] if points else None,
+        target_point=points[1] if points else None,
         actor=actor,
     )

@@ -12,8 +12,9 @@ import numpy as np
 from sqlalchemy.orm import Session
 
 from sightline.demo.clicks import CLICK_NOISE_PX, Pass, sight_of
-from sightline.measurements.records import Measurement
-from sightline.measurements.service import Clicked, Point, store_measurement
+from sightline.enums import Point
+from sightline.measurements.records import Clicks, Measurement
+from sightline.measurements.service import store_measurement
 
 REVIEWER_NOISE_PX = 0.8
 OF_EACH = 12
@@ -39,11 +40,14 @@ def click_again(
             sight = sight_of(truths[first.vehicle_id], first.values.target)
             assert sight is not None
             frame, contact, point = sight
-            clicked = Clicked(
-                first.values.target, _beside(contact, noise_px, rng), _beside(point, noise_px, rng)
+            clicks = Clicks(
+                target=first.values.target,
+                frame=frame,
+                contact=_beside(contact, noise_px, rng),
+                target_point=_beside(point, noise_px, rng),
             )
             key = str(uuid5(_NAMESPACE, f"{first.id} {actor}"))
-            store_measurement(session, first.vehicle_id, key, frame, clicked, repeat_of=first.id, actor=actor)
+            store_measurement(session, first.vehicle_id, key, clicks, repeat_of=first.id, actor=actor)
 
 
 def _beside(point: Point, noise_px: float, rng: np.random.Generator) -> Point:

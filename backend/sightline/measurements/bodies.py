@@ -30,8 +30,8 @@ class FurtherFrameBody(Out):
     pts: int
     time_s: float
     frame_crc: int = Field(validation_alias="crc32")
-    contact: list[float]
-    point: list[float] = Field(validation_alias="target_point")
+    contact: tuple[float, float]
+    point: tuple[float, float] = Field(validation_alias="target_point")
 
 
 class MeasurementBody(Out):
@@ -48,8 +48,8 @@ class MeasurementBody(Out):
     pts: int = Field(validation_alias=AliasPath("values", "pts"))
     time_s: float = Field(validation_alias=AliasPath("values", "time_s"))
     frame_crc: int = Field(validation_alias=AliasPath("values", "crc32"))
-    contact: list[float] = Field(validation_alias=AliasPath("values", "contact"))
-    point: list[float] = Field(validation_alias=AliasPath("values", "target_point"))
+    contact: tuple[float, float] = Field(validation_alias=AliasPath("values", "contact"))
+    point: tuple[float, float] = Field(validation_alias=AliasPath("values", "target_point"))
     sigma_px: float = Field(validation_alias=AliasPath("values", "sigma_px"))
     pose_id: int = Field(validation_alias=AliasPath("values", "pose_id"))
     calibration_id: int = Field(validation_alias=AliasPath("values", "calibration_id"))
@@ -80,7 +80,7 @@ class MeasurementBody(Out):
     review: ReviewBody
 
 
-class ClickedFrame(In):
+class FurtherClicks(In):
     """The same two points, clicked on another frame of the pass."""
 
     frame: FrameNumber
@@ -89,12 +89,12 @@ class ClickedFrame(In):
 
 
 MoreFrames = Annotated[
-    list[ClickedFrame],
+    list[FurtherClicks],
     Field(max_length=7, description="The same two points on further frames: then the inset is solved for."),
 ]
 
 
-class Clicked(In):
+class ClicksIn(In):
     """Two points on one frame, and on further ones."""
 
     frame: FrameNumber
@@ -106,7 +106,7 @@ class Clicked(In):
     more_frames: MoreFrames = Field(default_factory=list)
 
 
-class SecondFrameWanted(Clicked):
+class SecondFrameWanted(ClicksIn):
     """What is clicked so far; the best frame to click next is looked for in the vehicle's pass."""
 
     target: Target
@@ -118,8 +118,8 @@ class SpotBody(Out):
 
     frame: int
     travel_m: float
-    contact: list[float]
-    point: list[float]
+    contact: tuple[float, float]
+    point: tuple[float, float] = Field(validation_alias="target_point")
     u_height_m: float
     U95_height_m: float
     u_solved_inset_m: float
@@ -142,7 +142,7 @@ class SecondFrameAnswer(Out):
     spots: list[SpotBody]
 
 
-class NewMeasurement(Clicked):
+class NewMeasurement(ClicksIn):
     client_key: UUID = Field(description="Made by the client; sending it twice stores it once.")
     target: Target
     repeat_of: Annotated[int, Field(ge=1, le=2**31 - 1)] | None = Field(
@@ -150,7 +150,7 @@ class NewMeasurement(Clicked):
     )
 
 
-class ChangedMeasurement(Clicked):
+class ChangedMeasurement(ClicksIn):
     revision: Revision
     target: Target | None = None
 

@@ -17,28 +17,13 @@ from sightline.geometry.height import Height, height_both
 from sightline.geometry.insets import DEFAULT_INSETS
 from sightline.geometry.multiframe import MultiHeight, measure_frames
 from sightline.geometry.road_pose import RoadPose
+from sightline.measurements.records import Clicks
 from sightline.surveys.records import Inset
 
 DEFAULT_SIGMA_PX = 1.0
 # Insets are kept to the micrometre: that is what the CSV carries, so an export recomputes to the same figure.
 _INSET_DECIMALS = 6
 _MOST_POSES = 32
-
-
-@dataclass(frozen=True)
-class Clicks:
-    """What one height is computed from: two points in pixels, their sigma, and the inset of the target.
-
-    `more`: (contact, target) of the same two points on further frames; with any, the inset is solved for.
-    """
-
-    target: Target
-    contact: tuple[float, float]
-    point: tuple[float, float]
-    sigma_px: float
-    inset_m: float
-    u_inset_m: float
-    more: tuple[tuple[tuple[float, float], tuple[float, float]], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -101,27 +86,17 @@ class PoseShelf:
         return pose
 
 
-def clicks_of(
-    target: Target,
-    contact: tuple[float, float],
-    point: tuple[float, float],
-    insets: Mapping[str, Inset],
-    *,
-    sigma_px: float | None = None,
-    inset_m: float | None = None,
-    u_inset_m: float | None = None,
-    more: tuple[tuple[tuple[float, float], tuple[float, float]], ...] = (),
-) -> Clicks:
-    """The clicks, with what was left out filled in: sigma 1 px, the survey's inset for this target."""
-    usual = inset_for(target, insets)
-    return Clicks(
-        target=target,
-        contact=contact,
-        point=point,
-        sigma_px=DEFAULT_SIGMA_PX if sigma_px is None else sigma_px,
-        inset_m=round(usual.inset_m if inset_m is None else inset_m, _INSET_DECIMALS),
-        u_inset_m=round(usual.u_inset_m if u_inset_m is None else u_inset_m, _INSET_DECIMALS),
-        more=more,
+def filled_in(clicks: Clicks, insets: Mapping[str, Inset], own_sigma_px: float | None = None) -> Clicks:
+    """The clicks with what was left out: the person's own sigma, else 1 px, and the inset for this target."""
+    usual = inset_for(clicks.target, insets)
+    usual_sigma_px = DEFAULT_SIGMA_PX if own_sigma_px is None else own_sigma_px
+    inset_m = usual.inset_m if clicks.inset_m is None else clicks.inset_m
+    u_inset_m = usual.u_inset_m if clicks.u_inset_m is None else clicks.u_inset_m
+    return replace(
+        clicks,
+        sigma_px=usual_sigma_px if clicks.sigma_px is None else clicks.sigma_px,
+        inset_m=round(inset_m, _INSET_DECIMALS),
+        u_inset_m=round(u_inset_m, _INSET_DECIMALS),
     )
 
 
@@ -137,16 +112,14 @@ def answer(pose: RoadPose, clicks: Clicks) -> Answer:
     reason says why, and what the first frame alone would give stands in `single`. The uncorrected height is
     always the first frame's.
     """
-    height, uncorrected = height_both(
-        pose, clicks.contact, clicks.point, clicks.sigma_px, clicks.inset_m, clicks.u_inset_m
-    )
-    if not clicks.more:
+    height, uncorrected = height_both(pose, clicks.contact, clicks.target_point, *clicks.assumed())
+    if not clicks.more_frames:
         return _answered(clicks, height, uncorrected)
     found = measured_frames(pose, clicks)
     alone = SingleFrame(height.height_m, height.u_height_m, height.U95_height_m)
     return replace(
         _answered(clicks, found.height, uncorrected),
-        frames=1 + len(clicks.more),
+        frames=len(clicks.frames),
         solved_inset_m=found.solved_inset_m,
         u_solved_inset_m=found.u_solved_inset_m,
         heading_rad=found.heading_rad,
@@ -158,12 +131,12 @@ def answer(pose: RoadPose, clicks: Clicks) -> Answer:
 
 def measured_frames(pose: RoadPose, clicks: Clicks) -> MultiHeight:
     """The height from all frames of the clicks, the first one first."""
-    contacts = [clicks.contact, *(contact for contact, _ in clicks.more)]
-    targets = [clicks.point, *(point for _, point in clicks.more)]
-    return measure_frames(pose, contacts, targets, clicks.sigma_px)
+    sigma_px, _, _ = clicks.assumed()
+    return measure_frames(pose, clicks.contacts, clicks.target_points, sigma_px)
 
 
 def _answered(clicks: Clicks, height: Height, uncorrected: Height) -> Answer:
+    _, inset_m, u_inset_m = clicks.assumed()
     return Answer(
         status=height.status,
         reason=height.reason,
@@ -171,8 +144,8 @@ def _answered(clicks: Clicks, height: Height, uncorrected: Height) -> Answer:
         u_height_m=height.u_height_m,
         U95_height_m=height.U95_height_m,
         uncorrected_height_m=uncorrected.height_m,
-        inset_m=clicks.inset_m,
-        u_inset_m=clicks.u_inset_m,
+        inset_m=inset_m,
+        u_inset_m=u_inset_m,
         x_m=height.x_m,
         y_m=height.y_m,
         distance_m=height.distance_m,

@@ -19,6 +19,54 @@ from sightline.infra.audit.records import Who
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class ClickedFrame:
+    """Contact and target point, (x, y) in pixels, on one frame."""
+
+    frame: int
+    contact: Point
+    target_point: Point
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Clicks:
+    """What one height is computed from: two points in pixels on a frame, and on further frames of the pass.
+
+    With further frames the inset is solved for. What is None is filled in before anything is computed: the
+    person's own sigma, else 1 px; the survey's inset of the target.
+    """
+
+    target: Target
+    contact: Point
+    target_point: Point
+    frame: int = 0
+    more_frames: tuple[ClickedFrame, ...] = ()
+    sigma_px: float | None = None
+    inset_m: float | None = None
+    u_inset_m: float | None = None
+
+    @property
+    def frames(self) -> tuple[int, ...]:
+        """The frames clicked on, the first one first."""
+        return (self.frame, *(further.frame for further in self.more_frames))
+
+    @property
+    def contacts(self) -> tuple[Point, ...]:
+        """The contact point on each of `frames`."""
+        return (self.contact, *(further.contact for further in self.more_frames))
+
+    @property
+    def target_points(self) -> tuple[Point, ...]:
+        """The target point on each of `frames`."""
+        return (self.target_point, *(further.target_point for further in self.more_frames))
+
+    def assumed(self) -> tuple[float, float, float]:
+        """(sigma in px, inset and its standard uncertainty in m). Raises ValueError where one is missing."""
+        if self.sigma_px is None or self.inset_m is None or self.u_inset_m is None:
+            raise ValueError("clicks need their sigma and inset filled in before a height is computed")
+        return self.sigma_px, self.inset_m, self.u_inset_m
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class FurtherFrame:
     """The same two points, clicked on another frame of the pass."""
 

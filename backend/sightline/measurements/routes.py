@@ -10,32 +10,30 @@ from sightline.infra.web.quantities import AtRevision
 from sightline.measurements import service, store
 from sightline.measurements.bodies import (
     ChangedMeasurement,
-    Clicked,
-    ClickedFrame,
+    ClicksIn,
     MeasurementBody,
     NewMeasurement,
 )
+from sightline.measurements.records import ClickedFrame, Clicks
 from sightline.reviews.bodies import HistoryBody
 
 router = APIRouter()
 
 
-def frames_of(more: list[ClickedFrame]) -> tuple[service.ClickedFrame, ...]:
-    return tuple(
-        service.ClickedFrame(one.frame, (one.contact[0], one.contact[1]), (one.point[0], one.point[1]))
-        for one in more
-    )
-
-
-def clicked_of(body: Clicked, target: Target) -> service.Clicked:
-    return service.Clicked(
+def clicks_of(body: ClicksIn, target: Target) -> Clicks:
+    """What the body says was clicked."""
+    return Clicks(
         target=target,
-        contact=(body.contact[0], body.contact[1]),
-        point=(body.point[0], body.point[1]),
+        frame=body.frame,
+        contact=body.contact,
+        target_point=body.point,
+        more_frames=tuple(
+            ClickedFrame(frame=further.frame, contact=further.contact, target_point=further.point)
+            for further in body.more_frames
+        ),
         sigma_px=body.sigma_px,
         inset_m=body.inset_m,
         u_inset_m=body.u_inset_m,
-        more_frames=frames_of(body.more_frames),
     )
 
 
@@ -51,8 +49,7 @@ def add_measurement(
         session,
         vehicle_id,
         str(body.client_key),
-        body.frame,
-        clicked_of(body, body.target),
+        clicks_of(body, body.target),
         repeat_of=body.repeat_of,
         actor=who.id,
     )
@@ -75,7 +72,7 @@ def revise_measurement(
     """
     target = body.target or store.get_measurement(session, measurement_id).values.target
     changed = service.store_revision(
-        session, measurement_id, body.revision, body.frame, clicked_of(body, target), actor=who.id
+        session, measurement_id, body.revision, clicks_of(body, target), actor=who.id
     )
     return MeasurementBody.model_validate(changed)
 

@@ -17,6 +17,7 @@ import numpy.typing as npt
 from sqlalchemy.orm import Session
 
 from sightline.coverage import COVERAGE_95
+from sightline.enums import Point
 from sightline.errors import BadInput
 from sightline.geometry.follow import textured
 from sightline.geometry.gain import second_frame_gain
@@ -26,9 +27,9 @@ from sightline.geometry.road_pose import RoadPose
 from sightline.geometry.travel import Chase, body_of, further_gain
 from sightline.infra.services import Services
 from sightline.measurements.click_context_query import click_context
-from sightline.measurements.height_of_clicks import Clicks, measured_frames
-from sightline.measurements.records import Measurement, Vehicle
-from sightline.measurements.service import Clicked, Point, filled_in, pose_in_force
+from sightline.measurements.height_of_clicks import measured_frames
+from sightline.measurements.records import Clicks, Measurement, Vehicle
+from sightline.measurements.service import clicks_in_context, pose_in_force
 from sightline.recordings.frames.stills import OpenRecording, stills_of
 from sightline.vehicles.store import get_vehicle
 
@@ -45,34 +46,34 @@ _WORTH = 0.95  # a second frame that leaves more of the uncertainty than this he
 _AS_GOOD = 1.03  # of frames this much alike, the one with the shorter way is the safer
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Spot:
     """Where both points are expected on one frame, and what clicking them there would give."""
 
     frame: int
     travel_m: float
     contact: Point
-    point: Point
+    target_point: Point
     u_height_m: float
     U95_height_m: float
     u_solved_inset_m: float
     assumed_kmh: float | None = None
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Proposal:
     """The frame proposed, or why none would help; `spots` are all frames that could be used, by number."""
 
     ok: bool
-    reason: str | None
-    frame: int | None
-    source: Source | None
-    words: str
+    reason: str | None = None
+    frame: int | None = None
+    source: Source | None = None
+    words: str = ""
     u_now_m: float | None
     U95_now_m: float | None
-    u_then_m: float | None
-    U95_then_m: float | None
-    u_solved_inset_m: float | None
+    u_then_m: float | None = None
+    U95_then_m: float | None = None
+    u_solved_inset_m: float | None = None
     spots: tuple[Spot, ...] = ()
 
 
@@ -89,8 +90,7 @@ def proposal(
     services: Services,
     session: Session,
     recording_id: int,
-    n: int,
-    clicked: Clicked,
+    clicks: Clicks,
     *,
     vehicle_id: int,
     actor: int | None,
@@ -101,7 +101,7 @@ def proposal(
     """
     context = click_context(session, recording_id, actor)
     pose, _, _ = pose_in_force(session, context)
-    clicks = filled_in(clicked, context)
+    clicks = clicks_in_context(clicks, context)
     vehicle = get_vehicle(session, vehicle_id)
     if vehicle.recording_id != recording_id:
         raise BadInput("The vehicle is not of this recording; choose one of its passes.")
@@ -109,9 +109,9 @@ def proposal(
     if u_now is None:
         return refused(reason or "There is no height yet; click contact and target first.")
     opened = stills_of(services).open(recording_id)
-    taken = {n, *(one.frame for one in clicked.more_frames)}
+    n, taken = clicks.frame, set(clicks.frames)
     span = _span(vehicle, n, len(opened.media))
-    known = _known_travels(services, opened, pose, clicks, clicked, vehicle, n, span)
+    known = _known_travels(services, opened, pose, clicks, vehicle, span)
     spots = [
         spot
         for travels in known
@@ -124,17 +124,15 @@ def proposal(
 def refused(reason: str, u_now_m: float | None = None) -> Proposal:
     """No frame, and why."""
     U95 = None if u_now_m is None else COVERAGE_95 * u_now_m
-    return Proposal(False, reason, None, None, "", u_now_m, U95, None, None, None)
+    return Proposal(ok=False, reason=reason, u_now_m=u_now_m, U95_now_m=U95)
 
 
 def _now(pose: RoadPose, clicks: Clicks) -> tuple[float | None, str | None]:
     """The uncertainty of what is clicked so far, or why there is none."""
-    if clicks.more:
+    if clicks.more_frames:
         height = measured_frames(pose, clicks).height
     else:
-        height = measure_height(
-            pose, clicks.contact, clicks.point, clicks.sigma_px, clicks.inset_m, clicks.u_inset_m
-        )
+        height = measure_height(pose, clicks.contact, clicks.target_point, *clicks.assumed())
     return height.u_height_m, height.reason
 
 
@@ -150,14 +148,12 @@ def _known_travels(
     opened: OpenRecording,
     pose: RoadPose,
     clicks: Clicks,
-    clicked: Clicked,
     vehicle: Vehicle,
-    n: int,
     span: range,
 ) -> list[Travels]:
     """The best that is known of the vehicle's travel: one answer, or one for each speed assumed."""
-    times = opened.time_s
-    own = [(n, clicked.contact), *((one.frame, one.contact) for one in clicked.more_frames)]
+    n, times = clicks.frame, opened.time_s
+    own = list(zip(clicks.frames, clicks.contacts, strict=True))
     speed = _speed(pose, times, own)
     if speed is None:
         seen = follow(services, opened, pose, clicks, n, span)
@@ -208,10 +204,10 @@ def follow(
     until = time.monotonic() + PATIENCE_S
     gray = stills_of(services).gray(recording_id, n)
     spots = textured(gray, _box(clicks, gray.shape))
-    body = body_of(pose, clicks.contact, clicks.point, clicks.inset_m, spots)
+    body = body_of(pose, clicks.contact, clicks.target_point, clicks.assumed()[1], spots)
     if isinstance(body, str) or len(body.points_m) < 5:
         return {}
-    pixels = np.concatenate([[clicks.contact, clicks.point], spots])
+    pixels = np.concatenate([[clicks.contact, clicks.target_point], spots])
     found: dict[int, float] = {}
     speed: float | None = None
     for way in _ways(n, span):
@@ -255,7 +251,7 @@ def _completed(
 
 def _box(clicks: Clicks, shape: tuple[int, ...]) -> tuple[float, float, float, float]:
     """Where the vehicle's side is, round contact and target: left, top, right, bottom."""
-    (cx, cy), (tx, ty) = clicks.contact, clicks.point
+    (cx, cy), (tx, ty) = clicks.contact, clicks.target_point
     tall = max(abs(cy - ty), 0.05 * shape[0])
     return (
         min(cx, tx) - 0.6 * tall,
@@ -269,7 +265,7 @@ def _in_sight(
     pose: RoadPose, clicks: Clicks, travels: dict[int, float], taken: set[int]
 ) -> list[tuple[int, float]]:
     """(frame, travel) of frames that may show both points: a first look, without any uncertainty."""
-    body = body_of(pose, clicks.contact, clicks.point, clicks.inset_m, np.empty((0, 2)))
+    body = body_of(pose, clicks.contact, clicks.target_point, clicks.assumed()[1], np.empty((0, 2)))
     if isinstance(body, str):
         return []
     out = []
@@ -283,17 +279,17 @@ def _in_sight(
 
 def _spot(pose: RoadPose, clicks: Clicks, frame: int, travel_m: float, kmh: float | None) -> Spot | None:
     """The points on that frame and what they would give; None where it does not show them both well."""
-    if clicks.more:
-        contacts = np.array([clicks.contact, *(contact for contact, _ in clicks.more)])
-        targets = np.array([clicks.point, *(point for _, point in clicks.more)])
-        further = further_gain(pose, contacts, targets, travel_m, clicks.sigma_px)
+    sigma_px, inset_m, u_inset_m = clicks.assumed()
+    if clicks.more_frames:
+        contacts, targets = np.array(clicks.contacts), np.array(clicks.target_points)
+        further = further_gain(pose, contacts, targets, travel_m, sigma_px)
         if further is None:
             return None
         contact, point = further.contact_px, further.target_px
         u, u_inset = further.u_height_m, further.u_inset_m
     else:
         gain = second_frame_gain(
-            pose, clicks.contact, clicks.point, travel_m, clicks.sigma_px, clicks.inset_m, clicks.u_inset_m
+            pose, clicks.contact, clicks.target_point, travel_m, sigma_px, inset_m, u_inset_m
         )
         if gain is None:
             return None
@@ -304,7 +300,16 @@ def _spot(pose: RoadPose, clicks: Clicks, frame: int, travel_m: float, kmh: floa
             edge <= x <= pose.camera.width_px - 1 - edge and edge <= y <= pose.camera.height_px - 1 - edge
         ):
             return None
-    return Spot(frame, travel_m, contact, point, u, COVERAGE_95 * u, u_inset, kmh)
+    return Spot(
+        frame=frame,
+        travel_m=travel_m,
+        contact=contact,
+        target_point=point,
+        u_height_m=u,
+        U95_height_m=COVERAGE_95 * u,
+        u_solved_inset_m=u_inset,
+        assumed_kmh=kmh,
+    )
 
 
 def _chosen(u_now: float, source: Source, spots: list[Spot], more_frames: bool) -> Proposal:
@@ -324,17 +329,16 @@ def _chosen(u_now: float, source: Source, spots: list[Spot], more_frames: bool) 
         now, then = (1000 * COVERAGE_95 * u for u in (u_now, best.u_height_m))
         return refused(f"Another frame would not help here: {now:.0f} mm now, {then:.0f} mm with it.", u_now)
     return Proposal(
-        True,
-        None,
-        best.frame,
-        source,
-        _WORDS[source],
-        u_now,
-        COVERAGE_95 * u_now,
-        best.u_height_m,
-        best.U95_height_m,
-        best.u_solved_inset_m,
-        tuple(spots),
+        ok=True,
+        frame=best.frame,
+        source=source,
+        words=_WORDS[source],
+        u_now_m=u_now,
+        U95_now_m=COVERAGE_95 * u_now,
+        u_then_m=best.u_height_m,
+        U95_then_m=best.U95_height_m,
+        u_solved_inset_m=best.u_solved_inset_m,
+        spots=tuple(spots),
     )
 
 

@@ -6,13 +6,13 @@ and inset, so for the same points they are the same number.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, cast
 from weakref import WeakKeyDictionary
 
 from sqlalchemy.orm import Session
 
-from sightline.enums import MeasurementStatus, Target
+from sightline.enums import MeasurementStatus, Point, Target
 from sightline.errors import BadInput, Conflict
 from sightline.geometry.road_pose import RoadPose
 from sightline.geometry.ruler import Ruler, ruler
@@ -24,13 +24,12 @@ from sightline.measurements.click_context_query import (
 )
 from sightline.measurements.height_of_clicks import (
     Answer,
-    Clicks,
     PoseShelf,
     answer,
-    clicks_of,
+    filled_in,
     inset_for,
 )
-from sightline.measurements.records import FurtherFrame, Measurement, MeasurementValues
+from sightline.measurements.records import ClickedFrame, Clicks, FurtherFrame, Measurement, MeasurementValues
 from sightline.measurements.store import (
     add_measurement,
     get_measurement,
@@ -39,32 +38,8 @@ from sightline.measurements.store import (
 )
 from sightline.poses.store import get_pose
 
-Point = tuple[float, float]
-
 # One shelf a database: pose 1 of one is not pose 1 of another.
 _shelves: WeakKeyDictionary[Any, PoseShelf] = WeakKeyDictionary()
-
-
-@dataclass(frozen=True)
-class ClickedFrame:
-    """The same two points of the vehicle on a further frame of its pass."""
-
-    frame: int
-    contact: Point
-    point: Point
-
-
-@dataclass(frozen=True)
-class Clicked:
-    """What a person clicked; None is filled in: their own sigma (else 1 px), the survey's inset."""
-
-    target: Target
-    contact: Point
-    point: Point
-    sigma_px: float | None = None
-    inset_m: float | None = None
-    u_inset_m: float | None = None
-    more_frames: tuple[ClickedFrame, ...] = ()
 
 
 def road_pose(session: Session, pose_id: int) -> RoadPose:
@@ -73,11 +48,11 @@ def road_pose(session: Session, pose_id: int) -> RoadPose:
     return shelf.get(pose_id) or shelf.put(pose_id, get_pose(session, pose_id).document)
 
 
-def height_at(session: Session, recording_id: int, clicked: Clicked, *, actor: int | None = None) -> Answer:
+def height_at(session: Session, recording_id: int, clicks: Clicks, *, actor: int | None = None) -> Answer:
     """The height that these clicks of `actor` would be stored with. Raises Conflict without a road pose."""
     context = click_context(session, recording_id, actor)
     pose, _, _ = pose_in_force(session, context)
-    return answer(pose, filled_in(clicked, context))
+    return answer(pose, clicks_in_context(clicks, context))
 
 
 def ruler_at(
@@ -94,8 +69,7 @@ def store_measurement(
     session: Session,
     vehicle_id: int,
     client_key: str,
-    frame: int,
-    clicked: Clicked,
+    clicks: Clicks,
     *,
     repeat_of: int | None = None,
     actor: int,
@@ -106,60 +80,62 @@ def store_measurement(
     the heights differ by the clicks alone. Raises NotFound, Conflict without a road pose, BadInput for a
     frame outside the recording or a repeat of another target's or vehicle's.
     """
-    context = click_context_of_vehicle(session, vehicle_id, actor, clicked_frames(frame, clicked))
-    if repeat_of is not None and clicked.inset_m is None:
+    context = click_context_of_vehicle(session, vehicle_id, actor, _frames_once(clicks))
+    if repeat_of is not None and clicks.inset_m is None:
         first = get_measurement(session, repeat_of)
-        clicked = replace(clicked, inset_m=first.values.inset_m, u_inset_m=first.values.u_inset_m)
-    values = values_of_clicks(session, context, frame, clicked)
+        clicks = replace(clicks, inset_m=first.values.inset_m, u_inset_m=first.values.u_inset_m)
+    values = values_of_clicks(session, context, clicks)
     return add_measurement(
         session, vehicle_id, client_key=client_key, values=values, repeat_of=repeat_of, actor=actor
     )
 
 
 def store_revision(
-    session: Session, series_id: int, revision: int, frame: int, clicked: Clicked, *, actor: int
+    session: Session, series_id: int, revision: int, clicks: Clicks, *, actor: int
 ) -> Measurement:
     """Measure again and store a new revision. Raises Conflict if `revision` is not the current one."""
     before = require_measurement_revision(session, series_id, revision)
-    context = click_context(session, before.recording_id, actor, clicked_frames(frame, clicked))
-    values = values_of_clicks(session, context, frame, clicked)
+    values = values_at(session, before.recording_id, clicks, actor=actor)
     return revise_current_measurement(session, before, values, actor=actor)
 
 
-def clicked_frames(n: int, clicked: Clicked) -> tuple[int, ...]:
-    """The numbers of the frames clicked on, the first one first.
+def values_at(session: Session, recording_id: int, clicks: Clicks, *, actor: int) -> MeasurementValues:
+    """`values_of_clicks` of a person's clicks on a recording."""
+    context = click_context(session, recording_id, actor, _frames_once(clicks))
+    return values_of_clicks(session, context, clicks)
 
-    Raises BadInput where a frame is there twice: the vehicle has not moved between a frame and itself.
-    """
-    numbers = (n, *(other.frame for other in clicked.more_frames))
-    twice = next((number for number in numbers if numbers.count(number) > 1), None)
+
+def _frames_once(clicks: Clicks) -> tuple[int, ...]:
+    """Raises BadInput where a frame is there twice: the vehicle has not moved between a frame and itself."""
+    twice = next((number for number in clicks.frames if clicks.frames.count(number) > 1), None)
     if twice is not None:
         raise BadInput(f"Frame {twice} is clicked twice; click the two points on another frame of the pass.")
-    return numbers
+    return clicks.frames
 
 
-def values_of_clicks(session: Session, context: ClickContext, n: int, clicked: Clicked) -> MeasurementValues:
+def values_of_clicks(session: Session, context: ClickContext, clicks: Clicks) -> MeasurementValues:
     """Everything that is stored of a measurement, so that anybody can compute it again.
 
-    `context` holds the `clicked_frames`. Raises NotFound for a frame outside the recording.
+    `context` holds the frames of the clicks. Raises NotFound for a frame outside the recording.
     """
     pose, pose_id, calibration_id = pose_in_force(session, context)
-    clicks = filled_in(clicked, context)
+    clicks = clicks_in_context(clicks, context)
+    sigma_px, inset_m, u_inset_m = clicks.assumed()
     found = answer(pose, clicks)
-    frame = context.frame(n)
+    frame = context.frame(clicks.frame)
     return MeasurementValues(
         target=clicks.target,
-        frame=n,
+        frame=frame.n,
         pts=frame.pts,
         time_s=frame.time_s,
         crc32=frame.crc32,
         contact=clicks.contact,
-        target_point=clicks.point,
-        sigma_px=clicks.sigma_px,
+        target_point=clicks.target_point,
+        sigma_px=sigma_px,
         pose_id=pose_id,
         calibration_id=calibration_id,
-        inset_m=clicks.inset_m,
-        u_inset_m=clicks.u_inset_m,
+        inset_m=inset_m,
+        u_inset_m=u_inset_m,
         height_m=found.height_m,
         uncorrected_height_m=found.uncorrected_height_m,
         u_height_m=found.u_height_m,
@@ -170,7 +146,7 @@ def values_of_clicks(session: Session, context: ClickContext, n: int, clicked: C
         flags=found.flags,
         budget=found.budget,
         code_version=code_version(),
-        more_frames=tuple(_further(context, one) for one in clicked.more_frames),
+        more_frames=tuple(_further(context, one) for one in clicks.more_frames),
         solved_inset_m=found.solved_inset_m,
         u_solved_inset_m=found.u_solved_inset_m,
     )
@@ -184,27 +160,18 @@ def _further(context: ClickContext, one: ClickedFrame) -> FurtherFrame:
         time_s=frame.time_s,
         crc32=frame.crc32,
         contact=one.contact,
-        target_point=one.point,
+        target_point=one.target_point,
     )
 
 
-def filled_in(clicked: Clicked, context: ClickContext) -> Clicks:
+def clicks_in_context(clicks: Clicks, context: ClickContext) -> Clicks:
     """The clicks with sigma and inset; what was left out comes from the person's repeats and the survey."""
-    _check_point("contact", clicked.contact)
-    _check_point("target", clicked.point)
-    for one in clicked.more_frames:
-        _check_point(f"contact (frame {one.frame})", one.contact)
-        _check_point(f"target (frame {one.frame})", one.point)
-    return clicks_of(
-        clicked.target,
-        clicked.contact,
-        clicked.point,
-        context.insets,
-        sigma_px=context.own_sigma_px if clicked.sigma_px is None else clicked.sigma_px,
-        inset_m=clicked.inset_m,
-        u_inset_m=clicked.u_inset_m,
-        more=tuple((one.contact, one.point) for one in clicked.more_frames),
-    )
+    _check_point("contact", clicks.contact)
+    _check_point("target", clicks.target_point)
+    for further in clicks.more_frames:
+        _check_point(f"contact (frame {further.frame})", further.contact)
+        _check_point(f"target (frame {further.frame})", further.target_point)
+    return filled_in(clicks, context.insets, context.own_sigma_px)
 
 
 def _check_point(word: str, point: Point) -> None:
@@ -233,19 +200,22 @@ def pose_in_force(session: Session, context: ClickContext) -> tuple[RoadPose, in
     return pose, context.pose_id, context.calibration_id
 
 
-def as_clicked(one: Measurement, n: int, contact: Point, point: Point) -> Clicked:
+def clicked_again(values: MeasurementValues, n: int, contact: Point, target_point: Point) -> Clicks:
     """Other points on frame n with everything else as in a stored revision.
 
     On another frame the further frames fall away: they were clicked to go with the frame before.
     """
-    values = one.values
-    more = tuple(ClickedFrame(other.frame, other.contact, other.target_point) for other in values.more_frames)
-    return Clicked(
+    more = tuple(
+        ClickedFrame(frame=other.frame, contact=other.contact, target_point=other.target_point)
+        for other in values.more_frames
+    )
+    return Clicks(
         target=values.target,
+        frame=n,
         contact=contact,
-        point=point,
+        target_point=target_point,
+        more_frames=more if n == values.frame else (),
         sigma_px=values.sigma_px,
         inset_m=values.inset_m,
         u_inset_m=values.u_inset_m,
-        more_frames=more if n == values.frame else (),
     )

@@ -18,10 +18,6 @@ router = APIRouter()
 QueryId = Annotated[int, Field(ge=1, le=2**31 - 1)]
 
 
-def _pair(point: list[float] | None) -> tuple[float, float] | None:
-    return None if point is None else (point[0], point[1])
-
-
 @router.get("/surveys/{survey_id}/review-queue")
 def review_queue(
     survey_id: PathId,
@@ -52,8 +48,8 @@ def review_measurement(
         verdict=body.verdict,
         reason=body.reason,
         frame=body.frame,
-        contact=_pair(body.contact),
-        point=_pair(body.point),
+        contact=body.contact,
+        target_point=body.point,
         actor=who.id,
     )
     return MeasurementBody.model_validate(judged)

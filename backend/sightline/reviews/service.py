@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from sqlalchemy.orm import Session
 
-from sightline.enums import ReviewVerdict
+from sightline.enums import Point, ReviewVerdict
 from sightline.errors import BadInput
-from sightline.measurements.click_context_query import click_context
 from sightline.measurements.records import Measurement, MeasurementValues
-from sightline.measurements.service import Point, as_clicked, clicked_frames, values_of_clicks
+from sightline.measurements.service import clicked_again, values_at
 from sightline.measurements.store import require_measurement_revision
 from sightline.reviews.store import add_review
 
@@ -22,7 +21,7 @@ def review(
     reason: str | None,
     frame: int | None,
     contact: Point | None,
-    point: Point | None,
+    target_point: Point | None,
     actor: int,
 ) -> Measurement:
     """Give a verdict on the revision that was seen.
@@ -34,8 +33,8 @@ def review(
     before = require_measurement_revision(session, series_id, revision)
     fixed = None
     if verdict == "fixed":
-        fixed = _fixed(session, before, frame, contact, point, actor)
-    elif contact is not None or point is not None or frame is not None:
+        fixed = _fixed(session, before, frame, contact, target_point, actor)
+    elif contact is not None or target_point is not None or frame is not None:
         raise BadInput("Only a fix carries points; leave them out or choose the verdict fixed.")
     return add_review(
         session,
@@ -53,12 +52,11 @@ def _fixed(
     before: Measurement,
     frame: int | None,
     contact: Point | None,
-    point: Point | None,
+    target_point: Point | None,
     actor: int,
 ) -> MeasurementValues:
-    if contact is None or point is None:
+    if contact is None or target_point is None:
         raise BadInput("A fix needs both points, contact and target; click them and send them along.")
     n = before.values.frame if frame is None else frame
-    clicked = as_clicked(before, n, contact, point)
-    context = click_context(session, before.recording_id, actor, clicked_frames(n, clicked))
-    return values_of_clicks(session, context, n, clicked)
+    clicks = clicked_again(before.values, n, contact, target_point)
+    return values_at(session, before.recording_id, clicks, actor=actor)

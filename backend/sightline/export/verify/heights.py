@@ -18,7 +18,8 @@ from sightline.geometry.documents import pose_from_dict
 from sightline.geometry.road_pose import RoadPose
 from sightline.infra.csv_package.files import Files, read_rows, read_whole
 from sightline.infra.csv_package.files import number as figure_of
-from sightline.measurements.height_of_clicks import Answer, Clicks, answer
+from sightline.measurements.height_of_clicks import Answer, answer
+from sightline.measurements.records import ClickedFrame, Clicks
 
 Row = Mapping[str, str]
 # Half of the last decimal that a CSV carries, and a hair for the rounding of the last binary digit.
@@ -88,11 +89,11 @@ def _clicks(row: Row) -> Clicks:
     return Clicks(
         target=cast(Target, row["target"]),
         contact=(number["contact_x_px"], number["contact_y_px"]),
-        point=(number["target_x_px"], number["target_y_px"]),
+        target_point=(number["target_x_px"], number["target_y_px"]),
         sigma_px=number["sigma_px"],
         inset_m=number["inset_m"],
         u_inset_m=number["u_inset_m"],
-        more=tuple(_points(number, f"{k}") for k in further(row)),
+        more_frames=tuple(_on_further(number, k) for k in further(row)),
     )
 
 
@@ -102,10 +103,11 @@ def further(row: Row) -> list[int]:
     return sorted({int(one[1]) for one in found if one})
 
 
-def _points(number: Mapping[str, float], k: str) -> tuple[tuple[float, float], tuple[float, float]]:
-    return (
-        (number[f"contact{k}_x_px"], number[f"contact{k}_y_px"]),
-        (number[f"target{k}_x_px"], number[f"target{k}_y_px"]),
+def _on_further(number: Mapping[str, float], k: int) -> ClickedFrame:
+    return ClickedFrame(
+        frame=k,
+        contact=(number[f"contact{k}_x_px"], number[f"contact{k}_y_px"]),
+        target_point=(number[f"target{k}_x_px"], number[f"target{k}_y_px"]),
     )
 
 

@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, ConfigDict, Field, field_validator
 
 Finite = Annotated[float, Field(allow_inf_nan=False)]
-Point = Annotated[list[Finite], Field(min_length=2, max_length=2, examples=[[320.5, 240.25]])]
+Point = Annotated[tuple[Finite, Finite], Field(examples=[[320.5, 240.25]])]
 Name = Annotated[str, Field(min_length=1, max_length=200)]
 Text = Annotated[str, Field(max_length=10_000)]
 # Ids are 32-bit in PostgreSQL; a larger number is a malformed id, not a database error.

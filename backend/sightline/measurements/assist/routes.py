@@ -17,8 +17,8 @@ class Pointer(In):
 class ContactProposalBody(Out):
     """Where the tyre seems to meet the road; `contact` is None with a `reason` where it cannot be told."""
 
-    contact: list[float] | None
-    outline: list[list[float]] = Field(description="The wheel's outline, px.")
+    contact: tuple[float, float] | None
+    outline: list[tuple[float, float]] = Field(description="The wheel's outline, px.")
     radius_m: float | None
     expected_px: float | None = Field(description="How far off the proposal may be.")
     words: str
@@ -30,5 +30,4 @@ def propose_contact(
     recording_id: PathId, n: PathFrame, body: Pointer, who: Viewer, services: Wired
 ) -> ContactProposalBody:
     """A proposal for the tyre's contact near the pointer; nothing is stored."""
-    pointer = (body.pointer[0], body.pointer[1])
-    return ContactProposalBody.model_validate(service.contact_near(services, recording_id, n, pointer))
+    return ContactProposalBody.model_validate(service.contact_near(services, recording_id, n, body.pointer))

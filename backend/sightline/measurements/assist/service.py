@@ -6,10 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sightline.enums import Point
 from sightline.geometry.contact import propose
 from sightline.infra.services import Services
 from sightline.measurements.click_context_query import click_context
-from sightline.measurements.service import Point, pose_in_force
+from sightline.measurements.service import pose_in_force
 from sightline.recordings.frames.stills import stills_of
 
 PERSON_PX = 1.0  # what a careful click is worth

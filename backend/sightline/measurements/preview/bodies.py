@@ -4,8 +4,8 @@ from pydantic import Field
 
 from sightline.enums import MeasurementStatus, Target
 from sightline.infra.web.bodies import FrameNumber, In, Out, Point
-from sightline.infra.web.quantities import BudgetEntryBody, InsetM, SigmaPx, UInsetM
-from sightline.measurements.bodies import MoreFrames
+from sightline.infra.web.quantities import BudgetEntryBody, InsetM, UInsetM
+from sightline.measurements.bodies import ClicksIn
 from sightline.poses.bodies import AxesBody, Polyline
 
 
@@ -34,15 +34,9 @@ class AxesAnswer(Out):
     distance_m: float | None
 
 
-class HeightWanted(In):
-    contact: Point
-    point: Point
+class HeightWanted(ClicksIn):
     target: Target
-    frame: FrameNumber | None = None
-    sigma_px: SigmaPx | None = None
-    inset_m: InsetM | None = None
-    u_inset_m: UInsetM | None = None
-    more_frames: MoreFrames = Field(default_factory=list)
+    frame: FrameNumber = 0
 
 
 class SingleFrameBody(Out):

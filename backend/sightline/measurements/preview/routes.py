@@ -6,8 +6,8 @@ from sightline.infra.web.deps import PathId, Reading, Viewer, Wired
 from sightline.measurements import second_frame
 from sightline.measurements.bodies import SecondFrameAnswer, SecondFrameWanted
 from sightline.measurements.preview.bodies import AxesAnswer, AxesWanted, HeightAnswer, HeightWanted
-from sightline.measurements.routes import clicked_of, frames_of
-from sightline.measurements.service import Clicked, height_at, ruler_at
+from sightline.measurements.routes import clicks_of
+from sightline.measurements.service import height_at, ruler_at
 
 router = APIRouter()
 
@@ -15,24 +15,15 @@ router = APIRouter()
 @router.post("/recordings/{recording_id}/geometry/axes")
 def axes_through_contact(recording_id: PathId, body: AxesWanted, who: Viewer, session: Reading) -> AxesAnswer:
     """The road's axes through a contact click, and the ladder of heights above it."""
-    contact = (body.contact[0], body.contact[1])
-    found = ruler_at(session, recording_id, contact, body.target, body.inset_m)
+    found = ruler_at(session, recording_id, body.contact, body.target, body.inset_m)
     return AxesAnswer.model_validate(found)
 
 
 @router.post("/recordings/{recording_id}/geometry/height")
 def height_of_point(recording_id: PathId, body: HeightWanted, who: Viewer, session: Reading) -> HeightAnswer:
     """The height that these two points would be stored with."""
-    clicked = Clicked(
-        target=body.target,
-        contact=(body.contact[0], body.contact[1]),
-        point=(body.point[0], body.point[1]),
-        sigma_px=body.sigma_px,
-        inset_m=body.inset_m,
-        u_inset_m=body.u_inset_m,
-        more_frames=frames_of(body.more_frames),
-    )
-    return HeightAnswer.model_validate(height_at(session, recording_id, clicked, actor=who.id))
+    clicks = clicks_of(body, body.target)
+    return HeightAnswer.model_validate(height_at(session, recording_id, clicks, actor=who.id))
 
 
 @router.post("/recordings/{recording_id}/geometry/second-frame")
@@ -43,8 +34,8 @@ def best_second_frame(
 
     Where the points are expected there is a proposal to look at: it is stored only when it is clicked.
     """
-    clicked = clicked_of(body, body.target)
+    clicks = clicks_of(body, body.target)
     found = second_frame.proposal(
-        services, session, recording_id, body.frame, clicked, vehicle_id=body.vehicle_id, actor=who.id
+        services, session, recording_id, clicks, vehicle_id=body.vehicle_id, actor=who.id
     )
     return SecondFrameAnswer.model_validate(found)

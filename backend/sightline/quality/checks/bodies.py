@@ -121,8 +121,8 @@ class WheelPairBody(Out):
     vehicle_number: int
     recording_id: int
     frame: int
-    first: list[float]
-    second: list[float]
+    first: tuple[float, float]
+    second: tuple[float, float]
     withdrawn: bool
     created_by: WhoBody | None
     created_at: datetime

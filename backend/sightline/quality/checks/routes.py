@@ -49,8 +49,8 @@ def add_wheel_pair(vehicle_id: PathId, body: NewWheelPair, who: Operator, sessio
         vehicle_id,
         frame=body.frame,
         crc32=body.frame_crc,
-        first=(body.first[0], body.first[1]),
-        second=(body.second[0], body.second[1]),
+        first=body.first,
+        second=body.second,
         actor=who.id,
     )
     return WheelPairBody.model_validate(stored)

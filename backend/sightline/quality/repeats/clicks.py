@@ -9,11 +9,11 @@ from math import sqrt
 
 from sqlalchemy.orm import Session
 
-from sightline.enums import Target
+from sightline.enums import Point, Target
 from sightline.infra.audit.records import Who
-from sightline.measurements.height_of_clicks import Clicks, answer
-from sightline.measurements.records import Measurement
-from sightline.measurements.service import Point, road_pose
+from sightline.measurements.height_of_clicks import answer
+from sightline.measurements.records import Clicks, Measurement
+from sightline.measurements.service import road_pose
 from sightline.quality.repeats.query import repeats_of_survey
 
 CLICK_SOURCES = ("click, target", "click, contact")
@@ -88,7 +88,7 @@ def alone(session: Session, one: Measurement) -> tuple[float | None, float | Non
     clicks = Clicks(
         target=values.target,
         contact=values.contact,
-        point=values.target_point,
+        target_point=values.target_point,
         sigma_px=values.sigma_px,
         inset_m=values.inset_m,
         u_inset_m=values.u_inset_m,

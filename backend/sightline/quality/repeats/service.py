@@ -11,12 +11,11 @@ from statistics import fmean
 
 from sqlalchemy.orm import Session
 
-from sightline.enums import Target
+from sightline.enums import Point, Target
 from sightline.errors import BadInput
 from sightline.infra.audit.records import Who
 from sightline.measurements.click_sigma_store import choose_click_sigma, list_click_sigmas
 from sightline.measurements.records import ClickSigma, Measurement
-from sightline.measurements.service import Point
 from sightline.measurements.store import get_measurement
 from sightline.people.store import get_person
 from sightline.quality.repeats.clicks import Click, alone, clicks_of_survey
