@@ -226,7 +226,14 @@ def pose(
             camera,
             frames,
             board,
-            Reference(reference, reference_height, u_reference_height, u_lean, u_square, u_bow),
+            Reference(
+                side=reference,
+                height_m=reference_height,
+                u_height_m=u_reference_height,
+                u_lean_rad=u_lean,
+                u_square_m=u_square,
+                u_bow_m=u_bow,
+            ),
             mean_picture,
         )
     except BadInput as error:

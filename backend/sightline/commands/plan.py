@@ -69,7 +69,14 @@ def plan(
     if camera_height is None or distance is None:
         raise BadInput("Give --camera-height and --distance; or --baseline for a line scan.")
     camera = _camera(camera_file, size_text, field_of_view)
-    site = Site(camera_height, distance, board_distance, sigma, float(np.deg2rad(direction)), travel)
+    site = Site(
+        camera_height_m=camera_height,
+        distance_m=distance,
+        board_distance_m=board_distance,
+        sigma_px=sigma,
+        direction_rad=float(np.deg2rad(direction)),
+        travel_m=travel,
+    )
     planned = plan_site(camera, site)
     click.echo(json.dumps(_plan_to_dict(planned)) if as_json else _plan_text(planned))
 

@@ -182,7 +182,16 @@ def _read(
     services.media.put_file(key, path)
     services.media.put_file(thumbnails_key_of(sha256), pack_thumbnails(thumbs, found))
     still = board_corners(path, scene)
-    return Video(scene, path.name, key, sha256, path.stat().st_size, found, still, truth(scene))
+    return Video(
+        scene=scene,
+        name=path.name,
+        media_key=key,
+        sha256=sha256,
+        size_bytes=path.stat().st_size,
+        found=found,
+        still=still,
+        truth=truth(scene),
+    )
 
 
 def board_corners(path: Path, scene: Scene) -> BoardSeen:

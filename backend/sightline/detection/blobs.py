@@ -171,12 +171,12 @@ def united(boxes: Sequence[Box]) -> Box:
     left, right = min(boxes, key=lambda box: box.x0), max(boxes, key=lambda box: box.x1)
     ways = {box.way for box in boxes} - {0}
     return Box(
-        left.x0,
-        min(box.y0 for box in boxes),
-        right.x1,
-        max(box.y1 for box in boxes),
-        sum(box.area_px for box in boxes),
-        ways.pop() if len(ways) == 1 else 0,
-        max(boxes, key=lambda box: box.area_px).step_px,
-        tuple(edge for edge, box in enumerate((left, right)) if edge in box.hidden),
+        x0=left.x0,
+        y0=min(box.y0 for box in boxes),
+        x1=right.x1,
+        y1=max(box.y1 for box in boxes),
+        area_px=sum(box.area_px for box in boxes),
+        way=ways.pop() if len(ways) == 1 else 0,
+        step_px=max(boxes, key=lambda box: box.area_px).step_px,
+        hidden=tuple(edge for edge, box in enumerate((left, right)) if edge in box.hidden),
     )

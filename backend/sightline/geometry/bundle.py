@@ -147,7 +147,17 @@ def from_scratch(
     for share in _FOCAL_SHARES:
         f = share * width
         k = np.zeros(5 if model == "brown" else 4)
-        camera = Camera("camera", width, height, model, f, f, (width - 1) / 2, (height - 1) / 2, k)
+        camera = Camera(
+            name="camera",
+            width_px=width,
+            height_px=height,
+            model=model,
+            fx_px=f,
+            fy_px=f,
+            cx_px=(width - 1) / 2,
+            cy_px=(height - 1) / 2,
+            distortion=k,
+        )
         poses = [
             roots[0] for o, s in zip(objects, seen, strict=True) if (roots := planar_roots(camera, o, s))
         ]

@@ -99,31 +99,33 @@ def calibrate(
     camera = replace(_known(fit), views=tuple(by_file[name] for name, _, _ in views))
     other_size = tuple(name for name, _, its in views if its != size)
     evidence = Evidence(
-        camera,
-        coverage(used, size),
-        tuple(name for name, _, _ in used),
-        tuple(rms),
-        tuple(pose.rotation[:, 2] for pose in fit.poses),
-        None if other is None else other.rms_px,
-        other_size,
-        len(skipped) - len(other_size),
-        tuple(c.points_px.reshape(-1, 2) for _, c, _ in used),
-        tuple(spacing_px(c.points_px) for _, c, _ in used),
+        camera=camera,
+        coverage=coverage(used, size),
+        files=tuple(name for name, _, _ in used),
+        rms_px=tuple(rms),
+        normals=tuple(pose.rotation[:, 2] for pose in fit.poses),
+        other_rms_px=None if other is None else other.rms_px,
+        other_size=other_size,
+        missed=len(skipped) - len(other_size),
+        corners_px=tuple(c.points_px.reshape(-1, 2) for _, c, _ in used),
+        spacings_px=tuple(spacing_px(c.points_px) for _, c, _ in used),
     )
     warnings, trusted = calibration_warnings(evidence)
     shapes = [c.points_px.shape for _, c, _ in used]
     return CalibrationResult(
-        camera,
-        frozen(evidence.coverage),
-        {name: c.points_px for name, c, _ in used},
-        {
+        camera=camera,
+        coverage=frozen(evidence.coverage),
+        corners={name: c.points_px for name, c, _ in used},
+        residuals_px={
             name: frozen(pose.residuals_px.reshape(shape))
             for (name, _, _), pose, shape in zip(used, fit.poses, shapes, strict=True)
         },
-        warnings,
-        trusted,
-        reshoot_advice(evidence),
-        None if bent is None or bent.shape is None else _flatness(flat, bent, bent.shape, bent_board),
+        warnings=warnings,
+        trusted=trusted,
+        reshoot=reshoot_advice(evidence),
+        flatness=None
+        if bent is None or bent.shape is None
+        else _flatness(flat, bent, bent.shape, bent_board),
     )
 
 

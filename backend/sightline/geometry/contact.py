@@ -113,7 +113,16 @@ def _layout(picture: NDArray[np.uint8], pose: RoadPose, at_m: Floats) -> _Layout
     clean = _clean(pose, at_m)
     if len(clean) < _FEWEST_ANGLES:
         return "The wheel is seen too obliquely here; its tread hides where it stands."
-    return _Layout(along, up, unit, cell, origin, float(at_m[1]), pixel_m, clean)
+    return _Layout(
+        along=along,
+        up=up,
+        unit=unit,
+        cell_m=cell,
+        origin_m=origin,
+        y_m=float(at_m[1]),
+        pixel_m=pixel_m,
+        clean=clean,
+    )
 
 
 def _clean(pose: RoadPose, at_m: Floats) -> Floats:

@@ -57,7 +57,14 @@ class Corners:
 
 def not_found(board: Board, reason: str) -> Corners:
     """A detection that did not succeed, and why."""
-    return Corners(False, frozen(np.empty((0, 0, 2))), board, reason, 0.0, "")
+    return Corners(
+        found=False,
+        points_px=frozen(np.empty((0, 0, 2))),
+        board_as_seen=board,
+        reason=reason,
+        sharpness=0.0,
+        detector="",
+    )
 
 
 def _classic(gray: Gray, board: Board, flags: int) -> Floats | None:
@@ -154,7 +161,15 @@ def _numbered(gray: Gray, board: Board, charuco: Charuco) -> Corners:
     points = refine_saddles_at(gray, rough, right, down, board.clear_share).points_px
     whole = len(ids) == board.corners
     grid = points.reshape(as_seen.rows, as_seen.columns, 2) if whole else points
-    return Corners(True, frozen(grid), as_seen, None, 0.0, "charuco", None if whole else ids)
+    return Corners(
+        found=True,
+        points_px=frozen(grid),
+        board_as_seen=as_seen,
+        reason=None,
+        sharpness=0.0,
+        detector="charuco",
+        ids=None if whole else ids,
+    )
 
 
 def neighbours(ids: NDArray[np.intp], points: Floats, board: Board) -> tuple[Floats, Floats]:
@@ -194,7 +209,14 @@ def _accepted(gray: Gray, points: Floats, board: Board, name: str) -> Corners:
             f"The board goes on {side} beyond {board.columns}x{board.rows} inner corners; count its inner "
             "corners again.",
         )
-    return Corners(True, frozen(ordered), as_seen, None, _sharpness(gray, ordered), name)
+    return Corners(
+        found=True,
+        points_px=frozen(ordered),
+        board_as_seen=as_seen,
+        reason=None,
+        sharpness=_sharpness(gray, ordered),
+        detector=name,
+    )
 
 
 def spacing_px(grid: Floats) -> float:

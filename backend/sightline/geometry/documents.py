@@ -172,18 +172,18 @@ def camera_from_dict(data: object, what: str = "camera.json") -> Camera:
     if distortion.shape not in [(n,) for n in _LENGTHS[model]]:
         raise read.fail("distortion", f"{' or '.join(map(str, _LENGTHS[model]))} numbers for model {model}")
     camera = Camera(
-        read.text("name", default="camera"),
-        read.whole("width_px", 2),
-        read.whole("height_px", 2),
-        model,
-        read.number("fx_px", positive=True),
-        read.number("fy_px", positive=True),
-        read.number("cx_px"),
-        read.number("cy_px"),
-        distortion,
-        read.optional("rms_px"),
-        None,
-        _views(read),
+        name=read.text("name", default="camera"),
+        width_px=read.whole("width_px", 2),
+        height_px=read.whole("height_px", 2),
+        model=model,
+        fx_px=read.number("fx_px", positive=True),
+        fy_px=read.number("fy_px", positive=True),
+        cx_px=read.number("cx_px"),
+        cy_px=read.number("cy_px"),
+        distortion=distortion,
+        rms_px=read.optional("rms_px"),
+        covariance=None,
+        views=_views(read),
     )
     return _with_covariance(camera, _covariance(read, camera.parameters))
 
@@ -202,17 +202,17 @@ def _board(data: object, what: str) -> BoardOnRoad | None:
         return None
     read = _Reader(data, f"{what}, board")
     return BoardOnRoad(
-        read.whole("columns", 2),
-        read.whole("rows", 2),
-        read.number("square_m", positive=True),
-        cast(Side, read.text("reference", ("top", "bottom"))),
-        read.number("reference_height_m"),
-        read.not_negative("u_reference_height_m", DEFAULT_U_HEIGHT_M),
-        read.not_negative("u_lean_rad", DEFAULT_U_LEAN_RAD),
-        read.number("distance_m", default=0.0),
-        read.doubt("u_square_m"),
-        read.doubt("u_bow_m"),
-        None
+        columns=read.whole("columns", 2),
+        rows=read.whole("rows", 2),
+        square_m=read.number("square_m", positive=True),
+        reference=cast(Side, read.text("reference", ("top", "bottom"))),
+        reference_height_m=read.number("reference_height_m"),
+        u_reference_height_m=read.not_negative("u_reference_height_m", DEFAULT_U_HEIGHT_M),
+        u_lean_rad=read.not_negative("u_lean_rad", DEFAULT_U_LEAN_RAD),
+        distance_m=read.number("distance_m", default=0.0),
+        u_square_m=read.doubt("u_square_m"),
+        u_bow_m=read.doubt("u_bow_m"),
+        bow_response=None
         if read.data.get("bow_response") is None
         else tuple(map(tuple, read.array("bow_response", (BOWS, len(POSE_NAMES))).tolist())),
     )
@@ -228,11 +228,11 @@ def pose_from_dict(data: object, what: str = "pose.json") -> RoadPose:
     if np.abs(rotation @ rotation.T - np.eye(3)).max() > 1e-4 or np.linalg.det(rotation) < 0:
         raise inner.fail("rotation", "a right-handed rotation matrix")
     return RoadPose(
-        camera,
-        rotation,
-        inner.array("translation_m", (3,)),
-        _covariance(read, camera.parameters + POSE_NAMES),
-        _board(read.data.get("board"), what),
-        read.whole("frames_used", 0, default=0),
-        read.optional("rms_px"),
+        camera=camera,
+        rotation=rotation,
+        translation_m=inner.array("translation_m", (3,)),
+        covariance=_covariance(read, camera.parameters + POSE_NAMES),
+        board=_board(read.data.get("board"), what),
+        frames_used=read.whole("frames_used", 0, default=0),
+        rms_px=read.optional("rms_px"),
     )

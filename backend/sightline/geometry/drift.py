@@ -92,7 +92,15 @@ def fit_motion(before_px: Floats, after_px: Floats, size_px: tuple[int, int]) ->
     found = _solve(design, moves, weights)
     u = _jackknife(design, moves, weights, blocks, found, size_px)
     x, y, s, t = (float(value) for value in found)
-    return Motion(x, y, t, 1.0 + s, displacement_px(found, size_px), u, int(kept.sum()))
+    return Motion(
+        x_px=x,
+        y_px=y,
+        turn_rad=t,
+        scale=1.0 + s,
+        moved_px=displacement_px(found, size_px),
+        u_px=u,
+        points=int(kept.sum()),
+    )
 
 
 def _too_few(count: int) -> str:

@@ -152,7 +152,15 @@ def _mean(motions: Sequence[Motion], size_px: Size) -> Motion:
     u = float(np.median([one.u_px for one in motions])) / np.sqrt(len(motions))
     points = int(np.median([one.points for one in motions]))
     x, y, s, t = (float(value) for value in mean)
-    return Motion(x, y, t, 1.0 + s, displacement_px(mean, size_px), float(u), points)
+    return Motion(
+        x_px=x,
+        y_px=y,
+        turn_rad=t,
+        scale=1.0 + s,
+        moved_px=displacement_px(mean, size_px),
+        u_px=float(u),
+        points=points,
+    )
 
 
 def _spans_of(

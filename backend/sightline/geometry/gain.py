@@ -55,7 +55,12 @@ def second_frame_gain(
         return None
     (cx, cy), (tx, ty) = second.tolist()
     return Gain(
-        travel_m, single.u_height_m, found.height.u_height_m, found.u_solved_inset_m, (cx, cy), (tx, ty)
+        travel_m=travel_m,
+        u_single_m=single.u_height_m,
+        u_double_m=found.height.u_height_m,
+        u_inset_m=found.u_solved_inset_m,
+        contact_px=(cx, cy),
+        target_px=(tx, ty),
     )
 
 

@@ -71,7 +71,18 @@ class Heights:
 
 def not_measurable(reason: str, inset_m: float = 0.0, u_inset_m: float = 0.0) -> Height:
     """A height that is not there, and why."""
-    return Height("not_measurable", reason, None, None, None, None, None, None, inset_m, u_inset_m)
+    return Height(
+        status="not_measurable",
+        reason=reason,
+        height_m=None,
+        u_height_m=None,
+        U95_height_m=None,
+        x_m=None,
+        y_m=None,
+        distance_m=None,
+        inset_m=inset_m,
+        u_inset_m=u_inset_m,
+    )
 
 
 def _entries(pose: RoadPose, g: Gradient, sigma_px: float, u_inset_m: float) -> dict[str, float]:
@@ -161,18 +172,18 @@ def measure_height(
     u = sqrt(sum(variances.values()))
     x, y, distance = contact_on_road(pose, seen)
     return Height(
-        "ok",
-        None,
-        float(seen.height_m[0]),
-        u,
-        COVERAGE_95 * u,
-        float(x[0]),
-        float(y[0]),
-        float(distance[0]),
-        inset_m,
-        u_inset_m,
-        tuple(BudgetEntry(source, sqrt(v)) for source, v in variances.items()),
-        _flags(pose, seen, u),
+        status="ok",
+        reason=None,
+        height_m=float(seen.height_m[0]),
+        u_height_m=u,
+        U95_height_m=COVERAGE_95 * u,
+        x_m=float(x[0]),
+        y_m=float(y[0]),
+        distance_m=float(distance[0]),
+        inset_m=inset_m,
+        u_inset_m=u_inset_m,
+        budget=tuple(BudgetEntry(source, sqrt(v)) for source, v in variances.items()),
+        flags=_flags(pose, seen, u),
     )
 
 

@@ -48,7 +48,14 @@ def height_differences(whole: Camera, first: Camera, second: Camera) -> tuple[He
 
 
 def _pose(camera: Camera, seen: Floats) -> RoadPose | None:
-    corners = Corners(True, seen.reshape(_BOARD.rows, _BOARD.columns, 2), _BOARD, None, 0.0, "predicted")
+    corners = Corners(
+        found=True,
+        points_px=seen.reshape(_BOARD.rows, _BOARD.columns, 2),
+        board_as_seen=_BOARD,
+        reason=None,
+        sharpness=0.0,
+        detector="predicted",
+    )
     try:
         return pose_from_corners(camera, [corners], _BOARD, Reference("top", _TOP_M))
     except BadInput:

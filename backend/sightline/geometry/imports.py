@@ -197,12 +197,12 @@ def _opencv_or_ros(data: Mapping[str, Any], file_name: str) -> _Found:
         model = "fisheye" if data["fisheye_model"] else "brown"
     rms = _first(data, ("rms_px", "rms", "avg_reprojection_error", "reprojection_error"))
     return _Found(
-        k[[0, 4, 2, 5]],
-        np.zeros(5) if lens is None else _numbers(lens, "the distortion", file_name),
-        "brown" if lens is None and model is None else model,
-        _size(data, file_name),
-        str(data.get("camera_name") or data.get("name") or ""),
-        float(rms) if isinstance(rms, int | float) and np.isfinite(rms) else None,
+        matrix=k[[0, 4, 2, 5]],
+        lens=np.zeros(5) if lens is None else _numbers(lens, "the distortion", file_name),
+        model="brown" if lens is None and model is None else model,
+        size=_size(data, file_name),
+        name=str(data.get("camera_name") or data.get("name") or ""),
+        rms_px=float(rms) if isinstance(rms, int | float) and np.isfinite(rms) else None,
     )
 
 
@@ -263,7 +263,18 @@ def _checked(
     chosen = found.model or model or _guess(found.lens, file_name, notes)
     name = found.name or file_name.rsplit("/", 1)[-1].rsplit(".", 1)[0]
     lens = _trimmed(found.lens, chosen, file_name)
-    return Camera(name, size[0], size[1], chosen, fx, fy, cx, cy, lens, found.rms_px)
+    return Camera(
+        name=name,
+        width_px=size[0],
+        height_px=size[1],
+        model=chosen,
+        fx_px=fx,
+        fy_px=fy,
+        cx_px=cx,
+        cy_px=cy,
+        distortion=lens,
+        rms_px=found.rms_px,
+    )
 
 
 def _guess(lens: Floats, file_name: str, notes: list[str]) -> Model:

@@ -142,7 +142,9 @@ def inset_from_known_heights(
         caution = (
             "It says next to nothing: too few vehicles for heights so near the camera's or so uncertain."
         )
-    return InsetEstimate(inset, u, len(rows), None, caution, left_out)
+    return InsetEstimate(
+        inset_m=inset, u_inset_m=u, vehicles=len(rows), spread_m=None, caution=caution, left_out=left_out
+    )
 
 
 def _misfit(rows: Sightings, known: Floats, u_known: Floats, inset: float) -> Floats:
@@ -185,7 +187,15 @@ def inset_from_trend(rows: Sightings) -> InsetEstimate | str:
     height, inset, covariance = solved
     u = float(np.sqrt(covariance[1, 1]))
     caution = _why_silent(rows, height) if u > _WIDE_U_M else None
-    return InsetEstimate(inset, u, len(rows), None, caution, (), height)
+    return InsetEstimate(
+        inset_m=inset,
+        u_inset_m=u,
+        vehicles=len(rows),
+        spread_m=None,
+        caution=caution,
+        left_out=(),
+        height_m=height,
+    )
 
 
 def _fit_trend(rows: Sightings) -> tuple[float, float, Floats] | None:
@@ -235,4 +245,11 @@ def inset_from_solved(solved_m: ArrayLike, u_solved_m: ArrayLike) -> InsetEstima
     spread = found.between if found.count >= LEAST_FOR_SPREAD else None
     left_out = tuple(int(i) for i in np.flatnonzero(gone))
     caution = "It says next to nothing: the frames were close together." if found.u_mean > _WIDE_U_M else None
-    return InsetEstimate(found.mean, found.u_mean, found.count, spread, caution, left_out)
+    return InsetEstimate(
+        inset_m=found.mean,
+        u_inset_m=found.u_mean,
+        vehicles=found.count,
+        spread_m=spread,
+        caution=caution,
+        left_out=left_out,
+    )

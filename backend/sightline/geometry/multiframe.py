@@ -273,20 +273,28 @@ def _reported(
     u_heading_out, _, u_inset, u_height = (float(v) for v in np.sqrt(variances[frames + 1 :]))
     x, y = float(theta[0]), float(theta[1])
     result = Height(
-        "ok",
-        None,
-        height,
-        u_height,
-        COVERAGE_95 * u_height,
-        x,
-        y,
-        float(np.linalg.norm(pose.centre_m - [x, y, 0.0])),
-        inset,
-        u_inset,
-        tuple(BudgetEntry(name, float(np.sqrt(v[-1]))) for name, v in found[0].items()),
-        _flags(pose, at, theta, sigma, u_inset),
+        status="ok",
+        reason=None,
+        height_m=height,
+        u_height_m=u_height,
+        U95_height_m=COVERAGE_95 * u_height,
+        x_m=x,
+        y_m=y,
+        distance_m=float(np.linalg.norm(pose.centre_m - [x, y, 0.0])),
+        inset_m=inset,
+        u_inset_m=u_inset,
+        budget=tuple(BudgetEntry(name, float(np.sqrt(v[-1]))) for name, v in found[0].items()),
+        flags=_flags(pose, at, theta, sigma, u_inset),
     )
-    return MultiHeight(result, inset, u_inset, heading, u_heading_out, _span(theta, frames), frames)
+    return MultiHeight(
+        height=result,
+        solved_inset_m=inset,
+        u_solved_inset_m=u_inset,
+        heading_rad=heading,
+        u_heading_rad=u_heading_out,
+        travel_m=_span(theta, frames),
+        frames=frames,
+    )
 
 
 def _flags(pose: RoadPose, at: _Linear, theta: Floats, sigma: float, u_inset: float) -> tuple[str, ...]:

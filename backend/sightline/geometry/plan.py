@@ -82,14 +82,14 @@ def plan_site(camera: Camera, site: Site, insets: Insets | None = None) -> Plan:
         for name in ("driver_eye", "driver_eye_far")
     )
     return Plan(
-        site,
-        targets,
-        advice(site, pose, targets, _turned_eye(camera, site, known["driver_eye"])),
-        tuple(over_distance),
-        tuple(over_height),
-        outlook(bare),
-        float(np.arcsin(-bare.rotation[2, 2])),
-        track_shown_m(bare, site.distance_m, eye),
+        site=site,
+        targets=targets,
+        advice=advice(site, pose, targets, _turned_eye(camera, site, known["driver_eye"])),
+        U95_over_distance=tuple(over_distance),
+        bias_over_height=tuple(over_height),
+        outlook=outlook(bare),
+        tilt_rad=float(np.arcsin(-bare.rotation[2, 2])),
+        track_shown_m=track_shown_m(bare, site.distance_m, eye),
     )
 
 

@@ -72,11 +72,20 @@ def planned_target(
     """One target in the middle of the picture's wheel track; `pose` None: no board, so no number."""
     bias = float(ignored_bias_m(site.camera_height_m, height_m, site.distance_m, inset[0]))
     if pose is None:
-        none = not_measurable(NO_BOARD, *inset)
-        return PlannedTarget(name, height_m, *inset, none, bias, TwoFrames(NO_BOARD))
-    clicks = _clicks(pose, site.distance_m, height_m, inset[0])
-    result = measure_height(pose, clicks[0], clicks[1], site.sigma_px, *inset)
-    return PlannedTarget(name, height_m, *inset, result, bias, _two_frames(pose, site, height_m, inset))
+        result, two_frames = not_measurable(NO_BOARD, *inset), TwoFrames(NO_BOARD)
+    else:
+        clicks = _clicks(pose, site.distance_m, height_m, inset[0])
+        result = measure_height(pose, clicks[0], clicks[1], site.sigma_px, *inset)
+        two_frames = _two_frames(pose, site, height_m, inset)
+    return PlannedTarget(
+        target=name,
+        height_m=height_m,
+        inset_m=inset[0],
+        u_inset_m=inset[1],
+        result=result,
+        bias_if_ignored_m=bias,
+        two_frames=two_frames,
+    )
 
 
 def _clicks(

@@ -189,17 +189,17 @@ def board_on_road(board: Board, reference: Reference, at: PlanarPose, points: Fl
     """
     square = DEFAULT_U_SQUARE * board.square_m if reference.u_square_m is None else reference.u_square_m
     return BoardOnRoad(
-        board.columns,
-        board.rows,
-        board.square_m,
-        reference.side,
-        reference.height_m,
-        reference.u_height_m,
-        reference.u_lean_rad,
-        float(np.linalg.norm(at.rotation @ points.mean(axis=0) + at.translation)),
-        square,
-        reference.u_bow_m,
-        tuple(tuple(float(v) for v in one) for one in bow_response(at, bow_profiles(board)).T),
+        columns=board.columns,
+        rows=board.rows,
+        square_m=board.square_m,
+        reference=reference.side,
+        reference_height_m=reference.height_m,
+        u_reference_height_m=reference.u_height_m,
+        u_lean_rad=reference.u_lean_rad,
+        distance_m=float(np.linalg.norm(at.rotation @ points.mean(axis=0) + at.translation)),
+        u_square_m=square,
+        u_bow_m=reference.u_bow_m,
+        bow_response=tuple(tuple(float(v) for v in one) for one in bow_response(at, bow_profiles(board)).T),
     )
 
 

@@ -25,7 +25,8 @@ def ruler(pose: RoadPose, contact: tuple[float, float], inset_m: float) -> Ruler
     axes = axes_at_contact(pose, contact)
     rungs = ladder_at_contact(pose, contact, inset_m)
     if isinstance(axes, str) or isinstance(rungs, str):
-        return Ruler(False, axes if isinstance(axes, str) else str(rungs), None, [], None, None, None)
+        reason = axes if isinstance(axes, str) else str(rungs)
+        return Ruler(ok=False, reason=reason, axes=None, ladder=[], x_m=None, y_m=None, distance_m=None)
     ladder = [
         {"height_m": rung.height_m, "points": rung.polyline_px.tolist(), "label": rung.label}
         for rung in rungs
@@ -33,7 +34,15 @@ def ruler(pose: RoadPose, contact: tuple[float, float], inset_m: float) -> Ruler
     at = axes.contact_m
     away = at - pose.centre_m
     distance_m = float((away @ away) ** 0.5)
-    return Ruler(True, None, drawn_axes(axes), ladder, float(at[0]), float(at[1]), distance_m)
+    return Ruler(
+        ok=True,
+        reason=None,
+        axes=drawn_axes(axes),
+        ladder=ladder,
+        x_m=float(at[0]),
+        y_m=float(at[1]),
+        distance_m=distance_m,
+    )
 
 
 def drawn_axes(axes: Overlay) -> dict[str, Any]:

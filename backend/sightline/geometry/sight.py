@@ -116,7 +116,17 @@ def sight(pose: RoadPose, contacts_px: Floats, targets_px: Floats, inset_m: Floa
     # a sum is finite only where every part of it is
     total = contacts_px[:, 0] + contacts_px[:, 1] + targets_px[:, 0] + targets_px[:, 1]
     code[~np.isfinite(total)] = NOT_FINITE
-    return Sight(code, (cx, cy), (tx, ty), s, q, c_z, t_y, plane, height)
+    return Sight(
+        code=code,
+        contact=(cx, cy),
+        target=(tx, ty),
+        s=s,
+        q=q,
+        w_contact_z=c_z,
+        w_target_y=t_y,
+        plane_m=plane,
+        height_m=height,
+    )
 
 
 def contact_on_road(pose: RoadPose, seen: Sight) -> tuple[Floats, Floats, Floats]:

@@ -70,9 +70,17 @@ def plain_camera(width_px: int, height_px: int, field_of_view_rad: float) -> Cam
             "5 to 150."
         )
     focal_px = 0.5 * width_px / float(np.tan(0.5 * field_of_view_rad))
-    middle = (0.5 * (width_px - 1), 0.5 * (height_px - 1))
-    name = f"plain camera, {degrees:g} degrees"
-    return Camera(name, width_px, height_px, "brown", focal_px, focal_px, *middle, np.zeros(5))
+    return Camera(
+        name=f"plain camera, {degrees:g} degrees",
+        width_px=width_px,
+        height_px=height_px,
+        model="brown",
+        fx_px=focal_px,
+        fy_px=focal_px,
+        cx_px=0.5 * (width_px - 1),
+        cy_px=0.5 * (height_px - 1),
+        distortion=np.zeros(5),
+    )
 
 
 def level_pose(

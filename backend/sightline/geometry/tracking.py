@@ -26,4 +26,12 @@ def track(gray: Gray, last: Corners) -> Corners:
     reason = flaw(gray, grid) if moved > _LOOK_AGAIN_PX else None
     if reason is not None:
         return not_found(last.board_as_seen, reason)
-    return Corners(True, frozen(grid), last.board_as_seen, None, last.sharpness, "followed", last.ids)
+    return Corners(
+        found=True,
+        points_px=frozen(grid),
+        board_as_seen=last.board_as_seen,
+        reason=None,
+        sharpness=last.sharpness,
+        detector="followed",
+        ids=last.ids,
+    )

@@ -125,7 +125,14 @@ def summary_of_headings(heading_rad: ArrayLike, u_rad: ArrayLike) -> Headings | 
     found = mean_and_spread(values[used], u[used])
     away = abs(found.mean) / found.u_mean
     proposed = bool(away > student.ppf(0.975, found.count - 1))
-    return Headings(frozen(values), used, found.mean, found.u_mean, found.between, proposed)
+    return Headings(
+        heading_rad=frozen(values),
+        used=used,
+        mean_rad=found.mean,
+        u_mean_rad=found.u_mean,
+        spread_rad=found.between,
+        proposed=proposed,
+    )
 
 
 def headings(

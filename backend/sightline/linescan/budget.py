@@ -87,7 +87,15 @@ def budget_of(
     ]
     together = float((alone + due)[0, 1]) + v * a * ratio**2 + 2 * v * a * clock_ratio**2
     correlation = float(np.clip(together / (u[0] * u[1]), -1.0, 1.0)) if u[0] * u[1] > 0 else 0.0
-    return Budget(length, u[0], u[1], u[2], entries, max(map(abs, apart)), correlation)
+    return Budget(
+        length_m=length,
+        u_speed_mps=u[0],
+        u_acceleration_mps2=u[1],
+        u_length_m=u[2],
+        entries=entries,
+        apart_m=max(map(abs, apart)),
+        correlation=correlation,
+    )
 
 
 def _answer_to_shift(fit: Fit) -> Array:

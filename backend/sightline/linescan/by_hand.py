@@ -28,14 +28,14 @@ def passage_at(crossings: Crossings, rig: Rig, rows: int, reads: tuple[Read, Rea
     two = _cut(finder, crossings.front_line_2, crossings.rear_line_2, reads[1])
     noise_dn = max(one.road.noise_dn, two.road.noise_dn)
     return Passage(
-        crossings,
-        one.picture,
-        two.picture,
-        one.start,
-        two.start,
-        one.road.line,
-        two.road.line,
-        noise_dn,
+        crossings=crossings,
+        first=one.picture,
+        second=two.picture,
+        start_1=one.start,
+        start_2=two.start,
+        background_1=one.road.line,
+        background_2=two.road.line,
+        noise_dn=noise_dn,
     )
 
 

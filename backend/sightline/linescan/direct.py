@@ -128,7 +128,17 @@ def _prepared(passage: Passage, rig: Rig) -> tuple[Scene, State, Prior]:
     prior = Prior()
     if rig.misalignment_px is not None:
         prior = Prior(rig.misalignment_px / band, max(rig.u_misalignment_px, 0.005) / band)
-    scene = Scene(first, second, points, block, cell, cluster, clock, lines_per_m, noise)
+    scene = Scene(
+        first=first,
+        second=second,
+        points=points,
+        block=block,
+        cell=cell,
+        cluster=cluster,
+        clock=clock,
+        lines_per_m=lines_per_m,
+        noise_dn=noise,
+    )
     return scene, State(course, prior.shift), prior
 
 
@@ -189,24 +199,24 @@ def _answer(passage: Passage, rig: Rig, scene: Scene, prior: Prior, whole: Fit, 
     budget = budget_of(passage, rig, scene.clock, fit, spread, u_shift, baseline_of(rig))
     profile = _profile(scene, fit, rig)
     return Motion(
-        "direct",
-        c,
-        "ok",
-        None,
-        course.speed_mps,
-        budget.u_speed_mps,
-        course.acceleration_mps2,
-        budget.u_acceleration_mps2,
-        budget.length_m,
-        budget.u_length_m,
-        _fit_error(profile),
-        shift * scene.first.band,
-        u_shift * scene.first.band,
-        fit.state.gain,
-        budget.entries,
-        profile,
-        _warnings(passage, scene, fit, budget.apart_m),
-        budget.correlation,
+        method="direct",
+        crossings=c,
+        status="ok",
+        reason=None,
+        speed_mps=course.speed_mps,
+        u_speed_mps=budget.u_speed_mps,
+        acceleration_mps2=course.acceleration_mps2,
+        u_acceleration_mps2=budget.u_acceleration_mps2,
+        length_m=budget.length_m,
+        u_length_m=budget.u_length_m,
+        fit_error_percent=_fit_error(profile),
+        misalignment_px=shift * scene.first.band,
+        u_misalignment_px=u_shift * scene.first.band,
+        gain=fit.state.gain,
+        budget=budget.entries,
+        profile=profile,
+        warnings=_warnings(passage, scene, fit, budget.apart_m),
+        correlation=budget.correlation,
     )
 
 

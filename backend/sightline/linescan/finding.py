@@ -239,15 +239,15 @@ class Finder:
             cuts.append(reel.cut(int(event.front) - self.margin, stop))
         (first, start_1), (second, start_2) = cuts
         passage = Passage(
-            Crossings(one.front, one.rear, two.front, two.rear),
-            first,
-            second,
-            start_1,
-            start_2,
-            one.road.line,
-            two.road.line,
-            max(one.road.noise_dn, two.road.noise_dn),
-            reason,
+            crossings=Crossings(one.front, one.rear, two.front, two.rear),
+            first=first,
+            second=second,
+            start_1=start_1,
+            start_2=start_2,
+            background_1=one.road.line,
+            background_2=two.road.line,
+            noise_dn=max(one.road.noise_dn, two.road.noise_dn),
+            reason=reason,
         )
         if reason:
             return passage

@@ -97,20 +97,20 @@ def plan_lines(
     u_speed = hypot(u_lines, u_baseline)
     words = _words(error, expected, u_lines / speed_mps, u_baseline_m / baseline_m)
     return LinePlan(
-        speed_mps,
-        baseline_m,
-        u_baseline_m,
-        rate_hz,
-        error,
-        wanted,
-        expected,
-        one_line_mps,
-        speed_mps / rate_hz,
-        u_lines,
-        u_baseline,
-        u_speed,
-        COVERAGE_95 * u_speed,
-        words,
+        speed_mps=speed_mps,
+        baseline_m=baseline_m,
+        u_baseline_m=u_baseline_m,
+        line_rate_hz=rate_hz,
+        error=error,
+        wanted=wanted,
+        expected=expected,
+        one_line_mps=one_line_mps,
+        one_line_m=speed_mps / rate_hz,
+        u_lines_mps=u_lines,
+        u_baseline_mps=u_baseline,
+        u_speed_mps=u_speed,
+        U95_speed_mps=COVERAGE_95 * u_speed,
+        words=words,
     )
 
 

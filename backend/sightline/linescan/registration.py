@@ -104,7 +104,14 @@ def look(first: Sheet, second: Sheet, points: Points, clock: Clock, state: State
             -np.ones_like(residual),
         ]
     ).T  # each unknown's derivatives side by side in memory
-    return Look(residual.astype(float), jacobian, inside, first_s, second_s, along)
+    return Look(
+        residual=residual.astype(float),
+        jacobian=jacobian,
+        inside=inside,
+        first_s=first_s,
+        second_s=second_s,
+        along=along,
+    )
 
 
 def _scale(residual: Array) -> float:
@@ -162,7 +169,7 @@ def register(
         small = abs(step[0]) < SETTLED * state.course.speed_mps and bool((np.abs(step[1:3]) < 2e-3).all())
         # the last look is one small step behind the state, which no uncertainty would notice
         state = _moved(state, step)
-        fit = Fit(state, seen, weight, normal, scale, small)
+        fit = Fit(state=state, look=seen, weight=weight, normal=normal, scale_dn=scale, settled=small)
         if small:
             break
     assert fit is not None
@@ -194,7 +201,14 @@ def levelled(seen: Look, value: Array, weight: Array, cell: NDArray[np.intp]) ->
     for k in range(3):
         jacobian[:, k] = cleared(jacobian[:, k])
     jacobian[:, 3:] = 0.0
-    return Look(cleared(seen.residual), jacobian, seen.inside, seen.first_s, seen.second_s, seen.along)
+    return Look(
+        residual=cleared(seen.residual),
+        jacobian=jacobian,
+        inside=seen.inside,
+        first_s=seen.first_s,
+        second_s=seen.second_s,
+        along=seen.along,
+    )
 
 
 def _normal(seen: Look, weight: Array, prior: Prior, state: State, scale: float) -> tuple[Array, Array]:

@@ -124,7 +124,14 @@ def misalignment(motions: Sequence[Registered]) -> Estimate:
             f"The vehicles' misalignments scatter by {estimate.spread:.2f} px, so it is no constant: "
             "look whether a camera moved."
         )
-        return Estimate(estimate.value, estimate.u, estimate.spread, estimate.n, None, warning)
+        return Estimate(
+            value=estimate.value,
+            u=estimate.u,
+            spread=estimate.spread,
+            n=estimate.n,
+            reason=None,
+            warning=warning,
+        )
     return estimate
 
 
@@ -168,7 +175,7 @@ def baseline_ratio(
         return Estimate(mean, u, spread, n)
     share = f"{abs(mean - 1) * 100:.2f} % {'longer' if mean > 1 else 'shorter'}"
     warning = f"Vehicles come out {share} than they are; measure the baseline again (a shadow lengthens too)."
-    return Estimate(mean, u, spread, n, None, warning)
+    return Estimate(value=mean, u=u, spread=spread, n=n, reason=None, warning=warning)
 
 
 def wheelbase(motion: Motion, rig: Rig, line_a: float, line_b: float, *, u_line: float = 2.0) -> Wheelbase:

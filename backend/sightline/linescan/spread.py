@@ -43,7 +43,14 @@ def second_slopes(
     slopes = np.stack(columns).T
     if cell is None:
         return slopes
-    own = Look(seen.residual, slopes, seen.inside, seen.first_s, seen.second_s, along)
+    own = Look(
+        residual=seen.residual,
+        jacobian=slopes,
+        inside=seen.inside,
+        first_s=seen.first_s,
+        second_s=seen.second_s,
+        along=along,
+    )
     return levelled(own, points.value, fit.weight * seen.inside, cell).jacobian
 
 

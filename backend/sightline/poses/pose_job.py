@@ -57,7 +57,14 @@ class PoseRequest:
     @property
     def tape(self) -> Reference:
         height_m, u_height_m = self.reference_height_m, self.u_reference_height_m
-        return Reference(self.reference, height_m, u_height_m, self.u_lean_rad, self.u_square_m, self.u_bow_m)
+        return Reference(
+            side=self.reference,
+            height_m=height_m,
+            u_height_m=u_height_m,
+            u_lean_rad=self.u_lean_rad,
+            u_square_m=self.u_square_m,
+            u_bow_m=self.u_bow_m,
+        )
 
 
 def look_for_board(

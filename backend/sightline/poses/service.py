@@ -85,7 +85,16 @@ def board_view(gray: Gray, board: Board) -> BoardView:
     """Look for the board in one grey picture (H, W). Raises BadInput for an impossible board."""
     corners = detect(gray, board)
     if not corners.found:
-        return BoardView(False, corners.reason, board.columns, board.rows, [], [], None, _ORDER_NOTE)
+        return BoardView(
+            found=False,
+            reason=corners.reason,
+            columns=board.columns,
+            rows=board.rows,
+            corners_px=[],
+            outline_px=[],
+            ids=None,
+            order_note=_ORDER_NOTE,
+        )
     seen = corners.board_as_seen
     turned = (seen.columns, seen.rows) != (board.columns, board.rows)
     note = _ORDER_NOTE + (_TRANSPOSED.format(columns=seen.columns, rows=seen.rows) if turned else "")
@@ -94,7 +103,16 @@ def board_view(gray: Gray, board: Board) -> BoardView:
         ids = corners.ids.tolist()
         note = _PART.format(seen=len(corners.ids), all=seen.corners) + note
     flat = corners.points_px.reshape(-1, 2).tolist()
-    return BoardView(True, None, seen.columns, seen.rows, flat, outline(corners), ids, note)
+    return BoardView(
+        found=True,
+        reason=None,
+        columns=seen.columns,
+        rows=seen.rows,
+        corners_px=flat,
+        outline_px=outline(corners),
+        ids=ids,
+        order_note=note,
+    )
 
 
 def outline(corners: Corners) -> list[list[float]]:

@@ -64,7 +64,14 @@ def statistics_of_measurements(
         raise BadInput("The reference heights' u must be at least 0 and below 1 m, such as 0.0173.")
     own = _own("driver_eye", eye_limit_m) + _own("object", object_limit_m)
     chosen = Filter(
-        tuple(sorted(set(survey))), lighting, category, operator, first_day, last_day, state, target
+        survey_ids=tuple(sorted(set(survey))),
+        lighting=lighting,
+        category=category,
+        operator_id=operator,
+        first_day=first_day,
+        last_day=last_day,
+        state=state,
+        target=target,
     )
     choices = Choices(rounding, correction, u_reference_m, own)
     return statistics_body(survey_statistics(session, chosen, choices), correction)

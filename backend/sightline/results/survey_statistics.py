@@ -203,7 +203,14 @@ def made_of(
     vehicles = measured.vehicle_id[_of_target(measured, only)]
     counted = Counted(len(vehicles), len(_distinct(vehicles)), len(roofs.reference_m), left_out)
     errors = errors_of(roofs, choices.correction, choices.rounding)
-    return Statistics(counted, against, errors, targets, named_surveys, operators)
+    return Statistics(
+        counted=counted,
+        standards=against,
+        errors=errors,
+        targets=targets,
+        surveys=named_surveys,
+        operators=operators,
+    )
 
 
 def standards_of(table: Sequence[Standard], target: Shown) -> list[Standard]:

@@ -70,18 +70,18 @@ def vehicle_kit(scene: Scene, vehicle: Vehicle) -> Kit:
     ppm = 640.0 / near
     spin = vehicle.speed_mps / shape.radius_m * light.exposure_s
     return Kit(
-        shape,
-        _relief(scene, shape, ppm),
-        build_facets(shape, light),
-        under_plate(shape, light, ppm / 2),
-        far_side_plate(shape, light, ppm * 0.7),
-        seats_plate(shape, light, ppm * 0.7),
-        driver_plate(shape, light, ppm),
-        mirror_plate(shape, light, ppm),
-        shadow_plate(shape, light),
-        beam_plate(shape) if light.low else None,
-        tyre_plate(shape, light, ppm / 2),
-        wheel_plates(shape, light, ppm, TURNS, spin),
+        shape=shape,
+        relief=_relief(scene, shape, ppm),
+        facets=build_facets(shape, light),
+        under=under_plate(shape, light, ppm / 2),
+        far_side=far_side_plate(shape, light, ppm * 0.7),
+        seats=seats_plate(shape, light, ppm * 0.7),
+        driver=driver_plate(shape, light, ppm),
+        mirror=mirror_plate(shape, light, ppm),
+        shadow=shadow_plate(shape, light),
+        beam=beam_plate(shape) if light.low else None,
+        tyre=tyre_plate(shape, light, ppm / 2),
+        wheels=wheel_plates(shape, light, ppm, TURNS, spin),
     )
 
 

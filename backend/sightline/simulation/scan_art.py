@@ -239,7 +239,15 @@ def wheels_of(car: ScanVehicle, site: ScanSite, camera: int) -> tuple[Wheel, ...
     half = (light.shape[1] - 1) / (2 * PPM)
     step = 2 * np.pi / spoke_count(shape) / TURNS
     return tuple(
-        Wheel(light[..., band], cover[..., band], shape.length_m - axle, half, centre, step, band.start)
+        Wheel(
+            light=light[..., band],
+            cover=cover[..., band],
+            hub_m=shape.length_m - axle,
+            half_m=half,
+            radius_m=centre,
+            step_rad=step,
+            row_0=band.start,
+        )
         for axle in shape.axles
     )
 

@@ -159,14 +159,14 @@ def _truth(site: ScanSite, car: ScanVehicle, before: ScanVehicle | None) -> Scan
         gap_s = car.front_s - before.time_s(before.length_m)
         gap_m = float(before.travelled_m(np.array(car.front_s))) - before.length_m
     return ScanTruth(
-        car,
-        car.time_s(camera_1) * rate,
-        car.time_s(camera_1 + length) * rate,
-        car.time_s(camera_2) * rate,
-        car.time_s(camera_2 + length) * rate,
-        (car.time_s(hubs[0]) * rate, car.time_s(hubs[1]) * rate),
-        gap_s,
-        gap_m,
+        vehicle=car,
+        front_line_1=car.time_s(camera_1) * rate,
+        rear_line_1=car.time_s(camera_1 + length) * rate,
+        front_line_2=car.time_s(camera_2) * rate,
+        rear_line_2=car.time_s(camera_2 + length) * rate,
+        wheel_lines_1=(car.time_s(hubs[0]) * rate, car.time_s(hubs[1]) * rate),
+        time_gap_s=gap_s,
+        distance_gap_m=gap_m,
     )
 
 

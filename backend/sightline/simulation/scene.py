@@ -158,7 +158,9 @@ def day_scene() -> Scene:
     """The daytime video: board, then 24 passes."""
     camera = DemoCamera()
     vehicles, frames = _timetable(camera, _DAY_PLAN, 20190611)
-    return Scene("day", camera, DAY, RoadBoard(), vehicles, frames, seed=11)
+    return Scene(
+        name="day", camera=camera, light=DAY, board=RoadBoard(), vehicles=vehicles, frames=frames, seed=11
+    )
 
 
 @lru_cache(maxsize=1)
@@ -166,4 +168,12 @@ def low_light_scene() -> Scene:
     """The low-light video, camera set up anew (another pose, the same lens): board, then 16 passes."""
     camera = DemoCamera(centre_m=(-0.70, -3.12, 1.33), yaw_rad=0.385, pitch_rad=0.028, roll_rad=-0.009)
     vehicles, frames = _timetable(camera, _LOW_PLAN, 20191203)
-    return Scene("low_light", camera, LOW, RoadBoard(), vehicles, frames, seed=12)
+    return Scene(
+        name="low_light",
+        camera=camera,
+        light=LOW,
+        board=RoadBoard(),
+        vehicles=vehicles,
+        frames=frames,
+        seed=12,
+    )

@@ -99,13 +99,13 @@ def shape_of(vehicle: Vehicle) -> Shape:
     rear = style.rear_axle_m * sl
     axles = (rear, rear + vehicle.model.wheelbase_m)
     return Shape(
-        vehicle,
-        outline,
-        crest,
-        vehicle.model.length_m,
-        vehicle.model.width_m,
-        sl,
-        sz,
-        axles,
-        style.wheel_radius_m,
+        vehicle=vehicle,
+        outline=outline,
+        crest=crest,
+        length_m=vehicle.model.length_m,
+        width_m=vehicle.model.width_m,
+        sl=sl,
+        sz=sz,
+        axles=axles,
+        radius_m=style.wheel_radius_m,
     )

@@ -170,14 +170,14 @@ def pass_truth(scene: Scene, vehicle: Vehicle) -> PassTruth:
     frames = [f for n in span if (f := _frame_pixels(camera, vehicle, n)) is not None]
     whole = [n for n in span if _whole(camera, vehicle, n)]
     return PassTruth(
-        vehicle,
-        spots_of(vehicle),
-        whole[0] if whole else None,
-        whole[-1] if whole else None,
-        _best(camera, frames, (*TARGETS, "contact_rear")) or frames[0].frame,
-        {name: n for name in TARGETS if (n := _best(camera, frames, (name,))) is not None},
-        vehicle.side_plane_m - camera.centre_m[1],
-        tuple(frames),
+        vehicle=vehicle,
+        spots=spots_of(vehicle),
+        first_whole_frame=whole[0] if whole else None,
+        last_whole_frame=whole[-1] if whole else None,
+        best_frame=_best(camera, frames, (*TARGETS, "contact_rear")) or frames[0].frame,
+        best_frames={name: n for name in TARGETS if (n := _best(camera, frames, (name,))) is not None},
+        distance_m=vehicle.side_plane_m - camera.centre_m[1],
+        frames=tuple(frames),
     )
 
 

@@ -89,16 +89,16 @@ def trend(at: ArrayLike, value: ArrayLike, points: int = 64) -> Trend | str:
     half = t * s * np.sqrt(1.0 / n + (grid - x.mean()) ** 2 / power)
     r = float(line.rvalue)
     return Trend(
-        float(line.slope),
-        Interval(float(line.slope - t * line.stderr), float(line.slope + t * line.stderr)),
-        float(line.intercept),
-        r,
-        _correlation_interval(r, n),
-        n,
-        grid,
-        fitted,
-        fitted - half,
-        fitted + half,
+        slope=float(line.slope),
+        slope_ci95=Interval(float(line.slope - t * line.stderr), float(line.slope + t * line.stderr)),
+        intercept=float(line.intercept),
+        correlation=r,
+        correlation_ci95=_correlation_interval(r, n),
+        n=n,
+        at=grid,
+        value=fitted,
+        low=fitted - half,
+        high=fitted + half,
     )
 
 
@@ -122,13 +122,13 @@ def bland_altman(error_m: ArrayLike) -> BlandAltman | str:
     limit_half = t * sd * np.sqrt(1.0 / n + 0.5 * z * z / (n - 1))
     lower, upper = bias - z * sd, bias + z * sd
     return BlandAltman(
-        n,
-        bias,
-        Interval(bias - mean_half, bias + mean_half),
-        lower,
-        Interval(lower - limit_half, lower + limit_half),
-        upper,
-        Interval(upper - limit_half, upper + limit_half),
+        n=n,
+        bias_m=bias,
+        bias_ci95=Interval(bias - mean_half, bias + mean_half),
+        lower_m=lower,
+        lower_ci95=Interval(lower - limit_half, lower + limit_half),
+        upper_m=upper,
+        upper_ci95=Interval(upper - limit_half, upper + limit_half),
     )
 
 
@@ -157,12 +157,12 @@ def reference_part(
     alone = -truth / (spread * np.sqrt(variance)) if spread > 0 else 0.0
     camera = float(np.sqrt(left)) if left > 0 else None
     return ReferencePart(
-        float(np.sqrt(truth)),
-        truth / variance,
-        rounding / variance,
-        camera,
-        float(np.clip(alone, -1.0, 1.0)),
-        _words(truth / variance, camera),
+        u_reference_m=float(np.sqrt(truth)),
+        share_of_variance=truth / variance,
+        rounding_share=rounding / variance,
+        camera_sd_m=camera,
+        correlation_alone=float(np.clip(alone, -1.0, 1.0)),
+        words=_words(truth / variance, camera),
     )
 
 

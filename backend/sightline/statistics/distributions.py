@@ -134,7 +134,7 @@ def share_below(ordered: Floats, limit: float, confidence: float = CONFIDENCE) -
     tail = 0.5 * (1.0 - confidence)
     low = float(stats.beta.ppf(tail, below, n - below + 1)) if below else 0.0
     high = float(stats.beta.ppf(1.0 - tail, below + 1, n - below)) if below < n else 1.0
-    return Share(limit, below, n, below / n, low, high)
+    return Share(limit=limit, below=below, n=n, share=below / n, low=low, high=high)
 
 
 def ecdf(ordered: Floats, most: int = 600, confidence: float = CONFIDENCE) -> Ecdf | None:
@@ -185,7 +185,14 @@ def density(
     tail = 50.0 * (1.0 - confidence)
     low, high = np.percentile(_smoothed(resampled, kernel) / scale, [tail, 100.0 - tail], axis=0)
     centre = 0.5 * (edges[1:] + edges[:-1])
-    return Density(centre, _smoothed(counts[None, :], kernel)[0] / scale, low, high, float(width), n)
+    return Density(
+        value=centre,
+        density=_smoothed(counts[None, :], kernel)[0] / scale,
+        low=low,
+        high=high,
+        bandwidth=float(width),
+        n=n,
+    )
 
 
 def _kernel(points: int, step: float) -> Floats:

@@ -214,7 +214,9 @@ def claim(values: ArrayLike, u_clicks: ArrayLike, items: Codes) -> Claim:
     freedom = len(y) - len(np.unique(items))
     if freedom < LEAST_FREEDOM:
         few = f"Too few repeats to compare: {freedom}, at least {LEAST_FREEDOM} are needed."
-        return Claim(None, None, None, None, None, freedom, few)
+        return Claim(
+            ratio=None, low=None, high=None, claimed=None, observed=None, freedom=freedom, reason=few
+        )
     _, item = np.unique(items, return_inverse=True)
     weights = 1 / np.square(u)
     means = np.bincount(item, weights * y) / np.bincount(item, weights)
@@ -223,4 +225,11 @@ def claim(values: ArrayLike, u_clicks: ArrayLike, items: Codes) -> Claim:
     assert found.sd is not None
     often = np.bincount(item)[item] > 1
     claimed = float(np.sqrt(np.mean(np.square(u[often]))))
-    return Claim(found.sd, found.low, found.high, claimed, claimed * found.sd, freedom)
+    return Claim(
+        ratio=found.sd,
+        low=found.low,
+        high=found.high,
+        claimed=claimed,
+        observed=claimed * found.sd,
+        freedom=freedom,
+    )

@@ -127,16 +127,18 @@ def errors_of(roofs: Roofs, correction: Correction, rounding: Rounding) -> Error
     absolute = np.abs(error)
     step_m = WHOLE_CM if rounding == "cm" else 0.0
     return Errors(
-        rounding,
-        error_table(measured, roofs.reference_m, list(roofs.lighting), rounding),
-        reference_part(error, reference, roofs.u_reference_m, rounded=rounding == "cm"),
-        bland_altman(error),
-        trend(reference, error),
-        trend(reference, absolute),
-        {name: ecdf(sorted_values(absolute[rows])) for name, rows in where.items()},
-        {name: ecdf(sorted_values(absolute[rows] / reference[rows])) for name, rows in where.items()},
-        {name: density(sorted_values(error[rows]), step=step_m) for name, rows in where.items()},
-        _points(reference, error, roofs.lighting),
+        rounding=rounding,
+        groups=error_table(measured, roofs.reference_m, list(roofs.lighting), rounding),
+        reference_part=reference_part(error, reference, roofs.u_reference_m, rounded=rounding == "cm"),
+        bland_altman=bland_altman(error),
+        trend=trend(reference, error),
+        absolute_trend=trend(reference, absolute),
+        absolute={name: ecdf(sorted_values(absolute[rows])) for name, rows in where.items()},
+        relative={
+            name: ecdf(sorted_values(absolute[rows] / reference[rows])) for name, rows in where.items()
+        },
+        density={name: density(sorted_values(error[rows]), step=step_m) for name, rows in where.items()},
+        points=_points(reference, error, roofs.lighting),
     )
 
 
@@ -186,12 +188,12 @@ def distribution(heights_m: Floats, limits_m: Sequence[float] = (), most_steps: 
     n = len(ordered)
     shares = [found for limit in limits_m if (found := share_below(ordered, limit)) is not None]
     return Distribution(
-        n,
-        float(ordered.mean()) if n else None,
-        float(ordered.std(ddof=1)) if n > 1 else None,
-        ecdf(ordered, most_steps),
-        percentiles(ordered),
-        shares,
+        n=n,
+        mean_m=float(ordered.mean()) if n else None,
+        sd_m=float(ordered.std(ddof=1)) if n > 1 else None,
+        ecdf=ecdf(ordered, most_steps),
+        percentiles=percentiles(ordered),
+        shares=shares,
     )
 
 

@@ -213,7 +213,15 @@ def stored_corners(image: CalibrationImage, board: Board) -> Corners:
     points.setflags(write=False)
     seen = replace(board, columns=image.columns, rows=image.rows)
     ids = None if image.ids is None else np.asarray(image.ids, dtype=np.intp)
-    return Corners(True, points, seen, None, image.sharpness or 0.0, "stored", ids)
+    return Corners(
+        found=True,
+        points_px=points,
+        board_as_seen=seen,
+        reason=None,
+        sharpness=image.sharpness or 0.0,
+        detector="stored",
+        ids=ids,
+    )
 
 
 def _from_recording(context: JobContext, services: Services, wish: Wish) -> list[Seen]:

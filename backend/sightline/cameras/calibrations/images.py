@@ -29,16 +29,34 @@ def look(gray: npt.NDArray[np.uint8], board: Board) -> Detection:
 def detection_of(corners: Corners, board: Board) -> Detection:
     """A detection in plain lists."""
     charuco = board.charuco
-    markers = (
-        (None, None) if charuco is None else (charuco.dictionary, round(charuco.marker_m / board.square_m, 6))
-    )
+    dictionary = None if charuco is None else charuco.dictionary
+    marker_share = None if charuco is None else round(charuco.marker_m / board.square_m, 6)
     if not corners.found:
         reason = corners.reason or "No board was found."
-        return Detection(False, reason, [], board.columns, board.rows, None, None, *markers)
+        return Detection(
+            found=False,
+            reason=reason,
+            corners_px=[],
+            columns=board.columns,
+            rows=board.rows,
+            sharpness=None,
+            dictionary=dictionary,
+            marker_share=marker_share,
+        )
     seen = corners.board_as_seen
     points: list[list[float]] = corners.points_px.reshape(-1, 2).tolist()
     ids: list[int] | None = None if corners.ids is None else corners.ids.tolist()
-    return Detection(True, None, points, seen.columns, seen.rows, float(corners.sharpness), ids, *markers)
+    return Detection(
+        found=True,
+        reason=None,
+        corners_px=points,
+        columns=seen.columns,
+        rows=seen.rows,
+        sharpness=float(corners.sharpness),
+        ids=ids,
+        dictionary=dictionary,
+        marker_share=marker_share,
+    )
 
 
 def add_image(

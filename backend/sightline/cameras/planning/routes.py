@@ -44,7 +44,14 @@ def plan_survey(
     field of view; nothing is stored.
     """
     camera = _camera(calibration_id, width_px, height_px, field_of_view_deg)
-    site = Site(camera_height_m, distance_m, board_distance_m, sigma_px, radians(direction_deg), travel_m)
+    site = Site(
+        camera_height_m=camera_height_m,
+        distance_m=distance_m,
+        board_distance_m=board_distance_m,
+        sigma_px=sigma_px,
+        direction_rad=radians(direction_deg),
+        travel_m=travel_m,
+    )
     plan, used = plan_for_survey(session, survey_id, camera, site)
     return plan_body(plan, used, calibration_id, direction_deg)
 

@@ -37,7 +37,14 @@ def _heights(files: Files, vehicles: Collection[str]) -> Iterator[ScannedHeights
         heights = [height for height, _ in pairs]
         sd = stdev(heights) if len(heights) > 1 else None
         spread = median(u95 for _, u95 in pairs)
-        yield ScannedHeights(target, len(pairs), fmean(heights), sd, median(heights), spread)
+        yield ScannedHeights(
+            target=target,
+            n=len(pairs),
+            mean_m=fmean(heights),
+            sd_m=sd,
+            median_m=median(heights),
+            U95_m=spread,
+        )
 
 
 def _rig(row: Mapping[str, str]) -> RigFacts:

@@ -92,17 +92,17 @@ def verify_package(files: Files, head: str | None = None, tick: Tick = no_tick) 
         problem = f"A table lacks or cannot hold {error}; export the survey again with this version."
         problem = " ".join(problem.split())
     return PackageCheck(
-        problem is None,
-        len(files.paths),
-        found.checked,
-        found.heights,
-        found.head,
-        problem,
-        found.keys,
-        found.statistics,
-        found.crops,
-        found.drawings,
-        found.notes,
+        ok=problem is None,
+        files=len(files.paths),
+        checked=found.checked,
+        heights=found.heights,
+        head_hash=found.head,
+        problem=problem,
+        keys=found.keys,
+        statistics=found.statistics,
+        crops=found.crops,
+        drawings=found.drawings,
+        notes=found.notes,
     )
 
 

@@ -36,14 +36,16 @@ def contact_near(services: Services, recording_id: int, n: int, pointer: Point) 
     found = propose(stills_of(services).gray(recording_id, n), pose, pointer)
     if isinstance(found, str):
         words = f"No proposal: {found[:1].lower()}{found[1:]} Click the contact yourself."
-        return ContactProposal(None, [], None, None, words, found)
+        return ContactProposal(
+            contact=None, outline=[], radius_m=None, expected_px=None, words=words, reason=found
+        )
     return ContactProposal(
-        [round(value, 2) for value in found.contact_px],
-        np.round(found.outline_px, 2).tolist(),
-        found.radius_m,
-        found.expected_px,
-        words_of(found.expected_px),
-        None,
+        contact=[round(value, 2) for value in found.contact_px],
+        outline=np.round(found.outline_px, 2).tolist(),
+        radius_m=found.radius_m,
+        expected_px=found.expected_px,
+        words=words_of(found.expected_px),
+        reason=None,
     )
 
 

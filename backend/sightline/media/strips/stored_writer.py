@@ -76,14 +76,14 @@ def store_strip(
         sha256 = sha256_of(part)
     on_progress(1.0)
     return StoredStrip(
-        target,
-        sha256,
-        strip.lines,
-        strip.rows,
-        8 * strip.dtype.itemsize,
-        len(pyramid.lines),
-        pyramid.saturated / max(1, pyramid.looked_at),
-        strip.notes,
+        path=target,
+        sha256=sha256,
+        lines=strip.lines,
+        rows=strip.rows,
+        bits=8 * strip.dtype.itemsize,
+        levels=len(pyramid.lines),
+        saturated=pyramid.saturated / max(1, pyramid.looked_at),
+        notes=strip.notes,
     )
 
 

@@ -110,8 +110,17 @@ def pieces_of(page: tifffile.TiffPage, handle: int, byteorder: str, least: int =
     if min(piece_width, piece_length) < 1 or min(len(offsets), len(counts)) < max(least, across * down):
         raise BadInput(f"has an index of its pixels that does not fit its size; {AGAIN}")
     stored = np.dtype(f"{byteorder}u{page.bitspersample // 8}")
-    shape = (piece_length, piece_width, across)
-    return Pieces(handle, offsets, counts, *shape, stored, int(page.compression), int(page.predictor))
+    return Pieces(
+        handle=handle,
+        offsets=offsets,
+        counts=counts,
+        length=piece_length,
+        width=piece_width,
+        across=across,
+        stored=stored,
+        compression=int(page.compression),
+        predictor=int(page.predictor),
+    )
 
 
 def opened(path: Path, name: str) -> tifffile.TiffFile:

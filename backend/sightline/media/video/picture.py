@@ -77,7 +77,14 @@ def layout_of(frame: av.VideoFrame, sample_aspect: Fraction | None) -> Layout:
     """The layout of a stream by its first frame (which carries the display matrix) and its pixel aspect."""
     transpose, flip_x, flip_y = _turns(frame)
     aspect = sample_aspect if sample_aspect and sample_aspect > 0 else Fraction(1)
-    return Layout(frame.width, frame.height, transpose, flip_x, flip_y, aspect)
+    return Layout(
+        coded_width_px=frame.width,
+        coded_height_px=frame.height,
+        transpose=transpose,
+        flip_x=flip_x,
+        flip_y=flip_y,
+        sample_aspect=aspect,
+    )
 
 
 def _turns(frame: av.VideoFrame) -> tuple[bool, bool, bool]:

@@ -55,7 +55,9 @@ def report_of(
         *_duration_notes(facts, pts, time_s),
     ]
     damaged = damage.any or _cut_short(facts, pts, time_s)
-    return IngestReport(vfr, duplicates, unordered, damaged, rate, tuple(notes))
+    return IngestReport(
+        vfr=vfr, duplicates=duplicates, unordered=unordered, damaged=damaged, rate_hz=rate, notes=tuple(notes)
+    )
 
 
 def _varies(pts: NDArray[np.int64]) -> bool:

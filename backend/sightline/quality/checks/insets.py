@@ -182,14 +182,14 @@ def _target(
     estimates += [_from_trend(rows, known), _from_solved(fitting, known)]
     default = DEFAULT_INSETS[target][:2]
     return TargetInsets(
-        target,
-        in_force,
-        (in_force.inset_m, in_force.u_inset_m) == default,
-        len(fitting),
-        len(standing) - len(fitting),
-        _median([one.values.height_m for one in fitting if one.values.height_m is not None]),
-        None if rows.seen is None else _median(rows.seen.distance_m.tolist()),
-        tuple(_offered(one, target, in_force, rows.seen) for one in estimates),
+        target=target,
+        in_force=in_force,
+        is_default=(in_force.inset_m, in_force.u_inset_m) == default,
+        measured=len(fitting),
+        other_insets=len(standing) - len(fitting),
+        typical_height_m=_median([one.values.height_m for one in fitting if one.values.height_m is not None]),
+        typical_distance_m=None if rows.seen is None else _median(rows.seen.distance_m.tolist()),
+        estimates=tuple(_offered(one, target, in_force, rows.seen) for one in estimates),
     )
 
 
@@ -260,14 +260,14 @@ def _estimate(
         return Estimate(method, found)
     gone = [known[made[i].vehicle_id] for i in found.left_out]
     return Estimate(
-        method,
-        None,
-        found.inset_m,
-        found.u_inset_m,
-        found.spread_m,
-        found.vehicles,
-        found.caution,
-        tuple(VehicleName(one.id, one.number) for one in gone),
+        method=method,
+        reason=None,
+        inset_m=found.inset_m,
+        u_inset_m=found.u_inset_m,
+        spread_m=found.spread_m,
+        vehicles=found.vehicles,
+        caution=found.caution,
+        left_out=tuple(VehicleName(one.id, one.number) for one in gone),
     )
 
 

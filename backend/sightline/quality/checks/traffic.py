@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
@@ -48,11 +48,11 @@ class VehicleHeading:
     recording_id: int
     frame: int
     source: Source
-    heading_rad: float | None
-    u_heading_rad: float | None
-    base_m: float | None
     used: bool
-    reason: str | None
+    heading_rad: float | None = None
+    u_heading_rad: float | None = None
+    base_m: float | None = None
+    reason: str | None = None
 
 
 @dataclass(frozen=True)
@@ -65,13 +65,13 @@ class PoseCheck:
     turned_by_rad: float | None
     vehicles: tuple[VehicleHeading, ...]
     used: int
-    mean_rad: float | None
-    u_mean_rad: float | None
-    spread_rad: float | None
-    proposed: bool
-    reason: str | None
-    verdict: str
-    changes: Changes | None
+    mean_rad: float | None = None
+    u_mean_rad: float | None = None
+    spread_rad: float | None = None
+    proposed: bool = False
+    reason: str | None = None
+    verdict: str = ""
+    changes: Changes | None = None
 
 
 @dataclass(frozen=True)
@@ -143,21 +143,27 @@ def check_pose(
     used = iter(summary.used if isinstance(summary, Headings) else [True] * len(good))
     shown = tuple(_shown(one, bool(next(used)) if isinstance(one.found, Heading) else False) for one in told)
     stored = get_pose(session, pose_id)
-    common = (pose_id, users, stored.turned_from, stored.turned_by_rad, shown)
+    check = PoseCheck(
+        pose_id=pose_id,
+        recordings=users,
+        turned_from=stored.turned_from,
+        turned_by_rad=stored.turned_by_rad,
+        vehicles=shown,
+        used=len(good),
+    )
     if isinstance(summary, str):
-        return PoseCheck(*common, len(good), None, None, None, False, summary, summary, None)
+        return replace(check, reason=summary, verdict=summary)
     standing = list_measurements(session, stored.survey_id)
     changes = changes_of_heights(pose, summary.mean_rad, [one for one in standing if one.recording_id in ids])
-    return PoseCheck(
-        *common,
-        int(summary.used.sum()),
-        summary.mean_rad,
-        summary.u_mean_rad,
-        summary.spread_rad,
-        summary.proposed,
-        None,
-        _verdict(summary, changes),
-        changes,
+    return replace(
+        check,
+        used=int(summary.used.sum()),
+        mean_rad=summary.mean_rad,
+        u_mean_rad=summary.u_mean_rad,
+        spread_rad=summary.spread_rad,
+        proposed=summary.proposed,
+        verdict=_verdict(summary, changes),
+        changes=changes,
     )
 
 
@@ -168,7 +174,12 @@ def _headings(pose: RoadPose, passes: Sequence[Vehicle], pairs: Sequence[WheelPa
     )
     told = {
         pair.vehicle_id: _Told(
-            pair.vehicle_id, pair.vehicle_number, pair.recording_id, pair.frame, "tyres", one
+            vehicle_id=pair.vehicle_id,
+            number=pair.vehicle_number,
+            recording_id=pair.recording_id,
+            frame=pair.frame,
+            source="tyres",
+            found=one,
         )
         for pair, one in zip(pairs, found, strict=True)
     }
@@ -179,7 +190,12 @@ def _headings(pose: RoadPose, passes: Sequence[Vehicle], pairs: Sequence[WheelPa
         if best is not None:
             frame, heading = best
             told[vehicle.id] = _Told(
-                vehicle.id, vehicle.number, vehicle.recording_id, frame, "two_frames", heading
+                vehicle_id=vehicle.id,
+                number=vehicle.number,
+                recording_id=vehicle.recording_id,
+                frame=frame,
+                source="two_frames",
+                found=heading,
             )
     return sorted(told.values(), key=lambda one: one.number)
 
@@ -201,12 +217,23 @@ def _from_frames(pose: RoadPose, made: Sequence[Measurement]) -> tuple[int, Head
 
 
 def _shown(one: _Told, used: bool) -> VehicleHeading:
-    place = (one.vehicle_id, one.number, one.recording_id, one.frame, one.source)
+    heading = VehicleHeading(
+        vehicle_id=one.vehicle_id,
+        number=one.number,
+        recording_id=one.recording_id,
+        frame=one.frame,
+        source=one.source,
+        used=used,
+    )
     if isinstance(one.found, str):
-        return VehicleHeading(*place, None, None, None, False, one.found)
-    reason = None if used else "Left out: it strays far from the other vehicles; look at its clicks."
-    found = one.found
-    return VehicleHeading(*place, found.heading_rad, found.u_heading_rad, found.base_m, used, reason)
+        return replace(heading, used=False, reason=one.found)
+    return replace(
+        heading,
+        heading_rad=one.found.heading_rad,
+        u_heading_rad=one.found.u_heading_rad,
+        base_m=one.found.base_m,
+        reason=None if used else "Left out: it strays far from the other vehicles; look at its clicks.",
+    )
 
 
 def _verdict(found: Headings, changes: Changes) -> str:

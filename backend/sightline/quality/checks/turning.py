@@ -53,7 +53,14 @@ def changes_of_heights(pose: RoadPose, turn_rad: float, standing: Sequence[Measu
     """What turning the pose would change, the clicks and insets being the same; no measurement is touched."""
     before, after = _heights(pose, standing), _heights(turned(pose, turn_rad), standing)
     found = [
-        HeightChange(one.id, one.vehicle_id, one.values.target, float(h0), float(h1), float(h1 - h0))
+        HeightChange(
+            measurement_id=one.id,
+            vehicle_id=one.vehicle_id,
+            target=one.values.target,
+            height_m=float(h0),
+            turned_height_m=float(h1),
+            difference_m=float(h1 - h0),
+        )
         for one, h0, h1 in zip(standing, before, after, strict=True)
         if np.isfinite(h0) and np.isfinite(h1)
     ]

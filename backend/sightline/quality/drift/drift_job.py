@@ -102,7 +102,16 @@ def look_for_drift(context: registry.JobContext) -> registry.Outcome:
     size = (road.camera.width_px, road.camera.height_px)
     found = course(looks, (recording.frame_count or 1) - 1, size, look_at)
     times = stills_of(services).open(recording_id).time_s
-    document = document_of(_Check(recording, pose, road, looks, found, lambda n: float(times[n])))
+    document = document_of(
+        _Check(
+            recording=recording,
+            pose=pose,
+            road=road,
+            looks=looks,
+            found=found,
+            time_s=lambda n: float(times[n]),
+        )
+    )
 
     def store(session: Session) -> Mapping[str, Any]:
         store_drift(session, recording_id, pose_id, document, actor=context.actor)
@@ -177,7 +186,15 @@ def _floor(check: _Check) -> float | None:
     """The floor in metres of height: a shift of that much, up or down the picture, where heights feel it."""
     if check.found.floor_px is None:
         return None
-    shift = Motion(0.0, check.found.floor_px, 0.0, 1.0, check.found.floor_px, 0.0, 0)
+    shift = Motion(
+        x_px=0.0,
+        y_px=check.found.floor_px,
+        turn_rad=0.0,
+        scale=1.0,
+        moved_px=check.found.floor_px,
+        u_px=0.0,
+        points=0,
+    )
     change = height_change(check.road, shift).change_m
     return None if change is None else abs(change)
 

@@ -306,9 +306,23 @@ def _comparison(
     again_m, u_again_m = alone(session, one)
     reason = _not_alike(first, one, height_m, again_m)
     if reason or height_m is None or again_m is None or u_m is None or u_again_m is None:
-        return Comparison(one, height_m, None, None, None, reason or "A height has no uncertainty.")
+        return Comparison(
+            repeat=one,
+            first_height_m=height_m,
+            difference_m=None,
+            expected_m=None,
+            agrees=None,
+            reason=reason or "A height has no uncertainty.",
+        )
     difference, expected = again_m - height_m, COVERAGE * sqrt(u_m**2 + u_again_m**2)
-    return Comparison(one, height_m, difference, expected, abs(difference) <= expected, None)
+    return Comparison(
+        repeat=one,
+        first_height_m=height_m,
+        difference_m=difference,
+        expected_m=expected,
+        agrees=abs(difference) <= expected,
+        reason=None,
+    )
 
 
 def _not_alike(

@@ -175,13 +175,13 @@ def _told(pose: LinePose, rod: Rod) -> SolvedRod:
             "apart, or measure them better."
         )
     return SolvedRod(
-        "ok",
-        None,
-        pose.camera_height_m,
-        u_height,
-        pose.rms_px,
-        tuple(float(one) for one in residuals),
-        tuple(warnings),
+        status="ok",
+        reason=None,
+        camera_height_m=pose.camera_height_m,
+        u_camera_height_m=u_height,
+        rms_px=pose.rms_px,
+        residuals_px=tuple(float(one) for one in residuals),
+        warnings=tuple(warnings),
     )
 
 

@@ -125,12 +125,12 @@ def _rod(body: RodIn) -> Rod:
 
 def _clicked(body: LineClicks, point: tuple[float, float] | None) -> service.Clicked:
     return service.Clicked(
-        body.target,
-        (body.contact_line, body.contact_row_px),
-        point,
-        body.sigma_px,
-        body.inset_m,
-        body.u_inset_m,
+        target=body.target,
+        contact=(body.contact_line, body.contact_row_px),
+        point=point,
+        sigma_px=body.sigma_px,
+        inset_m=body.inset_m,
+        u_inset_m=body.u_inset_m,
     )
 
 

@@ -151,12 +151,12 @@ def _filled(session: Session, survey_id: int, clicked: Clicked) -> RowClicks:
     inset_m = usual.inset_m if clicked.inset_m is None else clicked.inset_m
     u_inset_m = usual.u_inset_m if clicked.u_inset_m is None else clicked.u_inset_m
     return RowClicks(
-        clicked.target,
-        clicked.contact,
-        clicked.point or clicked.contact,
-        DEFAULT_SIGMA_PX if clicked.sigma_px is None else clicked.sigma_px,
-        round(inset_m, LENGTH_DECIMALS),
-        round(u_inset_m, LENGTH_DECIMALS),
+        target=clicked.target,
+        contact=clicked.contact,
+        point=clicked.point or clicked.contact,
+        sigma_px=DEFAULT_SIGMA_PX if clicked.sigma_px is None else clicked.sigma_px,
+        inset_m=round(inset_m, LENGTH_DECIMALS),
+        u_inset_m=round(u_inset_m, LENGTH_DECIMALS),
     )
 
 

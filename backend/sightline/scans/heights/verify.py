@@ -99,12 +99,12 @@ def _height(row: Row, found: LineHeight, budget: list[Row]) -> None:
 def _clicks(row: Row) -> RowClicks:
     number = {name: float(row[name]) for name in row if name.endswith(("_line", "_px", "inset_m"))}
     return RowClicks(
-        cast(Target, row["target"]),
-        (number["contact_line"], number["contact_row_px"]),
-        (number["target_line"], number["target_row_px"]),
-        number["sigma_px"],
-        number["inset_m"],
-        number["u_inset_m"],
+        target=cast(Target, row["target"]),
+        contact=(number["contact_line"], number["contact_row_px"]),
+        point=(number["target_line"], number["target_row_px"]),
+        sigma_px=number["sigma_px"],
+        inset_m=number["inset_m"],
+        u_inset_m=number["u_inset_m"],
     )
 
 

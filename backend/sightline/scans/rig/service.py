@@ -85,10 +85,19 @@ def _implied(scan: Scan, vehicles: Sequence[ScanVehicle], of: str) -> ImpliedBas
         rows.append((scale * size, scale * u, true, getattr(one, f"u_true_{of}_m") or 0.0))
     ratio = baseline_ratio(*([row[k] for row in rows] for k in range(4)))
     if ratio.value is None or ratio.u is None:
-        return ImpliedBaseline(of, ratio, None, None, False, ratio.reason or "")
+        return ImpliedBaseline(
+            of=of, ratio=ratio, baseline_m=None, u_baseline_m=None, differs=False, words=ratio.reason or ""
+        )
     implied, opening = in_force / ratio.value, in_force - scan.rig.baseline_m
     u = implied * ratio.u / ratio.value
-    return ImpliedBaseline(of, ratio, implied - opening, u, ratio.warning is not None, _words(of, ratio))
+    return ImpliedBaseline(
+        of=of,
+        ratio=ratio,
+        baseline_m=implied - opening,
+        u_baseline_m=u,
+        differs=ratio.warning is not None,
+        words=_words(of, ratio),
+    )
 
 
 def _at_vehicle(rig: JsonObject) -> float:

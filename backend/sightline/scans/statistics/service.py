@@ -146,14 +146,14 @@ def _spread(name: str, unit: str, values: Sequence[float]) -> Spread:
     ordered: Floats = sorted_values(np.array(values, dtype=np.float64))
     n = len(ordered)
     return Spread(
-        name,
-        unit,
-        n,
-        float(ordered.mean()) if n else None,
-        float(ordered.std(ddof=1)) if n > 1 else None,
-        ecdf(ordered),
-        density(ordered),
-        percentiles(ordered),
+        quantity=name,
+        unit=unit,
+        n=n,
+        mean=float(ordered.mean()) if n else None,
+        sd=float(ordered.std(ddof=1)) if n > 1 else None,
+        ecdf=ecdf(ordered),
+        density=density(ordered),
+        percentiles=percentiles(ordered),
     )
 
 
@@ -198,8 +198,13 @@ def _ratio(chosen: Sequence[Seen], name: str) -> Estimate:
 
 
 def _row(one: Seen) -> Row:
-    motion = ("speed_mps", "acceleration_mps2", "length_m")
-    speed, acceleration, length = (one.values.get(name) for name in motion)
-    fit = one.values.get("fit_error_percent")
-    place = (one.vehicle_id, one.scan_id, one.number)
-    return Row(*place, speed, acceleration, length, one.known.get("length_m"), fit, one.status, one.reason)
+    motion = ("speed_mps", "acceleration_mps2", "length_m", "fit_error_percent")
+    return Row(
+        vehicle_id=one.vehicle_id,
+        scan_id=one.scan_id,
+        number=one.number,
+        true_length_m=one.known.get("length_m"),
+        status=one.status,
+        reason=one.reason,
+        **{name: one.values.get(name) for name in motion},
+    )
