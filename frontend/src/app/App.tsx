@@ -3,7 +3,7 @@ import { useEffect, useState } from "preact/hooks";
 import { AskDialog, Loading, Problem } from "../components";
 import { Toasts } from "../components/Toasts";
 import { current, navigate } from "../core/address";
-import { useKeys } from "../core/commands";
+import { useCommands } from "../core/commands";
 import { loadSession, me, sessionProblem } from "../core/session";
 import { loadSurvey, survey, surveyProblem } from "../core/survey";
 import { Arrival } from "./arrival";
@@ -17,11 +17,14 @@ export function App() {
   useEffect(() => {
     void loadSession();
   }, []);
-  useKeys({
-    help: () => {
-      keysShown.value = true;
+  useCommands([
+    {
+      id: "help",
+      run: () => {
+        keysShown.value = true;
+      },
     },
-  });
+  ]);
   return (
     <>
       <Body />

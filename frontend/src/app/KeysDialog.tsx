@@ -6,8 +6,10 @@ import {
   ACTIONS,
   type ActionId,
   chordOf,
+  commandsHere,
   conflicts,
   keyMap,
+  labelOf,
   overrides,
   reservedReason,
   SCOPE_NAMES,
@@ -36,6 +38,10 @@ export default function KeysDialog() {
     return () => window.removeEventListener("keydown", take, true);
   }, [listening]);
 
+  const ids = Object.keys(ACTIONS) as ActionId[];
+  const here = commandsHere();
+  const wordsOf = (id: ActionId): string => labelOf(here.get(id) ?? { id });
+  const rows = { wordsOf, listening, listen: setListening };
   const clashes = conflicts(keyMap.value);
   const changed = Object.keys(overrides.value).length > 0;
   return (
@@ -64,22 +70,13 @@ export default function KeysDialog() {
             wins.
           </Notice>
         ))}
-        <div class="keys">
-          {(Object.keys(SCOPE_NAMES) as Scope[]).map((scope) => (
-            <section key={scope}>
-              <h3>{SCOPE_NAMES[scope]}</h3>
-              <table class="table">
-                <tbody>
-                  {(Object.keys(ACTIONS) as ActionId[])
-                    .filter((id) => ACTIONS[id].scope === scope)
-                    .map((id) => (
-                      <KeyRow key={id} id={id} listening={listening === id} listen={setListening} />
-                    ))}
-                </tbody>
-              </table>
-            </section>
-          ))}
-        </div>
+        <KeyTables ids={ids.filter((id) => here.has(id))} {...rows} />
+        {ids.some((id) => !here.has(id)) && (
+          <details>
+            <summary>On other screens</summary>
+            <KeyTables ids={ids.filter((id) => !here.has(id))} {...rows} />
+          </details>
+        )}
         <p class="muted small">
           Wheel: zoom at the pointer. Drag with the middle button, or with Space held: move the picture.
         </p>
@@ -88,27 +85,50 @@ export default function KeysDialog() {
   );
 }
 
-function KeyRow({
-  id,
-  listening,
-  listen,
-}: {
-  id: ActionId;
-  listening: boolean;
-  listen: (id: ActionId | null) => void;
-}) {
+interface Rows {
+  wordsOf(id: ActionId): string;
+  listening: ActionId | null;
+  listen(id: ActionId | null): void;
+}
+
+function KeyTables({ ids, ...rows }: Rows & { ids: readonly ActionId[] }) {
+  const scopes = (Object.keys(SCOPE_NAMES) as Scope[]).filter((scope) =>
+    ids.some((id) => ACTIONS[id].scope === scope),
+  );
+  return (
+    <div class="keys">
+      {scopes.map((scope) => (
+        <section key={scope}>
+          <h3>{SCOPE_NAMES[scope]}</h3>
+          <table class="table">
+            <tbody>
+              {ids
+                .filter((id) => ACTIONS[id].scope === scope)
+                .map((id) => (
+                  <KeyRow key={id} id={id} {...rows} />
+                ))}
+            </tbody>
+          </table>
+        </section>
+      ))}
+    </div>
+  );
+}
+
+function KeyRow({ id, wordsOf, listening, listen }: Rows & { id: ActionId }) {
+  const waits = listening === id;
   return (
     <tr>
-      <td class="small">{ACTIONS[id].label}</td>
+      <td class="small">{wordsOf(id)}</td>
       <td class="num">
         <button
           type="button"
           class="keys__change"
-          aria-label={`${ACTIONS[id].label}: ${keyMap.value[id].map(showChord).join(" or ")}. Change`}
+          aria-label={`${wordsOf(id)}: ${keyMap.value[id].map(showChord).join(" or ")}. Change`}
           title="Change the key"
-          onClick={() => listen(listening ? null : id)}
+          onClick={() => listen(waits ? null : id)}
         >
-          {listening
+          {waits
             ? "press a key…"
             : keyMap.value[id].map((chord) => <kbd key={chord}>{showChord(chord)}</kbd>)}
         </button>

@@ -1,41 +1,67 @@
-/** Undo and redo in the top bar, for a page with a stack of its own. */
+/** Undo and redo of a page with a history of its own: their keys, and their buttons in the top bar. */
 
 import { hint } from "../core/commands";
+import type { History } from "../core/history";
+import { toastProblem } from "../core/toasts";
 import { useTopTools } from "../core/topbar";
-import type { UndoStack } from "../core/undo";
-import { Button } from "./index";
+import { type ButtonCommand, CommandButton } from "./CommandButton";
 
-export function useUndoTools(stack: UndoStack, back: () => void, again: () => void): void {
-  const { undoLabel, redoLabel } = stack;
+export interface HistoryOptions {
+  /** Takes back what is in hand and not stored yet; answers false where nothing is. */
+  back?(): boolean;
+  /** Whether something is in hand. */
+  inHand?(): boolean;
+}
+
+export interface HistoryCommands {
+  readonly undo: ButtonCommand;
+  readonly redo: ButtonCommand;
+}
+
+export function historyCommands(history: History, options: HistoryOptions = {}): HistoryCommands {
+  return {
+    undo: {
+      id: "undo",
+      icon: "undo",
+      run: () => {
+        if (!options.back?.()) void history.undo().catch(toastProblem);
+      },
+      enabled: () => history.undoLabel.value !== null || options.inHand?.() === true,
+    },
+    redo: {
+      id: "redo",
+      icon: "redo",
+      run: () => void history.redo().catch(toastProblem),
+      enabled: () => history.redoLabel.value !== null,
+    },
+  };
+}
+
+export function useUndoTools(history: History, { undo, redo }: HistoryCommands): void {
+  const { undoLabel, redoLabel } = history;
   useTopTools(
     () => (
       <>
         <span data-testid="undo">
-          <Button
-            kind="quiet"
-            icon="undo"
-            label="Undo"
-            title={
-              undoLabel.value ? `Undo: ${undoLabel.value}${hint("undo")}` : `Nothing to undo${hint("undo")}`
-            }
-            disabled={undoLabel.value === null}
-            onClick={back}
+          <CommandButton
+            command={undo}
+            small={false}
+            title={titleOf("Undo", undoLabel.value) + hint("undo")}
           />
         </span>
         <span data-testid="redo">
-          <Button
-            kind="quiet"
-            icon="redo"
-            label="Redo"
-            title={
-              redoLabel.value ? `Redo: ${redoLabel.value}${hint("redo")}` : `Nothing to redo${hint("redo")}`
-            }
-            disabled={redoLabel.value === null}
-            onClick={again}
+          <CommandButton
+            command={redo}
+            small={false}
+            title={titleOf("Redo", redoLabel.value) + hint("redo")}
           />
         </span>
       </>
     ),
-    [stack, undoLabel.value, redoLabel.value],
+    [history, undoLabel.value, redoLabel.value],
   );
+}
+
+function titleOf(word: string, step: string | null): string {
+  return step ? `${word}: ${step}` : `Nothing to ${word.toLowerCase()}`;
 }

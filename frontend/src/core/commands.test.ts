@@ -1,7 +1,8 @@
 import { afterEach, describe, expect, it, vi } from "vitest";
 import {
   ACTIONS,
-  addKeys,
+  type ActionId,
+  addCommands,
   chordOf,
   conflicts,
   mergeKeys,
@@ -17,8 +18,15 @@ const press = (init: KeyboardEventInit & { key: string }, target: EventTarget = 
 };
 
 let off: (() => void)[] = [];
-const listen: typeof addKeys = (handlers, held) => {
-  const stop = addKeys(handlers, held);
+type Runs = Partial<Record<ActionId, (down: boolean) => unknown>>;
+const listen = (runs: () => Runs, held: readonly ActionId[] = []) => {
+  const stop = addCommands(() =>
+    (Object.keys(runs()) as ActionId[]).map((id) => ({
+      id,
+      held: held.includes(id),
+      run: (down) => runs()[id]?.(down) !== false,
+    })),
+  );
   off.push(stop);
   return stop;
 };
@@ -123,7 +131,7 @@ describe("dispatch", () => {
 
   it("tells a held key of down once and of up", () => {
     const calls: boolean[] = [];
-    listen(() => ({ loupe: (_event, down) => void calls.push(down) }), ["loupe"]);
+    listen(() => ({ loupe: (down) => void calls.push(down) }), ["loupe"]);
     press({ key: "z" });
     press({ key: "z", repeat: true });
     document.body.dispatchEvent(new KeyboardEvent("keyup", { key: "z", bubbles: true }));

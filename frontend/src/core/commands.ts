@@ -192,31 +192,51 @@ export function hint(id: ActionId): string {
   return first ? ` (${showChord(first)})` : "";
 }
 
-/** A handler gets the event and, for keys that are held, whether the key went down or up. Answer false to let others have it. */
-// biome-ignore lint/suspicious/noConfusingVoidType: most handlers answer nothing
-type KeyHandler = (event: KeyboardEvent, down: boolean) => boolean | void;
-export type KeyHandlers = Partial<Record<ActionId, KeyHandler>>;
-
-interface Layer {
-  handlers: () => KeyHandlers;
-  held: readonly ActionId[];
+/** What can be done, as one object: its key, its button, its line in a menu and in the `?` dialog come from here. */
+export interface Command {
+  readonly id: ActionId;
+  /** Its words on this screen, where those of the key map do not fit. */
+  readonly label?: string;
+  /** A held key is told of going down and of coming up again; any other is always "down". */
+  readonly held?: boolean;
+  /** Answer false to let others have the key. */
+  // biome-ignore lint/suspicious/noConfusingVoidType: most commands answer nothing
+  run(down: boolean): boolean | void;
+  /** False: its button is dimmed and its key is free for others. */
+  enabled?(): boolean;
+  /** Of a switch: whether it is on. */
+  pressed?(): boolean;
 }
+
+type Layer = () => readonly Command[];
 
 const layers: Layer[] = [];
 
-/** Listens to actions while the component is shown. The layer added last is asked first. `held` actions are told of key up too. */
-export function useKeys(handlers: KeyHandlers, held: readonly ActionId[] = []): void {
-  const latest = useRef(handlers);
-  latest.current = handlers;
-  useEffect(() => addKeys(() => latest.current, held), []);
+/** Listens to the keys of these commands while the component is shown. The layer added last is asked first. */
+export function useCommands(commands: readonly Command[]): void {
+  const latest = useRef(commands);
+  latest.current = commands;
+  useEffect(() => addCommands(() => latest.current), []);
 }
 
-export function addKeys(handlers: () => KeyHandlers, held: readonly ActionId[] = []): () => void {
-  const layer: Layer = { handlers, held };
-  layers.push(layer);
+export function addCommands(commands: Layer): () => void {
+  layers.push(commands);
   return () => {
-    layers.splice(layers.indexOf(layer), 1);
+    layers.splice(layers.indexOf(commands), 1);
   };
+}
+
+/** What a command is called here. */
+export function labelOf({ id, label }: Pick<Command, "id" | "label">): string {
+  return label ?? ACTIONS[id].label;
+}
+
+/** The commands that listen now, one for each action: the one that is asked first. */
+export function commandsHere(): Map<ActionId, Command> {
+  const here = new Map<ActionId, Command>();
+  for (const layer of [...layers].reverse())
+    for (const command of layer()) if (!here.has(command.id)) here.set(command.id, command);
+  return here;
 }
 
 function isTyping(target: EventTarget | null): boolean {
@@ -258,13 +278,16 @@ function actionsWhere(fits: (chords: readonly string[]) => boolean): ActionId[] 
     .sort((a, b) => Number(ACTIONS[b].scope === "point") - Number(ACTIONS[a].scope === "point"));
 }
 
-/** True if the layer has taken the key; a held key that repeats is taken and does nothing more. */
-function runs({ handlers, held }: Layer, id: ActionId, event: KeyboardEvent, down: boolean): boolean {
-  const handler = handlers()[id];
-  const isHeld = held.includes(id);
-  if (!handler || (!down && !isHeld)) return false;
-  if (down && event.repeat && isHeld) return true;
-  return handler(event, down) !== false;
+/** True if the layer has taken the key. */
+function runs(layer: Layer, id: ActionId, event: KeyboardEvent, down: boolean): boolean {
+  return layer().some((command) => command.id === id && take(command, event, down));
+}
+
+/** A held key that repeats is taken and does nothing more. */
+function take(command: Command, event: KeyboardEvent, down: boolean): boolean {
+  if ((!down && !command.held) || command.enabled?.() === false) return false;
+  if (down && event.repeat && command.held) return true;
+  return command.run(down) !== false;
 }
 
 function chordKey(event: KeyboardEvent): string | undefined {

@@ -1,25 +1,26 @@
 /** Eight times the pixels under the pointer, lossless, with the exact position. Held with Z, switched, or while dragging. */
 import { useSignal, useSignalEffect } from "@preact/signals";
 import { useEffect, useMemo, useRef } from "preact/hooks";
+import { BitmapCache } from "./bitmapCache";
 import { BRIGHT_WORDS, bright } from "./display";
 import { type Crop, cropUrl, fetchPicture } from "./frames";
 import type { Player } from "./player";
 import type { ImagePoint } from "./points";
-import type { Stage } from "./stage";
-import { clamp, type Size } from "./viewport";
+import type { FrameStage } from "./stage";
+import { clamp, type Size } from "./view";
 
 const MAGNIFICATION = 8;
 const SIDE_PX = 232;
 /** Image pixels from the loupe's middle to its edge, and one to spare. */
 const REACH = SIDE_PX / MAGNIFICATION / 2 + 1.5;
 const TILE = 64;
-const KEEP_TILES = 24;
+const KEEP_BYTES = 2 ** 20;
 const OFFSET_PX = 28;
 
-export function Loupe({ player, stage }: { player: Player; stage: Stage }) {
+export function Loupe({ player, stage }: { player: Player; stage: FrameStage }) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const version = useSignal(0);
-  const tiles = useMemo(() => new Tiles(player.recordingId, () => version.value++), [player]);
+  const tiles = useMemo(() => new Crops(player.recordingId, () => version.value++), [player]);
   useEffect(() => () => tiles.clear(), [tiles]);
   const on = (stage.loupe.value || stage.dragging.value) && stage.pointer.value !== null;
 
@@ -47,14 +48,14 @@ export function Loupe({ player, stage }: { player: Player; stage: Stage }) {
 }
 
 /** True when the loupe hangs below the pointer, for want of room above it. */
-export function loupeBelow(stage: Stage, at: ImagePoint): boolean {
+export function loupeBelow(stage: FrameStage, at: ImagePoint): boolean {
   if (!stage.loupe.value && !stage.dragging.value) return false;
-  return stage.viewport.value.toScreen(at)[1] - OFFSET_PX - SIDE_PX - 30 < 0;
+  return stage.view.value.toScreen(at)[1] - OFFSET_PX - SIDE_PX - 30 < 0;
 }
 
 /** Beside the pointer, on the side where there is room. */
-function place(stage: Stage, at: ImagePoint): { left: string; top: string } {
-  const view = stage.viewport.value;
+function place(stage: FrameStage, at: ImagePoint): { left: string; top: string } {
+  const view = stage.view.value;
   const [x, y] = view.toScreen(at);
   const side = SIDE_PX + 30;
   const left = x + OFFSET_PX + side > view.screen.width ? x - OFFSET_PX - SIDE_PX : x + OFFSET_PX;
@@ -65,49 +66,44 @@ function place(stage: Stage, at: ImagePoint): { left: string; top: string } {
   };
 }
 
+interface Wanted {
+  readonly frame: number;
+  readonly crop: Crop;
+  readonly isBright: boolean;
+}
+
 interface Tile {
   readonly crop: Crop;
   readonly picture: ImageBitmap;
 }
 
 /** Lossless crops on a coarse grid, so that a moving pointer rarely needs a new one. */
-class Tiles {
-  private readonly kept = new Map<string, Tile | null>();
+class Crops {
+  private readonly cache: BitmapCache<Wanted, ImageBitmap>;
 
-  constructor(
-    private readonly recordingId: number,
-    private readonly changed: () => void,
-  ) {}
+  constructor(recordingId: number, onChange: () => void) {
+    this.cache = new BitmapCache<Wanted, ImageBitmap>(
+      ({ frame, crop, isBright }, abort) => fetchPicture(cropUrl(recordingId, frame, crop, isBright), abort),
+      {
+        maxBytes: KEEP_BYTES,
+        nameOf: ({ frame, crop, isBright }) => `${frame}:${crop.x}:${crop.y}:${isBright}`,
+        onChange,
+      },
+    );
+  }
 
   at(frame: number, point: ImagePoint, size: Size, isBright: boolean): Tile | null {
     const crop = cropAround(point, size);
-    const key = `${frame}:${crop.x}:${crop.y}:${isBright}`;
-    const here = this.kept.get(key);
-    if (here === undefined) {
-      this.kept.set(key, null);
-      void this.load(key, frame, crop, isBright);
-    }
-    return here ?? null;
+    const wanted = { frame, crop, isBright };
+    const picture = this.cache.get(wanted);
+    if (picture) return { crop, picture };
+    // one that fails is asked for again when the pointer moves on
+    this.cache.fetch(wanted).catch(() => {});
+    return null;
   }
 
   clear(): void {
-    for (const tile of this.kept.values()) tile?.picture.close();
-    this.kept.clear();
-  }
-
-  private async load(key: string, frame: number, crop: Crop, isBright: boolean): Promise<void> {
-    try {
-      const url = cropUrl(this.recordingId, frame, crop, isBright);
-      this.kept.set(key, { crop, picture: await fetchPicture(url) });
-      for (const [old, tile] of this.kept) {
-        if (this.kept.size <= KEEP_TILES) break;
-        tile?.picture.close();
-        this.kept.delete(old);
-      }
-      this.changed();
-    } catch {
-      this.kept.delete(key);
-    }
+    this.cache.clear();
   }
 }
 

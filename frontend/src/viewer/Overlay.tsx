@@ -1,10 +1,11 @@
 /**
- * Shapes above the frame, all given in image pixels. Lines ride on the viewport's transform with strokes that do not scale;
+ * Shapes above the frame, all given in image pixels. Lines ride on the view's transform with strokes that do not scale;
  * marks and words keep their size on the screen. Colours: the three axes, white, and the accent for what is selected.
  */
 import type { AxisLines, Px } from "../core/types";
-import { fromServer, type ImagePoint } from "./points";
-import type { Stage } from "./stage";
+import { fromServer, type ImagePoint, type ScreenPoint } from "./points";
+import type { FrameStage } from "./stage";
+import type { Size } from "./view";
 
 export type LineKind =
   | "longitudinal"
@@ -29,11 +30,11 @@ export function Line({ points, kind }: { points: readonly Px[]; kind: LineKind }
 }
 
 /** Everything drawn in image coordinates goes inside. */
-export function InImage({ stage, children }: { stage: Stage; children: preact.ComponentChildren }) {
-  return <g transform={stage.viewport.value.svgTransform}>{children}</g>;
+export function InImage({ stage, children }: { stage: FrameStage; children: preact.ComponentChildren }) {
+  return <g transform={stage.view.value.svgTransform}>{children}</g>;
 }
 
-export function AxesLayer({ axes, stage }: { axes: AxisLines; stage: Stage }) {
+export function AxesLayer({ axes, stage }: { axes: AxisLines; stage: FrameStage }) {
   return (
     <g data-testid="axes">
       <InImage stage={stage}>
@@ -53,7 +54,7 @@ export interface Rung {
 }
 
 /** Lines of equal height on the side plane through the contact. */
-export function LadderLayer({ rungs, stage }: { rungs: readonly Rung[]; stage: Stage }) {
+export function LadderLayer({ rungs, stage }: { rungs: readonly Rung[]; stage: FrameStage }) {
   return (
     <g data-testid="ladder">
       <InImage stage={stage}>
@@ -73,7 +74,7 @@ export function LadderLayer({ rungs, stage }: { rungs: readonly Rung[]; stage: S
 
 /** A word beside an image point. */
 export function Word(props: {
-  stage: Stage;
+  stage: FrameStage;
   at: ImagePoint | null;
   text: string;
   dx?: number;
@@ -81,7 +82,7 @@ export function Word(props: {
   strong?: boolean;
 }) {
   if (!props.at) return null;
-  const [x, y] = props.stage.viewport.value.toScreen(props.at);
+  const [x, y] = props.stage.view.value.toScreen(props.at);
   return (
     <text
       class={`overlay-word${props.strong ? " overlay-word--strong" : ""}`}
@@ -94,7 +95,7 @@ export function Word(props: {
 }
 
 export interface MarkProps {
-  stage: Stage;
+  stage: FrameStage;
   at: ImagePoint;
   kind: "contact" | "point";
   selected?: boolean;
@@ -105,7 +106,7 @@ export interface MarkProps {
 
 /** A contact is a triangle standing on the road, a target a ring; the pixel itself stays free. */
 export function PointMark({ stage, at, kind, selected, faint, text }: MarkProps) {
-  const [x, y] = stage.viewport.value.toScreen(at);
+  const [x, y] = stage.view.value.toScreen(at);
   const shape =
     kind === "contact"
       ? "M0 3.5L8 15H-8ZM-5 0H-14M5 0H14"
@@ -131,10 +132,9 @@ export function PointMark({ stage, at, kind, selected, faint, text }: MarkProps)
 }
 
 /** The keyboard's cursor: a full cross, so that it is found at once. */
-export function KeyboardCursor({ stage, at }: { stage: Stage; at: ImagePoint }) {
-  const view = stage.viewport.value;
-  const [x, y] = view.toScreen(at);
-  const { width, height } = view.screen;
+export function CursorCross({ at, screen }: { at: ScreenPoint; screen: Size }) {
+  const [x, y] = at;
+  const { width, height } = screen;
   const shape = `M0 ${y}H${x - 9}M${x + 9} ${y}H${width}M${x} 0V${y - 9}M${x} ${y + 9}V${height}`;
   return (
     <g class="point-mark" data-testid="keyboard-cursor">

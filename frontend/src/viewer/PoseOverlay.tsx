@@ -3,10 +3,10 @@ import type { BoardFinding, PoseOverlay, Px } from "../core/types";
 import { formatLength } from "../core/units";
 import { AxesLayer, InImage, Line, Word } from "./Overlay";
 import { fromServer } from "./points";
-import type { Stage } from "./stage";
+import type { FrameStage } from "./stage";
 import "./board.css";
 
-export function RoadOverlay({ overlay, stage }: { overlay: PoseOverlay; stage: Stage }) {
+export function RoadOverlay({ overlay, stage }: { overlay: PoseOverlay; stage: FrameStage }) {
   return (
     <g data-testid="road-overlay">
       <InImage stage={stage}>
@@ -39,9 +39,9 @@ export function RoadOverlay({ overlay, stage }: { overlay: PoseOverlay; stage: S
 }
 
 /** Corners seen as rings, the first one named, an arrow along the first row and one down the first column as far as their ends are seen: no doubt about the order. */
-export function FoundBoard({ finding, stage }: { finding: BoardFinding; stage: Stage }) {
+export function FoundBoard({ finding, stage }: { finding: BoardFinding; stage: FrameStage }) {
   const { corners_px: corners, columns, rows, ids } = finding;
-  const view = stage.viewport.value;
+  const view = stage.view.value;
   const corner = (number: number): Px | undefined => corners[ids === null ? number : ids.indexOf(number)];
   const first = corner(0);
   const rowEnd = corner(columns - 1);
@@ -62,8 +62,8 @@ export function FoundBoard({ finding, stage }: { finding: BoardFinding; stage: S
   );
 }
 
-function Arrow({ from, to, stage }: { from: Px; to: Px; stage: Stage }) {
-  const view = stage.viewport.value;
+function Arrow({ from, to, stage }: { from: Px; to: Px; stage: FrameStage }) {
+  const view = stage.view.value;
   const [x1, y1] = view.toScreen(fromServer(from));
   const [x2, y2] = view.toScreen(fromServer(to));
   const angle = (Math.atan2(y2 - y1, x2 - x1) * 180) / Math.PI;

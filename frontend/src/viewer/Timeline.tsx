@@ -5,7 +5,7 @@ import { formatFrameTime } from "../core/times";
 import type { Recording } from "../core/types";
 import { nearestThumb } from "./ahead";
 import type { Player } from "./player";
-import { clamp } from "./viewport";
+import { clamp } from "./view";
 
 export interface Span {
   readonly id: string;

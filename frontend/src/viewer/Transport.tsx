@@ -1,13 +1,12 @@
 /** Step buttons, play, the frame box, the time. */
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { Button } from "../components";
-import { type ActionId, hint, type KeyHandlers } from "../core/commands";
+import { type ActionId, hint } from "../core/commands";
 import { formatFrameTime } from "../core/times";
-import { toggleBright } from "./display";
 import type { Player } from "./player";
-import type { Stage } from "./stage";
+import type { FrameStage } from "./stage";
 
-export function Transport({ player, stage }: { player: Player; stage: Stage }) {
+export function Transport({ player, stage }: { player: Player; stage: FrameStage }) {
   const box = useRef<HTMLInputElement>(null);
   const typed = useRef(false);
   const frame = player.frame.value;
@@ -94,32 +93,3 @@ function Step(props: { label: string; action: ActionId; text: string; onClick():
     </Button>
   );
 }
-
-/** The keys of every screen that shows frames. Play waits for Space to come up again: until then it may be a pan. */
-export function frameKeys(player: Player, stage: Stage): KeyHandlers {
-  return {
-    frameNext: () => player.step(1),
-    framePrevious: () => player.step(-1),
-    frameNextTen: () => player.step(10),
-    framePreviousTen: () => player.step(-10),
-    secondNext: () => player.stepSeconds(1),
-    secondPrevious: () => player.stepSeconds(-1),
-    frameFirst: () => player.step(Number.NEGATIVE_INFINITY),
-    frameLast: () => player.step((player.count.value ?? 1) - 1 - player.frame.value),
-    frameGo: () => stage.frameBox?.focus(),
-    play: (_event, down) => {
-      if (!down && !stage.panned) player.toggle();
-      if (down) stage.panned = false;
-    },
-    loupe: (_event, down) => {
-      stage.loupe.value = down;
-    },
-    zoomIn: () => stage.zoom(1.25),
-    zoomOut: () => stage.zoom(0.8),
-    zoomFit: () => stage.fit(),
-    brightToggle: toggleBright,
-  };
-}
-
-/** Keys of `frameKeys` that are told of key up. */
-export const HELD_KEYS: readonly ActionId[] = ["play", "loupe"];

@@ -1,6 +1,5 @@
 /** What is worth having before it is asked for, and what stands in until it is here. */
 import type { Recording } from "../core/types";
-import { neighbours } from "./frameCache";
 
 const BYTES_PER_PIXEL = 4;
 const AHEAD = 8;
@@ -53,4 +52,23 @@ export function standIn(
   if (!thumb || shownFrame === null) return thumb;
   const away = Math.abs(shownFrame - frame);
   return away > JUMP && Math.abs(thumb.frame - frame) < away ? thumb : undefined;
+}
+
+/** Frames worth having next: mostly ahead in the direction of travel, a few behind. */
+export function neighbours(frame: number, direction: 1 | -1, count: number, ahead = 8, behind = 2): number[] {
+  const wanted: number[] = [];
+  for (let step = 1; step <= ahead; step += 1) wanted.push(frame + direction * step);
+  for (let step = 1; step <= behind; step += 1) wanted.push(frame - direction * step);
+  return wanted.filter((n) => n >= 0 && n < count);
+}
+
+/** Runs of consecutive frames, for the timeline. */
+export function runsOf(frames: readonly number[]): [number, number][] {
+  const runs: [number, number][] = [];
+  for (const frame of [...frames].sort((a, b) => a - b)) {
+    const last = runs.at(-1);
+    if (last && last[1] === frame - 1) last[1] = frame;
+    else runs.push([frame, frame]);
+  }
+  return runs;
 }

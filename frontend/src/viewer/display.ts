@@ -1,4 +1,5 @@
 /** How pictures are shown: as they are, or brightened by the server. For the eye only; clicks and measurements are the same. */
+import type { Signal } from "@preact/signals";
 import { stored } from "../core/stored";
 
 export const bright = stored<boolean>("bright", false, (value) => typeof value === "boolean");
@@ -8,8 +9,16 @@ export const linesShown = stored<boolean>("lines", true);
 
 export const BRIGHT_WORDS = "display only: brightened";
 
+export function set(switched: Signal<boolean>, on: boolean): void {
+  switched.value = on;
+}
+
+export function toggle(switched: Signal<boolean>): void {
+  switched.value = !switched.value;
+}
+
 export function toggleBright(): void {
-  bright.value = !bright.value;
+  toggle(bright);
 }
 
 /** What is added to the address of a still or a crop. */

@@ -5,11 +5,11 @@
 import { batch, computed, signal } from "@preact/signals";
 import { api, explain } from "../core/api";
 import type { FrameTable, ReadyFrames, Recording } from "../core/types";
-import { standIn, worthHaving } from "./ahead";
+import { runsOf, standIn, worthHaving } from "./ahead";
+import { BitmapCache } from "./bitmapCache";
 import { bright } from "./display";
-import { FrameCache } from "./frameCache";
 import { fetchFrame, fetchPicture, frameUrl, isAbort } from "./frames";
-import { clamp } from "./viewport";
+import { clamp } from "./view";
 
 /** 256 MB of decoded frames: 200 at 640x480, 30 at 1080p. */
 const CACHE_BYTES = 256e6;
@@ -40,8 +40,8 @@ export class Player {
   private readonly times = signal<ReadonlyMap<number, number>>(new Map());
   private readonly checksums = new Map<number, number>();
   private readonly pages = new Set<number>();
-  private readonly plain: FrameCache<ImageBitmap>;
-  private readonly brightened: FrameCache<ImageBitmap>;
+  private readonly plain: BitmapCache<number, ImageBitmap>;
+  private readonly brightened: BitmapCache<number, ImageBitmap>;
   private readonly stopWatching: () => void;
   private direction: 1 | -1 = 1;
   private expected: readonly number[] = [];
@@ -66,18 +66,17 @@ export class Player {
   }
 
   /** Pictures of the kind that is shown now. */
-  private get cache(): FrameCache<ImageBitmap> {
+  private get cache(): BitmapCache<number, ImageBitmap> {
     return bright.peek() ? this.brightened : this.plain;
   }
 
-  private makeCache(isBright: boolean, bytes: number): FrameCache<ImageBitmap> {
-    return new FrameCache<ImageBitmap>(
+  private makeCache(isBright: boolean, bytes: number): BitmapCache<number, ImageBitmap> {
+    return new BitmapCache<number, ImageBitmap>(
       (frame, abort) => {
         const url = frameUrl(this.recordingId, frame, this.checksums.get(frame), isBright);
         return fetchFrame(url, frame, abort);
       },
-      bytes,
-      () => this.rangesSoon(),
+      { maxBytes: bytes, onChange: () => this.rangesSoon() },
     );
   }
 
@@ -200,7 +199,7 @@ export class Player {
   private async load(frame: number): Promise<void> {
     const ahead = this.wanted(frame);
     const cache = this.cache;
-    cache.keepOnly(new Set([frame, ...ahead]));
+    cache.keepOnly([frame, ...ahead]);
     try {
       const picture = await cache.fetch(frame);
       // of the other kind meanwhile: brightened and plain are never mixed up
@@ -265,7 +264,7 @@ export class Player {
   private prefetch(): void {
     const frame = this.frame.value;
     const ahead = this.wanted(frame);
-    this.cache.keepOnly(new Set([frame, ...ahead]));
+    this.cache.keepOnly([frame, ...ahead]);
     void (async () => {
       for (const next of ahead) {
         if (this.closed || this.frame.value !== frame) return;
@@ -312,7 +311,7 @@ export class Player {
     if (this.rangesTimer !== undefined || this.closed) return;
     this.rangesTimer = setTimeout(() => {
       this.rangesTimer = undefined;
-      this.ranges.value = this.cache.ranges();
+      this.ranges.value = runsOf(this.cache.keys());
     }, 120);
   }
 }

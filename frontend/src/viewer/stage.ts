@@ -1,23 +1,97 @@
-/** What a frame view shares with its loupe, overlay and screen: the viewport and the pointer. */
-import { signal } from "@preact/signals";
-import { type ImagePoint, type ScreenPoint, screenPoint } from "./points";
-import { type Size, Viewport } from "./viewport";
+/** One picture and what is done on it: how it lies in its window, the pointer, the keyboard's cursor and the tools. */
+import { computed, type ReadonlySignal, type Signal, signal } from "@preact/signals";
+import { KeyboardCursor } from "./cursor";
+import { type ImagePoint, type ScreenPoint, screenDistance, screenPoint } from "./points";
+import type { Handle, Tool } from "./tool";
+import type { Size, View } from "./view";
+import { Viewport } from "./viewport";
 
-const NOTHING: Size = { width: 1, height: 1 };
+export interface Grabbed<P> {
+  readonly tool: Tool<P>;
+  readonly handle: Handle<P>;
+}
 
-export class Stage {
-  readonly viewport = signal(Viewport.fit({ width: 640, height: 480 }, NOTHING));
-  /** Where the pointer (or the keyboard's cursor) stands, in the image; null outside. */
-  readonly pointer = signal<ImagePoint | null>(null);
-  /** The loupe is switched on, held (Z), or a point is being dragged. */
+export class PictureStage<P, V extends View<P, V>> {
+  readonly view: Signal<V>;
+  /** Where the pointer (or the keyboard's cursor) stands in the picture; null outside. */
+  readonly pointer = signal<P | null>(null);
+  readonly keyboard: KeyboardCursor<P, V> = new KeyboardCursor<P, V>(this);
+  readonly cursor: ReadonlySignal<P | null> = this.keyboard.at;
+  /** The loupe is switched on, or held (Z). */
   readonly loupe = signal(false);
   readonly dragging = signal(false);
+  /** From the top: who is asked first. */
+  readonly tools: ReadonlySignal<readonly Tool<P>[]>;
+  readonly hint = computed(() => this.first((tool) => tool.hint?.value ?? null));
+  readonly placing = computed(() => this.tools.value.some((tool) => tool.placing?.value === true));
   /** Set when Space was held to pan, so that letting it go does not play. */
   panned = false;
-  /** The box of the transport in which a frame's number is typed, while it is shown. */
-  frameBox: HTMLInputElement | null = null;
+  /** Ends the drag under way without its doing anything; set by who follows the pointer. */
+  letGo: (() => void) | null = null;
   private element: HTMLElement | null = null;
-  private known = false;
+  private pressed = false;
+
+  /** `tools` is asked again whenever a signal in it changes; `stage.keyboard` belongs into it where points are placed. */
+  constructor(view: V, tools: () => readonly Tool<P>[] = () => []) {
+    this.view = signal(view);
+    this.tools = computed(tools);
+  }
+
+  place(at: P): boolean {
+    return this.tools.value.some((tool) => tool.place?.(at));
+  }
+
+  hover(at: P | null): void {
+    this.pointer.value = at;
+    this.tools.value.some((tool) => tool.hover?.(at));
+  }
+
+  nudge(dx: number, dy: number): boolean {
+    return this.tools.value.some((tool) => tool.nudge?.(dx, dy));
+  }
+
+  confirm(): boolean {
+    return this.tools.value.some((tool) => tool.confirm?.());
+  }
+
+  back(): boolean {
+    return this.tools.value.some((tool) => tool.back?.());
+  }
+
+  cancel(): boolean {
+    if (this.dragging.value && this.letGo) {
+      this.letGo();
+      return true;
+    }
+    return this.tools.value.some((tool) => tool.cancel?.());
+  }
+
+  /** The handle nearest to a place of the window, within so many screen pixels. */
+  grab(at: ScreenPoint, reach: number): Grabbed<P> | null {
+    let best: Grabbed<P> | null = null;
+    let nearest = reach;
+    for (const tool of this.tools.value)
+      for (const handle of tool.handles?.value ?? []) {
+        const distance = handle.distance?.(at) ?? screenDistance(this.view.value.toScreen(handle.at), at);
+        if (distance > nearest) continue;
+        best = { tool, handle };
+        nearest = distance;
+      }
+    return best;
+  }
+
+  /** Zoom at the pointer if it is over the picture, else at the middle. */
+  zoom(factor: number, across = false): void {
+    const view = this.view.value;
+    const at = this.pointer.value
+      ? view.toScreen(this.pointer.value)
+      : screenPoint(view.screen.width / 2, view.screen.height / 2);
+    this.view.value = view.zoom(at, factor, across);
+  }
+
+  fit(): void {
+    this.view.value = this.view.value.fit();
+  }
 
   attach(element: HTMLElement): () => void {
     this.element = element;
@@ -30,46 +104,63 @@ export class Stage {
     };
   }
 
-  /** The picture's size, once known; another size fits anew. */
-  setImage(image: Size): void {
-    const now = this.viewport.value;
-    if (this.known && now.image.width === image.width && now.image.height === image.height) return;
-    this.known = true;
-    this.viewport.value = Viewport.fit(image, now.screen);
+  /** While a button is down the picture keeps its place: what changes the layout meanwhile counts when it is up. */
+  hold(pressed: boolean): void {
+    this.pressed = pressed;
+    if (!pressed) this.measure();
   }
 
-  fit(): void {
-    const { image, screen } = this.viewport.value;
-    this.viewport.value = Viewport.fit(image, screen);
-  }
-
-  /** Zoom at the pointer if it is over the picture, else at the middle. */
-  zoom(factor: number): void {
-    const view = this.viewport.value;
-    const at = this.pointer.value
-      ? view.toScreen(this.pointer.value)
-      : screenPoint(view.screen.width / 2, view.screen.height / 2);
-    this.viewport.value = view.zoomAt(at, factor);
-  }
-
-  /** Position of a mouse event inside the frame view. */
+  /** A mouse event's place in the window of the picture. */
   fromClient(clientX: number, clientY: number): ScreenPoint {
     const box = this.element?.getBoundingClientRect();
     return screenPoint(clientX - (box?.left ?? 0), clientY - (box?.top ?? 0));
   }
 
-  centre(): ImagePoint {
-    const { screen } = this.viewport.value;
-    return this.viewport.value.toImage(screenPoint(screen.width / 2, screen.height / 2));
+  fromWindow(x: number, y: number): P {
+    return this.view.value.toPicture(screenPoint(x, y));
   }
 
   focus(): void {
     this.element?.focus({ preventScroll: true });
   }
 
+  /** The window has this size now. */
+  protected resize(screen: Size): void {
+    this.view.value = this.view.value.resized(screen);
+  }
+
+  private first<T>(ask: (tool: Tool<P>) => T | null): T | null {
+    for (const tool of this.tools.value) {
+      const answer = ask(tool);
+      if (answer !== null) return answer;
+    }
+    return null;
+  }
+
   private measure(): void {
-    if (!this.element) return;
+    if (!this.element || this.pressed) return;
     const screen = { width: this.element.clientWidth, height: this.element.clientHeight };
-    if (screen.width > 0) this.viewport.value = this.viewport.value.resized(screen);
+    if (screen.width > 0) this.resize(screen);
+  }
+}
+
+const NOTHING: Size = { width: 1, height: 1 };
+
+/** The stage of a recording's frames. */
+export class FrameStage extends PictureStage<ImagePoint, Viewport> {
+  /** The box of the transport in which a frame's number is typed, while it is shown. */
+  frameBox: HTMLInputElement | null = null;
+  private known = false;
+
+  constructor(tools?: () => readonly Tool<ImagePoint>[]) {
+    super(Viewport.fit({ width: 640, height: 480 }, NOTHING), tools);
+  }
+
+  /** The picture's size, once known; another size fits anew. */
+  setImage(image: Size): void {
+    const now = this.view.value;
+    if (this.known && now.image.width === image.width && now.image.height === image.height) return;
+    this.known = true;
+    this.view.value = Viewport.fit(image, now.screen);
   }
 }

@@ -4,17 +4,13 @@
  * A Viewport is immutable; zooming and panning return a new one.
  */
 import { type ImagePoint, imagePoint, type ScreenPoint, screenPoint } from "./points";
-
-export interface Size {
-  readonly width: number;
-  readonly height: number;
-}
+import { clamp, type Size, type View } from "./view";
 
 const MAX_SCALE = 40;
 /** A picture may be panned away until this many screen pixels of it are left. */
 const KEEP_VISIBLE_PX = 48;
 
-export class Viewport {
+export class Viewport implements View<ImagePoint, Viewport> {
   private constructor(
     readonly image: Size,
     readonly screen: Size,
@@ -43,7 +39,7 @@ export class Viewport {
     return screenPoint(this.left + (point[0] + 0.5) * this.scale, this.top + (point[1] + 0.5) * this.scale);
   }
 
-  toImage(point: ScreenPoint): ImagePoint {
+  toPicture(point: ScreenPoint): ImagePoint {
     return imagePoint((point[0] - this.left) / this.scale - 0.5, (point[1] - this.top) / this.scale - 0.5);
   }
 
@@ -58,13 +54,13 @@ export class Viewport {
   }
 
   /** Zoom by a factor; the image point under `at` stays under it. */
-  zoomAt(at: ScreenPoint, factor: number): Viewport {
+  zoom(at: ScreenPoint, factor: number): Viewport {
     const scale = clamp(this.scale * factor, this.minScale, MAX_SCALE);
     const ratio = scale / this.scale;
     return this.placed(scale, at[0] - (at[0] - this.left) * ratio, at[1] - (at[1] - this.top) * ratio);
   }
 
-  panBy(dx: number, dy: number): Viewport {
+  pan(dx: number, dy: number): Viewport {
     return this.placed(this.scale, this.left + dx, this.top + dy);
   }
 
@@ -74,15 +70,15 @@ export class Viewport {
     const dx = (screen.width - this.screen.width) / 2;
     const dy = (screen.height - this.screen.height) / 2;
     const moved = new Viewport(this.image, screen, this.scale, this.left, this.top, false);
-    return moved.panBy(dx, dy);
+    return moved.pan(dx, dy);
   }
 
   /** Move just enough that an image point is at least `margin` inside the window. */
-  revealing(point: ImagePoint, margin = 60): Viewport {
+  reveal(point: ImagePoint, margin = 60): Viewport {
     const [x, y] = this.toScreen(point);
     const dx = x - clamp(x, margin, Math.max(margin, this.screen.width - margin));
     const dy = y - clamp(y, margin, Math.max(margin, this.screen.height - margin));
-    return dx === 0 && dy === 0 ? this : this.panBy(-dx, -dy);
+    return dx === 0 && dy === 0 ? this : this.pan(-dx, -dy);
   }
 
   contains(point: ImagePoint): boolean {
@@ -92,6 +88,18 @@ export class Viewport {
       point[0] <= this.image.width - 0.5 &&
       point[1] <= this.image.height - 0.5
     );
+  }
+
+  nearest(at: ImagePoint): ImagePoint {
+    return imagePoint(clamp(at[0], 0, this.image.width - 1), clamp(at[1], 0, this.image.height - 1));
+  }
+
+  shifted(at: ImagePoint, dx: number, dy: number): ImagePoint {
+    return imagePoint(at[0] + dx, at[1] + dy);
+  }
+
+  fit(): Viewport {
+    return Viewport.fit(this.image, this.screen);
   }
 
   private placed(scale: number, left: number, top: number): Viewport {
@@ -110,8 +118,4 @@ export class Viewport {
 function fitScale(image: Size, screen: Size): number {
   if (screen.width <= 0 || screen.height <= 0) return 1;
   return Math.min(screen.width / image.width, screen.height / image.height, MAX_SCALE);
-}
-
-export function clamp(value: number, low: number, high: number): number {
-  return Math.min(Math.max(value, low), high);
 }

@@ -11,13 +11,13 @@ export function TrafficSide({ model }: { model: TrafficModel }) {
   const preview = model.preview.value;
   return (
     <aside class="traffic__side" aria-label="Direction of travel">
-      {model.recordings.value.length > 1 && (
+      {model.reel.recordings.value.length > 1 && (
         <div class="traffic__pose">
           <SelectField
             label="Recording"
             hideLabel
-            value={String(model.recording.value?.id ?? "")}
-            options={model.recordings.value.map((one) => ({ value: String(one.id), label: one.name }))}
+            value={String(model.reel.recording.value?.id ?? "")}
+            options={model.reel.recordings.value.map((one) => ({ value: String(one.id), label: one.name }))}
             onChange={(id) => model.chooseRecording(Number(id))}
           />
         </div>

@@ -1,19 +1,113 @@
-import { afterEach, describe, expect, it, vi } from "vitest";
-import { ApiError, api } from "../../core/api";
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { ApiError } from "../../core/api";
+import { FakeServer, recording, vehicle } from "../../testing/server";
+import { imagePoint } from "../../viewer/points";
 import { TrafficModel } from "./model";
+import type { WheelPair } from "./types";
 
-afterEach(() => vi.restoreAllMocks());
+let server: FakeServer;
+let model: TrafficModel;
+let pairs: WheelPair[];
+const quiet = () => vi.advanceTimersByTimeAsync(20);
+
+beforeEach(() => {
+  vi.useFakeTimers();
+  pairs = [];
+  server = new FakeServer();
+  server.on("GET", /\/recordings$/, () => [recording()]);
+  server.on("GET", /\/surveys\/5\/vehicles$/, () => [vehicle(), vehicle([], { id: 8, number: 8 })]);
+  server.on("GET", /\/checks\/traffic$/, () => ({ poses: [], pairs }));
+  server.on("POST", /^\/vehicles\/(\d+)\/wheel-pair$/, (match, body) => {
+    const vehicle_id = Number(match[1]);
+    pairs = [...pairs.filter((one) => one.vehicle_id !== vehicle_id), { ...body, vehicle_id } as WheelPair];
+    return {};
+  });
+  server.on("DELETE", /^\/vehicles\/(\d+)\/wheel-pair$/, (match) => {
+    pairs = pairs.filter((one) => one.vehicle_id !== Number(match[1]));
+    return {};
+  });
+  model = new TrafficModel(5);
+});
+
+afterEach(() => {
+  model.close();
+  vi.useRealTimers();
+  vi.unstubAllGlobals();
+});
+
+const both = async (): Promise<void> => {
+  model.stage.place(imagePoint(100, 300));
+  model.stage.place(imagePoint(180, 302));
+  await quiet();
+};
 
 describe("the direction of travel", () => {
   it("comes up when it is tried again after a failure", async () => {
-    const get = vi.spyOn(api, "get").mockRejectedValue(new ApiError("The server could not do this.", 500));
-    const model = new TrafficModel(5);
+    server.on("GET", /\/checks\/traffic$/, () => {
+      throw 400;
+    });
     await model.load(null);
     expect(model.problem.value).toBeInstanceOf(ApiError);
-    get.mockImplementation(async (path) => (path.endsWith("/traffic") ? { poses: [], pairs: [] } : []));
+    server.on("GET", /\/checks\/traffic$/, () => ({ poses: [], pairs }));
     await model.load(null);
     expect(model.problem.value).toBeNull();
     expect(model.loaded.value).toBe(true);
-    model.close();
+  });
+
+  it("takes two clicks on one frame, and undo and redo take the pair out and in where it was clicked", async () => {
+    await model.load(7);
+    await quiet();
+    await both();
+    expect(pairs).toMatchObject([{ vehicle_id: 7, frame: 40, first: [100, 300], second: [180, 302] }]);
+    expect(model.clicks.first.value).toBeNull();
+    model.openNext(1);
+    await model.history.undo();
+    expect(pairs).toEqual([]);
+    expect(model.vehicleId.value).toBe(7);
+    await model.history.redo();
+    expect(pairs).toHaveLength(1);
+    await model.withdraw();
+    await model.history.undo();
+    expect(pairs).toHaveLength(1);
+  });
+
+  it("says why a pair was refused, and keeps no step of it", async () => {
+    server.on("POST", /wheel-pair$/, () => {
+      throw 422;
+    });
+    await model.load(7);
+    await quiet();
+    await both();
+    expect(model.refused.value).toBeInstanceOf(ApiError);
+    expect(model.history.undoLabel.value).toBeNull();
+    expect(model.clicks.first.value).toBeNull();
+  });
+
+  it("forgets the first tyre on another frame, and lets Esc and Ctrl+Z take it back", async () => {
+    await model.load(7);
+    await quiet();
+    model.stage.place(imagePoint(100, 300));
+    expect(model.stage.hint.value).toContain("other tyre");
+    model.reel.player.value?.step(1);
+    await quiet();
+    expect(model.clicks.first.value).toBeNull();
+    for (const takeBack of [() => model.stage.back(), () => model.stage.cancel()]) {
+      model.stage.place(imagePoint(100, 300));
+      expect(takeBack()).toBe(true);
+      expect(model.clicks.first.value).toBeNull();
+    }
+    expect(server.writes.filter((write) => write.includes("wheel-pair"))).toEqual([]);
+  });
+
+  it("keeps the keyboard's cursor on the picture and in sight", async () => {
+    await model.load(7);
+    await quiet();
+    const { stage } = model;
+    stage.view.value = stage.view.value.resized({ width: 640, height: 480 }).zoom([0, 0] as never, 4);
+    stage.keyboard.toggle();
+    for (let i = 0; i < 100; i += 1) stage.nudge(10, 0);
+    const cursor = stage.cursor.value ?? imagePoint(0, 0);
+    expect(cursor[0]).toBe(639);
+    expect(stage.view.value.toScreen(cursor)[0]).toBeLessThanOrEqual(640);
   });
 });

@@ -3,60 +3,29 @@ import { useSignal, useSignalEffect } from "@preact/signals";
 import { showChord } from "../../core/commands";
 import { canWork } from "../../core/session";
 import type { HeightAnswer } from "../../core/types";
-import { formatHeight, formatLength } from "../../core/units";
+import { formatHeight } from "../../core/units";
 import { TARGET_HINTS, TARGET_WORDS } from "../../core/words";
-import { linesShown } from "../../viewer/display";
-import { FrameView, type Handle } from "../../viewer/FrameView";
+import { AnswerLines } from "../../viewer/AnswerLines";
+import { FrameView } from "../../viewer/FrameView";
 import { loupeBelow } from "../../viewer/Loupe";
-import { AxesLayer, InImage, KeyboardCursor, LadderLayer, Line, PointMark } from "../../viewer/Overlay";
+import { InImage, Line, PointMark } from "../../viewer/Overlay";
 import type { Player } from "../../viewer/player";
 import { pair, samePoint } from "../../viewer/points";
 import { AssistLayer, AssistNote } from "./assist/AssistLayer";
-import type { Assist } from "./assist/assist";
 import { DriftLine } from "./assist/DriftLine";
 import type { Selection } from "./flow";
 import type { MeasureModel } from "./model";
+import { idOf } from "./points";
 import { SecondMarks } from "./SecondFrameParts";
 
-export function FramePanel(props: { model: MeasureModel; player: Player; assist: Assist }) {
-  const { model, player, assist } = props;
-  const { stage, points } = model;
-  const placing = canWork.value && model.hasPose.value && model.awaiting.value !== null;
-  const selections = points.selectable();
-  const handles: Handle[] = selections.flatMap((one) => {
-    const at = points.positionOf(one);
-    return at ? [{ id: idOf(one), at }] : [];
-  });
-  const selectionOf = (id: string): Selection | undefined => selections.find((one) => idOf(one) === id);
+export function FramePanel({ model, player }: { model: MeasureModel; player: Player }) {
+  const { stage, points, assist } = model;
   return (
     <section class="measure__frame" aria-label="Frame">
       <FrameView
         player={player}
         stage={stage}
-        label={`Frame ${player.frame.value}`}
         describedBy="measure-hint"
-        handles={handles}
-        placing={placing}
-        onPlace={(point) => {
-          if (placing) points.place(assist.snapped(point));
-          else model.dispatch({ type: "select", selection: null });
-        }}
-        onHover={(point) => {
-          points.cursor.value = null;
-          points.hover(point);
-        }}
-        onPick={(id) => {
-          const selection = selectionOf(id);
-          if (selection) points.pick(selection);
-        }}
-        onDrag={
-          canWork.value
-            ? (id, point, phase) => {
-                const selection = selectionOf(id);
-                if (selection) points.drag(selection, point, phase);
-              }
-            : undefined
-        }
         above={
           <>
             <Hint model={model} />
@@ -70,26 +39,12 @@ export function FramePanel(props: { model: MeasureModel; player: Player; assist:
           </>
         }
       >
-        <Lines model={model} />
-        <Marks model={model} selections={selections} />
+        <AnswerLines answer={model.geometry.axes.value} stage={stage} />
+        <Marks model={model} selections={points.selectable()} />
         <AssistLayer assist={assist} stage={stage} />
       </FrameView>
       <Spoken model={model} />
     </section>
-  );
-}
-
-const idOf = (selection: Selection): string => `${selection.role}:${selection.key ?? ""}`;
-
-function Lines({ model }: { model: MeasureModel }) {
-  const answer = model.geometry.axes.value;
-  if (!linesShown.value || !answer?.axes) return null;
-  const rungs = answer.ladder.map((rung) => ({ ...rung, words: formatLength(rung.height_m, 1) }));
-  return (
-    <>
-      <LadderLayer rungs={rungs} stage={model.stage} />
-      <AxesLayer axes={answer.axes} stage={model.stage} />
-    </>
   );
 }
 
@@ -134,7 +89,6 @@ function Marks({ model, selections }: { model: MeasureModel; selections: readonl
         );
       })}
       <SecondMarks model={model} />
-      {points.cursor.value && <KeyboardCursor stage={stage} at={points.cursor.value} />}
     </>
   );
 }
@@ -149,7 +103,7 @@ function Hint({ model }: { model: MeasureModel }) {
       {target && model.hasPose.value && <strong>{TARGET_WORDS[target]}</strong>}
       <span>{hintWords(model)}</span>
       {!model.hasPose.value && (
-        <a href={`/surveys/${model.surveyId}/pose?recording=${model.player.value?.recordingId ?? ""}`}>
+        <a href={`/surveys/${model.surveyId}/pose?recording=${model.reel.player.value?.recordingId ?? ""}`}>
           Find the road pose
         </a>
       )}
@@ -159,8 +113,8 @@ function Hint({ model }: { model: MeasureModel }) {
 
 function hintWords(model: MeasureModel): string {
   const { target } = model.flow.value;
-  const second = model.second.words.value;
-  if (second) return second;
+  const said = model.stage.hint.value;
+  if (said) return said;
   if (!model.hasPose.value) return "This recording has no road pose yet, so nothing can be measured on it.";
   if (model.vehicleId.value === null) return "Choose a pass on the left, or mark a new one with [ and ].";
   if (!canWork.value) return "You may look, not measure.";
@@ -179,7 +133,7 @@ function LiveHeight({ model }: { model: MeasureModel }) {
   const live = model.geometry.live.value;
   const at = model.stage.pointer.value;
   if (!live || !at || model.awaiting.value !== "point") return null;
-  const view = model.stage.viewport.value;
+  const view = model.stage.view.value;
   const [x, y] = view.toScreen(at);
   const flip = x > view.screen.width - 190;
   const above = y > view.screen.height - 60 || loupeBelow(model.stage, at);

@@ -95,9 +95,9 @@ function Row({ model, target, index, entry, open, onOpen }: RowProps) {
           class="height-row__value"
           title="Show and select the point"
           onClick={() => {
-            model.player.value?.go(entry.values.frame);
+            model.reel.player.value?.go(entry.values.frame);
             model.second.last = entry.key;
-            model.points.pick({ key: entry.key, role: "point" });
+            model.points.select({ key: entry.key, role: "point" });
             model.stage.focus();
           }}
         >

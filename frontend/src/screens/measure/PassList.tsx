@@ -19,7 +19,7 @@ export function PassList({ model }: { model: MeasureModel }) {
   const all = model.vehicles.list.value;
   const list = model.list.value;
   const open = all.filter(isOpen).length;
-  const recording = model.recording.value;
+  const recording = model.reel.recording.value;
   const box = useRef<HTMLUListElement>(null);
   useSignalEffect(() => {
     const id = model.vehicleId.value;

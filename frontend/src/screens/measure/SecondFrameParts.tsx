@@ -9,7 +9,7 @@ import { formatHeight, formatLength, formatSmall, formatSpeed, speedScale } from
 import { askHeight, askSecondFrame } from "../../viewer/geometry";
 import { PointMark } from "../../viewer/Overlay";
 import { fromServer, type ImagePoint } from "../../viewer/points";
-import type { Stage } from "../../viewer/stage";
+import type { FrameStage } from "../../viewer/stage";
 import { framesOf } from "../../viewer/values";
 import type { MeasureModel } from "./model";
 import type { Entry } from "./records";
@@ -47,8 +47,8 @@ export function SecondMarks({ model }: { model: MeasureModel }) {
 }
 
 /** A place to look at, not a point: a dashed ring that leaves its middle free. */
-function Expected({ stage, at, text }: { stage: Stage; at: ImagePoint; text?: string | undefined }) {
-  const [x, y] = stage.viewport.value.toScreen(at);
+function Expected({ stage, at, text }: { stage: FrameStage; at: ImagePoint; text?: string | undefined }) {
+  const [x, y] = stage.view.value.toScreen(at);
   return (
     <g class="point-mark point-mark--expected" transform={`translate(${x} ${y})`}>
       <circle class="point-mark__halo" r="15" />
@@ -89,8 +89,8 @@ export function Frames({ model, entry }: { model: MeasureModel; entry: Entry }) 
                   kind="quiet"
                   pressed={model.seenFrame.value === frame}
                   onClick={() => {
-                    model.player.value?.go(frame);
-                    model.points.pick({ key: entry.key, role: "point" });
+                    model.reel.player.value?.go(frame);
+                    model.points.select({ key: entry.key, role: "point" });
                     model.stage.focus();
                   }}
                 >
@@ -119,7 +119,7 @@ export function Frames({ model, entry }: { model: MeasureModel; entry: Entry }) 
 }
 
 function recordingOf(model: MeasureModel): number | undefined {
-  return model.player.value?.recordingId;
+  return model.reel.player.value?.recordingId;
 }
 
 /** What the first frame alone would give, beside what all give together. */

@@ -15,7 +15,7 @@ const ENDS: readonly { end: SpanEnd; label: string; take: string }[] = [
 
 export function SpanEditor({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
   const here = model.seenFrame.value;
-  const sameRecording = model.player.value?.recordingId === vehicle.recording_id;
+  const sameRecording = model.reel.player.value?.recordingId === vehicle.recording_id;
   return (
     <section class="facts-form span-editor" aria-label="Frames of the pass">
       <h3>Frames of the pass</h3>

@@ -1,13 +1,11 @@
 /** Below the frame: recording, steps, frame and time, loupe; and the timeline with the passes. */
 import { useEffect } from "preact/hooks";
-import { Button } from "../../components";
-import { hint } from "../../core/commands";
+import { CommandButton } from "../../components/CommandButton";
 import type { Vehicle } from "../../core/types";
 import { bestFrame, isOpen, nextOpen } from "../../parts/vehicles/passes";
 import { around } from "../../viewer/ahead";
-import { BrightButton } from "../../viewer/BrightButton";
-import { linesShown } from "../../viewer/display";
 import type { Player } from "../../viewer/player";
+import { brightSwitch, fitCommand, linesSwitch, loupeSwitch } from "../../viewer/stageCommands";
 import { type Span, Timeline } from "../../viewer/Timeline";
 import { Transport } from "../../viewer/Transport";
 import type { MeasureModel } from "./model";
@@ -37,38 +35,11 @@ export function TimelinePanel({ model, player }: { model: MeasureModel; player: 
       <div class="frame-tools">
         <Transport player={player} stage={model.stage} />
         <span class="grow" />
-        {model.recordings.value.length > 1 && <RecordingChoice model={model} player={player} />}
-        <Button
-          small
-          kind="quiet"
-          title={`Fit the frame${hint("zoomFit")}`}
-          onClick={() => model.stage.fit()}
-        >
-          Fit
-        </Button>
-        <Button
-          small
-          kind="quiet"
-          pressed={linesShown.value}
-          title={`Axes and ladder${hint("linesToggle")}`}
-          onClick={() => {
-            linesShown.value = !linesShown.value;
-          }}
-        >
-          Lines
-        </Button>
-        <BrightButton />
-        <Button
-          small
-          kind="quiet"
-          pressed={model.stage.loupe.value}
-          title={`Loupe${hint("loupeToggle")}; hold${hint("loupe").replace(/[()]/g, "")} for a moment's look`}
-          onClick={() => {
-            model.stage.loupe.value = !model.stage.loupe.value;
-          }}
-        >
-          Loupe
-        </Button>
+        {model.reel.recordings.value.length > 1 && <RecordingChoice model={model} player={player} />}
+        <CommandButton command={fitCommand(model.stage)}>Fit</CommandButton>
+        <CommandButton command={linesSwitch}>Lines</CommandButton>
+        <CommandButton command={brightSwitch}>Bright</CommandButton>
+        <CommandButton command={loupeSwitch(model.stage)}>Loupe</CommandButton>
       </div>
       <Timeline player={player} spans={spans} />
     </section>
@@ -97,7 +68,7 @@ function RecordingChoice({ model, player }: { model: MeasureModel; player: Playe
       value={player.recordingId}
       onChange={(event) => model.chooseRecording(Number(event.currentTarget.value))}
     >
-      {model.recordings.value.map((recording) => (
+      {model.reel.recordings.value.map((recording) => (
         <option key={recording.id} value={recording.id} disabled={recording.state !== "ready"}>
           {recording.name}
         </option>

@@ -1,28 +1,38 @@
 /** As much of the measure page as the tools that place points need: they know this, not the page. */
-import type { ReadonlySignal, Signal } from "@preact/signals";
+import type { ReadonlySignal } from "@preact/signals";
+import type { History } from "../../core/history";
 import type { Target } from "../../core/types";
-import type { UndoStack } from "../../core/undo";
 import type { Geometry } from "../../viewer/geometry";
-import type { Player } from "../../viewer/player";
 import type { ImagePoint } from "../../viewer/points";
-import type { Stage } from "../../viewer/stage";
+import type { Reel } from "../../viewer/reel";
+import type { FrameStage } from "../../viewer/stage";
+import type { Tool } from "../../viewer/tool";
 import type { Inset } from "../../viewer/values";
-import type { Flow, FlowEvent, Role } from "./flow";
+import type { Effect, Flow, FlowEvent, Role } from "./flow";
 import type { Entry, Records } from "./records";
 
 export interface Desk {
-  readonly stage: Stage;
-  readonly undo: UndoStack;
+  readonly reel: Reel;
+  readonly stage: FrameStage;
+  readonly history: History;
   readonly geometry: Geometry;
   readonly records: Records;
-  readonly player: Signal<Player | null>;
   readonly flow: ReadonlySignal<Flow>;
   readonly vehicleId: ReadonlySignal<number | null>;
   readonly entries: ReadonlySignal<readonly Entry[]>;
+  /** The frame that is seen; -1 while none is. */
   readonly seenFrame: ReadonlySignal<number>;
   readonly contact: ReadonlySignal<ImagePoint | null>;
   readonly awaiting: ReadonlySignal<Role | null>;
   readonly hasPose: ReadonlySignal<boolean>;
-  dispatch(event: FlowEvent): void;
+  /** What a click comes to is carried out by the tool that dispatched it. */
+  dispatch(event: FlowEvent): Effect | null;
   insetOf(target: Target): Inset | null;
+}
+
+/** A tool whose clicks make measurements. The first of them that is active says which contact counts, and what is awaited. */
+export interface ClickTool extends Tool<ImagePoint> {
+  readonly active: ReadonlySignal<boolean>;
+  readonly contact: ReadonlySignal<ImagePoint | null>;
+  readonly awaiting: ReadonlySignal<Role | null>;
 }

@@ -5,19 +5,22 @@
 import { batch, computed, effect, signal, untracked } from "@preact/signals";
 import { ask } from "../../components";
 import { setQuery } from "../../core/address";
+import { History, type Ledger } from "../../core/history";
 import { canWork, me } from "../../core/session";
 import { stored } from "../../core/stored";
 import { survey } from "../../core/survey";
 import { toast, toastProblem } from "../../core/toasts";
-import type { Recording, Target, Vehicle } from "../../core/types";
-import { UndoStack } from "../../core/undo";
+import type { Target, Vehicle } from "../../core/types";
 import { bestFrame, type Filter, listed, neighbour, nextOpen, type Order } from "../../parts/vehicles/passes";
 import { Geometry } from "../../viewer/geometry";
-import { Player } from "../../viewer/player";
 import type { ImagePoint } from "../../viewer/points";
-import { Stage } from "../../viewer/stage";
+import { Reel } from "../../viewer/reel";
+import { FrameStage } from "../../viewer/stage";
 import type { Inset } from "../../viewer/values";
-import { awaiting, type Flow, type FlowEvent, firstMissing, START, step } from "./flow";
+import { Assist } from "./assist/assist";
+import type { ClickTool, Desk } from "./desk";
+import { type Effect, type Flow, type FlowEvent, firstMissing, START, step } from "./flow";
+import { factLedger } from "./ledgers";
 import { Outbox, tabName } from "./outbox";
 import { Points } from "./points";
 import * as server from "./ports";
@@ -28,17 +31,24 @@ import { type Changes, Vehicles } from "./vehicles";
 export const filter = stored<Filter>("passes.filter", "all");
 export const order = stored<Order>("passes.order", "number");
 
-export class MeasureModel {
-  readonly stage = new Stage();
-  readonly undo = new UndoStack();
+export class MeasureModel implements Desk {
+  readonly reel = new Reel();
+  /** Who has a click, a key or Esc first: this order, and no other place, says so. */
+  readonly stage: FrameStage = new FrameStage(() => [
+    this.assist,
+    this.stage.keyboard,
+    this.second,
+    this.span,
+    this.points,
+  ]);
+  readonly history = new History();
   readonly geometry = new Geometry();
   readonly outbox: Outbox;
   readonly records: Records;
   readonly vehicles: Vehicles;
-  readonly points: Points;
-  readonly second: SecondFrame;
-  readonly recordings = signal<readonly Recording[]>([]);
-  readonly player = signal<Player | null>(null);
+  readonly second: SecondFrame = new SecondFrame(this, () => this.points);
+  readonly points: Points = new Points(this, this.second);
+  readonly assist: Assist;
   readonly flow = signal<Flow>(START);
   readonly vehicleId = computed(() => this.flow.value.vehicleId);
   readonly loaded = signal(false);
@@ -52,24 +62,29 @@ export class MeasureModel {
   readonly vehicle = computed(() => this.vehicles.shown(this.vehicleId.value));
   readonly entries = computed(() => this.records.of(this.vehicleId.value));
   /** The frame that is seen: clicks, contacts and marks belong to it. */
-  readonly seenFrame = computed(() => this.player.value?.shown.value?.frame ?? -1);
-  readonly contact = computed(() => {
-    const flow = this.flow.value.contacts.get(this.seenFrame.value) ?? null;
-    return this.second.now.value ? this.second.contact.value : flow;
-  });
-  readonly awaiting = computed(() =>
-    this.second.now.value ? this.second.awaiting.value : awaiting(this.flow.value, this.seenFrame.value),
+  readonly seenFrame = computed(() => this.reel.seen.value ?? -1);
+  private readonly clicking = computed<ClickTool>(() =>
+    this.second.active.value ? this.second : this.points,
   );
-  readonly recording = computed(() =>
-    this.recordings.value.find((one) => one.id === this.player.value?.recordingId),
-  );
+  readonly contact = computed(() => this.clicking.value.contact.value);
+  readonly awaiting = computed(() => this.clicking.value.awaiting.value);
   readonly hasPose = computed(
-    () => this.recording.value === undefined || this.recording.value.pose_id !== null,
+    () => this.reel.recording.value === undefined || this.reel.recording.value.pose_id !== null,
   );
+
+  /** A pass whose first frame is marked: Esc forgets the mark. */
+  private readonly span = {
+    cancel: (): boolean => {
+      const marked = this.passFrom.value !== null;
+      this.passFrom.value = null;
+      return marked;
+    },
+  };
 
   /** Told when something of a vehicle has been stored, for the other tabs. */
   onStored: (vehicleId: number) => void = () => {};
 
+  private readonly facts: ReturnType<typeof factLedger>;
   private readonly stops: (() => void)[] = [];
   private urlTimer: ReturnType<typeof setTimeout> | undefined;
   private refreshTimer: ReturnType<typeof setTimeout> | undefined;
@@ -91,8 +106,8 @@ export class MeasureModel {
       },
       (message) => toast(message),
     );
-    this.second = new SecondFrame(this, (key) => this.points.rest(key));
-    this.points = new Points(this, this.second);
+    this.assist = new Assist(this);
+    this.facts = factLedger(this.vehicles);
     this.startFromAddress();
     this.stops.push(
       effect(() => this.followAxes()),
@@ -110,7 +125,7 @@ export class MeasureModel {
         server.listVehicles(this.surveyId),
       ]);
       batch(() => {
-        this.recordings.value = recordings;
+        this.reel.recordings.value = recordings;
         this.vehicles.takeAll(vehicles);
         for (const vehicle of vehicles) this.records.take(vehicle);
         this.loaded.value = true;
@@ -129,7 +144,8 @@ export class MeasureModel {
     const id = this.vehicleId.value;
     if (id !== null) void this.vehicles.flush(id);
     this.points.endBurst();
-    this.player.value?.close();
+    this.assist.close();
+    this.reel.close();
     this.outbox.close();
   }
 
@@ -144,11 +160,9 @@ export class MeasureModel {
     return typed || clicked;
   }
 
-  dispatch(event: FlowEvent): void {
+  dispatch(event: FlowEvent): Effect | null {
     if (event.type === "choose") this.second.leave();
-    const outcome = step(this.flow.value, event);
-    this.flow.value = outcome.flow;
-    if (outcome.effect) this.points.carryOut(outcome.effect);
+    return this.step(event);
   }
 
   /** Opens a pass at its best frame, or at the frame asked for. */
@@ -159,22 +173,8 @@ export class MeasureModel {
     batch(() => {
       this.step({ type: "open", vehicleId: vehicle.id, target, contacts });
       this.chosenInsets.value = new Map();
-      this.showRecording(vehicle.recording_id, frame);
+      this.reel.show(vehicle.recording_id, frame);
     });
-  }
-
-  showRecording(recordingId: number, frame: number): void {
-    const now = this.player.value;
-    if (now?.recordingId === recordingId) {
-      now.stop();
-      now.go(frame);
-      return;
-    }
-    now?.close();
-    const player = new Player(recordingId, frame);
-    const facts = this.recordings.value.find((one) => one.id === recordingId);
-    if (facts) player.describe(facts);
-    this.player.value = player;
   }
 
   /** The operator turns to a recording: no pass is open until one is chosen. */
@@ -184,7 +184,7 @@ export class MeasureModel {
     else {
       this.leave();
       this.step({ type: "open", vehicleId: null, target: null });
-      this.showRecording(recordingId, 0);
+      this.reel.show(recordingId, 0);
     }
   }
 
@@ -209,7 +209,7 @@ export class MeasureModel {
 
   toBestFrame(): void {
     const vehicle = this.vehicle.value;
-    if (vehicle) this.showRecording(vehicle.recording_id, bestFrame(vehicle));
+    if (vehicle) this.reel.show(vehicle.recording_id, bestFrame(vehicle));
   }
 
   /** The inset a click would be stored with: chosen now, or of the measurement it revises; null: the survey's. */
@@ -233,15 +233,10 @@ export class MeasureModel {
   edit(changes: Changes): void {
     const vehicle = this.vehicle.value;
     if (!vehicle) return;
-    const before = Object.fromEntries(
-      Object.keys(changes).map((field) => [field, vehicle[field as keyof Changes]]),
-    ) as Changes;
-    const id = vehicle.id;
-    this.vehicles.edit(id, changes);
-    this.undo.push({
-      label: `vehicle ${vehicle.number}`,
-      undo: () => this.vehicles.edit(id, before),
-      redo: () => this.vehicles.edit(id, changes),
+    this.history.run(`vehicle ${vehicle.number}`, (step) => {
+      for (const field of Object.keys(changes) as (keyof Changes)[])
+        step.touch(this.facts, { id: vehicle.id, field });
+      this.vehicles.edit(vehicle.id, changes);
     });
   }
 
@@ -264,48 +259,50 @@ export class MeasureModel {
     const count = this.entries.value.filter((entry) => !entry.values.withdrawn).length;
     const body = `Vehicle ${vehicle.number} leaves the list${count > 0 ? `, and its ${count} measurements with it` : ""}. Undo brings it back.`;
     if (!(await ask({ title: `Delete vehicle ${vehicle.number}?`, body, action: "Delete the pass" }))) return;
-    await this.inTurn(async () => {
-      await this.takeOut(vehicle);
-      this.undo.push({
-        label: `deletion of vehicle ${vehicle.number}`,
-        undo: () => this.bringBack(vehicle),
-        redo: () => this.takeOut(vehicle),
-      });
-    });
+    await this.inTurn(() =>
+      this.history.run(`deletion of vehicle ${vehicle.number}`, async (step) => {
+        await step.write(this.passes, vehicle.id, false);
+      }),
+    );
   }
 
   private async addPass(first: number, last: number): Promise<void> {
-    const recordingId = this.player.value?.recordingId;
+    const recordingId = this.reel.player.value?.recordingId;
     if (recordingId === undefined) return;
     await this.inTurn(async () => {
       const vehicle = await server.addVehicle(recordingId, first, last);
-      this.put(vehicle);
-      this.open(vehicle);
-      this.undo.push({
-        label: `new pass ${vehicle.number}`,
-        undo: () => this.takeOut(vehicle),
-        redo: () => this.bringBack(vehicle),
+      this.history.run(`new pass ${vehicle.number}`, (step) => {
+        step.touch(this.passes, vehicle.id);
+        this.put(vehicle);
+        this.open(vehicle);
       });
     });
   }
 
   private inTurn(work: () => Promise<void>): Promise<void> {
-    return this.undo.inTurn(work).catch(toastProblem);
+    return this.history.inTurn(work).catch(toastProblem);
   }
 
-  private async takeOut(vehicle: Vehicle): Promise<void> {
-    await this.vehicles.flush(vehicle.id);
-    const now = this.vehicles.shown(vehicle.id) ?? vehicle;
-    await server.removeVehicle(vehicle.id, now.version);
+  /** Whether a pass is in the list. */
+  private readonly passes: Ledger<number, boolean> = {
+    read: (id) => this.vehicles.get(id) !== undefined,
+    write: (id, there) => (there ? this.bringBack(id) : this.takeOut(id)),
+  };
+
+  private async takeOut(id: number): Promise<void> {
+    await this.vehicles.flush(id);
+    const vehicle = this.vehicles.shown(id);
+    if (!vehicle) return;
+    await server.removeVehicle(id, vehicle.version);
     const next = neighbour(this.list.value, vehicle, 1) ?? neighbour(this.list.value, vehicle, -1);
-    this.vehicles.drop(vehicle.id);
-    if (this.vehicleId.value !== vehicle.id) return;
+    this.vehicles.drop(id);
+    if (this.vehicleId.value !== id) return;
     if (next) this.open(next);
     else this.step({ type: "open", vehicleId: null, target: null });
   }
 
-  private async bringBack(vehicle: Vehicle): Promise<void> {
-    const back = await server.restoreVehicle(vehicle.id);
+  private async bringBack(id: number): Promise<void> {
+    const back = await server.restoreVehicle(id);
     this.put(back);
     this.open(back);
   }
@@ -329,13 +326,15 @@ export class MeasureModel {
     }
   }
 
-  private step(event: FlowEvent): void {
-    this.flow.value = step(this.flow.value, event).flow;
+  private step(event: FlowEvent): Effect | null {
+    const { flow, effect: outcome } = step(this.flow.value, event);
+    this.flow.value = flow;
+    return outcome;
   }
 
   private leave(): void {
     this.points.endBurst();
-    this.points.cursor.value = null;
+    this.stage.keyboard.off();
     this.second.forget();
     this.geometry.forgetHeight();
     const id = this.vehicleId.value;
@@ -347,33 +346,31 @@ export class MeasureModel {
     const params = new URLSearchParams(location.search);
     const recordingId = Number(params.get("recording"));
     const frame = Number(params.get("frame"));
-    if (params.has("frame") && recordingId > 0 && frame >= 0)
-      this.player.value = new Player(recordingId, frame);
+    if (params.has("frame") && recordingId > 0 && frame >= 0) this.reel.show(recordingId, frame);
   }
 
   /** The pass the address names, else the first with something to do. */
   private openFirst(): void {
     const params = new URLSearchParams(location.search);
-    const now = this.player.value;
-    const facts = this.recordings.value.find((one) => one.id === now?.recordingId);
+    const now = this.reel.player.value;
+    const facts = this.reel.recordings.value.find((one) => one.id === now?.recordingId);
     if (now && facts) now.describe(facts);
     else if (now) {
       toast("The recording in this address is not in this survey.");
-      now.close();
-      this.player.value = null;
+      this.reel.close();
     }
     const named = this.vehicles.get(Number(params.get("vehicle")));
-    if (named) this.open(named, this.player.value?.frame.value ?? bestFrame(named));
-    if (this.player.value) return;
+    if (named) this.open(named, this.reel.player.value?.frame.value ?? bestFrame(named));
+    if (this.reel.player.value) return;
     const next = nextOpen(this.list.value, undefined) ?? this.list.value[0] ?? this.vehicles.list.value[0];
-    const ready = this.recordings.value.find((one) => one.state === "ready");
+    const ready = this.reel.recordings.value.find((one) => one.state === "ready");
     if (next) this.open(next);
-    else if (ready) this.showRecording(ready.id, 0);
+    else if (ready) this.reel.show(ready.id, 0);
   }
 
   private followAxes(): void {
     const contact: ImagePoint | null = this.contact.value;
-    const recordingId = this.player.value?.recordingId;
+    const recordingId = this.reel.player.value?.recordingId;
     const target = this.flow.value.target ?? "roof";
     const show = contact !== null && recordingId !== undefined && this.hasPose.value;
     this.geometry.showAxes(show ? { recordingId, contact, target, inset: this.insetOf(target) } : null);
@@ -388,11 +385,11 @@ export class MeasureModel {
   }
 
   private followAddress(): void {
-    const recording = this.player.value?.recordingId ?? null;
+    const recording = this.reel.player.value?.recordingId ?? null;
     // the frame that is seen, so that a copied address shows what its sender saw
     const frame = this.seenFrame.value;
     const vehicle = this.vehicleId.value;
-    if (frame < 0 || !this.loaded.value || this.player.value?.playing.value) return;
+    if (frame < 0 || !this.loaded.value || this.reel.player.value?.playing.value) return;
     clearTimeout(this.urlTimer);
     this.urlTimer = setTimeout(() => setQuery({ recording, frame, vehicle }), 250);
   }

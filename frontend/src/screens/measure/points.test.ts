@@ -1,113 +1,27 @@
-import { signal } from "@preact/signals";
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import { me } from "../../core/session";
-import type { Me, Measurement, Vehicle } from "../../core/types";
-import type { Player } from "../../viewer/player";
+import { FakeServer, recording, vehicle } from "../../testing/server";
 import { imagePoint, pair } from "../../viewer/points";
 import { MeasureModel } from "./model";
-
-/** The least of a server that the page needs to measure: it stores clicks and counts revisions. */
-class FakeServer {
-  readonly stored = new Map<number, Measurement>();
-  readonly writes: string[] = [];
-  readonly asked: Record<string, unknown>[] = [];
-
-  readonly fetch = async (url: string, init: RequestInit): Promise<Response> => {
-    const path = url.replace("/api", "").split("?")[0] ?? "";
-    const method = init.method ?? "GET";
-    const body = init.body ? JSON.parse(String(init.body)) : {};
-    const write = method !== "GET" && !path.includes("/geometry/");
-    if (write) this.writes.push(`${method} ${path}`);
-    if (path.endsWith("/geometry/height")) this.asked.push(body);
-    return new Response(JSON.stringify(this.answer(method, path, body)), { status: 200 });
-  };
-
-  private answer(method: string, path: string, body: Record<string, unknown>): unknown {
-    const id = Number(path.split("/")[2]);
-    if (path.endsWith("/measurements"))
-      return this.save(this.stored.size + 1, { ...body, revision: 1, withdrawn: false });
-    if (path.startsWith("/measurements")) {
-      const now = this.stored.get(id);
-      const revision = (now?.revision ?? 0) + 1;
-      if (method === "DELETE") return this.save(id, { ...now, revision, withdrawn: true });
-      if (path.endsWith("/restore")) return this.save(id, { ...now, revision, withdrawn: false });
-      return this.save(id, { ...now, ...body, revision });
-    }
-    if (path.startsWith("/vehicles")) return vehicle([...this.stored.values()].filter((m) => !m.withdrawn));
-    return {
-      status: "ok",
-      ok: true,
-      height_m: 1.5,
-      U95_height_m: 0.02,
-      ladder: [],
-      axes: null,
-      budget: [],
-      flags: [],
-    };
-  }
-
-  private save(id: number, facts: Record<string, unknown>): Measurement {
-    const made = {
-      inset_m: 0.3,
-      u_inset_m: 0.1,
-      more_frames: [],
-      flags: [],
-      budget: [],
-      status: "ok",
-      height_m: 1.5,
-      ...facts,
-      id,
-      vehicle_id: 7,
-    };
-    const stored = {
-      ...made,
-      review: { verdict: "to_review", reason: null, reviewer: null, at: null },
-    } as unknown as Measurement;
-    this.stored.set(id, stored);
-    return stored;
-  }
-}
-
-const vehicle = (measurements: Measurement[]): Vehicle =>
-  ({
-    id: 7,
-    number: 7,
-    recording_id: 1,
-    first_frame: 30,
-    last_frame: 50,
-    best_frame: 40,
-    version: 1,
-    state: "to_do",
-    measurements,
-  }) as unknown as Vehicle;
+import { idOf } from "./points";
 
 let server: FakeServer;
 let model: MeasureModel;
-const quiet = () => new Promise((done) => setTimeout(done, 20));
+const quiet = () => vi.advanceTimersByTimeAsync(20);
 
-beforeEach(() => {
+beforeEach(async () => {
+  vi.useFakeTimers();
   localStorage.clear();
   server = new FakeServer();
-  vi.stubGlobal("fetch", server.fetch);
-  me.value = { person: { id: 1, role: "operator" } } as unknown as Me;
   model = new MeasureModel(1);
-  const shown = signal({ frame: 40, picture: {} as ImageBitmap });
-  const player = {
-    recordingId: 1,
-    frame: signal(40),
-    shown,
-    playing: signal(false),
-    go: () => {},
-    stop: () => {},
-    close: () => {},
-  };
-  model.player.value = player as unknown as Player;
+  model.reel.recordings.value = [recording()];
   model.vehicles.takeAll([vehicle([])]);
   model.open(vehicle([]));
+  await quiet();
 });
 
 afterEach(() => {
   model.close();
+  vi.useRealTimers();
   vi.unstubAllGlobals();
 });
 
@@ -131,15 +45,15 @@ describe("measuring with clicks", () => {
     model.points.place(at(100, 400));
     model.points.place(at(101, 250));
     await quiet();
-    await model.undo.undo();
+    await model.history.undo();
     await quiet();
     expect(heights()).toEqual([]);
     expect(model.flow.value.target).toBe("roof");
     expect(server.stored.get(1)?.withdrawn).toBe(true);
-    await model.undo.undo();
+    await model.history.undo();
     expect(model.contact.value).toBeNull();
-    await model.undo.redo();
-    await model.undo.redo();
+    await model.history.redo();
+    await model.history.redo();
     await quiet();
     expect(heights()).toEqual(["roof"]);
     expect(server.stored.get(1)?.withdrawn).toBe(false);
@@ -150,15 +64,15 @@ describe("measuring with clicks", () => {
     await quiet();
     const selection = model.points.selectable().find((one) => one.role === "contact");
     if (!selection) throw new Error("no contact to drag");
-    model.points.drag(selection, at(104, 398), "move");
-    model.points.drag(selection, at(105, 397), "end");
+    model.points.drag(idOf(selection), at(104, 398), "move");
+    model.points.drag(idOf(selection), at(105, 397), "end");
     await quiet();
     expect([...server.stored.values()].map((m) => m.contact)).toEqual([
       [105, 397],
       [105, 397],
     ]);
     expect(model.contact.value && pair(model.contact.value)).toEqual([105, 397]);
-    await model.undo.undo();
+    await model.history.undo();
     await quiet();
     expect([...server.stored.values()].map((m) => m.contact)).toEqual([
       [100, 400],
@@ -187,7 +101,7 @@ describe("measuring with clicks", () => {
     await quiet();
     expect(server.stored.size).toBe(1);
     expect(server.stored.get(1)?.point).toEqual([101, 240]);
-    await model.undo.undo();
+    await model.history.undo();
     await quiet();
     expect(server.stored.get(1)?.point).toEqual([101, 250]);
   });
@@ -203,13 +117,7 @@ describe("measuring with clicks", () => {
       more_frames: [],
       revision: 1,
     };
-    server.stored.set(3, {
-      ...eye,
-      id: 3,
-      vehicle_id: 7,
-      withdrawn: false,
-      review: { verdict: "to_review" },
-    } as unknown as Measurement);
+    server.save(3, { ...eye, withdrawn: false });
     const stored = vehicle([...server.stored.values()]);
     model.vehicles.takeAll([stored]);
     model.records.take(stored);
@@ -217,7 +125,7 @@ describe("measuring with clicks", () => {
     model.dispatch({ type: "choose", target: "driver_eye" });
     model.points.hover(at(92, 299));
     await quiet();
-    expect(server.asked.at(-1)).toMatchObject(own);
+    expect(server.heights.at(-1)).toMatchObject(own);
     model.points.place(at(92, 299));
     await quiet();
     expect(server.stored.get(3)).toMatchObject({ ...own, point: [92, 299] });
@@ -233,5 +141,53 @@ describe("measuring with clicks", () => {
     expect(heights()).toEqual([]);
     expect(model.flow.value.target).toBe("roof");
     expect(server.writes.at(-1)).toBe("DELETE /measurements/1");
+  });
+
+  it("leaves neither a step nor a write behind when a drag is cancelled, or a point is nudged forth and back", async () => {
+    model.points.place(at(100, 400));
+    model.points.place(at(101, 250));
+    await quiet();
+    const label = model.history.undoLabel.value;
+    const writes = [...server.writes];
+    for (const role of ["contact", "point"] as const) {
+      const selection = model.points.selectable().find((one) => one.role === role);
+      if (!selection) throw new Error("nothing to drag");
+      model.points.drag(idOf(selection), at(140, 380), "move");
+      model.points.drag(idOf(selection), at(0, 0), "cancel");
+    }
+    model.points.select({ key: model.entries.value[0]?.key ?? "", role: "point" });
+    model.stage.nudge(0.1, 0);
+    model.stage.nudge(-0.1, 0);
+    await vi.advanceTimersByTimeAsync(1000);
+    expect(model.entries.value.map(({ state, values }) => [state, values.contact, values.point])).toEqual([
+      ["saved", [100, 400], [101, 250]],
+    ]);
+    expect(model.contact.value && pair(model.contact.value)).toEqual([100, 400]);
+    expect(model.history.undoLabel.value).toBe(label);
+    expect(server.writes).toEqual(writes);
+  });
+
+  it("takes one thing at a time back with Esc, from the top of the tools", async () => {
+    model.points.place(at(100, 400));
+    model.passFrom.value = 38;
+    model.stage.keyboard.toggle();
+    model.stage.cancel();
+    expect(model.stage.cursor.value).toBeNull();
+    expect(model.passFrom.value).toBe(38);
+    model.stage.cancel();
+    expect(model.passFrom.value).toBeNull();
+    expect(model.contact.value).not.toBeNull();
+    model.stage.cancel();
+    expect(model.contact.value).toBeNull();
+  });
+
+  it("changes facts of a vehicle as one step", async () => {
+    model.vehicles.takeAll([vehicle([], { make: "Opel", year: null })]);
+    model.edit({ make: "Ford", year: 2019 });
+    expect(model.vehicle.value).toMatchObject({ make: "Ford", year: 2019 });
+    await model.history.undo();
+    expect(model.vehicle.value).toMatchObject({ make: "Opel", year: null });
+    await model.history.redo();
+    expect(model.vehicle.value).toMatchObject({ make: "Ford", year: 2019 });
   });
 });

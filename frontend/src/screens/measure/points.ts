@@ -1,20 +1,17 @@
 /** Points under the operator's hand: stored by a click, dragged, nudged, withdrawn; each of them a step that can be undone. */
-import { signal } from "@preact/signals";
+import { computed } from "@preact/signals";
+import type { ChangeSet } from "../../core/history";
+import { newKey } from "../../core/random";
+import { canWork } from "../../core/session";
 import { toast } from "../../core/toasts";
-import type { HeightAnswer, Target } from "../../core/types";
+import type { Target } from "../../core/types";
 import { REQUIRED, TARGET_WORDS } from "../../core/words";
 import { type ImagePoint, imagePoint, samePoint } from "../../viewer/points";
-import {
-  type FramePoints,
-  framesOf,
-  type Inset,
-  movedOn,
-  ofFrames,
-  pointsOn,
-  type Values,
-} from "../../viewer/values";
-import type { Desk } from "./desk";
-import type { Effect, Role, Selection } from "./flow";
+import type { DragPhase, Handle } from "../../viewer/tool";
+import { type FramePoints, type Inset, movedOn, pointsOn } from "../../viewer/values";
+import type { ClickTool, Desk } from "./desk";
+import { awaiting, type Effect, type Selection } from "./flow";
+import { type ClickLedger, clickLedger, contactLedger } from "./ledgers";
 import { Previews } from "./previews";
 import type { Entry } from "./records";
 import type { SecondFrame } from "./secondFrame";
@@ -24,15 +21,29 @@ const BURST_MS = 600;
 
 interface Burst {
   readonly selection: Selection;
-  readonly before: ReadonlyMap<string, Values>;
+  readonly keys: readonly string[];
   readonly frame: number;
-  readonly contactBefore: ImagePoint | null;
+  readonly changes: ChangeSet;
+  /** The contact in use moves along with the point. */
+  readonly movesContact: boolean;
   timer: ReturnType<typeof setTimeout> | undefined;
 }
 
-export class Points {
-  /** The cursor for placing points by keyboard; null while it is off. */
-  readonly cursor = signal<ImagePoint | null>(null);
+export class Points implements ClickTool {
+  readonly active = computed(() => true);
+  readonly contact = computed(() => this.desk.flow.value.contacts.get(this.desk.seenFrame.value) ?? null);
+  readonly awaiting = computed(() => awaiting(this.desk.flow.value, this.desk.seenFrame.value));
+  readonly placing = computed(
+    () => canWork.value && this.desk.hasPose.value && this.desk.awaiting.value !== null,
+  );
+  readonly handles = computed<readonly Handle<ImagePoint>[]>(() =>
+    this.selectable().flatMap((selection) => {
+      const at = this.positionOf(selection);
+      return at ? [{ id: idOf(selection), at }] : [];
+    }),
+  );
+  readonly clicks: ClickLedger;
+  private readonly contacts: ReturnType<typeof contactLedger>;
   private burst: Burst | null = null;
   private readonly previews: Previews;
 
@@ -41,47 +52,68 @@ export class Points {
     private readonly second: SecondFrame,
   ) {
     this.previews = new Previews(desk);
+    this.contacts = contactLedger(desk);
+    this.clicks = clickLedger(
+      desk,
+      (key) => this.rest(key),
+      (entry, withdrawn) => this.chooseAfter(entry, withdrawn),
+    );
   }
 
-  /** A click on the frame, or Enter at the keyboard's cursor. */
-  place(point: ImagePoint): void {
-    const frame = this.desk.seenFrame.value;
-    if (frame < 0) return;
+  /** True while a drag or a run of nudges is under way. */
+  get moving(): boolean {
+    return this.burst !== null;
+  }
+
+  /** A click on the frame, or Enter at the keyboard's cursor; where nothing is awaited it lets go of the selected point. */
+  place(point: ImagePoint): boolean {
+    const { desk } = this;
+    const frame = desk.seenFrame.value;
+    const { target } = desk.flow.value;
     this.endBurst();
-    if (this.second.place(point)) return;
-    this.desk.dispatch({ type: "click", frame, point });
-    if (this.desk.awaiting.value !== "point") this.desk.geometry.forgetHeight();
+    if (!this.placing.value || frame < 0 || !target) desk.dispatch({ type: "select", selection: null });
+    else
+      desk.history.run(this.labelOf(target), (changes) => {
+        changes.touch(this.contacts, this.contactKey(frame));
+        const effect = desk.dispatch({ type: "click", frame, point });
+        if (effect?.type === "store") this.store(effect, changes);
+        if (desk.awaiting.value !== "point") desk.geometry.forgetHeight();
+      });
+    return true;
   }
 
-  hover(point: ImagePoint | null): void {
-    if (this.second.hover(point)) return;
-    const { contact, awaiting, player, flow, seenFrame, geometry } = this.desk;
+  cursorStart(): ImagePoint | null {
+    return this.desk.contact.value;
+  }
+
+  hover(point: ImagePoint | null): boolean {
+    const { contact, awaiting: awaited, reel, flow, seenFrame, geometry } = this.desk;
     const target = flow.value.target;
-    if (!point || awaiting.value !== "point" || !contact.value || !player.value || !target) {
+    const recordingId = reel.player.value?.recordingId;
+    if (!point || awaited.value !== "point" || !contact.value || recordingId === undefined || !target) {
       if (geometry.live.value) geometry.forgetHeight();
-      return;
+      return true;
     }
-    const { recordingId } = player.value;
-    const inset = this.desk.insetOf(target);
     geometry.wantHeight({
       recordingId,
       frame: seenFrame.value,
       contact: contact.value,
       point,
       target,
-      inset,
+      inset: this.desk.insetOf(target),
       sigma_px: this.revised(target)?.values.sigma_px ?? null,
       more: this.moreKept(target, seenFrame.value),
     });
-  }
-
-  carryOut(effect: Effect): void {
-    if (effect.type === "contact") this.placedContact(effect);
-    else this.store(effect);
+    return true;
   }
 
   /** The operator picked a point on the picture. */
-  pick(selection: Selection): void {
+  pick(handle: string): void {
+    const selection = this.selectionOf(handle);
+    if (selection) this.select(selection);
+  }
+
+  select(selection: Selection): void {
     this.endBurst();
     this.desk.dispatch({ type: "select", selection });
   }
@@ -92,7 +124,7 @@ export class Points {
     const now = this.desk.flow.value.selection;
     const at = all.findIndex((one) => one.key === now?.key && one.role === now?.role);
     const next = all[(at + 1) % all.length];
-    if (next) this.pick(next);
+    if (next) this.select(next);
   }
 
   /** Points on the frame that is seen; a contact that several measurements share is one point. */
@@ -131,31 +163,28 @@ export class Points {
     );
   }
 
-  /** One step of a drag; the end of it stores. */
-  drag(selection: Selection, point: ImagePoint, phase: "move" | "end" | "cancel"): void {
-    if (phase === "move") {
-      if (!this.burst) {
-        this.desk.dispatch({ type: "select", selection });
-        this.begin(selection);
-      }
-      this.moveTo(point);
-    } else if (this.burst) {
-      if (phase === "end") this.moveTo(point);
-      else this.moveTo(this.startOf(this.burst) ?? point);
-      this.endBurst();
+  /** One step of a drag; the end of it stores, and a cancelled one puts everything back. */
+  drag(handle: string, point: ImagePoint, phase: DragPhase): void {
+    const selection = this.burst?.selection ?? this.selectionOf(handle);
+    if (!selection || !canWork.value) return;
+    if (phase === "cancel") {
+      void this.burst?.changes.drop();
+      this.burst = null;
+      return;
     }
+    if (!this.burst) {
+      this.desk.dispatch({ type: "select", selection });
+      this.begin(selection);
+    }
+    this.moveTo(point);
+    if (phase === "end") this.endBurst();
   }
 
-  /** Moves the selected point, or the keyboard's cursor. False if there is nothing to move. */
+  /** Moves the selected point. False if there is none. */
   nudge(dx: number, dy: number): boolean {
-    const cursor = this.cursor.value;
-    if (cursor) {
-      this.moveCursor(imagePoint(cursor[0] + dx, cursor[1] + dy));
-      return true;
-    }
     const selection = this.desk.flow.value.selection;
     const at = selection && this.positionOf(selection);
-    if (!selection || !at) return false;
+    if (!selection || !at || !canWork.value) return false;
     if (!this.burst) this.begin(selection);
     this.moveTo(imagePoint(at[0] + dx, at[1] + dy));
     if (this.burst) {
@@ -165,31 +194,22 @@ export class Points {
     return true;
   }
 
-  /** Stores what has been dragged or nudged, as one revision each and one undo step. */
+  /** Stores what has been dragged or nudged, as one revision each and one undo step; back where it was, it is neither. */
   endBurst(): void {
     const burst = this.burst;
     if (!burst) return;
     this.burst = null;
     clearTimeout(burst.timer);
-    const { records } = this.desk;
-    const after = new Map<string, Values>();
-    for (const key of burst.before.keys()) {
-      const entry = records.find(key);
-      if (!entry) continue;
-      after.set(key, entry.values);
-      records.change(key, {});
-    }
-    const contactAfter = this.desk.flow.value.contacts.get(burst.frame) ?? null;
-    const apply = (values: ReadonlyMap<string, Values>, contact: ImagePoint | null): void => {
-      this.desk.dispatch({ type: "set-contact", frame: burst.frame, point: contact });
-      for (const [key, one] of values) records.change(key, ofFrames(framesOf(one)), { preview: null });
-      for (const key of values.keys()) void this.rest(key);
-    };
-    this.desk.undo.push({
-      label: "move of a point",
-      undo: () => apply(burst.before, burst.contactBefore),
-      redo: () => apply(after, contactAfter),
-    });
+    if (!burst.changes.keep()) void burst.changes.drop();
+    else for (const key of burst.keys) this.desk.records.change(key, {});
+  }
+
+  /** Esc takes back one thing at a time. */
+  cancel(): boolean {
+    this.endBurst();
+    const used = this.entriesHere().length > 0;
+    this.desk.dispatch({ type: "escape", frame: this.desk.seenFrame.value, used });
+    return true;
   }
 
   /** Del: withdraws the selected measurement, or takes away a contact that nothing stands on. */
@@ -198,43 +218,28 @@ export class Points {
     if (!selection) return;
     this.endBurst();
     if (selection.key === null) {
-      this.desk.dispatch({ type: "escape", frame: this.desk.seenFrame.value, used: false });
-      this.desk.dispatch({ type: "set-contact", frame: this.desk.seenFrame.value, point: null });
+      this.desk.dispatch({ type: "select", selection: null });
+      this.desk.history.run("removal of the contact", (changes) => {
+        changes.write(this.contacts, this.contactKey(this.desk.seenFrame.value), null);
+      });
     } else if (!this.second.removeHere(selection.key)) this.withdraw(selection.key);
   }
 
   withdraw(key: string): void {
-    const entry = this.desk.records.find(key);
-    if (!entry) return;
-    const target = entry.values.target;
-    this.setWithdrawn(key, true, target);
-    this.desk.undo.push({
-      label: `withdrawal of ${TARGET_WORDS[target].toLowerCase()}`,
-      undo: () => this.setWithdrawn(key, false, null),
-      redo: () => this.setWithdrawn(key, true, target),
+    const values = this.desk.records.find(key)?.values;
+    if (!values) return;
+    this.desk.history.run(`withdrawal of ${wordOf(values.target)}`, (changes) => {
+      changes.write(this.clicks, key, { ...values, withdrawn: true });
     });
   }
 
   /** Another inset: a new revision, and a step that can be undone. */
   setInset(key: string, inset: Inset): void {
-    const before = this.desk.records.find(key)?.values.inset ?? null;
-    const set = (to: Inset | null) => (): void => {
-      this.desk.records.change(key, { inset: to }, { preview: null });
-      void this.rest(key);
-    };
-    set(inset)();
-    this.desk.undo.push({ label: "inset", undo: set(before), redo: set(inset) });
-  }
-
-  toggleCursor(): void {
-    if (this.cursor.value) {
-      this.cursor.value = null;
-      this.desk.stage.pointer.value = null;
-      this.desk.geometry.forgetHeight();
-      return;
-    }
-    this.moveCursor(this.desk.stage.pointer.value ?? this.desk.contact.value ?? this.desk.stage.centre());
-    this.desk.stage.focus();
+    const values = this.desk.records.find(key)?.values;
+    if (!values) return;
+    this.desk.history.run("inset", (changes) => {
+      changes.write(this.clicks, key, { ...values, inset });
+    });
   }
 
   /** Targets that a vehicle has; a rejected one counts as missing. */
@@ -256,71 +261,40 @@ export class Points {
     return this.desk.records.of(vehicleId).filter((entry) => !entry.values.withdrawn && !isRejected(entry));
   }
 
-  private moveCursor(point: ImagePoint): void {
-    const { stage } = this.desk;
-    const { width, height } = stage.viewport.value.image;
-    const at = imagePoint(
-      Math.min(Math.max(point[0], 0), width - 1),
-      Math.min(Math.max(point[1], 0), height - 1),
-    );
-    this.cursor.value = at;
-    stage.viewport.value = stage.viewport.value.revealing(at);
-    stage.pointer.value = at;
-    this.hover(at);
+  private labelOf(target: Target): string {
+    if (this.desk.awaiting.value === "contact") return "contact point";
+    return this.revised(target) ? `new ${wordOf(target)}` : wordOf(target);
   }
 
-  private placedContact(effect: Extract<Effect, { type: "contact" }>): void {
-    const { frame, before, point } = effect;
-    const set = (to: ImagePoint | null) => () =>
-      this.desk.dispatch({ type: "set-contact", frame, point: to });
-    this.desk.undo.push({ label: "contact point", undo: set(before), redo: set(point) });
+  private contactKey(frame: number) {
+    return { vehicleId: this.desk.vehicleId.value, frame };
   }
 
-  private store(effect: Extract<Effect, { type: "store" }>): void {
+  private store(effect: Extract<Effect, { type: "store" }>, changes: ChangeSet): void {
     const { vehicleId, target, frame, contact, point } = effect;
     const { records, geometry } = this.desk;
     const inset = this.desk.insetOf(target);
     const more = this.moreKept(target, frame);
     const preview = geometry.answerFor(contact, point, target, inset, more);
     const old = this.revised(target);
-    if (old) this.replace(old, { frame, contact, point, more, ...(inset ? { inset } : {}) }, preview);
-    else {
-      const key = records.create(
-        vehicleId,
-        { target, frame, contact, point, more, inset, sigma_px: null, withdrawn: false },
-        preview,
-      );
+    const key = old?.key ?? newKey();
+    changes.touch(this.clicks, key);
+    if (old) {
+      records.change(key, { frame, contact, point, more, ...(inset ? { inset } : {}) }, { preview });
+      toast(`${TARGET_WORDS[target]} is measured afresh; the click before stays in its history.`);
+    } else {
+      const values = { target, frame, contact, point, more, inset, sigma_px: null, withdrawn: false };
+      records.create(vehicleId, values, preview, key);
       this.second.last = key;
-      this.desk.undo.push({
-        label: TARGET_WORDS[target].toLowerCase(),
-        undo: () => this.setWithdrawn(key, true, target),
-        redo: () => this.setWithdrawn(key, false, null),
-      });
     }
     this.desk.dispatch({ type: "stored", missing: this.missing() });
   }
 
-  private replace(old: Entry, change: Partial<Values>, preview: HeightAnswer | null): void {
-    const { records } = this.desk;
-    const before = old.values;
-    records.change(old.key, change, { preview });
-    toast(`${TARGET_WORDS[before.target]} is measured afresh; the click before stays in its history.`);
-    const set = (values: Partial<Values>) => (): void => {
-      records.change(old.key, values, { preview: null });
-      void this.rest(old.key);
-    };
-    this.desk.undo.push({
-      label: `new ${TARGET_WORDS[before.target].toLowerCase()}`,
-      undo: set(before),
-      redo: set(change),
-    });
-  }
-
-  /** What is wanted is set at once; the server follows in order, so that undo works without a connection too. */
-  private setWithdrawn(key: string, withdrawn: boolean, target: Target | null): void {
-    this.desk.records.change(key, { withdrawn }, { preview: null });
-    void this.rest(key);
-    this.desk.dispatch({ type: "choose", target: withdrawn ? target : (this.missing()[0] ?? null) });
+  /** What was taken back is asked for again; what is there again is not. */
+  private chooseAfter(entry: Entry, withdrawn: boolean): void {
+    if (entry.vehicleId !== this.desk.vehicleId.value) return;
+    const target = withdrawn ? entry.values.target : (this.missing()[0] ?? null);
+    this.desk.dispatch({ type: "choose", target });
   }
 
   /** The measurement that a click at this target would revise; "other" always makes a new one. */
@@ -345,14 +319,15 @@ export class Points {
 
   private begin(selection: Selection): void {
     const frame = this.desk.seenFrame.value;
-    const group = this.groupOf(selection);
-    this.burst = {
-      selection,
-      before: new Map(group.map((entry) => [entry.key, entry.values])),
-      frame,
-      contactBefore: this.desk.contact.value,
-      timer: undefined,
-    };
+    const keys = this.groupOf(selection).map((entry) => entry.key);
+    const changes = this.desk.history.begin("move of a point");
+    for (const key of keys) changes.touch(this.clicks, key);
+    const contact = this.desk.contact.value;
+    const movesContact =
+      selection.role === "contact" &&
+      (selection.key === null || samePoint(this.positionOf(selection), contact));
+    if (movesContact) changes.touch(this.contacts, this.contactKey(frame));
+    this.burst = { selection, keys, frame, changes, movesContact, timer: undefined };
   }
 
   /** Measurements that move with a point: all that share a contact, or the one. */
@@ -364,26 +339,29 @@ export class Points {
     return this.entriesHere().filter((other) => samePoint(this.here(other).contact, contact));
   }
 
-  private startOf(burst: Burst): ImagePoint | null {
-    const { key, role } = burst.selection;
-    const before = key === null ? undefined : burst.before.get(key);
-    return key === null ? burst.contactBefore : ((before && pointsOn(before, burst.frame)?.[role]) ?? null);
-  }
-
   private moveTo(point: ImagePoint): void {
     const burst = this.burst;
     if (!burst) return;
-    const role: Role = burst.selection.role;
-    for (const key of burst.before.keys()) {
+    const { frame, keys, selection } = burst;
+    for (const key of keys) {
       const values = this.desk.records.find(key)?.values;
-      if (values) this.desk.records.show(key, movedOn(values, burst.frame, { [role]: point }));
+      if (values) this.desk.records.show(key, movedOn(values, frame, { [selection.role]: point }));
     }
-    const start = this.startOf(burst);
-    if (role === "contact" && (start === null || samePoint(start, burst.contactBefore))) {
-      this.desk.dispatch({ type: "set-contact", frame: burst.frame, point });
-    }
-    this.previews.want(burst.before.keys());
+    if (burst.movesContact) this.desk.dispatch({ type: "set-contact", frame, point });
+    this.previews.want(keys);
   }
+
+  private selectionOf(handle: string): Selection | undefined {
+    return this.selectable().find((selection) => idOf(selection) === handle);
+  }
+}
+
+export function idOf(selection: Selection): string {
+  return `${selection.role}:${selection.key ?? ""}`;
+}
+
+function wordOf(target: Target): string {
+  return TARGET_WORDS[target].toLowerCase();
 }
 
 /** Rejected by a reviewer and not yet clicked again. */

@@ -22,7 +22,7 @@ export class Previews {
   constructor(private readonly desk: Desk) {}
 
   want(keys: Iterable<string>): void {
-    const recordingId = this.desk.player.value?.recordingId;
+    const recordingId = this.desk.reel.player.value?.recordingId;
     if (recordingId === undefined || !this.desk.hasPose.value) return;
     const wishes = [...keys].flatMap((key): Preview[] => {
       const values = this.desk.records.find(key)?.values;

@@ -90,8 +90,7 @@ export class Records {
     }
   }
 
-  create(vehicleId: number, values: Values, preview: HeightAnswer | null): string {
-    const key = newKey();
+  create(vehicleId: number, values: Values, preview: HeightAnswer | null, key = newKey()): string {
     this.put(unsaved(key, vehicleId, values, preview));
     this.send(key);
     return key;

@@ -11,8 +11,9 @@ import { TARGET_WORDS } from "../../core/words";
 import { askSecondFrame } from "../../viewer/geometry";
 import { type ImagePoint, samePoint } from "../../viewer/points";
 import { framesOf, ofFrames, pointsOn, type Values } from "../../viewer/values";
-import type { Desk } from "./desk";
+import type { ClickTool, Desk } from "./desk";
 import type { Role } from "./flow";
+import type { ClickLedger } from "./ledgers";
 import type { Entry } from "./records";
 
 export interface Going {
@@ -23,7 +24,13 @@ export interface Going {
 
 const NTH = ["first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth"];
 
-export class SecondFrame {
+/** How a change of a measurement is stored: as a step, and read again once the server has it. */
+interface Storing {
+  readonly clicks: ClickLedger;
+  rest(key: string): Promise<void>;
+}
+
+export class SecondFrame implements ClickTool {
   /** The measurement that gets a further frame; null while nothing of the kind is going on. */
   readonly now = signal<Going | null>(null);
   /** True while the server looks for the frame. */
@@ -32,6 +39,7 @@ export class SecondFrame {
   last: string | null = null;
   private readonly clicked = signal<{ frame: number; contact: ImagePoint } | null>(null);
   private asked = 0;
+  readonly active = computed(() => this.now.value !== null);
 
   /** The contact on the frame that is seen: clicked, or that of another measurement on the same tyre. */
   readonly contact = computed<ImagePoint | null>(() => {
@@ -52,7 +60,7 @@ export class SecondFrame {
     (this.now.value?.answer.spots ?? []).filter((spot) => spot.frame === this.desk.seenFrame.value),
   );
 
-  readonly words = computed<string | null>(() => {
+  readonly hint = computed<string | null>(() => {
     const going = this.now.value;
     if (!going) return this.looking.value ? "Looking for the frame that gains most …" : null;
     const values = this.entry?.values;
@@ -69,8 +77,7 @@ export class SecondFrame {
 
   constructor(
     private readonly desk: Desk,
-    /** Called after a change, so that the vehicle is read again once the server has it. */
-    private readonly rest: (key: string) => Promise<void>,
+    private readonly storing: () => Storing,
   ) {}
 
   private get entry(): Entry | undefined {
@@ -81,7 +88,7 @@ export class SecondFrame {
   /** Looks for the frame that gains most beside those clicked and goes there. */
   async start(key = this.meant()): Promise<void> {
     const entry = key === null ? undefined : this.desk.records.find(key);
-    const recordingId = this.desk.player.value?.recordingId;
+    const recordingId = this.desk.reel.player.value?.recordingId;
     if (!entry || recordingId === undefined) {
       toast("Measure a target first; then a second frame can be clicked.");
       return;
@@ -106,12 +113,11 @@ export class SecondFrame {
     this.desk.dispatch({ type: "select", selection: null });
     this.desk.geometry.forgetHeight();
     this.now.value = { key: entry.key, target: entry.values.target, answer };
-    this.desk.player.value?.stop();
-    this.desk.player.value?.go(frame);
+    this.desk.reel.player.value?.stop();
+    this.desk.reel.player.value?.go(frame);
     this.desk.stage.focus();
   }
 
-  /** Esc: nothing has happened. */
   leave(): void {
     this.asked += 1;
     this.looking.value = false;
@@ -120,7 +126,7 @@ export class SecondFrame {
     this.now.value = null;
     this.clicked.value = null;
     this.desk.geometry.forgetHeight();
-    if (first !== undefined) this.desk.player.value?.go(first);
+    if (first !== undefined) this.desk.reel.player.value?.go(first);
   }
 
   /** Another vehicle is opened. */
@@ -132,8 +138,15 @@ export class SecondFrame {
     this.asked += 1;
   }
 
+  /** Esc: nothing has happened. */
+  cancel(): boolean {
+    if (!this.now.value) return false;
+    this.leave();
+    return true;
+  }
+
   /** Ctrl+Z before both are clicked. False if nothing of this is going on. */
-  takeBack(): boolean {
+  back(): boolean {
     if (!this.now.value) return false;
     if (this.clicked.value) this.clicked.value = null;
     else this.leave();
@@ -157,10 +170,10 @@ export class SecondFrame {
   hover(point: ImagePoint | null): boolean {
     const going = this.now.value;
     if (!going) return false;
-    const { geometry, player, seenFrame } = this.desk;
+    const { geometry, reel, seenFrame } = this.desk;
     const values = this.entry?.values;
     const contact = this.contact.value;
-    const recordingId = player.value?.recordingId;
+    const recordingId = reel.player.value?.recordingId;
     if (!point || !values || !contact || this.awaiting.value !== "point" || recordingId === undefined) {
       if (geometry.live.value) geometry.forgetHeight();
       return true;
@@ -206,15 +219,13 @@ export class SecondFrame {
   }
 
   private change(entry: Entry, to: Partial<Values>, label: string, preview: Entry["preview"]): void {
-    const { records, undo } = this.desk;
-    const { frame, contact, point, more } = entry.values;
-    const set = (values: Partial<Values>) => (): void => {
-      records.change(entry.key, values, { preview: null });
-      void this.rest(entry.key);
-    };
-    records.change(entry.key, to, { preview });
-    void this.rest(entry.key);
-    undo.push({ label, undo: set({ frame, contact, point, more }), redo: set(to) });
+    const { records, history } = this.desk;
+    const { clicks } = this.storing();
+    history.run(label, (changes) => {
+      changes.touch(clicks, entry.key);
+      records.change(entry.key, to, { preview });
+    });
+    void this.storing().rest(entry.key);
   }
 
   /** The selected measurement, else the last one, else the last of this vehicle that has a height. */

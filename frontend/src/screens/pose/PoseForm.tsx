@@ -41,8 +41,8 @@ function LensQuestions({ model }: { model: PoseModel }) {
       <legend>Recording and lens</legend>
       <SelectField
         label="Recording"
-        value={String(model.recording.value?.id ?? "")}
-        options={model.recordings.value.map((one) => ({
+        value={String(model.reel.recording.value?.id ?? "")}
+        options={model.reel.recordings.value.map((one) => ({
           value: String(one.id),
           label: one.name,
           disabled: one.state !== "ready",
@@ -235,7 +235,7 @@ function SurenessQuestions({ model }: { model: PoseModel }) {
 
 function Run({ model }: { model: PoseModel }) {
   const locked = !canWork.value;
-  const again = model.recording.value?.pose_id != null && model.pose.value !== null;
+  const again = model.reel.recording.value?.pose_id != null && model.pose.value !== null;
   return (
     <footer class="pose-form__foot">
       {model.job.value?.state === "failed" && <Notice kind="problem">{model.job.value.error}</Notice>}

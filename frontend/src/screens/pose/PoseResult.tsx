@@ -9,7 +9,7 @@ import type { PoseModel } from "./model";
 
 export function PoseResult({ model }: { model: PoseModel }) {
   const pose = model.pose.value;
-  const recording = model.recording.value;
+  const recording = model.reel.recording.value;
   if (!pose && model.poses.value.length === 0) return null;
   const inUse = pose !== null && recording?.pose_id === pose.id;
   return (
@@ -91,11 +91,11 @@ function Verdict({ pose }: { pose: Pose }) {
 }
 
 function PoseHistory({ model }: { model: PoseModel }) {
-  const recording = model.recording.value;
+  const recording = model.reel.recording.value;
   const poses = [...model.poses.value].sort((a, b) => b.id - a.id);
   if (poses.length < 2 && poses[0]?.id === recording?.pose_id) return null;
   const name = (id: number): string =>
-    model.recordings.value.find((one) => one.id === id)?.name ?? "another recording";
+    model.reel.recordings.value.find((one) => one.id === id)?.name ?? "another recording";
   return (
     <details class="pose-history">
       <summary>{poses.length} poses in this survey</summary>

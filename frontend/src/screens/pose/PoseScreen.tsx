@@ -1,14 +1,23 @@
 /** Road pose: the board on the frame, its size and its height above the road; the road drawn over the picture. */
 import { useEffect, useMemo } from "preact/hooks";
 import { Button, Empty, Loading, Problem } from "../../components";
-import { useKeys } from "../../core/commands";
+import { CommandButton } from "../../components/CommandButton";
+import { useCommands } from "../../core/commands";
 import type { ScreenProps } from "../../core/places";
 import { canWork } from "../../core/session";
+import { linesShown } from "../../viewer/display";
 import { FrameView } from "../../viewer/FrameView";
 import { FoundBoard, RoadOverlay } from "../../viewer/PoseOverlay";
 import type { Player } from "../../viewer/player";
+import {
+  brightSwitch,
+  fitCommand,
+  frameCommands,
+  linesSwitch,
+  loupeSwitch,
+} from "../../viewer/stageCommands";
 import { type Span, Timeline } from "../../viewer/Timeline";
-import { frameKeys, HELD_KEYS, Transport } from "../../viewer/Transport";
+import { Transport } from "../../viewer/Transport";
 import { PoseModel } from "./model";
 import { PoseForm } from "./PoseForm";
 import { PoseResult } from "./PoseResult";
@@ -20,21 +29,22 @@ export default function PoseScreen({ surveyId }: ScreenProps) {
     void model.load();
     return () => model.close();
   }, [model]);
-  const player = model.player.value;
-  useKeys(
+  const player = model.reel.player.value;
+  useCommands([
     {
-      ...(player ? frameKeys(player, model.stage) : {}),
-      loupeToggle: () => {
-        model.stage.loupe.value = !model.stage.loupe.value;
-      },
-      linesToggle: () => {
-        model.linesShown.value = !model.linesShown.value;
-      },
-      passBegin: () => canWork.value && model.mark("first"),
-      passEnd: () => canWork.value && model.mark("last"),
+      id: "passBegin",
+      label: "Mark the first frame of the board",
+      run: () => model.mark("first"),
+      enabled: mayMark,
     },
-    HELD_KEYS,
-  );
+    {
+      id: "passEnd",
+      label: "Mark the last frame of the board",
+      run: () => model.mark("last"),
+      enabled: mayMark,
+    },
+    ...frameCommands(model.stage, player),
+  ]);
   if (model.problem.value) {
     return (
       <div class="page">
@@ -65,11 +75,10 @@ export default function PoseScreen({ surveyId }: ScreenProps) {
           key={player.recordingId}
           player={player}
           stage={model.stage}
-          label={`Frame ${player.frame.value}`}
           describedBy="pose-hint"
           above={<BoardHint model={model} />}
         >
-          {model.linesShown.value && model.pose.value && (
+          {linesShown.value && model.pose.value && (
             <RoadOverlay overlay={model.pose.value.overlay} stage={model.stage} />
           )}
           {model.finding.value?.found && <FoundBoard finding={model.finding.value} stage={model.stage} />}
@@ -83,25 +92,18 @@ export default function PoseScreen({ surveyId }: ScreenProps) {
         <div class="frame-tools">
           <Transport player={player} stage={model.stage} />
           <span class="grow" />
-          <Button small kind="quiet" onClick={() => model.stage.fit()}>
-            Fit
-          </Button>
-          <Button
-            small
-            kind="quiet"
-            pressed={model.linesShown.value}
-            onClick={() => {
-              model.linesShown.value = !model.linesShown.value;
-            }}
-          >
-            Lines
-          </Button>
+          <CommandButton command={fitCommand(model.stage)}>Fit</CommandButton>
+          <CommandButton command={linesSwitch}>Lines</CommandButton>
+          <CommandButton command={brightSwitch}>Bright</CommandButton>
+          <CommandButton command={loupeSwitch(model.stage)}>Loupe</CommandButton>
         </div>
         <Timeline player={player} spans={spansOf(model, player)} />
       </section>
     </div>
   );
 }
+
+const mayMark = (): boolean => canWork.value;
 
 function spansOf(model: PoseModel, player: Player): Span[] {
   const { first, last } = model.form.value;

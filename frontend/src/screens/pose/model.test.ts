@@ -1,19 +1,63 @@
-import { afterEach, describe, expect, it, vi } from "vitest";
-import { ApiError, api } from "../../core/api";
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { ApiError } from "../../core/api";
+import { FakeServer, recording } from "../../testing/server";
 import { PoseModel } from "./model";
 
-afterEach(() => vi.restoreAllMocks());
+let server: FakeServer;
+let model: PoseModel;
+const quiet = () => vi.advanceTimersByTimeAsync(20);
+
+beforeEach(() => {
+  vi.useFakeTimers();
+  history.replaceState(null, "", "/surveys/5/pose");
+  server = new FakeServer();
+  server.on("GET", /\/recordings$/, () => [
+    recording({ id: 1, pose_id: 3 }),
+    recording({ id: 2, pose_id: null }),
+  ]);
+  server.on("GET", /\/cameras$/, () => [
+    { id: 1, name: "left", current_calibration_id: 4, calibrations: [{ id: 4 }] },
+  ]);
+  server.on("GET", /\/poses$/, () => []);
+  server.on("POST", /\/board$/, (_match, body) => ({ found: true, frame: body["frame"], corners_px: [] }));
+  model = new PoseModel(5);
+});
+
+afterEach(() => {
+  model.close();
+  vi.useRealTimers();
+  vi.unstubAllGlobals();
+  history.replaceState(null, "", "/");
+});
 
 describe("the road pose page", () => {
   it("comes up when it is tried again after a failure", async () => {
-    const get = vi.spyOn(api, "get").mockRejectedValue(new ApiError("The server could not do this.", 500));
-    const model = new PoseModel(5);
+    server.on("GET", /\/poses$/, () => {
+      throw 400;
+    });
     await model.load();
     expect(model.problem.value).toBeInstanceOf(ApiError);
-    get.mockResolvedValue([]);
+    server.on("GET", /\/poses$/, () => []);
     await model.load();
     expect(model.problem.value).toBeNull();
     expect(model.loaded.value).toBe(true);
-    model.close();
+  });
+
+  it("opens the recording that has no pose yet, with its camera's calibration", async () => {
+    await model.load();
+    await quiet();
+    expect(model.reel.recording.value?.id).toBe(2);
+    expect(model.reel.seen.value).toBe(0);
+    expect(model.form.value.calibrationId).toBe(4);
+  });
+
+  it("marks the board's frames in their order", async () => {
+    await model.load();
+    await quiet();
+    model.reel.player.value?.go(20);
+    model.mark("first");
+    model.reel.player.value?.go(10);
+    model.mark("last");
+    expect(model.form.value).toMatchObject({ first: 10, last: 10 });
   });
 });

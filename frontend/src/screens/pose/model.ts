@@ -7,36 +7,32 @@ import { Latest } from "../../core/latest";
 import { refreshSurvey } from "../../core/survey";
 import { toast, toastProblem } from "../../core/toasts";
 import type { BoardFinding, Camera, Job, Pose, PoseSummary, Recording } from "../../core/types";
-import { Player } from "../../viewer/player";
-import { Stage } from "../../viewer/stage";
+import { linesShown } from "../../viewer/display";
+import { Reel } from "../../viewer/reel";
+import { FrameStage } from "../../viewer/stage";
 import { type BoardForm, boardOf, EMPTY_FORM, fromPose, problemsOf, requestOf } from "./form";
 
 /** A frame is looked at for the board when the operator rests on it for so long. */
 const REST_MS = 300;
 
 export class PoseModel {
-  readonly stage = new Stage();
+  readonly reel = new Reel();
+  readonly stage = new FrameStage();
   readonly loaded = signal(false);
   readonly problem = signal<unknown>(null);
-  readonly recordings = signal<readonly Recording[]>([]);
   readonly cameras = signal<readonly Camera[]>([]);
   readonly poses = signal<readonly PoseSummary[]>([]);
-  readonly player = signal<Player | null>(null);
   readonly form = signal<BoardForm>(EMPTY_FORM);
   readonly finding = signal<BoardFinding | null>(null);
   readonly findingProblem = signal<string | null>(null);
   readonly looking = signal(false);
   readonly job = signal<Job | null>(null);
   readonly pose = signal<Pose | null>(null);
-  readonly linesShown = signal(true);
   readonly tried = signal(false);
 
-  readonly recording = computed(() =>
-    this.recordings.value.find((one) => one.id === this.player.value?.recordingId),
-  );
   /** Calibrations of the recording's camera first; of the others if it has none. */
   readonly calibrations = computed(() => {
-    const own = this.cameras.value.filter((camera) => camera.id === this.recording.value?.camera_id);
+    const own = this.cameras.value.filter((camera) => camera.id === this.reel.recording.value?.camera_id);
     const from = own.length > 0 ? own : this.cameras.value;
     return from.flatMap((camera) =>
       camera.calibrations.map((one) => ({
@@ -67,7 +63,7 @@ export class PoseModel {
     },
     (finding, wish) => {
       this.looking.value = false;
-      if (this.player.value?.frame.value !== wish.frame) return;
+      if (this.reel.player.value?.frame.value !== wish.frame) return;
       this.finding.value = finding;
       this.findingProblem.value = finding.found ? null : finding.reason;
     },
@@ -93,7 +89,7 @@ export class PoseModel {
         api.get<PoseSummary[]>(`/surveys/${this.surveyId}/poses`),
       ]);
       batch(() => {
-        this.recordings.value = recordings;
+        this.reel.recordings.value = recordings;
         this.cameras.value = cameras;
         this.poses.value = poses;
         this.loaded.value = true;
@@ -112,18 +108,15 @@ export class PoseModel {
     for (const stop of this.stops) stop();
     clearTimeout(this.timer);
     this.stopJob.abort();
-    this.player.value?.close();
+    this.reel.close();
   }
 
   async openRecording(id: number): Promise<void> {
-    const recording = this.recordings.value.find((one) => one.id === id);
+    const recording = this.reel.recordings.value.find((one) => one.id === id);
     if (!recording) return;
-    this.player.value?.close();
     const frame = Number(query.value.get("frame") ?? 0);
-    const player = new Player(id, Math.max(0, frame));
-    player.describe(recording);
     batch(() => {
-      this.player.value = player;
+      this.reel.show(id, Math.max(0, frame));
       this.pose.value = null;
       this.finding.value = null;
     });
@@ -140,14 +133,14 @@ export class PoseModel {
   }
 
   mark(end: "first" | "last"): void {
-    const frame = this.player.value?.frame.value ?? 0;
+    const frame = this.reel.player.value?.frame.value ?? 0;
     const { first, last } = this.form.value;
     if (end === "first") this.set({ first: frame, last: last !== null && last < frame ? null : last });
     else this.set({ last: frame, first: first === null || first > frame ? frame : first });
   }
 
   lookNow(): void {
-    const player = this.player.value;
+    const player = this.reel.player.value;
     if (!player || boardOf(this.form.value) === null) return;
     this.looking.value = true;
     this.looker.want({ recordingId: player.recordingId, frame: player.frame.value });
@@ -156,7 +149,7 @@ export class PoseModel {
   async run(): Promise<void> {
     this.tried.value = true;
     const body = requestOf(this.form.value);
-    const recording = this.recording.value;
+    const recording = this.reel.recording.value;
     if (!body || !recording) return;
     try {
       this.pose.value = null;
@@ -185,12 +178,13 @@ export class PoseModel {
   async showPose(id: number): Promise<void> {
     try {
       const pose = await api.get<Pose>(`/poses/${id}`);
-      const own = pose.recording_id === this.player.value?.recordingId;
+      const own = pose.recording_id === this.reel.player.value?.recordingId;
       batch(() => {
         this.pose.value = pose;
         this.set(fromPose(pose, own));
       });
-      if (own && this.player.value && this.finding.value === null) this.player.value.go(pose.first_frame);
+      if (own && this.reel.player.value && this.finding.value === null)
+        this.reel.player.value.go(pose.first_frame);
     } catch (error) {
       toastProblem(error);
     }
@@ -198,11 +192,13 @@ export class PoseModel {
 
   /** Makes another stored pose the recording's. */
   async choose(id: number): Promise<void> {
-    const recording = this.recording.value;
+    const recording = this.reel.recording.value;
     if (!recording) return;
     try {
       const changed = await api.put<Recording>(`/recordings/${recording.id}`, { pose_id: id });
-      this.recordings.value = this.recordings.value.map((one) => (one.id === changed.id ? changed : one));
+      this.reel.recordings.value = this.reel.recordings.value.map((one) =>
+        one.id === changed.id ? changed : one,
+      );
       await this.showPose(id);
       toast("This pose now holds for the recording; heights clicked from now on use it.");
       void refreshSurvey();
@@ -219,10 +215,10 @@ export class PoseModel {
       api.get<PoseSummary[]>(`/surveys/${this.surveyId}/poses`),
     ]);
     batch(() => {
-      this.recordings.value = recordings;
+      this.reel.recordings.value = recordings;
       this.poses.value = poses;
       this.job.value = null;
-      this.linesShown.value = true;
+      linesShown.value = true;
     });
     if (id !== undefined) await this.showPose(id);
     void refreshSurvey();
@@ -240,12 +236,12 @@ export class PoseModel {
   }
 
   private lookWhenResting(): void {
-    const frame = this.player.value?.shown.value?.frame;
+    const frame = this.reel.seen.value;
     const told = this.boardSought.value !== "null";
     clearTimeout(this.timer);
     this.finding.value = null;
     this.findingProblem.value = null;
-    if (frame === undefined || this.player.value?.playing.value || !told) return;
+    if (frame === null || this.reel.player.value?.playing.value || !told) return;
     this.timer = setTimeout(() => this.lookNow(), REST_MS);
   }
 }

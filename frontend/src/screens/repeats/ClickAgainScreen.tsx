@@ -1,14 +1,16 @@
 /** Ten measurements to click again, one after the other, without their points; Esc stops, Ctrl+Z takes the last back. */
 import { useEffect, useMemo } from "preact/hooks";
 import { Button, Empty, Loading, Problem } from "../../components";
+import { CommandButton } from "../../components/CommandButton";
+import { historyCommands } from "../../components/undoTools";
 import { navigate, query } from "../../core/address";
-import { hint, useKeys } from "../../core/commands";
+import { useCommands } from "../../core/commands";
 import type { ScreenProps } from "../../core/places";
 import { plural } from "../../core/units";
 import { TARGET_WORDS } from "../../core/words";
 import { BlindFrame } from "../../viewer/BlindFrame";
-import { linesShown } from "../../viewer/display";
-import { frameKeys, HELD_KEYS, Transport } from "../../viewer/Transport";
+import { frameCommands } from "../../viewer/stageCommands";
+import { Transport } from "../../viewer/Transport";
 import { AgainSession } from "./session";
 import "./repeats.css";
 
@@ -20,9 +22,15 @@ export default function ClickAgainScreen({ surveyId }: ScreenProps) {
     return () => session.close();
   }, [session]);
   const results = `/surveys/${surveyId}/repeats`;
-  useAgainKeys(session, results);
+  const { undo, redo } = useMemo(() => commandsOf(session), [session]);
+  useCommands([
+    undo,
+    redo,
+    ...frameCommands(session.stage, session.reel.player.value),
+    { id: "cancel", label: "Stop", run: () => navigate(results) },
+  ]);
   const items = session.items.value;
-  const player = session.player.value;
+  const player = session.reel.player.value;
   if (session.problem.value) {
     return (
       <div class="page">
@@ -52,15 +60,9 @@ export default function ClickAgainScreen({ surveyId }: ScreenProps) {
           )}
         </p>
         <span class="grow" />
-        <Button
-          small
-          icon="undo"
-          disabled={session.done.value.length === 0}
-          title={`Take the last back${hint("undo")}`}
-          onClick={() => void session.undo()}
-        >
+        <CommandButton command={undo} kind="plain">
           Take the last back
-        </Button>
+        </CommandButton>
         {item && (
           <Button small onClick={() => session.skip()}>
             Pass over
@@ -78,7 +80,6 @@ export default function ClickAgainScreen({ surveyId }: ScreenProps) {
               blind={session.blind}
               player={player}
               stage={session.stage}
-              geometry={session.geometry}
             />
           </section>
           <section class="again__time frame-tools" aria-label="Frames">
@@ -127,45 +128,9 @@ function NothingToClick({ surveyId, onlyOwn }: { surveyId: number; onlyOwn: bool
   );
 }
 
-function useAgainKeys(session: AgainSession, results: string): void {
-  const player = session.player.value;
-  const { blind, stage } = session;
-  const nudge = (dx: number, dy: number) => () => blind.nudge(dx, dy);
-  useKeys(
-    {
-      ...(player ? frameKeys(player, stage) : {}),
-      loupeToggle: () => {
-        stage.loupe.value = !stage.loupe.value;
-      },
-      linesToggle: () => {
-        linesShown.value = !linesShown.value;
-      },
-      cursor: () => {
-        if (session.current.value) blind.toggleCursor();
-      },
-      place: () => {
-        const at = blind.cursor.value;
-        if (!at) return false;
-        void blind.place(at, player?.shown.value?.frame ?? null);
-        return true;
-      },
-      undo: () => void session.undo(),
-      cancel: () => {
-        if (!blind.takeBack()) navigate(results);
-      },
-      nudgeLeft: nudge(-1, 0),
-      nudgeRight: nudge(1, 0),
-      nudgeUp: nudge(0, -1),
-      nudgeDown: nudge(0, 1),
-      nudgeLeftFar: nudge(-10, 0),
-      nudgeRightFar: nudge(10, 0),
-      nudgeUpFar: nudge(0, -10),
-      nudgeDownFar: nudge(0, 10),
-      nudgeLeftFine: nudge(-0.1, 0),
-      nudgeRightFine: nudge(0.1, 0),
-      nudgeUpFine: nudge(0, -0.1),
-      nudgeDownFine: nudge(0, 0.1),
-    },
-    HELD_KEYS,
-  );
+function commandsOf(session: AgainSession) {
+  return historyCommands(session.history, {
+    back: () => session.stage.back() || session.blind.busy.value,
+    inHand: () => session.blind.contact.value !== null,
+  });
 }

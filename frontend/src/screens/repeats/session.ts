@@ -1,26 +1,42 @@
 /** A run of second clicks: a random few, each shown without its points; the last can be taken back. */
 import { computed, signal } from "@preact/signals";
 import { api } from "../../core/api";
-import { toastProblem } from "../../core/toasts";
+import { History, type Ledger } from "../../core/history";
 import type { Measurement, Recording, ToClickAgain } from "../../core/types";
 import { BlindClicks } from "../../viewer/blind";
 import { Geometry } from "../../viewer/geometry";
-import { Player } from "../../viewer/player";
-import { Stage } from "../../viewer/stage";
+import { Reel } from "../../viewer/reel";
+import { FrameStage } from "../../viewer/stage";
 
 export class AgainSession {
-  readonly stage = new Stage();
+  readonly reel = new Reel();
+  readonly stage: FrameStage = new FrameStage(() => [this.stage.keyboard, this.blind]);
+  readonly history = new History();
   readonly geometry = new Geometry();
   readonly items = signal<readonly ToClickAgain[] | null>(null);
   readonly at = signal(0);
   readonly problem = signal<unknown>(null);
-  readonly player = signal<Player | null>(null);
   /** What was stored in this run, newest last; null where one was passed over. */
   readonly done = signal<readonly (Measurement | null)[]>([]);
-  readonly blind = new BlindClicks(this.stage, this.geometry, (made) => this.next(made));
+  readonly blind: BlindClicks = new BlindClicks(this.stage, this.reel, this.geometry, (made) =>
+    this.next(made),
+  );
   readonly current = computed(() => this.items.value?.[this.at.value] ?? null);
   readonly stored = computed(() => this.done.value.filter((one) => one !== null).length);
-  private recordings: readonly Recording[] = [];
+  private readonly newest = new Map<number, Measurement>();
+
+  /** What stands at each place of the run: a repeat, null where one was passed over, undefined where none is yet. */
+  private readonly repeats: Ledger<number, Measurement | null | undefined> = {
+    read: (index) => this.done.value[index],
+    write: async (index, made) => {
+      const now = this.done.value[index];
+      if (now) this.keep(await api.del<Measurement>(`/measurements/${now.id}?revision=${now.revision}`));
+      const again = made && (await this.restore(made));
+      this.done.value = this.done.value.slice(0, index);
+      if (again !== undefined) this.done.value = [...this.done.value, again];
+      this.show(this.done.value.length);
+    },
+  };
 
   constructor(
     readonly surveyId: number,
@@ -34,7 +50,7 @@ export class AgainSession {
         api.get<ToClickAgain[]>(`/surveys/${this.surveyId}/repeats/sample?only_own=${this.onlyOwn}`),
         api.get<Recording[]>(`/surveys/${this.surveyId}/recordings`),
       ]);
-      this.recordings = recordings;
+      this.reel.recordings.value = recordings;
       this.items.value = items;
       this.show(0);
     } catch (error) {
@@ -43,7 +59,7 @@ export class AgainSession {
   }
 
   close(): void {
-    this.player.value?.close();
+    this.reel.close();
   }
 
   /** Passed over: the target cannot be seen well enough to click. */
@@ -51,44 +67,36 @@ export class AgainSession {
     if (this.current.value && !this.blind.busy.value) this.next(null);
   }
 
-  /** The last second click is withdrawn and comes again. */
-  async undo(): Promise<void> {
-    if (this.blind.takeBack() || this.done.value.length === 0 || this.blind.busy.value) return;
-    const last = this.done.value.at(-1) ?? null;
-    try {
-      if (last) await api.del(`/measurements/${last.id}?revision=${last.revision}`);
-      this.done.value = this.done.value.slice(0, -1);
-      this.show(this.at.value - 1);
-    } catch (error) {
-      toastProblem(error);
-    }
-  }
-
   /** Back to the frame to click on. */
   showFrame(): void {
     const now = this.current.value;
-    if (now) this.player.value?.go(now.frame);
+    if (now) this.reel.show(now.recording_id, now.frame);
+  }
+
+  private keep(changed: Measurement): Measurement {
+    this.newest.set(changed.id, changed);
+    return changed;
+  }
+
+  private async restore({ id, revision }: Measurement): Promise<Measurement> {
+    const body = { revision: this.newest.get(id)?.revision ?? revision };
+    return this.keep(await api.post<Measurement>(`/measurements/${id}/restore`, body));
   }
 
   private next(made: Measurement | null): void {
-    this.done.value = [...this.done.value, made];
-    this.show(this.at.value + 1);
+    this.history.run(made ? "second clicks" : "passing over", (changes) => {
+      changes.touch(this.repeats, this.at.value);
+      this.done.value = [...this.done.value, made];
+    });
+    this.show(this.done.value.length);
   }
 
   private show(index: number): void {
     this.at.value = index;
     const item = this.current.value;
-    this.blind.start(item);
+    this.blind.begin(item);
     if (!item) return;
-    const now = this.player.value;
-    if (now?.recordingId === item.recording_id) now.go(item.frame);
-    else {
-      now?.close();
-      const player = new Player(item.recording_id, item.frame);
-      const facts = this.recordings.find((one) => one.id === item.recording_id);
-      if (facts) player.describe(facts);
-      this.player.value = player;
-    }
+    this.reel.show(item.recording_id, item.frame);
     this.stage.fit();
     this.stage.focus();
   }

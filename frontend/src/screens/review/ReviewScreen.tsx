@@ -1,14 +1,14 @@
 /** Review: the queue on the left, the picture with its points in the middle, what is known and the verdict on the right. */
 import { useEffect, useMemo } from "preact/hooks";
 import { Button, Empty, Loading, Problem } from "../../components";
-import { useKeys } from "../../core/commands";
+import { type ButtonCommand, CommandButton } from "../../components/CommandButton";
+import { useCommands } from "../../core/commands";
 import type { ScreenProps } from "../../core/places";
 import { may } from "../../core/session";
 import { survey } from "../../core/survey";
 import { BlindFrame } from "../../viewer/BlindFrame";
-import { BrightButton } from "../../viewer/BrightButton";
-import { linesShown } from "../../viewer/display";
-import { frameKeys, HELD_KEYS, Transport } from "../../viewer/Transport";
+import { brightSwitch, frameCommands, loupeSwitch } from "../../viewer/stageCommands";
+import { Transport } from "../../viewer/Transport";
 import { ReviewModel, type Shown } from "./model";
 import { Queue } from "./Queue";
 import { ReviewFrame } from "./ReviewFrame";
@@ -23,8 +23,8 @@ export default function ReviewScreen({ surveyId }: ScreenProps) {
     void model.load();
     return () => model.close();
   }, [model]);
-  useReviewKeys(model);
-  const player = model.player.value;
+  const player = model.reel.player.value;
+  useCommands([...reviewCommands(model), ...frameCommands(model.stage, player)]);
   if (model.problem.value) {
     return (
       <div class="page">
@@ -43,13 +43,7 @@ export default function ReviewScreen({ surveyId }: ScreenProps) {
         <>
           <section class="review__frame" aria-label="Frame">
             {model.hidden.value ? (
-              <BlindFrame
-                key={player.recordingId}
-                blind={model.blind}
-                player={player}
-                stage={model.stage}
-                geometry={model.geometry}
-              />
+              <BlindFrame key={player.recordingId} blind={model.blind} player={player} stage={model.stage} />
             ) : (
               <ReviewFrame key={player.recordingId} model={model} player={player} />
             )}
@@ -66,17 +60,8 @@ export default function ReviewScreen({ surveyId }: ScreenProps) {
                 Back to frame {model.current.value.measurement.frame}
               </Button>
             )}
-            <BrightButton />
-            <Button
-              small
-              kind="quiet"
-              pressed={model.stage.loupe.value}
-              onClick={() => {
-                model.stage.loupe.value = !model.stage.loupe.value;
-              }}
-            >
-              Loupe
-            </Button>
+            <CommandButton command={brightSwitch}>Bright</CommandButton>
+            <CommandButton command={loupeSwitch(model.stage)}>Loupe</CommandButton>
           </section>
         </>
       ) : (
@@ -113,64 +98,24 @@ function NothingHere({ surveyId, shown }: { surveyId: number; shown: Shown }) {
   );
 }
 
-function useReviewKeys(model: ReviewModel): void {
-  const player = model.player.value;
-  const { blind } = model;
-  const nudge = (dx: number, dy: number) => () => model.nudge(dx, dy) || blind.nudge(dx, dy);
-  const allowed = may("reviewer");
-  useKeys(
+function reviewCommands(model: ReviewModel): ButtonCommand[] {
+  const mayReview = (): boolean => may("reviewer");
+  return [
+    { id: "reviewNext", run: () => model.go(1) },
+    { id: "reviewPrevious", run: () => model.go(-1) },
     {
-      ...(player ? frameKeys(player, model.stage) : {}),
-      loupeToggle: () => {
-        model.stage.loupe.value = !model.stage.loupe.value;
-      },
-      linesToggle: () => {
-        linesShown.value = !linesShown.value;
-      },
-      reviewNext: () => model.go(1),
-      reviewPrevious: () => model.go(-1),
-      reviewAccept: () => {
-        if (allowed && !model.fix.value) void model.judge("accepted");
-      },
-      reviewReject: () => {
-        if (allowed && model.mayJudge) model.rejecting.value = true;
-      },
-      reviewFix: () => {
-        if (allowed) model.startFix();
-      },
-      place: () => {
-        const at = blind.cursor.value;
-        if (model.hidden.value && at) {
-          void blind.place(at, player?.shown.value?.frame ?? null);
-          return true;
-        }
-        if (!model.fix.value) return false;
-        void model.judge("fixed");
-        return true;
-      },
-      selectNext: () => {
-        const fix = model.fix.value;
-        if (fix) model.fix.value = { ...fix, selected: fix.selected === "point" ? "contact" : "point" };
-      },
-      cursor: () => {
-        if (model.hidden.value) blind.toggleCursor();
-      },
-      cancel: () => {
-        if (!blind.takeBack()) model.cancel();
-      },
-      nudgeLeft: nudge(-1, 0),
-      nudgeRight: nudge(1, 0),
-      nudgeUp: nudge(0, -1),
-      nudgeDown: nudge(0, 1),
-      nudgeLeftFar: nudge(-10, 0),
-      nudgeRightFar: nudge(10, 0),
-      nudgeUpFar: nudge(0, -10),
-      nudgeDownFar: nudge(0, 10),
-      nudgeLeftFine: nudge(-0.1, 0),
-      nudgeRightFine: nudge(0.1, 0),
-      nudgeUpFine: nudge(0, -0.1),
-      nudgeDownFine: nudge(0, 0.1),
+      id: "reviewAccept",
+      run: () => void model.judge("accepted"),
+      enabled: () => mayReview() && model.fix.value === null,
     },
-    HELD_KEYS,
-  );
+    {
+      id: "reviewReject",
+      run: () => {
+        if (model.mayJudge) model.rejecting.value = true;
+      },
+      enabled: mayReview,
+    },
+    { id: "reviewFix", run: () => model.startFix(), enabled: mayReview },
+    { id: "selectNext", label: "Choose the other point", run: () => model.fixing.selectNext() },
+  ];
 }

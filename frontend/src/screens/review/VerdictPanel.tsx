@@ -9,7 +9,7 @@ import { formatHeight, formatLength, inUnits } from "../../core/units";
 import { TARGET_WORDS } from "../../core/words";
 import { Revisions } from "../../parts/vehicles/Revisions";
 import { cropUrl } from "../../viewer/frames";
-import { clamp } from "../../viewer/viewport";
+import { clamp } from "../../viewer/view";
 import { BlindPanel, Comparisons } from "./Comparisons";
 import type { ReviewModel } from "./model";
 
@@ -44,7 +44,7 @@ export function VerdictPanel({ model, item }: { model: ReviewModel; item: Review
           </p>
         ))}
         <Comparisons model={model} />
-        <Crops m={m} recording={model.player.value?.recording.value ?? null} />
+        <Crops m={m} recording={model.reel.player.value?.recording.value ?? null} />
         <Facts item={item} />
         <Revisions id={m.id} revision={m.revision} />
       </div>

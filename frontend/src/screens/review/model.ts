@@ -9,20 +9,14 @@ import { toast, toastProblem } from "../../core/toasts";
 import type { Comparison, Measurement, Recording, ReviewItem, Verdict } from "../../core/types";
 import { BlindClicks, isDrawn } from "../../viewer/blind";
 import { Geometry } from "../../viewer/geometry";
-import { Player } from "../../viewer/player";
-import { fromServer, type ImagePoint, imagePoint, pair } from "../../viewer/points";
-import { Stage } from "../../viewer/stage";
+import { fromServer, type ImagePoint, pair } from "../../viewer/points";
+import { Reel } from "../../viewer/reel";
+import { FrameStage } from "../../viewer/stage";
 import { valuesOf } from "../../viewer/values";
+import { type Fix, FixTool } from "./fix";
 
 /** The states that the queue can be asked for; reopened ones are to review again. */
 export type Shown = Exclude<Verdict, "reopened"> | "all";
-
-/** Points of a fix that has not been saved yet. */
-export interface Fix {
-  readonly contact: ImagePoint;
-  readonly point: ImagePoint;
-  readonly selected: "contact" | "point";
-}
 
 const PAGE = 200;
 const ONE_IN = 5;
@@ -31,14 +25,20 @@ const ONE_IN = 5;
 const plans = stored<Record<string, number>>("review.blind", {}, (v) => typeof v === "object" && v !== null);
 
 export class ReviewModel {
-  readonly stage = new Stage();
+  readonly reel = new Reel();
+  readonly stage: FrameStage = new FrameStage(() =>
+    this.hidden.value ? [this.stage.keyboard, this.blind] : [this.fixing, this.verdicts],
+  );
   readonly geometry = new Geometry();
   readonly shown = signal<Shown>("to_review");
   readonly items = signal<readonly ReviewItem[] | null>(null);
   readonly problem = signal<unknown>(null);
   readonly currentId = signal<number | null>(null);
-  readonly player = signal<Player | null>(null);
-  readonly fix = signal<Fix | null>(null);
+  readonly fixing = new FixTool({
+    moved: (fix) => (fix ? this.askHeight(fix) : this.geometry.forgetHeight()),
+    save: () => void this.judge("fixed"),
+  });
+  readonly fix: ReadonlySignal<Fix | null> = this.fixing.fix;
   readonly rejecting = signal(false);
   readonly busy = signal(false);
   /** True while the server has more of the queue than was read. */
@@ -46,7 +46,17 @@ export class ReviewModel {
   readonly oneIn: ReadonlySignal<number>;
   /** The repeats of what is shown, each with its difference; null until they are here. */
   readonly comparisons = signal<readonly Comparison[] | null>(null);
-  readonly blind = new BlindClicks(this.stage, this.geometry, (made) => this.clickedAgain(made));
+  readonly blind: BlindClicks = new BlindClicks(this.stage, this.reel, this.geometry, (made) =>
+    this.clickedAgain(made),
+  );
+  /** Esc leaves a rejection that was begun. */
+  private readonly verdicts = {
+    cancel: (): boolean => {
+      const begun = this.rejecting.value;
+      this.cancel();
+      return begun;
+    },
+  };
   private readonly revealed = signal<ReadonlySet<number>>(new Set());
 
   readonly current = computed(
@@ -65,14 +75,12 @@ export class ReviewModel {
   });
   /** The picture that is seen is the one the points were clicked on. */
   readonly onFrame = computed(
-    () => this.player.value?.shown.value?.frame === this.current.value?.measurement.frame,
+    () => this.reel.seen.value !== null && this.reel.seen.value === this.current.value?.measurement.frame,
   );
-
-  private recordings: readonly Recording[] = [];
 
   /** Whether a fix would be computed with another road pose than the measurement was: then its words say so. */
   poseChanged(m: Measurement): boolean {
-    const now = this.recordings.find((one) => one.id === m.recording_id)?.pose_id;
+    const now = this.reel.recordings.value.find((one) => one.id === m.recording_id)?.pose_id;
     return now !== undefined && m.pose_id !== null && now !== m.pose_id;
   }
 
@@ -92,11 +100,11 @@ export class ReviewModel {
       const [page, alone, recordings] = await Promise.all([
         this.read(`&limit=${PAGE}`),
         wanted > 0 && wanted < 2 ** 31 ? this.read(`&measurement=${wanted}`) : [],
-        this.recordings.length > 0
-          ? this.recordings
+        this.reel.recordings.value.length > 0
+          ? this.reel.recordings.value
           : api.get<Recording[]>(`/surveys/${this.surveyId}/recordings`),
       ]);
-      this.recordings = recordings;
+      this.reel.recordings.value = recordings;
       // what the address names comes first if it is not in the first page of a long queue
       const known = page.some((item) => item.measurement.id === wanted);
       const items = known ? page : [...alone, ...page];
@@ -113,7 +121,7 @@ export class ReviewModel {
 
   close(): void {
     for (const stop of this.stops) stop();
-    this.player.value?.close();
+    this.reel.close();
   }
 
   async loadMore(): Promise<void> {
@@ -147,7 +155,7 @@ export class ReviewModel {
 
   /** The points and the height are shown, clicked again or not. */
   reveal(id: number): void {
-    if (this.blind.wanted.value?.measurement_id === id) this.blind.start(null);
+    if (this.blind.wanted.value?.measurement_id === id) this.blind.begin(null);
     this.revealed.value = new Set(this.revealed.value).add(id);
   }
 
@@ -162,12 +170,12 @@ export class ReviewModel {
     const m = item.measurement;
     batch(() => {
       this.currentId.value = m.id;
-      this.fix.value = null;
+      this.fixing.leave();
       this.rejecting.value = false;
       this.comparisons.value = null;
       this.geometry.forgetHeight();
       this.showFrame(m);
-      this.blind.start(this.isHidden(item) ? { ...m, measurement_id: m.id } : null);
+      this.blind.begin(this.isHidden(item) ? { ...m, measurement_id: m.id } : null);
     });
     setQuery({ measurement: m.id });
     void this.readComparisons(m.id);
@@ -175,17 +183,7 @@ export class ReviewModel {
 
   /** Back to the frame on which the points were clicked. */
   showFrame(m: Measurement): void {
-    const now = this.player.value;
-    if (now?.recordingId === m.recording_id) {
-      now.stop();
-      now.go(m.frame);
-      return;
-    }
-    now?.close();
-    const player = new Player(m.recording_id, m.frame);
-    const facts = this.recordings.find((one) => one.id === m.recording_id);
-    if (facts) player.describe(facts);
-    this.player.value = player;
+    this.reel.show(m.recording_id, m.frame);
   }
 
   go(step: 1 | -1): void {
@@ -230,10 +228,10 @@ export class ReviewModel {
     const point = own ? fromServer(own.point) : this.point.value;
     if (!contact || !point || !this.mayJudge) return;
     this.rejecting.value = false;
-    this.fix.value = { contact, point, selected: "point" };
+    this.fixing.begin(contact, point);
     const m = this.current.value?.measurement;
-    if (m) this.player.value?.go(m.frame);
-    if (own) this.askHeight();
+    if (m) this.showFrame(m);
+    if (own && this.fix.value) this.askHeight(this.fix.value);
     this.stage.focus();
   }
 
@@ -247,31 +245,15 @@ export class ReviewModel {
     }
   }
 
-  move(role: "contact" | "point", to: ImagePoint): void {
-    const fix = this.fix.value;
-    if (!fix) return;
-    this.fix.value = { ...fix, [role]: to, selected: role };
-    this.askHeight();
-  }
-
-  nudge(dx: number, dy: number): boolean {
-    const fix = this.fix.value;
-    if (!fix) return false;
-    const at = fix[fix.selected];
-    this.move(fix.selected, imagePoint(at[0] + dx, at[1] + dy));
-    return true;
-  }
-
   cancel(): void {
-    if (this.fix.value) this.fix.value = null;
+    this.fixing.leave();
     this.rejecting.value = false;
     this.geometry.forgetHeight();
   }
 
-  private askHeight(): void {
+  private askHeight(fix: Fix): void {
     const m = this.current.value?.measurement;
-    const fix = this.fix.value;
-    if (!m || !fix) return;
+    if (!m) return;
     const inset = { inset_m: m.inset_m, u_inset_m: m.u_inset_m };
     this.geometry.wantHeight({
       recordingId: m.recording_id,
@@ -299,7 +281,7 @@ export class ReviewModel {
       if (next) this.open(next);
       else {
         this.currentId.value = stays ? judged.id : null;
-        this.fix.value = null;
+        this.fixing.leave();
         this.rejecting.value = false;
       }
     });
@@ -313,7 +295,7 @@ export class ReviewModel {
       this.items.value = (this.items.value ?? []).map((other) =>
         other === item ? { ...item, measurement } : other,
       );
-      this.fix.value = null;
+      this.fixing.leave();
     } catch {
       // the refusal's own sentence has been shown
     }

@@ -1,9 +1,9 @@
 /** The line-scan bench: both strips above, the vehicles below with everything that is known of the chosen one. */
 import { useEffect, useMemo, useState } from "preact/hooks";
 import { Button, Empty, JobProgress, Loading, Notice, Problem } from "../../components";
-import { useUndoTools } from "../../components/undoTools";
+import { historyCommands, useUndoTools } from "../../components/undoTools";
 import { query } from "../../core/address";
-import { hint, useKeys } from "../../core/commands";
+import { type ActionId, type Command, hint, useCommands } from "../../core/commands";
 import { cancelJob } from "../../core/jobs";
 import type { ScreenProps } from "../../core/places";
 import { canWork, may } from "../../core/session";
@@ -31,12 +31,9 @@ export default function BenchScreen({ surveyId }: ScreenProps) {
     if (id > 0) void model.load();
     return () => model.close();
   }, [model]);
-  useBenchKeys(model);
-  useUndoTools(
-    model.undo,
-    () => void model.undo.undo().catch(toastProblem),
-    () => void model.undo.redo().catch(toastProblem),
-  );
+  const steps = useMemo(() => historyCommands(model.history), [model]);
+  useUndoTools(model.history, steps);
+  useCommands([steps.undo, steps.redo, ...benchCommands(model)]);
   const scan = model.scan.value;
   if (id === 0) return <Nothing surveyId={surveyId} />;
   if (model.problem.value) {
@@ -194,7 +191,7 @@ function Nothing({ surveyId }: { surveyId: number }) {
 
 const PAN_SHARE = 0.15;
 
-function useBenchKeys(model: ScanModel): void {
+function benchCommands(model: ScanModel): Command[] {
   const pan = (share: number) => () => {
     const view = model.view.value;
     if (view) model.view.value = panBy(view, -share * view.width, 0);
@@ -209,7 +206,7 @@ function useBenchKeys(model: ScanModel): void {
   };
   const nudge = (by: number) => () => (canWork.value ? model.heights.nudge(by, 0) || model.nudge(by) : false);
   const rise = (by: number) => () => model.heights.nudge(0, by);
-  useKeys({
+  const runs: Partial<Record<ActionId, () => unknown>> = {
     frameNext: pan(PAN_SHARE),
     framePrevious: pan(-PAN_SHARE),
     frameNextTen: pan(0.9),
@@ -233,8 +230,6 @@ function useBenchKeys(model: ScanModel): void {
     passNext: () => model.step(1),
     passPrevious: () => model.step(-1),
     selectNext: () => model.selectNext(),
-    undo: () => void model.undo.undo().catch(toastProblem),
-    redo: () => void model.undo.redo().catch(toastProblem),
     remove: () => void model.remove(),
     cancel: () => model.cancel(),
     reviewAccept: () => void model.review("accepted"),
@@ -253,5 +248,6 @@ function useBenchKeys(model: ScanModel): void {
     nudgeDownFine: rise(0.1),
     nudgeLeftFine: nudge(-0.1),
     nudgeRightFine: nudge(0.1),
-  });
+  };
+  return (Object.keys(runs) as ActionId[]).map((id) => ({ id, run: () => runs[id]?.() !== false }));
 }

@@ -101,7 +101,7 @@ function offerUndo(
     const now = await api.get<Scan>(`/scans/${before.id}`);
     await put(before.id, what, now.version, model, changed);
   };
-  model?.undo.push({ label: "the rig", undo: () => again(then), redo: () => again(values) });
+  model?.history.push({ label: "the rig", undo: () => again(then), redo: () => again(values) });
   const older =
     stored.counts.older > 0
       ? "The rig has other values now; find the vehicles again to bring the results up."

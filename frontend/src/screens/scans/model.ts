@@ -2,11 +2,11 @@
 import { computed, signal } from "@preact/signals";
 import { setQuery } from "../../core/address";
 import { api } from "../../core/api";
+import { History } from "../../core/history";
 import { followJob } from "../../core/jobs";
 import { may } from "../../core/session";
 import { toast, toastProblem } from "../../core/toasts";
 import type { Job, Scan, ScanMethod, ScanVehicle, ScanVehicleDetail } from "../../core/types";
-import { UndoStack } from "../../core/undo";
 import type { Mode } from "./bench";
 import { type Crossings, EDGES, type Edge } from "./draw";
 import { LineHeights } from "./heights";
@@ -35,7 +35,7 @@ export class ScanModel {
   /** A reason is being written. */
   readonly rejecting = signal(false);
   readonly job = signal<Job | null>(null);
-  readonly undo = new UndoStack();
+  readonly history = new History();
   readonly heights = new LineHeights(this);
   readonly rod = new RodDraft(this, this.heights);
   readonly tiles: Tiles;
@@ -365,14 +365,14 @@ export class ScanModel {
   }
 
   pushUndo(label: string, undo: () => Promise<void>, redo: () => Promise<void>): void {
-    this.undo.push({ label, undo, redo });
+    this.history.push({ label, undo, redo });
   }
 
   /** One change after the other, after an undo that is under way; what goes wrong is told in words. */
   async tell(work: () => Promise<void>): Promise<void> {
     this.busy.value = true;
     try {
-      await this.undo.inTurn(work);
+      await this.history.inTurn(work);
     } catch (error) {
       toastProblem(error);
       await this.refresh().catch(() => undefined);

@@ -1,8 +1,8 @@
 import { signal } from "@preact/signals";
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import { api } from "../../core/api";
+import { History } from "../../core/history";
 import type { LineHeight, LinePose, LinePoses } from "../../core/types";
-import { UndoStack } from "../../core/undo";
 import type { Bench } from "./bench";
 import { LineHeights } from "./heights";
 import { RodDraft } from "./rod";
@@ -12,7 +12,7 @@ const MARK = { distance_m: 2.7, height_m: 0, row_px: 250, line: 10 };
 
 /** As much of the bench as marks and heights need. */
 function bench() {
-  const undo = new UndoStack();
+  const undo = new History();
   const model = {
     id: 7,
     mode: signal("rod"),

@@ -2,7 +2,7 @@
  * How two strips lie on the screen: time and height have scales of their own. Immutable; every change returns a new view.
  * Line n's centre is at n, so a strip begins at line -0.5; rows likewise.
  */
-import { clamp } from "../../viewer/viewport";
+import { clamp } from "../../viewer/view";
 
 /** The pictures: lines along the time, rows along the height, both strips alike. */
 export interface Strips {

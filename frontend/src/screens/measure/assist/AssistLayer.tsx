@@ -1,13 +1,13 @@
 /** A proposal over the frame: dashed, a diamond, and the word; nothing is stored until a person clicks. */
 import { InImage } from "../../../viewer/Overlay";
-import type { Stage } from "../../../viewer/stage";
+import type { FrameStage } from "../../../viewer/stage";
 import type { Assist } from "./assist";
 
-export function AssistLayer({ assist, stage }: { assist: Assist; stage: Stage }) {
+export function AssistLayer({ assist, stage }: { assist: Assist; stage: FrameStage }) {
   const answer = assist.answer.value;
   const at = assist.at.value;
   if (!answer || !at) return null;
-  const [x, y] = stage.viewport.value.toScreen(at);
+  const [x, y] = stage.view.value.toScreen(at);
   const wheel = answer.outline.map(([u, v], i) => `${i === 0 ? "M" : "L"}${u} ${v}`).join("");
   const diamond = "M0 -10L10 0L0 10L-10 0Z";
   return (

@@ -4,7 +4,8 @@ import { api, explain } from "../../../core/api";
 import { canWork } from "../../../core/session";
 import type { ContactProposal } from "../../../core/types";
 import { fromServer, type ImagePoint, screenDistance } from "../../../viewer/points";
-import type { MeasureModel } from "../model";
+import type { Tool } from "../../../viewer/tool";
+import type { Desk } from "../desk";
 
 /** A click this near to a proposal takes it, at exactly its place. */
 const TAKE_PX = 12;
@@ -18,15 +19,15 @@ interface Answered extends Asked {
   readonly answer: ContactProposal;
 }
 
-export class Assist {
+export class Assist implements Tool<ImagePoint> {
   private readonly answered = signal<Answered | null>(null);
   readonly waiting = signal(false);
   readonly problem = signal<string | null>(null);
   /** The answer for the frame that is seen; gone as soon as a contact stands. */
   readonly answer = computed<ContactProposal | null>(() => {
     const now = this.answered.value;
-    const { player, seenFrame, awaiting } = this.model;
-    const here = now?.recordingId === player.value?.recordingId && now?.frame === seenFrame.value;
+    const { reel, seenFrame, awaiting } = this.desk;
+    const here = now?.recordingId === reel.player.value?.recordingId && now?.frame === seenFrame.value;
     return now && here && awaiting.value === "contact" ? now.answer : null;
   });
   readonly at = computed<ImagePoint | null>(() => {
@@ -35,10 +36,10 @@ export class Assist {
   });
   private readonly stop: () => void;
 
-  constructor(private readonly model: MeasureModel) {
+  constructor(private readonly desk: Desk) {
     this.stop = effect(() => {
-      void model.seenFrame.value;
-      void model.vehicleId.value;
+      void desk.seenFrame.value;
+      void desk.vehicleId.value;
       this.letGo();
     });
   }
@@ -49,13 +50,13 @@ export class Assist {
 
   /** Asks for a proposal at the pointer or the keyboard's cursor. Answers false where none can be used. */
   propose(): boolean {
-    const { model } = this;
-    const recordingId = model.player.value?.recordingId;
-    const pointer = model.points.cursor.value ?? model.stage.pointer.value;
-    if (!canWork.value || !model.hasPose.value || recordingId === undefined) return false;
-    if (model.awaiting.value !== "contact") {
+    const { desk } = this;
+    const recordingId = desk.reel.player.value?.recordingId;
+    const pointer = desk.stage.cursor.value ?? desk.stage.pointer.value;
+    if (!canWork.value || !desk.hasPose.value || recordingId === undefined) return false;
+    if (desk.awaiting.value !== "contact") {
       this.problem.value =
-        model.vehicleId.value === null
+        desk.vehicleId.value === null
           ? "Choose a pass first; then a contact can be proposed."
           : "No contact is awaited here; begin a new one with the key for a new contact point.";
       return true;
@@ -64,27 +65,33 @@ export class Assist {
       this.problem.value = "Point at where the tyre meets the road, then ask for a proposal.";
       return true;
     }
-    void this.ask({ recordingId, frame: model.seenFrame.value }, pointer);
+    void this.ask({ recordingId, frame: desk.seenFrame.value }, pointer);
     return true;
   }
 
   /** Enter: the proposal becomes a click at exactly its place. */
-  take(): boolean {
+  confirm(): boolean {
     const at = this.at.value;
-    if (!at || !canWork.value) return false;
+    return at !== null && canWork.value && this.take(at);
+  }
+
+  /** A click near to the proposal is one on it; any other is not meant for it. */
+  place(point: ImagePoint): boolean {
+    const at = this.at.value;
+    const view = this.desk.stage.view.value;
+    return at !== null && screenDistance(view.toScreen(at), view.toScreen(point)) <= TAKE_PX && this.take(at);
+  }
+
+  cancel(): boolean {
+    return this.letGo();
+  }
+
+  private take(at: ImagePoint): boolean {
     this.letGo();
-    this.model.points.place(at);
-    return true;
+    return this.desk.stage.place(at);
   }
 
-  /** Where a click lands: on the proposal if it is near to it, else where it was made. */
-  snapped(point: ImagePoint): ImagePoint {
-    const at = this.at.value;
-    const view = this.model.stage.viewport.value;
-    return at && screenDistance(view.toScreen(at), view.toScreen(point)) <= TAKE_PX ? at : point;
-  }
-
-  letGo(): boolean {
+  private letGo(): boolean {
     const had = this.answered.peek() !== null || this.problem.peek() !== null;
     this.answered.value = null;
     this.problem.value = null;

@@ -1,20 +1,20 @@
 /** What can be done with the pass that is open: confirm, split, join, discard. By menu and by key. */
 import { Icon, Menu } from "../../../components";
-import { hint, useKeys } from "../../../core/commands";
+import { type ButtonCommand, CommandItem } from "../../../components/CommandButton";
+import { useCommands } from "../../../core/commands";
 import { canWork } from "../../../core/session";
 import { isUnconfirmed, lightingProposed } from "../../../parts/vehicles/passes";
 import type { MeasureModel } from "../model";
 import { confirmPass, joinPass, splitPass } from "./actions";
 
 export function PassMenu({ model }: { model: MeasureModel }) {
-  const may = (work: () => void) => () => {
-    if (canWork.value) work();
-  };
-  useKeys({
-    passSplit: may(() => void splitPass(model)),
-    passJoin: may(() => void joinPass(model)),
-    passDiscard: may(() => void model.removePass()),
-  });
+  const enabled = (): boolean => canWork.value;
+  const commands: ButtonCommand[] = [
+    { id: "passSplit", label: "Split before this frame", run: () => void splitPass(model), enabled },
+    { id: "passJoin", label: "Join with the next pass", run: () => void joinPass(model), enabled },
+    { id: "passDiscard", run: () => void model.removePass(), enabled },
+  ];
+  useCommands(commands);
   const vehicle = model.vehicle.value;
   if (!vehicle) return null;
   const proposed = isUnconfirmed(vehicle) ? lightingProposed(vehicle) : null;
@@ -29,15 +29,9 @@ export function PassMenu({ model }: { model: MeasureModel }) {
           Confirm: {proposed === "daytime" ? "daytime" : "low light"}
         </button>
       )}
-      <button type="button" class="menu__item" onClick={() => void splitPass(model)}>
-        Split before this frame{hint("passSplit")}
-      </button>
-      <button type="button" class="menu__item" onClick={() => void joinPass(model)}>
-        Join with the next pass{hint("passJoin")}
-      </button>
-      <button type="button" class="menu__item" onClick={() => void model.removePass()}>
-        Discard the pass{hint("passDiscard")}
-      </button>
+      {commands.map((command) => (
+        <CommandItem key={command.id} command={command} />
+      ))}
     </Menu>
   );
 }

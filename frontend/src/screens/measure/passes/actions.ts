@@ -33,7 +33,7 @@ export async function splitPass(model: MeasureModel): Promise<void> {
   await tellInTurn(model, async () => {
     const vehicle = model.vehicles.get(chosen.id) ?? chosen;
     let made = await split(model, vehicle, frame);
-    model.undo.push({
+    model.history.push({
       label: `split of vehicle ${vehicle.number}`,
       undo: async () => {
         await dropPass(model, made);
@@ -59,7 +59,7 @@ export async function joinPass(model: MeasureModel): Promise<void> {
       return;
     }
     let kept = await join(model, vehicle, next);
-    model.undo.push({
+    model.history.push({
       label: `joining of vehicles ${vehicle.number} and ${next.number}`,
       undo: async () => {
         const gone = kept.id === vehicle.id ? next : vehicle;
@@ -134,7 +134,7 @@ function put(model: MeasureModel, vehicle: Vehicle): void {
 
 /** After what is being undone or redone, whose versions this work needs. */
 function tellInTurn(model: MeasureModel, work: () => Promise<void>): Promise<void> {
-  return tell(() => model.undo.inTurn(work));
+  return tell(() => model.history.inTurn(work));
 }
 
 async function tell(work: () => Promise<void>): Promise<void> {

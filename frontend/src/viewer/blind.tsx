@@ -1,12 +1,17 @@
 /** Clicking again without seeing: contact, then target, on one frame; stored as a repeat of what was clicked first. */
-import { signal } from "@preact/signals";
+import { computed, signal } from "@preact/signals";
 import { api } from "../core/api";
 import { newKey } from "../core/random";
 import { toast, toastProblem } from "../core/toasts";
 import type { Measurement, Target } from "../core/types";
+import { TARGET_HINTS } from "../core/words";
+import { linesShown } from "./display";
 import type { Geometry } from "./geometry";
-import { type ImagePoint, imagePoint, pair } from "./points";
-import type { Stage } from "./stage";
+import { AxesLayer, PointMark } from "./Overlay";
+import { type ImagePoint, pair } from "./points";
+import type { Reel } from "./reel";
+import type { FrameStage } from "./stage";
+import type { Tool } from "./tool";
 
 /** What is to be clicked again; its own points are not in it. */
 export interface Wanted {
@@ -25,70 +30,74 @@ export function isDrawn(measurementId: number, oneIn: number): boolean {
   return ((hash ^ (hash >>> 13)) >>> 0) % oneIn === 0;
 }
 
-export class BlindClicks {
+export class BlindClicks implements Tool<ImagePoint> {
   readonly wanted = signal<Wanted | null>(null);
   readonly contact = signal<ImagePoint | null>(null);
-  /** The cursor for placing points by keyboard; null while it is off. */
-  readonly cursor = signal<ImagePoint | null>(null);
   readonly busy = signal(false);
 
+  /** The frame to click on is the one that is seen. */
+  readonly here = computed(
+    () => this.wanted.value !== null && this.reel.seen.value === this.wanted.value.frame,
+  );
+  readonly placing = computed(() => this.here.value && !this.busy.value);
+  readonly hint = computed(() => {
+    const wanted = this.wanted.value;
+    if (!wanted) return null;
+    if (!this.here.value) return `Another frame than the one to click on; that is ${wanted.frame}.`;
+    return this.contact.value
+      ? `click ${TARGET_HINTS[wanted.target]}`
+      : "click where the tyre meets the road";
+  });
+
   constructor(
-    private readonly stage: Stage,
+    private readonly stage: FrameStage,
+    private readonly reel: Reel,
     private readonly geometry: Geometry,
     private readonly stored: (made: Measurement) => void,
   ) {}
 
-  start(wanted: Wanted | null): void {
+  begin(wanted: Wanted | null): void {
     this.wanted.value = wanted;
-    this.cursor.value = null;
+    this.stage.keyboard.off();
     this.forget();
   }
 
-  /** A click on the frame that is shown, or Enter at the keyboard's cursor. */
-  async place(point: ImagePoint, shownFrame: number | null): Promise<void> {
+  place(point: ImagePoint): boolean {
     const wanted = this.wanted.value;
-    if (!wanted || this.busy.value) return;
-    if (shownFrame !== wanted.frame) {
-      toast(`Click on frame ${wanted.frame}, where the first clicks are.`);
-      return;
-    }
+    if (!wanted) return false;
+    if (this.busy.value) return true;
     const contact = this.contact.value;
-    if (!contact) {
+    if (!this.here.value) toast(`Click on frame ${wanted.frame}, where the first clicks are.`);
+    else if (contact) void this.store(wanted, contact, point);
+    else {
       this.contact.value = point;
       const { recording_id: recordingId, target } = wanted;
       this.geometry.showAxes({ recordingId, contact: point, target, inset: null });
-      return;
     }
-    await this.store(wanted, contact, point);
+    return true;
   }
 
   /** The contact is taken back; false if there is none. */
-  takeBack(): boolean {
+  back(): boolean {
     if (!this.contact.value) return false;
     this.forget();
     return true;
   }
 
-  toggleCursor(): void {
-    const { width, height } = this.stage.viewport.value.image;
-    if (this.cursor.value) this.cursor.value = null;
-    else this.moveTo(this.stage.pointer.value ?? imagePoint(Math.round(width / 2), Math.round(height / 2)));
+  cancel(): boolean {
+    return this.back();
   }
 
-  nudge(dx: number, dy: number): boolean {
-    const at = this.cursor.value;
-    if (!at) return false;
-    this.moveTo(imagePoint(at[0] + dx, at[1] + dy));
-    return true;
-  }
-
-  private moveTo(to: ImagePoint): void {
-    const { width, height } = this.stage.viewport.value.image;
-    const within = (value: number, size: number): number => Math.min(Math.max(value, 0), size - 1);
-    const at = imagePoint(within(to[0], width), within(to[1], height));
-    this.cursor.value = at;
-    this.stage.viewport.value = this.stage.viewport.value.revealing(at);
-    this.stage.pointer.value = at;
+  layers() {
+    const contact = this.contact.value;
+    const axes = this.geometry.axes.value?.axes;
+    if (!this.here.value || !contact) return null;
+    return (
+      <>
+        {linesShown.value && axes && <AxesLayer axes={axes} stage={this.stage} />}
+        <PointMark stage={this.stage} at={contact} kind="contact" selected />
+      </>
+    );
   }
 
   private forget(): void {

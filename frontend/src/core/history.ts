@@ -1,0 +1,172 @@
+/**
+ * What can be taken back, as change sets: the values of the keys that a step touched, before and after it.
+ * A step that leaves every value as it was is no step. Steps run strictly one after the other, so that Ctrl+Z held down
+ * cannot overtake the server.
+ */
+import { computed, signal } from "@preact/signals";
+
+/** Values by key that can be put back: wanted clicks of a measurement, boundaries of a vehicle, whether a pass is there. */
+export interface Ledger<K, V> {
+  read(key: K): V;
+  write(key: K, value: V): Promise<void> | void;
+  /** Two keys that stand for the same value; the key itself unless said otherwise. */
+  nameOf?(key: K): unknown;
+}
+
+export interface Step {
+  /** What was done, as it reads after "Undo: ". */
+  readonly label: string;
+  undo(): Promise<void> | void;
+  redo(): Promise<void> | void;
+}
+
+interface Touched {
+  readonly ledger: unknown;
+  readonly name: unknown;
+  /** True if the value now is the one before. */
+  unchanged(): boolean;
+  /** Writes the value that was there before. */
+  back(): Promise<void> | void;
+  /** Notes the value that is there now, for `again`. */
+  close(): void;
+  again(): Promise<void> | void;
+}
+
+/** The values that one step touches. Ends with `keep`, which makes it a step, unless nothing is other than before. */
+export class ChangeSet {
+  private readonly touched: Touched[] = [];
+
+  constructor(
+    private readonly label: string,
+    private readonly push: (step: Step) => void,
+  ) {}
+
+  /** Notes a value before it is changed by other means; the first note counts. */
+  touch<K, V>(ledger: Ledger<K, V>, key: K): void {
+    const name = ledger.nameOf?.(key) ?? key;
+    if (this.touched.some((other) => other.ledger === ledger && other.name === name)) return;
+    const before = ledger.read(key);
+    let after = before;
+    this.touched.push({
+      ledger,
+      name,
+      unchanged: () => sameValue(before, ledger.read(key)),
+      back: () => ledger.write(key, before),
+      close: () => {
+        after = ledger.read(key);
+      },
+      again: () => ledger.write(key, after),
+    });
+  }
+
+  /** Notes the value and writes another. */
+  write<K, V>(ledger: Ledger<K, V>, key: K, value: V): Promise<void> | void {
+    this.touch(ledger, key);
+    return ledger.write(key, value);
+  }
+
+  /** Answers whether it became a step. */
+  keep(): boolean {
+    const changed = this.touched.filter((one) => !one.unchanged());
+    if (changed.length === 0) return false;
+    for (const one of changed) one.close();
+    this.push({
+      label: this.label,
+      undo: () => inOrder(changed.toReversed().map((one) => one.back)),
+      redo: () => inOrder(changed.map((one) => one.again)),
+    });
+    return true;
+  }
+
+  /** Puts everything back as it was: nothing has happened. */
+  drop(): Promise<void> | void {
+    return inOrder(this.touched.toReversed().map((one) => one.back));
+  }
+}
+
+const MAX_STEPS = 200;
+
+export class History {
+  private readonly done = signal<readonly Step[]>([]);
+  private readonly undone = signal<readonly Step[]>([]);
+  private running: Promise<void> = Promise.resolve();
+
+  readonly undoLabel = computed(() => this.done.value.at(-1)?.label ?? null);
+  readonly redoLabel = computed(() => this.undone.value.at(-1)?.label ?? null);
+
+  /** A change set that its owner keeps or drops: a drag, a run of nudges. */
+  begin(label: string): ChangeSet {
+    return new ChangeSet(label, (step) => this.push(step));
+  }
+
+  /** Does something as one step. Work that fails leaves no step. */
+  run(label: string, work: (changes: ChangeSet) => Promise<void>): Promise<void>;
+  run(label: string, work: (changes: ChangeSet) => void): void;
+  run(label: string, work: (changes: ChangeSet) => Promise<void> | void): Promise<void> | void {
+    const changes = this.begin(label);
+    const under = work(changes);
+    if (under instanceof Promise) return under.then(() => void changes.keep());
+    changes.keep();
+  }
+
+  /** Note a step that is not a change of values; what was undone before can no longer be redone. */
+  push(step: Step): void {
+    this.done.value = [...this.done.value, step].slice(-MAX_STEPS);
+    this.undone.value = [];
+  }
+
+  undo(): Promise<void> {
+    return this.move(this.done, this.undone, (step) => step.undo());
+  }
+
+  redo(): Promise<void> {
+    return this.move(this.undone, this.done, (step) => step.redo());
+  }
+
+  /** Work that must see what the steps before it stored: it waits for an undo that is still under way. */
+  inTurn(work: () => Promise<void>): Promise<void> {
+    const turn = this.running.then(work);
+    this.running = turn.catch(() => {});
+    return turn;
+  }
+
+  /** A step that fails stays where it was; the caller hears why. */
+  private move(
+    from: { value: readonly Step[] },
+    to: { value: readonly Step[] },
+    run: (step: Step) => Promise<void> | void,
+  ): Promise<void> {
+    return this.inTurn(async () => {
+      const step = from.value.at(-1);
+      if (!step) return;
+      await run(step);
+      from.value = from.value.filter((other) => other !== step);
+      to.value = [...to.value, step];
+    });
+  }
+}
+
+/** Less than this is the rounding of a nudge forth and back. */
+const ROUNDING = 1e-9;
+
+/** Equal as values: points and values are plain, so their parts are compared. */
+function sameValue(a: unknown, b: unknown): boolean {
+  if (Object.is(a, b)) return true;
+  if (typeof a === "number" && typeof b === "number") return Math.abs(a - b) < ROUNDING;
+  if (typeof a !== "object" || typeof b !== "object" || a === null || b === null) return false;
+  const [left, right] = [a as Record<string, unknown>, b as Record<string, unknown>];
+  const names = Object.keys(left);
+  return (
+    Array.isArray(a) === Array.isArray(b) &&
+    names.length === Object.keys(right).length &&
+    names.every((name) => name in right && sameValue(left[name], right[name]))
+  );
+}
+
+/** One after the other; at once as long as nothing has to be waited for. */
+function inOrder(works: readonly (() => Promise<void> | void)[]): Promise<void> | void {
+  for (const [at, work] of works.entries()) {
+    const under = work();
+    if (under instanceof Promise) return under.then(() => inOrder(works.slice(at + 1)));
+  }
+}

@@ -1,0 +1,100 @@
+/** The points of a measurement moved by its reviewer: dragged, or chosen and nudged; Enter saves them, Esc leaves them. */
+import { computed, signal } from "@preact/signals";
+import type { ImagePoint } from "../../viewer/points";
+import { imagePoint } from "../../viewer/points";
+import type { DragPhase, Handle, Tool } from "../../viewer/tool";
+
+/** Points of a fix that has not been saved yet. */
+export interface Fix {
+  readonly contact: ImagePoint;
+  readonly point: ImagePoint;
+  readonly selected: "contact" | "point";
+}
+
+type Role = Fix["selected"];
+
+export interface FixHost {
+  /** The points are others now, or there is no fix any more. */
+  moved(fix: Fix | null): void;
+  save(): void;
+}
+
+export class FixTool implements Tool<ImagePoint> {
+  readonly fix = signal<Fix | null>(null);
+  readonly hint = computed(() =>
+    this.fix.value
+      ? "Drag the points, or choose one with S and nudge it; Enter saves the fix, Esc leaves it."
+      : null,
+  );
+  readonly handles = computed<readonly Handle<ImagePoint>[]>(() => {
+    const fix = this.fix.value;
+    if (!fix) return [];
+    return [
+      { id: "point", at: fix.point },
+      { id: "contact", at: fix.contact },
+    ];
+  });
+  private beforeDrag: Fix | null = null;
+
+  constructor(private readonly host: FixHost) {}
+
+  begin(contact: ImagePoint, point: ImagePoint): void {
+    this.fix.value = { contact, point, selected: "point" };
+  }
+
+  leave(): void {
+    this.beforeDrag = null;
+    this.fix.value = null;
+  }
+
+  pick(handle: string): void {
+    const fix = this.fix.value;
+    if (fix) this.fix.value = { ...fix, selected: handle as Role };
+  }
+
+  selectNext(): boolean {
+    const fix = this.fix.value;
+    if (fix) this.pick(fix.selected === "point" ? "contact" : "point");
+    return fix !== null;
+  }
+
+  drag(handle: string, at: ImagePoint, phase: DragPhase): void {
+    const fix = this.fix.value;
+    if (!fix) return;
+    this.beforeDrag ??= fix;
+    if (phase === "cancel") this.put(this.beforeDrag);
+    else this.move(handle as Role, at);
+    if (phase !== "move") this.beforeDrag = null;
+  }
+
+  nudge(dx: number, dy: number): boolean {
+    const fix = this.fix.value;
+    if (!fix) return false;
+    const at = fix[fix.selected];
+    this.move(fix.selected, imagePoint(at[0] + dx, at[1] + dy));
+    return true;
+  }
+
+  confirm(): boolean {
+    if (!this.fix.value) return false;
+    this.host.save();
+    return true;
+  }
+
+  cancel(): boolean {
+    if (!this.fix.value) return false;
+    this.leave();
+    this.host.moved(null);
+    return true;
+  }
+
+  private move(role: Role, to: ImagePoint): void {
+    const fix = this.fix.value;
+    if (fix) this.put({ ...fix, [role]: to, selected: role });
+  }
+
+  private put(fix: Fix): void {
+    this.fix.value = fix;
+    this.host.moved(fix);
+  }
+}

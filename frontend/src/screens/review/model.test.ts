@@ -1,0 +1,123 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import type { ReviewItem } from "../../core/types";
+import { FakeServer, recording } from "../../testing/server";
+import { imagePoint, pair } from "../../viewer/points";
+import { ReviewModel } from "./model";
+
+let server: FakeServer;
+let model: ReviewModel;
+let judged: unknown[];
+const quiet = () => vi.advanceTimersByTimeAsync(20);
+
+function item(id: number): ReviewItem {
+  const measurement = server.save(id, {
+    target: "roof",
+    frame: 40 + id,
+    contact: [100, 400],
+    point: [101, 250],
+    revision: 1,
+    withdrawn: false,
+    pose_id: 1,
+  });
+  return { measurement, mine: false } as unknown as ReviewItem;
+}
+
+async function open(blind: number): Promise<void> {
+  history.replaceState(null, "", `/surveys/5/review?blind=${blind}`);
+  model = new ReviewModel(5);
+  await model.load();
+  await quiet();
+}
+
+beforeEach(() => {
+  vi.useFakeTimers();
+  localStorage.clear();
+  judged = [];
+  server = new FakeServer("reviewer");
+  const items = [item(1), item(2)];
+  server.on("GET", /\/review-queue/, () => items);
+  server.on("GET", /\/recordings$/, () => [recording()]);
+  server.on("POST", /^\/measurements\/(\d+)\/reviews$/, (match, body) => {
+    judged.push(body);
+    const review = { verdict: body["verdict"], reason: null, reviewer: null, at: null };
+    return server.save(Number(match[1]), { ...server.stored.get(Number(match[1])), review });
+  });
+});
+
+afterEach(() => {
+  model.close();
+  vi.useRealTimers();
+  vi.unstubAllGlobals();
+  history.replaceState(null, "", "/");
+});
+
+describe("the review queue", () => {
+  it("opens the first on its frame, and goes on to the next after a verdict", async () => {
+    await open(0);
+    expect(model.currentId.value).toBe(1);
+    expect(model.onFrame.value).toBe(true);
+    await model.judge("accepted");
+    await quiet();
+    expect(judged).toEqual([{ revision: 1, verdict: "accepted" }]);
+    expect(model.currentId.value).toBe(2);
+    expect(model.reel.seen.value).toBe(42);
+  });
+
+  it("stores dragged and nudged points as a fix with Enter", async () => {
+    await open(0);
+    model.startFix();
+    model.fixing.drag("point", imagePoint(110, 240), "move");
+    model.fixing.drag("point", imagePoint(111, 241), "end");
+    model.stage.nudge(0, -1);
+    model.fixing.selectNext();
+    model.stage.nudge(0.1, 0);
+    await quiet();
+    expect(server.heights.at(-1)).toMatchObject({ point: [111, 240], contact: [100.1, 400] });
+    model.stage.confirm();
+    await quiet();
+    expect(judged).toEqual([
+      { revision: 1, verdict: "fixed", point: [111, 240], contact: [100.1, 400], frame: 41 },
+    ]);
+  });
+
+  it("puts a point back where it was when its drag is cancelled", async () => {
+    await open(0);
+    model.startFix();
+    model.fixing.drag("point", imagePoint(150, 240), "move");
+    model.fixing.drag("point", imagePoint(101, 250), "cancel");
+    expect(model.point.value && pair(model.point.value)).toEqual([101, 250]);
+    expect(model.fix.value).not.toBeNull();
+    expect(model.stage.cancel()).toBe(true);
+    expect(model.fix.value).toBeNull();
+    expect(judged).toEqual([]);
+  });
+
+  it("hides the points until they are clicked again, and stores that as a repeat", async () => {
+    await open(1);
+    expect(model.hidden.value).toBe(true);
+    model.startFix();
+    expect(model.fix.value).toBeNull();
+    model.stage.place(imagePoint(99, 401));
+    expect(model.stage.hint.value).toContain("roof");
+    model.stage.place(imagePoint(100, 251));
+    await quiet();
+    expect(server.writes).toEqual(["POST /vehicles/7/measurements"]);
+    expect([...server.stored.values()].at(-1)).toMatchObject({
+      repeat_of: 1,
+      contact: [99, 401],
+      point: [100, 251],
+    });
+    expect(model.hidden.value).toBe(false);
+  });
+
+  it("takes a blind contact back with Esc, the cursor before it", async () => {
+    await open(1);
+    model.stage.place(imagePoint(99, 401));
+    model.stage.keyboard.toggle();
+    model.stage.cancel();
+    expect(model.stage.cursor.value).toBeNull();
+    expect(model.blind.contact.value).not.toBeNull();
+    model.stage.cancel();
+    expect(model.blind.contact.value).toBeNull();
+  });
+});
