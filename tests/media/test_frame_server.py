@@ -177,15 +177,15 @@ def test_giving_up_on_the_way(media: RecordingMedia, server: FrameServer) -> Non
 
 
 def test_memory_cache_forgets_the_least_recently_used() -> None:
-    cache: MemoryCache[str] = MemoryCache(10)
-    cache.put("a", "A", 4)
-    cache.put("b", "B", 4)
-    assert cache.get("a") == "A"
-    cache.put("c", "C", 4)
-    assert (cache.get("a"), cache.get("b"), cache.get("c")) == ("A", None, "C")
-    cache.put("huge", "H", 11)
+    cache: MemoryCache[str] = MemoryCache(10, len)
+    cache.put("a", "AAAA")
+    cache.put("b", "BBBB")
+    assert cache.get("a") == "AAAA"
+    cache.put("c", "CCCC")
+    assert (cache.get("a"), cache.get("b"), cache.get("c")) == ("AAAA", None, "CCCC")
+    cache.put("huge", "H" * 11)
     assert cache.get("huge") is None and cache.held_bytes == 8
-    cache.put("a", "A2", 2)
+    cache.put("a", "A2")
     assert cache.held_bytes == 6
 
 

@@ -17,7 +17,7 @@ from sightline.errors import BadInput, Damaged, NotFound
 from sightline.media.cancelling import IngestCancelled
 from sightline.media.store.local import LocalStore, key_of
 from sightline.media.strips.reader import Strip, open_strip
-from sightline.media.strips.stored_reader import StripReader, StripShelf
+from sightline.media.strips.stored_reader import ReaderCache, StripReader
 from sightline.media.strips.stored_writer import SUFFIX, StoredStrip, level_lines, quartered, store_strip
 from tests.media.strips import pattern, png, tiff
 
@@ -106,9 +106,9 @@ def test_it_lies_in_the_media_store(tmp_path: Path) -> None:
     media = LocalStore(tmp_path / "media")
     key = key_of(made.sha256, SUFFIX)
     media.put_file(key, made.path, link=True)
-    shelf = StripShelf()
-    reader = shelf.reader(media.local_path(key), "lane 1")
-    assert shelf.reader(media.local_path(key)) is reader
+    readers = ReaderCache()
+    reader = readers.reader(media.local_path(key), "lane 1")
+    assert readers.reader(media.local_path(key)) is reader
     np.testing.assert_array_equal(reader.read(10, 20), strip[10:20])
 
 
