@@ -1,6 +1,5 @@
 """The demonstration survey, cut to two vehicles: whole or not there, made once, and true to its scene."""
 
-import functools
 import json
 import math
 import threading
@@ -11,7 +10,6 @@ import numpy as np
 import pytest
 
 from sightline.demo import build, parts
-from sightline.demo import scan as demo_scan
 from sightline.demo.request import ensure_requested
 from sightline.errors import SightlineError
 from sightline.infra.audit.verification import verify_records
@@ -25,12 +23,12 @@ from sightline.simulation.truth import spots_of
 from sightline.surveys.store import demo_survey_id
 from tests.support.app import Client
 
-SCENE = "day:2"
+SCENE, SCAN_VEHICLES = "day:2", 2
 
 
 def request(services: Services) -> Job | None:
     with services.writing() as session:
-        return ensure_requested(session)
+        return ensure_requested(session, scenes=[SCENE], scan_vehicles=SCAN_VEHICLES)
 
 
 @pytest.mark.once  # rendering and measuring take most of it
@@ -41,16 +39,13 @@ def test_it_is_made_once_and_its_heights_are_the_truth(
     work: Callable[[], list[Job]],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    small = functools.partial(parts.make_parts, scenes=(SCENE,))
     made: list[parts.Parts] = []
 
     def make_once(*arguments: Any) -> parts.Parts:
-        made.extend([] if made else [small(*arguments)])
+        made.extend([] if made else [parts.make_parts(*arguments)])
         return made[0]
 
     monkeypatch.setattr(build, "make_parts", make_once)
-    few = functools.partial(demo_scan.make_scan, traffic=demo_traffic()[:2])
-    monkeypatch.setattr(demo_scan, "make_scan", few)
     first, again = request(services), request(services)
     assert first is not None and again is not None and first.id == again.id
 
@@ -114,7 +109,7 @@ def check_scan(admin: Client, survey_id: int) -> None:
     (scan,) = admin.seen(f"/surveys/{survey_id}/scans")
     assert (scan["state"], scan["counts"]["accepted"]) == ("ready", 2)
     found = admin.seen(f"/scans/{scan['id']}/vehicles")
-    for one, car in zip(found, demo_traffic()[:2], strict=True):
+    for one, car in zip(found, demo_traffic()[:SCAN_VEHICLES], strict=True):
         motion = one["measurement"]
         assert motion["speed_mps"] == pytest.approx(car.speed_mps, rel=0.002)
         assert one["make"] == car.vehicle.model.make
@@ -137,7 +132,7 @@ def heights_of_the_scan(admin: Client, scan_id: int, found: list[Any]) -> None:
     assert abs(pose["camera_height_m"] - EYE_M) < 1.5 * pose["U95_camera_height_m"] and pose["warnings"] == []
     true = {
         (one["id"], spot.name): spot.height_m
-        for one, car in zip(found, demo_traffic()[:2], strict=True)
+        for one, car in zip(found, demo_traffic()[:SCAN_VEHICLES], strict=True)
         for spot in spots_of(car.vehicle)
     }
     heights = admin.seen(f"/scans/{scan_id}/heights")

@@ -17,6 +17,7 @@ from sightline.cameras.calibrations.store import add_calibration
 from sightline.cameras.store import add_calibration_image, create_camera
 from sightline.demo.clicks import Pass, judge, measure
 from sightline.demo.parts import LAB_BOARD, LabPicture, Parts, Video, make_parts, write_truth
+from sightline.demo.rendering import SCENES
 from sightline.demo.repeats import click_again
 from sightline.demo.scan import ScanMaker, ScanParts, store_scan
 from sightline.demo.wheels import click_wheels
@@ -59,9 +60,9 @@ def make(context: registry.JobContext) -> registry.Outcome:
         known = demo_survey_id(session)
     if known is not None:
         return {"survey_id": known}
-    beside = ScanMaker(services)
+    beside = ScanMaker(services, context.payload.get("scan_vehicles"))
     try:
-        parts = make_parts(services, context.progress)
+        parts = make_parts(services, context.progress, context.payload.get("scenes", SCENES))
         context.progress(0.97, "Recording the line scan.")
         scanned = beside.result()
     except IngestCancelled as stopped:  # its threads may be heard before the one that told them to stop
@@ -146,7 +147,7 @@ def _lab_image(session: Session, camera_id: int, one: LabPicture) -> Seen:
         width_px=seen.size[0],
         height_px=seen.size[1],
         actor=None,
-        **vars(detection_of(seen.corners, LAB_BOARD)),
+        detection=detection_of(seen.corners, LAB_BOARD),
     )
     return Seen(seen.name, seen.corners, seen.size, image_id=image.id)
 

@@ -1,5 +1,8 @@
 """Asking for the demonstration survey; apart from its making: a starting server needs no renderer."""
 
+from collections.abc import Sequence
+from typing import Any
+
 from sqlalchemy.orm import Session
 
 from sightline.enums import JobState
@@ -12,12 +15,21 @@ KIND = "demonstration"
 _UNDER_WAY: tuple[JobState, ...] = ("queued", "running")
 
 
-def ensure_requested(session: Session) -> Job | None:
-    """Queue the making of the demonstration survey unless it is there; None if it is, else its job."""
+def ensure_requested(
+    session: Session, *, scenes: Sequence[str] = (), scan_vehicles: int | None = None
+) -> Job | None:
+    """Queue the making of the demonstration survey unless it is there; None if it is, else its job.
+
+    `scenes` (such as "day:2", its first two vehicles) and `scan_vehicles` cut it, so that a test need not
+    wait for all of it; a job that waits already stays as it was asked for.
+    """
     if demo_survey_id(session) is not None:
         return None
     for state in _UNDER_WAY:
         for job in list_jobs(session, state=state):
             if job.kind == KIND:
                 return job
-    return registry.enqueue(session, KIND, {}, survey_id=None, actor=None)
+    payload: dict[str, Any] = {"scenes": list(scenes)} if scenes else {}
+    if scan_vehicles is not None:
+        payload["scan_vehicles"] = scan_vehicles
+    return registry.enqueue(session, KIND, payload, survey_id=None, actor=None)

@@ -75,12 +75,16 @@ class _Pictured:
 
 
 class ScanMaker:
-    """Makes the recording beside the videos, in a thread of its own; `stop` gives it up."""
+    """Makes the recording beside the videos, in a thread of its own; `stop` gives it up.
 
-    def __init__(self, services: Services) -> None:
+    `vehicles` keeps only the first ones of the traffic.
+    """
+
+    def __init__(self, services: Services, vehicles: int | None = None) -> None:
         self._stopped = Event()
         self._pool = ThreadPoolExecutor(1, thread_name_prefix="demonstration-scan")
-        self._made: Future[ScanParts] = self._pool.submit(make_scan, services, self._stopped.is_set)
+        traffic = demo_traffic()[:vehicles]
+        self._made: Future[ScanParts] = self._pool.submit(make_scan, services, self._stopped.is_set, traffic)
 
     def result(self) -> ScanParts:
         """Wait for it."""
@@ -93,10 +97,9 @@ class ScanMaker:
 
 
 def make_scan(
-    services: Services, is_cancelled: Callable[[], bool], traffic: Sequence[ScanVehicle] | None = None
+    services: Services, is_cancelled: Callable[[], bool], cars: tuple[ScanVehicle, ...]
 ) -> ScanParts:
     """Simulate, store and search the recording. Raises IngestCancelled."""
-    cars = tuple(traffic or demo_traffic())
     pieces: tuple[list[Pixels], list[Pixels]] = ([], [])
     for first, second in recording(SITE, cars, rods=RODS):
         check_cancelled(is_cancelled, NAME)
