@@ -11,6 +11,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
+from cachetools import LRUCache
+
 from sightline.enums import Target
 from sightline.geometry.documents import pose_from_dict
 from sightline.geometry.height import Height, height_both
@@ -65,23 +67,21 @@ class Answer:
     single: SingleFrame | None = None
 
 
-class PoseShelf:
+class PoseCache:
     """Parsed poses by id. A stored pose never changes, so what was parsed once holds. Thread-safe."""
 
     def __init__(self, most: int = _MOST_POSES) -> None:
-        self._most = most
-        self._poses: dict[int, RoadPose] = {}
+        self._poses: LRUCache[int, RoadPose] = LRUCache(most)
         self._lock = threading.Lock()
 
     def get(self, pose_id: int) -> RoadPose | None:
-        return self._poses.get(pose_id)
+        with self._lock:
+            return self._poses.get(pose_id)
 
     def put(self, pose_id: int, document: Mapping[str, Any]) -> RoadPose:
         """Parse a pose.json document and keep it. Raises BadInput naming a key that is wrong."""
         pose = pose_from_dict(document, f"road pose {pose_id}")
         with self._lock:
-            if len(self._poses) >= self._most:
-                self._poses.pop(next(iter(self._poses)))
             self._poses[pose_id] = pose
         return pose
 

@@ -24,7 +24,7 @@ from sightline.measurements.click_context_query import (
 )
 from sightline.measurements.height_of_clicks import (
     Answer,
-    PoseShelf,
+    PoseCache,
     answer,
     filled_in,
     inset_for,
@@ -38,14 +38,14 @@ from sightline.measurements.store import (
 )
 from sightline.poses.store import get_pose
 
-# One shelf a database: pose 1 of one is not pose 1 of another.
-_shelves: WeakKeyDictionary[Any, PoseShelf] = WeakKeyDictionary()
+# One cache a database: pose 1 of one is not pose 1 of another.
+_pose_caches: WeakKeyDictionary[Any, PoseCache] = WeakKeyDictionary()
 
 
 def road_pose(session: Session, pose_id: int) -> RoadPose:
     """A stored road pose, parsed once. Raises NotFound."""
-    shelf = _shelves.setdefault(session.get_bind(), PoseShelf())
-    return shelf.get(pose_id) or shelf.put(pose_id, get_pose(session, pose_id).document)
+    poses = _pose_caches.setdefault(session.get_bind(), PoseCache())
+    return poses.get(pose_id) or poses.put(pose_id, get_pose(session, pose_id).document)
 
 
 def height_at(session: Session, recording_id: int, clicks: Clicks, *, actor: int | None = None) -> Answer:

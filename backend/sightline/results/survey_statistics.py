@@ -9,14 +9,15 @@ would tell is then given, `Choices.standards` included.
 
 from __future__ import annotations
 
-from collections import Counter, OrderedDict
-from collections.abc import Callable, Hashable, Mapping, Sequence
+from collections import Counter
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import date
 from threading import Lock
-from typing import Any, Generic, Literal, TypeVar
+from typing import Any, Literal
 
 import numpy as np
+from cachetools import LRUCache, cached
 from numpy.typing import NDArray
 from sqlalchemy.orm import Session
 
@@ -41,7 +42,6 @@ from sightline.statistics.standards import STANDARDS, Standard
 from sightline.statistics.summary import Errors, Grouping, Roofs, Target, errors_of, target_of
 from sightline.surveys.store import survey_names
 
-Answer = TypeVar("Answer")
 State = Literal["accepted", "to_review", "rejected", "all"]
 Shown = Literal["driver_eye", "taillight", "headlight", "roof"]
 
@@ -114,18 +114,16 @@ def survey_statistics(session: Session, chosen: Filter, choices: Choices = Choic
 
     Raises NotFound for a survey that is not there, BadInput for days in the wrong order.
     """
-    known = trail.head(session).hash
-    return _answers.get((known, chosen, choices), lambda: _made(session, known, chosen, choices))
+    return _made(session, trail.head(session).hash, chosen, choices)
 
 
-def _made(session: Session, known: str, chosen: Filter, choices: Choices) -> Statistics:
+# The keys of what is kept hold the audit chain's last hash, so that any write makes it old.
+@cached(LRUCache(16), key=lambda _session, *rest: rest, lock=Lock())
+def _made(session: Session, last_hash: str, chosen: Filter, choices: Choices) -> Statistics:
     places = survey_names(session)
     _refuse(chosen, places)
     days = chosen.first_day is not None or chosen.last_day is not None
-    found = _columns.get(
-        (known, chosen.survey_ids, days),
-        lambda: load_measured_columns(session, chosen.survey_ids or None, days=days),
-    )
+    found = _columns(session, last_hash, chosen.survey_ids, days)
     measured, left_out = filtered(found, chosen)
     named = _told_apart({one.id: one.name for one in list_people(session)})
     there = {int(one) for one in _distinct(found.operator_id)}
@@ -140,6 +138,11 @@ def _made(session: Session, known: str, chosen: Filter, choices: Choices) -> Sta
     if choices.standards is None:
         choices = replace(choices, standards=standards_of_surveys(session, chosen.survey_ids))
     return made_of(measured, left_out, choices, groupings, choosable, operators, chosen.target)
+
+
+@cached(LRUCache(1), key=lambda _session, *rest: rest, lock=Lock())  # a million measurements take 110 MB
+def _columns(session: Session, _last_hash: str, survey_ids: tuple[int, ...], days: bool) -> Measured:
+    return load_measured_columns(session, survey_ids or None, days=days)
 
 
 def _refuse(chosen: Filter, places: Mapping[int, Any]) -> None:
@@ -251,36 +254,7 @@ def _told_apart(names: Mapping[int, str]) -> dict[int, str]:
     return {id_: name if often[name] == 1 else f"{name} ({id_})" for id_, name in names.items()}
 
 
-class _Kept(Generic[Answer]):
-    """The last few answers. Keys hold the audit chain's last hash, so that any write makes them old."""
-
-    def __init__(self, most: int) -> None:
-        self._most, self._lock = most, Lock()
-        self._found: OrderedDict[Hashable, Answer] = OrderedDict()
-
-    def get(self, key: Hashable, make: Callable[[], Answer]) -> Answer:
-        with self._lock:
-            if key in self._found:
-                self._found.move_to_end(key)
-                return self._found[key]
-        made = make()
-        with self._lock:
-            self._found[key] = made
-            while len(self._found) > self._most:
-                self._found.popitem(last=False)
-        return made
-
-    def clear(self) -> None:
-        """Forget everything."""
-        with self._lock:
-            self._found.clear()
-
-
-_answers: _Kept[Statistics] = _Kept(16)
-_columns: _Kept[Measured] = _Kept(1)  # a million measurements take 110 MB
-
-
 def forget_statistics() -> None:
     """Drop what is kept, as a new process would begin (for benches)."""
-    _answers.clear()
-    _columns.clear()
+    _made.cache_clear()
+    _columns.cache_clear()

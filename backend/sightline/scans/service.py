@@ -14,7 +14,7 @@ from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.store import latest_jobs_of_scans
 from sightline.infra.services import Services
 from sightline.linescan.parts import Method, Rig
-from sightline.media.strips.stored_reader import StripReader, StripShelf
+from sightline.media.strips.stored_reader import ReaderCache, StripReader
 from sightline.recordings.store import get_recording, recording_media_in_use
 from sightline.recordings.uploads.records import Upload
 from sightline.recordings.uploads.store import get_upload, upload_content_waits
@@ -25,7 +25,7 @@ from sightline.scans.swap_store import swap_scan_cameras
 READ = "scan_read"
 FIND = "scan_find"
 # Stored forms go by the hash of their content, so a path means the same strip for ever.
-_SHELF = StripShelf()
+_READERS = ReaderCache()
 
 
 def create_from_strips(
@@ -227,4 +227,4 @@ def open_strip(services: Services, scan: Scan, camera: int) -> StripReader:
     key = scan.first_key if camera == 1 else scan.second_key
     assert key is not None
     path = services.media.local_path(key)
-    return _SHELF.reader(path, f"camera {camera} of {scan.name}")
+    return _READERS.reader(path, f"camera {camera} of {scan.name}")

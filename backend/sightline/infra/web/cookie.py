@@ -4,6 +4,7 @@ import threading
 import time
 from collections.abc import Callable
 
+from cachetools import TTLCache
 from fastapi import Request, Response
 from itsdangerous import BadSignature, URLSafeTimedSerializer
 
@@ -13,18 +14,21 @@ COOKIE = "sightline_session"
 MAX_AGE_S = 14 * 24 * 3600
 # How long another process may still believe what it read about a person; in this one, changes count at once.
 BELIEVED_S = 2.0
+MOST_PEOPLE = 4096
 
 Lookup = Callable[[int], Person | None]
 
 
 class SignIn:
-    """Reads and writes the cookie. `lookup` finds a person by id, or None."""
+    """Reads and writes the cookie. `lookup` finds a person by id, or None; `timer` tells seconds."""
 
-    def __init__(self, secret: bytes, secure: bool, lookup: Lookup) -> None:
+    def __init__(
+        self, secret: bytes, secure: bool, lookup: Lookup, timer: Callable[[], float] = time.monotonic
+    ) -> None:
         self._signer = URLSafeTimedSerializer(secret, salt="sightline-session-1")
         self._secure = secure
         self._lookup = lookup
-        self._known: dict[int, tuple[float, Person]] = {}
+        self._known: TTLCache[int, Person] = TTLCache(MOST_PEOPLE, BELIEVED_S, timer)
         self._age = 0
         self._lock = threading.Lock()
 
@@ -55,17 +59,16 @@ class SignIn:
             return None
 
     def _person(self, person_id: int) -> Person | None:
-        now = time.monotonic()
         with self._lock:
             known, age = self._known.get(person_id), self._age
-        if known is not None and now - known[0] < BELIEVED_S:
-            return known[1]
+        if known is not None:
+            return known
         person = self._lookup(person_id)
         if person is not None:
             with self._lock:
                 # What was read before a change must not be believed after it.
                 if age == self._age:
-                    self._known[person_id] = (now, person)
+                    self._known[person_id] = person
         return person
 
     def forget(self) -> None:

@@ -6,13 +6,13 @@ import json
 import os
 import threading
 import weakref
-from collections import OrderedDict
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import cv2
 import numpy as np
+from cachetools import LRUCache
 
 from sightline.errors import BadInput, Damaged, NotFound
 from sightline.media.images import jpeg
@@ -132,23 +132,23 @@ class StripReader:
         return Damaged(f"The stored strip {self.name} is damaged; restore it from a backup or read it again.")
 
 
-class StripShelf:
-    """Open readers by path, the most recently used 16. Stored forms never change, so they stay right."""
+class ReaderCache:
+    """Open readers by path, the most recently used 16. Stored forms never change, so they stay right.
+
+    One that is pushed out is not closed here: another thread may be reading it. It closes its file when
+    nobody holds it any more. Thread-safe.
+    """
 
     def __init__(self) -> None:
-        self._readers: OrderedDict[Path, StripReader] = OrderedDict()
+        self._readers: LRUCache[Path, StripReader] = LRUCache(_MOST_OPEN)
         self._lock = threading.Lock()
 
     def reader(self, path: Path, name: str | None = None) -> StripReader:
         """The reader of a stored strip. Raises like StripReader."""
         with self._lock:
-            found = self._readers.get(path)
-            if found is not None:
-                self._readers.move_to_end(path)
-                return found
-        opened_now = StripReader(path, name)
+            kept = self._readers.get(path)
+        if kept is not None:
+            return kept
+        fresh = StripReader(path, name)
         with self._lock:
-            self._readers[path] = opened_now
-            while len(self._readers) > _MOST_OPEN:
-                self._readers.popitem(last=False)
-        return opened_now
+            return self._readers.setdefault(path, fresh)

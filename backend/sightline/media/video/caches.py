@@ -5,11 +5,12 @@ from __future__ import annotations
 import os
 import threading
 import zlib
-from collections import OrderedDict
-from collections.abc import Hashable
+from collections.abc import Callable, Hashable
 from contextlib import suppress
 from pathlib import Path
 from typing import Generic, TypeVar
+
+from cachetools import LRUCache
 
 from sightline.media.atomic import atomic_file
 
@@ -17,21 +18,21 @@ Value = TypeVar("Value")
 
 
 class MemoryCache(Generic[Value]):
-    """Values with their size in bytes; the least recently used go when the bound is passed. Thread-safe."""
+    """Values of together at most `most_bytes`, each of `bytes_of(value)`; the least recently used go first.
+    Thread-safe.
+    """
 
-    def __init__(self, most_bytes: int) -> None:
-        self._most = most_bytes
-        self._held = 0
-        self._items: OrderedDict[Hashable, tuple[Value, int]] = OrderedDict()
+    def __init__(self, most_bytes: int, bytes_of: Callable[[Value], int]) -> None:
+        self._items: LRUCache[Hashable, Value] = LRUCache(most_bytes, bytes_of)
         self._lock = threading.Lock()
 
     @property
     def held_bytes(self) -> int:
-        return self._held
+        return int(self._items.currsize)
 
     @property
     def most_bytes(self) -> int:
-        return self._most
+        return int(self._items.maxsize)
 
     def keys(self) -> list[Hashable]:
         """What is held now."""
@@ -40,23 +41,12 @@ class MemoryCache(Generic[Value]):
 
     def get(self, key: Hashable) -> Value | None:
         with self._lock:
-            item = self._items.get(key)
-            if item is None:
-                return None
-            self._items.move_to_end(key)
-            return item[0]
+            return self._items.get(key)
 
-    def put(self, key: Hashable, value: Value, size: int) -> None:
+    def put(self, key: Hashable, value: Value) -> None:
         """Keep `value`; one larger than the whole bound is not kept."""
-        if size > self._most:
-            return
-        with self._lock:
-            old = self._items.pop(key, None)
-            self._held += size - (old[1] if old else 0)
-            self._items[key] = (value, size)
-            while self._held > self._most:
-                _, (_, freed) = self._items.popitem(last=False)
-                self._held -= freed
+        with self._lock, suppress(ValueError):
+            self._items[key] = value
 
     def __contains__(self, key: Hashable) -> bool:
         with self._lock:

@@ -41,7 +41,7 @@ class FrameServer:
         pictures: Pictures | None = None,
     ) -> None:
         self._pictures = pictures or Window(memory_bytes * 3 // 4, max_open=max_open)
-        self._jpegs: MemoryCache[bytes] = MemoryCache(memory_bytes // 4)
+        self._jpegs: MemoryCache[bytes] = MemoryCache(memory_bytes // 4, len)
         self._disk = DiskCache(cache_dir / "stills", disk_bytes)
         self._onward = Onward(self._jpegs, pictures, _key) if pictures else None
 
@@ -60,7 +60,7 @@ class FrameServer:
                 with self._onward.first() if self._onward else nullcontext():
                     data = self._pictures.still(media, n, wanted, display)
                 self._disk.put(key, data)
-            self._jpegs.put(key, data, len(data))
+            self._jpegs.put(key, data)
         if self._onward and display == "plain":
             self._onward.asked(media, n, len(data))
         return data

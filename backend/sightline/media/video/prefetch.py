@@ -174,7 +174,7 @@ class Onward:
         if not item.decode and item.n not in self._pictures.warm(item.media):
             return
         data = self._pictures.still(item.media, item.n, lambda: not item.dropped, "plain")
-        self._jpegs.put(item.key, data, len(data))
+        self._jpegs.put(item.key, data)
 
     def _give_up(self, item: _Item, why: str) -> None:
         """A frame that cannot be made is not tried again unless somebody asks for it: it may end the

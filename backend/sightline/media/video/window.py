@@ -89,7 +89,7 @@ class Window:
     """
 
     def __init__(self, memory_bytes: int, *, max_open: int = 4, open_bytes: int = OPEN_BYTES) -> None:
-        self._frames: MemoryCache[Decoded] = MemoryCache(memory_bytes)
+        self._frames: MemoryCache[Decoded] = MemoryCache(memory_bytes, _bytes_of)
         self._max_open = max_open
         self._open_bytes = open_bytes
         self._desks: OrderedDict[str, _Desk] = OrderedDict()
@@ -182,9 +182,8 @@ class Window:
         """
 
         def keep(m: int, frame: av.VideoFrame, layout: Layout) -> None:
-            size = _size(frame)
-            desk.held_bytes = FRAMES_OF_DECODER * size
-            self._frames.put((identity, m, int(media.crc[m])), (frame, layout), size)
+            desk.held_bytes = FRAMES_OF_DECODER * _size(frame)
+            self._frames.put((identity, m, int(media.crc[m])), (frame, layout))
 
         desk.seeker.keep = keep
         after = range(n + 1, min(n + 1 + WHOLE, len(media)))
@@ -214,6 +213,10 @@ def _shut(desk: _Desk) -> None:
     with desk.lock:
         desk.closed = True
         desk.seeker.close()
+
+
+def _bytes_of(decoded: Decoded) -> int:
+    return _size(decoded[0])
 
 
 def _size(frame: av.VideoFrame) -> int:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
+from cachetools import LRUCache
 
 from sightline.errors import BadInput, Damaged, NotFound
 from sightline.infra.database.engine import SessionFactory, reading
@@ -54,7 +55,7 @@ class Stills:
         self._sessions = sessions
         self._store = store
         self._server = server
-        self._open: dict[int, OpenRecording] = {}
+        self._open: LRUCache[int, OpenRecording] = LRUCache(MOST)
         self._lock = threading.Lock()
         #: Hears which frame of which recording somebody wants to see, before it is decoded.
         self.on_request: Callable[[int, int], None] | None = None
@@ -67,10 +68,7 @@ class Stills:
             return known
         fresh = self._read(recording_id, known)
         with self._lock:
-            self._open.pop(recording_id, None)
             self._open[recording_id] = fresh
-            while len(self._open) > MOST:
-                self._open.pop(next(iter(self._open)))
         return fresh
 
     def announce_request(self, recording_id: int, n: int) -> None:
