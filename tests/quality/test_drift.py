@@ -8,13 +8,12 @@ import numpy as np
 import pytest
 from sqlalchemy import select
 
-from sightline.export.columns import RECORDINGS
-from sightline.export.rows import recording_row
 from sightline.infra.audit import trail
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
 from sightline.measurements.tables import measurements
 from sightline.media.video.writer import write_mp4
+from sightline.recordings.csv import RECORDINGS, described
 from sightline.recordings.store import get_recording
 from tests.support.app import FRAME_HEIGHT, FRAME_WIDTH, Client, error_of, upload
 from tests.support.ground import Ground, add_pose, add_vehicle, flat_camera, lay_ground, measure
@@ -90,13 +89,13 @@ def test_a_bump_flags_what_comes_after_it_until_somebody_decides(
     assert decided["flagged"] == [] and decided["decision"]["holds"] is True
     assert flags(viewer, late) == []
     with services.reading() as session:
-        cells = recording_row(get_recording(session, ground.recording_id))
+        recording = described(get_recording(session, ground.recording_id))
+        cells = {column.name: column.of(recording) for column in RECORDINGS.columns if column.of}
         assert {"drift_state": "moved", "drift_decision": "Checked on the kerb."}.items() <= cells.items()
         assert (
             cells["drift_moved_px"] == pytest.approx(2.5, abs=0.05)
             and str(cells["drift_decided_at"])[-1] == "Z"
         )
-        assert set(cells) <= {column.name for column in RECORDINGS.columns}
         events = [event.action for event in trail.listing(session, entity="recording")]
     assert events[:2] == ["decide_drift", "check_drift"]
 

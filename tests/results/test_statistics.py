@@ -14,7 +14,8 @@ from sightline.infra.audit import trail
 from sightline.infra.csv_package.files import Staging
 from sightline.infra.services import Services
 from sightline.measurements import store
-from sightline.results.csv import STANDARDS, standard_rows, standards_in
+from sightline.results.csv import STANDARDS, standards_in
+from sightline.results.standards_store import get_standards
 from sightline.reviews.store import add_review
 from sightline.surveys.store import create_survey
 from sightline.vehicles.store import create_vehicle, update_vehicle
@@ -301,7 +302,7 @@ def test_a_surveys_standards_go_into_its_package(
     assert operator.put(f"/surveys/{one}/standards", json={"version": 0, "standards": table}).is_success
     staging = Staging(tmp_path)
     with services.reading() as session:
-        staging.fill(STANDARDS, standard_rows(session, one))
+        staging.fill(STANDARDS, get_standards(session, one).standards)
     assert [asdict(standard) for standard in standards_in(staging.files())] == table
 
 

@@ -10,18 +10,18 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from itertools import groupby
+from typing import TypeVar
 
 import numpy as np
 from sqlalchemy.orm import Session
 
+from sightline.cameras.calibrations.csv import CALIBRATIONS, NamedCalibration, calibration_path
 from sightline.cameras.calibrations.store import list_calibrations
 from sightline.cameras.store import list_cameras
-from sightline.export import columns, rows
 from sightline.export.contents import about_of, others_of, tables_of
 from sightline.export.crops import CROPS, Spots, spots_of, take_crops
 from sightline.export.derived import derive
 from sightline.export.query import (
-    OfVehicle,
     audit_pages,
     calibration_contents,
     count_measurements,
@@ -32,25 +32,46 @@ from sightline.export.query import (
     vehicle_pages,
 )
 from sightline.infra.audit.records import AuditHead, Who
+from sightline.infra.csv_package.audit import AUDIT, Link
 from sightline.infra.csv_package.files import Staging, TableWriter
-from sightline.infra.csv_package.schema import DESCRIPTION, Cells, Table, description_of, json_bytes
+from sightline.infra.csv_package.schema import DESCRIPTION, Table, description_of, json_bytes, record_path
 from sightline.infra.services import Services
+from sightline.measurements.csv import (
+    BUDGET,
+    MEASUREMENTS,
+    REVISIONS,
+    Clicked,
+    OfVehicle,
+    budget_entries,
+    clicks_path,
+    clicks_with_frames,
+    with_frames,
+)
 from sightline.measurements.records import Measurement
 from sightline.media.store.local import check_room
+from sightline.people.csv import PEOPLE
+from sightline.poses.csv import POSES, pose_path
 from sightline.poses.store import list_whole_poses
-from sightline.quality.checks.csv import WHEEL_PAIRS, wheel_pair_rows
+from sightline.quality.checks.csv import WHEEL_PAIRS
 from sightline.quality.checks.store import list_wheel_pairs
-from sightline.quality.repeats.csv import REPEATS, repeat_rows
+from sightline.quality.repeats.csv import REPEATS
+from sightline.recordings.csv import RECORDINGS, described
+from sightline.recordings.frames.csv import FRAMES, ClickedFrame, clicked_frames
 from sightline.recordings.frames.store import get_frame_table
 from sightline.recordings.store import list_recordings
-from sightline.results.csv import STANDARDS, standard_rows
-from sightline.scans.csv import TABLES, rows_of
-from sightline.surveys.photographs.csv import PHOTOGRAPHS, photograph_path, photograph_rows
+from sightline.results.csv import STANDARDS
+from sightline.results.standards_store import get_standards
+from sightline.reviews.csv import REVIEWS
+from sightline.scans.csv import fill_scans
+from sightline.surveys.csv import INSETS, insets_in_force
+from sightline.surveys.photographs.csv import PHOTOGRAPHS, photograph_path
 from sightline.surveys.photographs.service import photograph_content
 from sightline.surveys.photographs.store import list_photographs
 from sightline.surveys.records import Survey
 from sightline.surveys.store import get_survey
+from sightline.vehicles.csv import VEHICLES
 
+Record = TypeVar("Record")
 Tell = Callable[[float, str], None]
 # Of one measurement with its revisions, budget and audit events, uncompressed; of one crop.
 _ROW_BYTES, _CROP_BYTES = 4_000, 60_000
@@ -120,7 +141,7 @@ def build(
     _small_tables(staging, session, survey, seen)
     _photographs(staging, session, survey_id, services, seen)
     head, moment = _audit(staging, session, survey_id, seen)
-    staging.fill(columns.PEOPLE, ({"id": id_, "name": seen.people[id_]} for id_ in sorted(seen.people)))
+    staging.fill(PEOPLE, (Who(id_, name) for id_, name in sorted(seen.people.items())))
     taken = _crops(
         staging, services, seen, _part(tell, 0.45, 0.75, "Cutting out the pictures of each click.")
     )
@@ -160,7 +181,7 @@ def _measurements(
                     seen.mark(one)
                 newest, car = revisions[-1]
                 if newest.repeat_of is not None:
-                    out.repeats.add(repeat_rows([newest])[0])
+                    out.repeats.add(newest)
                     continue
                 out.measurement([one for one, _ in revisions], car)
                 seen.name(newest.review.reviewer)
@@ -177,60 +198,55 @@ class _Writers:
 
     def __init__(self, staging: Staging, stack: ExitStack, most: int) -> None:
         self._staging, self._stack = staging, stack
-        self._clicks_table = columns.with_frames(columns.CLICKS, most)
-
-        def opened(table: Table, path: str | None = None) -> TableWriter:
-            return stack.enter_context(staging.table(columns.with_frames(table, most), path))
-
-        self._opened = opened
-        self._current, self._all = opened(columns.MEASUREMENTS), opened(columns.REVISIONS)
-        self._budget, self._clicks = opened(columns.BUDGET), opened(columns.CLICKS)
-        self._of_poses: dict[int, TableWriter] = {}
-        self.repeats = opened(REPEATS)
+        self._clicks_table = clicks_with_frames(most)
+        self._current = self._opened(with_frames(MEASUREMENTS, most))
+        self._all = self._opened(with_frames(REVISIONS, most))
+        self._budget, self._clicks = self._opened(BUDGET), self._opened(self._clicks_table)
+        self._of_poses: dict[int, TableWriter[Clicked]] = {}
+        self.repeats = self._opened(REPEATS)
 
     def measurement(self, revisions: Sequence[Measurement], car: OfVehicle) -> None:
         """One measurement with all its revisions, the newest last."""
         for one in revisions:
-            row = rows.revision_row(one)
-            self._all.add(row)
+            self._all.add(one)
         newest = revisions[-1]
-        self._current.add(rows.measurement_row(newest, row))
-        for entry in rows.budget_rows(newest):
+        self._current.add(newest)
+        for entry in budget_entries(newest):
             self._budget.add(entry)
         if not newest.withdrawn:
-            clicks = rows.click_row(newest, car)
-            self._clicks.add(clicks)
-            self._of_pose(newest.values.pose_id).add(clicks)
+            clicked = Clicked(newest, car)
+            self._clicks.add(clicked)
+            self._of_pose(newest.values.pose_id).add(clicked)
 
-    def _of_pose(self, pose_id: int) -> TableWriter:
+    def _of_pose(self, pose_id: int) -> TableWriter[Clicked]:
         if pose_id not in self._of_poses:
-            self._of_poses[pose_id] = self._opened(columns.CLICKS, rows.clicks_path(pose_id))
+            self._of_poses[pose_id] = self._opened(self._clicks_table, clicks_path(pose_id))
         return self._of_poses[pose_id]
+
+    def _opened(self, table: Table[Record], path: str | None = None) -> TableWriter[Record]:
+        return self._stack.enter_context(self._staging.table(table, path))
 
 
 def _small_tables(staging: Staging, session: Session, survey: Survey, seen: _Seen) -> None:
-    with staging.table(columns.VEHICLES) as table:
+    with staging.table(VEHICLES) as table:
         for page in vehicle_pages(session, survey.id):
             for vehicle in page:
-                table.add(rows.vehicle_row(vehicle))
+                table.add(vehicle)
         seen.vehicles = table.rows
-    with staging.table(columns.REVIEWS) as table:
+    with staging.table(REVIEWS) as table_of_reviews:
         for reviews in review_pages(session, survey.id):
             for review in reviews:
                 seen.name(review.reviewer)
-                table.add(rows.review_row(review))
-    staging.fill(columns.RECORDINGS, map(rows.recording_row, list_recordings(session, survey.id)))
-    staging.fill(columns.FRAMES, _frame_rows(session, seen))
-    staging.fill(columns.INSETS, rows.inset_rows(survey))
-    staging.fill(STANDARDS, standard_rows(session, survey.id))
+                table_of_reviews.add(review)
+    staging.fill(RECORDINGS, map(described, list_recordings(session, survey.id)))
+    staging.fill(FRAMES, _frames(session, seen))
+    staging.fill(INSETS, insets_in_force(survey))
+    staging.fill(STANDARDS, get_standards(session, survey.id).standards)
     pairs = list_wheel_pairs(session, survey.id)
     for pair in pairs:
         seen.name(pair.created_by)
-    staging.fill(WHEEL_PAIRS, wheel_pair_rows(sorted(pairs, key=lambda pair: pair.id)))
-    scanned, people = rows_of(session, survey.id)
-    seen.people.update(people)
-    for table_of_scans in TABLES:
-        staging.fill(table_of_scans, scanned[table_of_scans.name])
+    staging.fill(WHEEL_PAIRS, sorted(pairs, key=lambda pair: pair.id))
+    seen.people.update(fill_scans(staging, session, survey.id))
     _set_up(staging, session, survey, seen)
 
 
@@ -239,53 +255,45 @@ def _photographs(staging: Staging, session: Session, survey_id: int, services: S
     for one in found:
         seen.name(one.created_by)
         staging.add(photograph_path(one.id), photograph_content(services, one))
-    staging.fill(PHOTOGRAPHS, photograph_rows(found))
+    staging.fill(PHOTOGRAPHS, enumerate(found, start=1))
 
 
 def _set_up(staging: Staging, session: Session, survey: Survey, seen: _Seen) -> None:
     """Poses and calibrations: as tables, as files for the command line, and as the audit chain knows them."""
     found = list_whole_poses(session, survey.id)
-    staging.fill(columns.POSES, map(rows.pose_row, found))
-    by_id = {camera.id: camera for camera in list_cameras(session, survey.id)}
+    staging.fill(POSES, found)
+    names = {camera.id: camera.name for camera in list_cameras(session, survey.id)}
     lenses = list_calibrations(session, survey.id)
-    staging.fill(columns.CALIBRATIONS, (rows.calibration_row(one, by_id) for one in lenses))
+    staging.fill(CALIBRATIONS, (NamedCalibration(lens, names.get(lens.camera_id)) for lens in lenses))
     for pose in found:
         seen.name(pose.created_by)
-        staging.add(rows.pose_path(pose.id), json_bytes(pose.document))
+        staging.add(pose_path(pose.id), json_bytes(pose.document))
     for lens in lenses:
         seen.name(lens.created_by)
-        staging.add(rows.calibration_path(lens.id), json_bytes(lens.document))
+        staging.add(calibration_path(lens.id), json_bytes(lens.document))
     for kind, contents in (
         ("pose", pose_contents(session, survey.id)),
         ("calibration", calibration_contents(session, survey.id)),
     ):
         for row_id, content in contents.items():
-            staging.add(rows.record_path(kind, row_id), json_bytes(content))
+            staging.add(record_path(kind, row_id), json_bytes(content))
 
 
-def _frame_rows(session: Session, seen: _Seen) -> Iterator[Cells]:
+def _frames(session: Session, seen: _Seen) -> Iterator[ClickedFrame]:
     """Every frame that was clicked on, once, as the frame table has it."""
     for recording_id in sorted(seen.marks):
-        table = get_frame_table(session, recording_id)
-        for n in np.flatnonzero(np.frombuffer(seen.marks[recording_id], np.uint8)):
-            if n < len(table):
-                yield {
-                    "recording_id": recording_id,
-                    "frame": int(n),
-                    "pts": int(table.pts[n]),
-                    "time_s": float(table.time_s[n]),
-                    "crc32": int(table.crc32[n]),
-                }
+        marked = np.flatnonzero(np.frombuffer(seen.marks[recording_id], np.uint8))
+        yield from clicked_frames(recording_id, get_frame_table(session, recording_id), marked)
 
 
 def _audit(staging: Staging, session: Session, survey_id: int, seen: _Seen) -> tuple[AuditHead, str | None]:
     """The chain from the survey's first event on; its end, and when this survey's last event happened."""
     head, moment = AuditHead(0, ""), None
-    with staging.table(columns.AUDIT) as table:
+    with staging.table(AUDIT) as table:
         for page in audit_pages(session, survey_id):
             for event in page:
                 withheld = event["survey_id"] != survey_id
-                table.add(rows.audit_row(event, withheld))
+                table.add(Link(event, withheld))
                 head = AuditHead(event["id"], event["hash"])
                 if not withheld:
                     moment = str(event["at"]).replace("+00:00", "Z")

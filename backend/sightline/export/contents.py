@@ -8,44 +8,51 @@ from functools import cache
 from importlib.metadata import version
 from pathlib import Path
 
-from sightline.export import columns
+from sightline.cameras.calibrations.csv import CALIBRATIONS
 from sightline.export.crops import CROPS
 from sightline.export.exclusions import EXCLUSIONS
 from sightline.export.statistics_csv import TABLES
-from sightline.infra.csv_package.schema import About, Other, Table
+from sightline.infra.csv_package.audit import AUDIT
+from sightline.infra.csv_package.schema import About, AnyTable, Other
 from sightline.infra.version import code_version
+from sightline.measurements.csv import BUDGET, MEASUREMENTS, REVISIONS, clicks_with_frames, with_frames
+from sightline.people.csv import PEOPLE
+from sightline.poses.csv import POSES
 from sightline.quality.checks.csv import WHEEL_PAIRS
 from sightline.quality.repeats.csv import REPEATS
+from sightline.recordings.csv import RECORDINGS
+from sightline.recordings.frames.csv import FRAMES
 from sightline.results.csv import STANDARDS
+from sightline.reviews.csv import REVIEWS
 from sightline.scans.csv import TABLES as SCANS
+from sightline.surveys.csv import INSETS
 from sightline.surveys.photographs.csv import FOLDER as PHOTOGRAPHS_FOLDER
 from sightline.surveys.photographs.csv import PHOTOGRAPHS
+from sightline.vehicles.csv import VEHICLES
 
 REPORT = "report.pdf"
 FIGURES = "figures/"
 
-PRIMARY: tuple[Table, ...] = (
-    columns.MEASUREMENTS,
-    columns.REVISIONS,
-    columns.BUDGET,
-    columns.CLICKS,
-    columns.VEHICLES,
-    columns.RECORDINGS,
-    columns.FRAMES,
-    columns.POSES,
-    columns.CALIBRATIONS,
-    columns.REVIEWS,
-    columns.INSETS,
+#: After those of measurements; the last ones are derived from the others.
+_OTHER_TABLES: tuple[AnyTable, ...] = (
+    VEHICLES,
+    RECORDINGS,
+    FRAMES,
+    POSES,
+    CALIBRATIONS,
+    REVIEWS,
+    INSETS,
     STANDARDS,
     PHOTOGRAPHS,
     WHEEL_PAIRS,
     REPEATS,
     *SCANS,
-    columns.PEOPLE,
-    columns.AUDIT,
+    PEOPLE,
+    AUDIT,
     CROPS,
+    EXCLUSIONS,
+    *TABLES,
 )
-DERIVED: tuple[Table, ...] = (EXCLUSIONS, *TABLES)
 
 _OTHERS = (
     (REPORT, "application/pdf", "Report: site, set-up, calibration, method, errors, figures, exclusions."),
@@ -72,9 +79,14 @@ _ABOUT = (
 )
 
 
-def tables_of(most_frames: int) -> tuple[Table, ...]:
+def tables_of(most_frames: int) -> tuple[AnyTable, ...]:
     """Every table, with columns for as many frames as a measurement has at most."""
-    return tuple(columns.with_frames(table, most_frames) for table in (*PRIMARY, *DERIVED))
+    return (
+        *(with_frames(table, most_frames) for table in (MEASUREMENTS, REVISIONS)),
+        BUDGET,
+        clicks_with_frames(most_frames),
+        *_OTHER_TABLES,
+    )
 
 
 def others_of(paths: Collection[str]) -> tuple[Other, ...]:
@@ -102,7 +114,16 @@ def made_with() -> dict[str, str]:
 
 
 #: The folders that figures, report and statistics are made by: a change in them changes what they make.
-_MADE_IN = ("statistics", "linescan", "surveys", "quality", "scans", "results", "export")
+_MADE_IN = (
+    "infra/csv_package",
+    "statistics",
+    "linescan",
+    "surveys",
+    "quality",
+    "scans",
+    "results",
+    "export",
+)
 #: Code and the report's templates; its fonts come with Matplotlib and Typst, whose versions stand beside.
 _KINDS = ("*.py", "*.typ")
 

@@ -16,10 +16,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sightline.errors import Damaged, SightlineError
-from sightline.export.columns import TARGETS
+from sightline.infra.csv_package.columns import pixel
 from sightline.infra.csv_package.files import Staging, Tick, number
 from sightline.infra.csv_package.schema import Cell, Column, Table, sha256_hex
 from sightline.infra.services import Services
+from sightline.measurements.csv import TARGETS
 from sightline.measurements.records import FurtherFrame, Measurement, MeasurementValues
 from sightline.media.video.picture import Bgr
 from sightline.recordings.frames.stills import stills_of
@@ -34,7 +35,7 @@ Spots = NDArray[Any]
 
 
 def _in_crop(name: str, meaning: str) -> Column:
-    return Column(name, "number", f"{meaning}; (0, 0) is the centre of the crop's top-left pixel", "px")
+    return pixel(name, meaning, of_what="crop's ", required=False)
 
 
 CROPS = Table(
@@ -53,9 +54,21 @@ CROPS = Table(
         Column("y_px", "integer", "row of the frame in which the crop begins", "px"),
         Column("width_px", "integer", "width of the crop", "px"),
         Column("height_px", "integer", "height of the crop", "px"),
-        _in_crop("contact_x_px", "where the tyre meets the road, in the crop, x to the right"),
-        _in_crop("contact_y_px", "where the tyre meets the road, in the crop, y down"),
-        _in_crop("target_x_px", "the target point, in the crop, x to the right"),
+        pixel(
+            "contact_x_px",
+            "where the tyre meets the road, in the crop, x to the right",
+            of_what="crop's ",
+            required=False,
+        ),
+        pixel(
+            "contact_y_px",
+            "where the tyre meets the road, in the crop, y down",
+            of_what="crop's ",
+            required=False,
+        ),
+        pixel(
+            "target_x_px", "the target point, in the crop, x to the right", of_what="crop's ", required=False
+        ),
         _in_crop("target_y_px", "the target point, in the crop, y down"),
         Column("reason", "string", "why there is no crop"),
     ),

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from sightline.export.columns import TARGETS
 from sightline.infra.csv_package.files import Files, read_columns, unsafe
 from sightline.infra.csv_package.schema import Cell, Column, Table
+from sightline.measurements.csv import TARGETS
 
 STATES = ("withdrawn", "not_measurable", "rejected", "to_review")
 

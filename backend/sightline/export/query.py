@@ -1,7 +1,6 @@
 """Reading a survey for its export: page by page, so that memory does not grow with the survey."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Any
 
 from sqlalchemy import Select, Text, func, select, type_coerce
@@ -14,6 +13,7 @@ from sightline.infra.audit.hashing import event_hash, plain
 from sightline.infra.audit.tables import audit_events
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import row_content
+from sightline.measurements.csv import OfVehicle
 from sightline.measurements.query import is_first, measurement_of_row, measurement_revision_rows
 from sightline.measurements.records import Measurement, Vehicle
 from sightline.measurements.tables import measurement_series, measurements
@@ -26,16 +26,6 @@ from sightline.vehicles.store import list_vehicles_by_id
 from sightline.vehicles.tables import vehicles as vehicle_rows
 
 PAGE = 1000
-
-
-@dataclass(frozen=True, slots=True)
-class OfVehicle:
-    """What a row of an export says of a measurement's vehicle."""
-
-    number: int
-    lighting: str | None
-    category: str | None
-    manufacturer_height_m: float | None
 
 
 def count_measurements(session: Session, survey_id: int) -> int:

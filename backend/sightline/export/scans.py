@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sightline.infra.csv_package.files import Files, number, read_columns, read_rows
+from sightline.infra.csv_package.columns import number
+from sightline.infra.csv_package.files import Files, read_columns, read_rows
+from sightline.infra.csv_package.files import number as figure_of
 from sightline.infra.csv_package.schema import Cell, Column, Table
 from sightline.scans.records import state_of
 from sightline.scans.statistics.service import GAPS, MOTION, ScanStatistics, Seen, statistics_of_seen
@@ -25,13 +27,9 @@ _N = Column("n", "integer", "how many vehicles it rests on", required=True, mini
 _REASON = Column("reason", "string", "why a figure or its interval is missing")
 
 
-def _figure(name: str, meaning: str, unit: str = "") -> Column:
-    return Column(name, "number", meaning, unit)
-
-
 _INTERVAL = (
-    _figure("low", "lower end of its 95 % interval"),
-    _figure("high", "upper end of its 95 % interval"),
+    number("low", "lower end of its 95 % interval"),
+    number("high", "upper end of its 95 % interval"),
 )
 
 ERRORS = Table(
@@ -43,7 +41,7 @@ ERRORS = Table(
         Column("group", "string", "which group", required=True),
         Column("figure", "string", "which figure", required=True),
         _N,
-        _figure("value", "the figure"),
+        number("value", "the figure"),
         *_INTERVAL,
         _REASON,
     ),
@@ -56,9 +54,9 @@ BASELINES = Table(
     (
         _SIZE,
         _N,
-        _figure("ratio", "measured over true"),
-        _figure("u_ratio", "standard uncertainty of the ratio (k = 1)"),
-        _figure("spread", "standard deviation of a vehicle's ratio"),
+        number("ratio", "measured over true"),
+        number("u_ratio", "standard uncertainty of the ratio (k = 1)"),
+        number("spread", "standard deviation of a vehicle's ratio"),
         _REASON,
         Column("warning", "string", "what to beware of"),
     ),
@@ -72,8 +70,8 @@ QUANTITIES = Table(
         _QUANTITY,
         _UNIT,
         _N,
-        _figure("mean", "mean, in the row's unit"),
-        _figure("sd", "standard deviation (n - 1), in the row's unit"),
+        number("mean", "mean, in the row's unit"),
+        number("sd", "standard deviation (n - 1), in the row's unit"),
     ),
     primary=("quantity",),
     folder=FOLDER,
@@ -85,8 +83,8 @@ PERCENTILES = Table(
         _QUANTITY,
         _UNIT,
         _N,
-        _figure("percent", "which percentile", "%"),
-        _figure("value", "the percentile, in the row's unit"),
+        number("percent", "which percentile", "%"),
+        number("value", "the percentile, in the row's unit"),
         *_INTERVAL,
         _REASON,
     ),
@@ -98,10 +96,10 @@ ECDF = Table(
     "Cumulative distributions of the same with 95 % bands; at most 600 points of each.",
     (
         _QUANTITY,
-        _figure("value", "the value, in m/s, m or s as scan_quantities says"),
-        _figure("share", "share of the vehicles that are not above it"),
-        _figure("low", "lower edge of the 95 % band"),
-        _figure("high", "upper edge of the 95 % band"),
+        number("value", "the value, in m/s, m or s as scan_quantities says"),
+        number("share", "share of the vehicles that are not above it"),
+        number("low", "lower edge of the 95 % band"),
+        number("high", "upper edge of the 95 % band"),
     ),
     folder=FOLDER,
 )
@@ -130,9 +128,9 @@ def _seen(files: Files) -> Iterator[Seen]:
             state=state_of(row["status"] or None, row["verdict"] or None),
             measured=row["status"] == "ok",
             lighting=row["lighting"] or lighting.get(row["scan_id"], "") or "unknown",
-            values={name: number(row[name]) for name in (*MOTION, *GAPS)},
+            values={name: figure_of(row[name]) for name in (*MOTION, *GAPS)},
             known={
-                name: number(row[column])
+                name: figure_of(row[column])
                 for name, column in (
                     ("length_m", "true_length_m"),
                     ("u_length_m", "u_true_length_m"),

@@ -8,6 +8,7 @@ from typing import Any
 
 from sightline.export import scans
 from sightline.export.measured import PackageStatistics
+from sightline.infra.csv_package.columns import metres, number
 from sightline.infra.csv_package.schema import Cell, Column, Row, Table
 from sightline.results.survey_statistics import Shown, Statistics, standards_of
 from sightline.statistics.corrections import Correction
@@ -44,19 +45,11 @@ _GROUP = Column("group", "string", "which group", required=True)
 _REASON = Column("reason", "string", "why a figure or its interval is missing")
 
 
-def _length(name: str, meaning: str) -> Column:
-    return Column(name, "number", meaning, "m")
-
-
-def _plain(name: str, meaning: str, unit: str = "") -> Column:
-    return Column(name, "number", meaning, unit)
-
-
 _INTERVAL = (
-    _plain("low", "lower end of its 95 % interval"),
-    _plain("high", "upper end of its 95 % interval"),
+    number("low", "lower end of its 95 % interval"),
+    number("high", "upper end of its 95 % interval"),
 )
-_BAND = (_plain("low", "lower edge of the 95 % band"), _plain("high", "upper edge of the 95 % band"))
+_BAND = (number("low", "lower edge of the 95 % band"), number("high", "upper edge of the 95 % band"))
 
 ERROR_TABLE = Table(
     "error_table",
@@ -68,7 +61,7 @@ ERROR_TABLE = Table(
         _GROUP,
         Column("figure", "string", "which figure", required=True),
         _N,
-        _plain("value", "the figure"),
+        number("value", "the figure"),
         *_INTERVAL,
         _REASON,
     ),
@@ -84,7 +77,7 @@ AGREEMENT = Table(
         _HEIGHTS,
         _ROUNDING,
         Column("figure", "string", "which figure; _m: metres", required=True),
-        _plain("value", "the figure"),
+        number("value", "the figure"),
         *_INTERVAL,
         _REASON,
     ),
@@ -98,10 +91,10 @@ ERROR_TREND = Table(
         _HEIGHTS,
         _ROUNDING,
         Column("of", "string", "signed or absolute error", required=True),
-        _length("reference_m", "manufacturer's height"),
-        _length("error_m", "error on the line"),
-        _length("low_m", "lower edge of the line's 95 % band"),
-        _length("high_m", "upper edge of the line's 95 % band"),
+        metres("reference_m", "manufacturer's height"),
+        metres("error_m", "error on the line"),
+        metres("low_m", "lower edge of the line's 95 % band"),
+        metres("high_m", "upper edge of the line's 95 % band"),
     ),
     folder=FOLDER,
 )
@@ -114,8 +107,8 @@ ERROR_ECDF = Table(
         _ROUNDING,
         Column("of", "string", "absolute or relative error", required=True),
         _GROUP,
-        _plain("value", "the error"),
-        _plain("share", "share of the errors that are not larger"),
+        number("value", "the error"),
+        number("share", "share of the errors that are not larger"),
         *_BAND,
     ),
     folder=FOLDER,
@@ -127,10 +120,10 @@ ERROR_DENSITY = Table(
         _HEIGHTS,
         _ROUNDING,
         _GROUP,
-        _length("error_m", "signed error"),
-        _plain("density", "density at that error", "1/m"),
-        _plain("low", "lower edge of the 95 % band", "1/m"),
-        _plain("high", "upper edge of the 95 % band", "1/m"),
+        metres("error_m", "signed error"),
+        number("density", "density at that error", "1/m"),
+        number("low", "lower edge of the 95 % band", "1/m"),
+        number("high", "upper edge of the 95 % band", "1/m"),
     ),
     folder=FOLDER,
 )
@@ -141,8 +134,8 @@ CORRECTION_TABLE = Table(
         _TARGET,
         _CORRECTION,
         _N,
-        _length("mean_m", "mean of the corrected heights"),
-        _length("sd_m", "standard deviation of the corrected heights (n - 1)"),
+        metres("mean_m", "mean of the corrected heights"),
+        metres("sd_m", "standard deviation of the corrected heights (n - 1)"),
         Column("words", "string", "what was done"),
         Column("warning", "string", "what to beware of"),
         _REASON,
@@ -160,10 +153,10 @@ PERCENTILE_TABLE = Table(
         _GROUPING,
         _GROUP,
         _N,
-        _plain("percent", "which percentile", "%"),
-        _length("height_m", "the percentile"),
-        _length("low_m", "lower end of its 95 % interval"),
-        _length("high_m", "upper end of its 95 % interval"),
+        number("percent", "which percentile", "%"),
+        metres("height_m", "the percentile"),
+        metres("low_m", "lower end of its 95 % interval"),
+        metres("high_m", "upper end of its 95 % interval"),
         _REASON,
     ),
     primary=("target", "correction", "grouping", "group", "percent"),
@@ -177,8 +170,8 @@ HEIGHT_ECDF = Table(
         _CORRECTION,
         _GROUPING,
         _GROUP,
-        _length("height_m", "height"),
-        _plain("share", "share of the heights that are not larger"),
+        metres("height_m", "height"),
+        number("share", "share of the heights that are not larger"),
         *_BAND,
     ),
     folder=FOLDER,
@@ -189,10 +182,10 @@ HEIGHT_DENSITY = Table(
     (
         _TARGET,
         _CORRECTION,
-        _length("height_m", "height"),
-        _plain("density", "density at that height", "1/m"),
-        _plain("low", "lower edge of the 95 % band", "1/m"),
-        _plain("high", "upper edge of the 95 % band", "1/m"),
+        metres("height_m", "height"),
+        number("density", "density at that height", "1/m"),
+        number("low", "lower edge of the 95 % band", "1/m"),
+        number("high", "upper edge of the 95 % band", "1/m"),
     ),
     folder=FOLDER,
 )
@@ -205,11 +198,11 @@ SHARES = Table(
         _GROUPING,
         _GROUP,
         Column("standard", "string", "whose value", required=True),
-        _length("limit_m", "the standard's height"),
+        metres("limit_m", "the standard's height"),
         Column("source", "string", "where the standard's value is from"),
         Column("below", "integer", "how many heights lie below it", required=True),
         _N,
-        _plain("share", "below over n"),
+        number("share", "below over n"),
         *_INTERVAL,
     ),
     folder=FOLDER,

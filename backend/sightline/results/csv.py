@@ -2,37 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import asdict
-from typing import Any
-
-from sqlalchemy.orm import Session
-
 from sightline.errors import Damaged
+from sightline.infra.csv_package.columns import metres, text
 from sightline.infra.csv_package.files import Files, number, read_columns, unsafe
-from sightline.infra.csv_package.schema import Column, Table
-from sightline.results.standards_store import get_standards
+from sightline.infra.csv_package.schema import Table
 from sightline.statistics.standards import Standard
 
 _WHAT = ("driver_eye", "object")
 
-STANDARDS = Table(
+STANDARDS: Table[Standard] = Table(
     "standards",
     "The heights of standards that the statistics are read against: shares of vehicles below each.",
     (
-        Column("what", "string", "what the standard speaks of", required=True, enum=_WHAT),
-        Column("name", "string", "the standard", required=True),
-        Column("height_m", "number", "its height above the road", "m", required=True),
-        Column("source", "string", "where the figure comes from"),
+        text("what", "what the standard speaks of", lambda s: s.what, required=True, enum=_WHAT),
+        text("name", "the standard", lambda s: s.name, required=True),
+        metres("height_m", "its height above the road", lambda s: s.height_m, required=True),
+        text("source", "where the figure comes from", lambda s: s.source),
     ),
     primary=("what", "name"),
 )
-
-
-def standard_rows(session: Session, survey_id: int) -> Iterator[dict[str, Any]]:
-    """The survey's table, in its order."""
-    for one in get_standards(session, survey_id).standards:
-        yield asdict(one)
 
 
 def standards_in(files: Files) -> tuple[Standard, ...]:

@@ -9,12 +9,12 @@ from typing import Any
 from sightline.errors import Damaged
 from sightline.infra.csv_package.chain import chain
 from sightline.infra.csv_package.files import Files, read_rows
-from sightline.infra.csv_package.schema import Table, cell_text
+from sightline.infra.csv_package.schema import AnyTable, cell_text
 from sightline.scans.csv import LINE_SCANS, SCAN_MEASUREMENTS, SCAN_REVIEWS, SCAN_VEHICLES
 from sightline.scans.heights.csv import LINE_HEIGHTS, LINE_POSES
 from sightline.scans.heights.verify import check_line_heights
 
-_ENTITIES: dict[str, Table] = {
+_ENTITIES: dict[str, AnyTable] = {
     "scan": LINE_SCANS,
     "scan_vehicle": SCAN_VEHICLES,
     "scan_measurement": SCAN_MEASUREMENTS,
@@ -82,11 +82,11 @@ def _gone(told: Mapping[str, Mapping[int, Mapping[str, Any]]]) -> dict[str, set[
     }
 
 
-def _rows(files: Files, table: Table) -> dict[int, dict[str, str]]:
+def _rows(files: Files, table: AnyTable) -> dict[int, dict[str, str]]:
     return {int(row["id"]): dict(row) for row in read_rows(files, table.path)}
 
 
-def _same(table: Table, row: Mapping[str, str], told: Mapping[str, Any]) -> None:
+def _same(table: AnyTable, row: Mapping[str, str], told: Mapping[str, Any]) -> None:
     """Raises Damaged where a cell is not what the events say."""
     for column in table.columns:
         name = column.name

@@ -19,12 +19,20 @@ from sightline.export.measured import PackageStatistics, statistics_of
 from sightline.export.statistics_csv import TABLES, same_cell, statistics_rows
 from sightline.export.verify.chain import ReplayedState
 from sightline.infra.csv_package.files import Files, read_columns, read_header, read_rows, read_whole
-from sightline.infra.csv_package.schema import DESCRIPTION, Row, Table, Written, cell_text, description_of
+from sightline.infra.csv_package.schema import (
+    DESCRIPTION,
+    AnyTable,
+    Row,
+    Table,
+    Written,
+    cell_text,
+    description_of,
+)
 
 _FRAME = re.compile(r"frame(\d+)")
 
 
-def described_tables(files: Files) -> tuple[Table, ...]:
+def described_tables(files: Files) -> tuple[AnyTable, ...]:
     """The tables that this program would write, for as many frames as this package has columns for."""
     header = read_header(files, "measurements.csv")
     numbers = [int(found[1]) for name in header if (found := _FRAME.fullmatch(name))]

@@ -12,14 +12,15 @@ from typing import cast
 from sightline.coverage import COVERAGE_95
 from sightline.enums import Target
 from sightline.errors import BadInput, Damaged
-from sightline.export.rows import clicks_path, pose_path
 from sightline.export.verify.chain import ReplayedState, same_repeat, same_words
 from sightline.geometry.documents import pose_from_dict
 from sightline.geometry.road_pose import RoadPose
 from sightline.infra.csv_package.files import Files, read_rows, read_whole
 from sightline.infra.csv_package.files import number as figure_of
+from sightline.measurements.csv import clicks_path
 from sightline.measurements.height_of_clicks import Answer, answer
 from sightline.measurements.records import ClickedFrame, Clicks
+from sightline.poses.csv import pose_path
 
 Row = Mapping[str, str]
 # Half of the last decimal that a CSV carries, and a hair for the rounding of the last binary digit.

@@ -6,22 +6,26 @@ import json
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
+from sightline.cameras.calibrations.csv import CALIBRATIONS, calibration_path
 from sightline.errors import Damaged
-from sightline.export import columns as tables
-from sightline.export.rows import calibration_path, decision_cells, found_cells, pose_path, record_path
 from sightline.export.verify.chain import ReplayedState
 from sightline.infra.audit.hashing import content_hash
 from sightline.infra.csv_package.chain import stamp
 from sightline.infra.csv_package.files import Files, number, read_columns, read_rows, read_whole
-from sightline.infra.csv_package.schema import Table, cell_text
+from sightline.infra.csv_package.schema import AnyTable, Cells, cell_text, record_path
+from sightline.poses.csv import POSES, pose_path
 from sightline.quality.checks.csv import WHEEL_PAIRS
+from sightline.recordings.csv import RECORDINGS, drift_cells, drift_of
 from sightline.results.csv import standards_in
+from sightline.reviews.csv import REVIEWS
 from sightline.statistics.standards import STANDARDS, Standard
+from sightline.surveys.csv import INSETS
+from sightline.vehicles.csv import VEHICLES
 
 _DEFAULT_VERDICT = "to_review"
 
 
-def check_keys(files: Files, described: Sequence[Table]) -> int:
+def check_keys(files: Files, described: Sequence[AnyTable]) -> int:
     """Every key is there once and every foreign key leads somewhere; how many were followed."""
     wanted = {(table, columns) for one in described for _, table, columns in one.foreign}
     known = {key: _keys(files, _named(described, key[0]).path, key[1]) for key in wanted}
@@ -40,7 +44,7 @@ def check_keys(files: Files, described: Sequence[Table]) -> int:
     return followed
 
 
-def _named(described: Sequence[Table], name: str) -> Table:
+def _named(described: Sequence[AnyTable], name: str) -> AnyTable:
     return next(one for one in described if one.name == name)
 
 
@@ -57,14 +61,14 @@ def _keys(files: Files, path: str, columns: tuple[str, ...]) -> set[tuple[str, .
 def check_set_up(files: Files, told: ReplayedState) -> None:
     """Poses, calibrations, insets and standards are the chain's; a pose's camera is its calibration's."""
     for kind, table, path_of in (
-        ("pose", tables.POSES, pose_path),
-        ("calibration", tables.CALIBRATIONS, calibration_path),
+        ("pose", POSES, pose_path),
+        ("calibration", CALIBRATIONS, calibration_path),
     ):
         expected = {id_: sum_ for (entity, id_), sum_ in told.contents.items() if entity == kind}
         _check_records(files, kind, table, path_of, expected)
     insets = told.survey.get("insets", {})
     rows = {row["target"]: row for row in read_rows(files, "insets.csv")}
-    if set(rows) != set(insets) or any(not _says(tables.INSETS, rows[one], insets[one]) for one in rows):
+    if set(rows) != set(insets) or any(not _says(INSETS, rows[one], insets[one]) for one in rows):
         raise Damaged("insets.csv is not what the survey's audit events say; it was changed.")
     chosen = STANDARDS if told.standards is None else [Standard(**one) for one in told.standards]
     if standards_in(files) != tuple(chosen):
@@ -72,7 +76,7 @@ def check_set_up(files: Files, told: ReplayedState) -> None:
 
 
 def _check_records(
-    files: Files, kind: str, table: Table, path_of: Callable[[int], str], expected: Mapping[int, str]
+    files: Files, kind: str, table: AnyTable, path_of: Callable[[int], str], expected: Mapping[int, str]
 ) -> None:
     rows = {int(row["id"]): row for row in read_rows(files, table.path)}
     if set(rows) != set(expected):
@@ -102,7 +106,7 @@ def _check_records(
 _ELSEWHERE = ("id", "created_at", "document", "columns", "rows")
 
 
-def _says(table: Table, row: Mapping[str, str], values: Mapping[str, Any]) -> bool:
+def _says(table: AnyTable, row: Mapping[str, str], values: Mapping[str, Any]) -> bool:
     """Whether a row's cells hold these values, as they would be written."""
     columns = {column.name: column for column in table.columns}
     for name, value in values.items():
@@ -126,7 +130,7 @@ def check_people_s_work(files: Files, told: ReplayedState) -> None:
     _check_vehicles(files, told)
     for row in read_rows(files, "recordings.csv"):
         made = told.recordings.pop(int(row["id"]), None)
-        if made is None or not _says(tables.RECORDINGS, row, {**made, **_drift(told, row)}):
+        if made is None or not _says(RECORDINGS, row, {**made, **_drift(told, row)}):
             raise Damaged(f"recordings.csv: {row['id']} is not what its audit events say; it was changed.")
     for row in read_rows(files, "wheel_pairs.csv"):
         pair = told.pairs.get(int(row["id"]))
@@ -134,12 +138,11 @@ def check_people_s_work(files: Files, told: ReplayedState) -> None:
             raise Damaged(f"wheel_pairs.csv: {row['id']} is not what its audit event says; it was changed.")
 
 
-def _drift(told: ReplayedState, row: Mapping[str, str]) -> dict[str, Any]:
+def _drift(told: ReplayedState, row: Mapping[str, str]) -> Cells:
     """The columns about a camera that moved, as the events tell them."""
     number, pose_id = int(row["id"]), int(row["pose_id"]) if row["pose_id"] else None
-    decided = decision_cells(told.decisions.get(number), pose_id)
     found = None if pose_id is None else told.drift.get(number, {}).get(pose_id)
-    return {**decided, **found_cells(found)}
+    return drift_cells(drift_of(found, told.decisions.get(number), pose_id))
 
 
 def _of_pair(pair: Mapping[str, Any]) -> dict[str, Any]:
@@ -151,7 +154,7 @@ def _check_vehicles(files: Files, told: ReplayedState) -> None:
     for row in read_rows(files, "vehicles.csv"):
         id_ = int(row["id"])
         made = told.vehicles.get(id_)
-        if made is None or told.is_gone(id_) or not _says(tables.VEHICLES, row, made):
+        if made is None or told.is_gone(id_) or not _says(VEHICLES, row, made):
             raise Damaged(f"vehicles.csv: {id_} is not what its audit events say; it was changed.")
         missing.discard(id_)
     if missing:
@@ -164,7 +167,7 @@ def check_verdicts(files: Files, told: ReplayedState) -> None:
     there: set[int] = set()
     for row in read_rows(files, "reviews.csv"):
         made = told.reviews.get(int(row["id"]))
-        if made is None or not _says(tables.REVIEWS, row, _of_review(made)):
+        if made is None or not _says(REVIEWS, row, _of_review(made)):
             raise Damaged(f"reviews.csv: {row['id']} is not what its audit event says; it was changed.")
         there.add(int(row["id"]))
         newest[row["measurement_id"], row["result_revision"]] = row

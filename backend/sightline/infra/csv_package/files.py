@@ -15,11 +15,14 @@ import zipfile
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
-from typing import BinaryIO, Protocol, cast
+from typing import BinaryIO, Generic, Protocol, TypeVar, cast
 
 from sightline.errors import BadInput, Damaged
 from sightline.infra.csv_package.schema import (
     CHECKSUMS,
+    Cell,
+    Column,
+    Record,
     Row,
     Table,
     Written,
@@ -33,17 +36,18 @@ CHUNK_BYTES = 1 << 20
 _PACKED = (".jpg", ".png", ".pdf")  # packing them again costs time and gains nothing
 
 Tick = Callable[[float], None]
+Made = TypeVar("Made")
 
 
 def no_tick(_fraction: float) -> None:
     """Progress that nobody follows."""
 
 
-class TableWriter:
+class TableWriter(Generic[Record]):
     """Rows into one CSV file (UTF-8, comma, line feed, RFC 4180), hashed and counted on the way."""
 
-    def __init__(self, file: BinaryIO, table: Table) -> None:
-        self._file, self._columns = file, [(column, column.name) for column in table.columns]
+    def __init__(self, file: BinaryIO, table: Table[Record]) -> None:
+        self._file, self._columns = file, [(column, _getter(column)) for column in table.columns]
         self._hash, self._size, self.rows = hashlib.sha256(), 0, 0
         self._csv = csv.writer(self, lineterminator="\n")
         self._csv.writerow(table.header)
@@ -55,19 +59,24 @@ class TableWriter:
         self._size += len(content)
         return self._file.write(content)
 
-    def add(self, row: Row) -> None:
-        """One row; columns that it does not name stay empty."""
-        found = row.get
+    def add(self, record: Record) -> None:
+        """The row of one record."""
         self._csv.writerow(
             [
-                "" if (value := found(name)) is None else cell_text(column, value)
-                for column, name in self._columns
+                "" if (value := value_of(record)) is None else cell_text(column, value)
+                for column, value_of in self._columns
             ]
         )
         self.rows += 1
 
     def written(self) -> Written:
         return Written(self._hash.hexdigest(), self._size)
+
+
+def _getter(column: Column[Record]) -> Callable[[Record], Cell]:
+    """A column's value of a record; a mapping may leave it out."""
+    name = column.name
+    return column.of or (lambda record: cast(Row, record).get(name))
 
 
 class Staging:
@@ -84,7 +93,7 @@ class Staging:
         self.written[path] = Written(sha256_hex(content), len(content))
 
     @contextmanager
-    def table(self, table: Table, path: str | None = None) -> Iterator[TableWriter]:
+    def table(self, table: Table[Made], path: str | None = None) -> Iterator[TableWriter[Made]]:
         """A CSV file to be filled row by row, at the table's path or at another. Raises NoRoom."""
         where = path or table.path
         with no_room_told("this export"), self._place(where).open("wb", CHUNK_BYTES) as file:
@@ -92,11 +101,11 @@ class Staging:
             yield writer
         self.written[where] = writer.written()
 
-    def fill(self, table: Table, rows: Iterable[Row]) -> int:
+    def fill(self, table: Table[Made], records: Iterable[Made]) -> int:
         """A whole table; how many rows it has."""
         with self.table(table) as writer:
-            for row in rows:
-                writer.add(row)
+            for record in records:
+                writer.add(record)
         return writer.rows
 
     def seal(self) -> None:

@@ -1,22 +1,25 @@
 """The shape of an exported package: described tables, safe cells, and their description for machines.
 
-Nothing here knows what is exported (`exporting_tables.py` does) or touches a disk (`packaging_files.py`
-does); this file knows how a value becomes a cell (docs/formats.md) and how a Frictionless Data Package
-describes a file.
+Nothing here knows what is exported (each slice's `csv.py` does) or touches a disk (`files.py` does); this
+file knows how a value becomes a cell (docs/formats.md) and how a Frictionless Data Package describes a file.
 """
 
 from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 from datetime import datetime
-from typing import Any
+from typing import Any, Generic, Never
+
+from typing_extensions import TypeVar
 
 Cell = str | int | float | bool | None
 Cells = dict[str, Cell]
 Row = Mapping[str, Cell]
+#: What a row is made of: a stored record, or a mapping that holds the cells by name.
+Record = TypeVar("Record", contravariant=True, default=Row)
 
 CHECKSUMS = "SHA256SUMS"
 DESCRIPTION = "datapackage.json"
@@ -26,8 +29,11 @@ _LOOKED_AT = frozenset((*_FORMULA_STARTS, *_SKIPPED))
 
 
 @dataclass(frozen=True)
-class Column:
-    """One column: `type` is a Frictionless type, `unit` is empty for text and counts."""
+class Column(Generic[Record]):
+    """One column: `type` is a Frictionless type, `unit` is empty for text and counts.
+
+    `of` gives its value of a record; None: the record is a mapping that holds it under the column's name.
+    """
 
     name: str
     type: str
@@ -36,6 +42,7 @@ class Column:
     required: bool = False
     enum: tuple[str, ...] = ()
     minimum: float | None = None
+    of: Callable[[Record], Cell] | None = field(default=None, compare=False, kw_only=True)
 
     def described(self) -> dict[str, Any]:
         """The field descriptor of the Table Schema (specs.frictionlessdata.io/table-schema)."""
@@ -55,12 +62,12 @@ class Column:
 
 
 @dataclass(frozen=True)
-class Table:
+class Table(Generic[Record]):
     """One CSV file of the package; `foreign` is (my columns, table, its columns)."""
 
     name: str
     meaning: str
-    columns: tuple[Column, ...]
+    columns: tuple[Column[Record], ...]
     primary: tuple[str, ...] = ()
     foreign: tuple[tuple[tuple[str, ...], str, tuple[str, ...]], ...] = ()
 
@@ -90,6 +97,10 @@ class Table:
         return schema
 
 
+#: A table whose rows nobody makes here, whatever records they are made of.
+AnyTable = Table[Never]
+
+
 def safe_text(text: str) -> str:
     """The text, with an apostrophe before anything that a spreadsheet would run as a formula.
 
@@ -103,7 +114,12 @@ def safe_text(text: str) -> str:
     return text
 
 
-def cell_text(column: Column, value: Cell) -> str:
+def record_path(kind: str, row_id: int) -> str:
+    """Where the whole stored content of a pose or calibration is, as the audit chain vouches for it."""
+    return f"records/{kind}-{row_id}.json"
+
+
+def cell_text(column: Column[Never], value: Cell) -> str:
     """One cell: empty for missing, six decimals for lengths, full precision otherwise (docs/formats.md)."""
     if value is None:
         return ""
@@ -161,7 +177,7 @@ class About:
 
 
 def description_of(
-    about: About, tables: Sequence[Table], others: Sequence[Other], written: Mapping[str, Written]
+    about: About, tables: Sequence[AnyTable], others: Sequence[Other], written: Mapping[str, Written]
 ) -> dict[str, Any]:
     """`datapackage.json`: one resource for every table and document, with the hash and size of its bytes."""
     package: dict[str, Any] = {
@@ -180,7 +196,7 @@ def description_of(
     return package
 
 
-def _table_resource(table: Table, written: Written) -> dict[str, Any]:
+def _table_resource(table: AnyTable, written: Written) -> dict[str, Any]:
     return {
         "name": table.name,
         "path": table.path,

@@ -2,53 +2,43 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
+from sightline.infra.csv_package.columns import integer, key, moment, person, text
 from sightline.infra.csv_package.files import Files, read_rows, read_whole, unsafe
-from sightline.infra.csv_package.schema import Cells, Column, Table, when
+from sightline.infra.csv_package.schema import Table
 from sightline.surveys.photographs.records import Photograph, PhotographFile
 
 FOLDER = "photographs/"
-
-PHOTOGRAPHS = Table(
-    "photographs",
-    "Photographs of the set-up in the order of the report; made anew as JPEG, without what a camera wrote "
-    "into the file.",
-    (
-        Column("id", "integer", "photograph", required=True),
-        Column("position", "integer", "place in the order", required=True, minimum=1),
-        Column("file", "string", "the photograph, in this package", required=True),
-        Column("name", "string", "name of the file that was given", required=True),
-        Column("caption", "string", "what it shows"),
-        Column("width_px", "integer", "width", "px", required=True, minimum=1),
-        Column("height_px", "integer", "height", "px", required=True, minimum=1),
-        Column("size_bytes", "integer", "size of the file", "B", required=True, minimum=1),
-        Column("sha256", "string", "SHA-256 of the file", required=True),
-        Column("created_by_id", "integer", "who added it"),
-        Column("created_at", "datetime", "when it was added (ISO 8601, UTC)"),
-    ),
-    primary=("id",),
-    foreign=((("created_by_id",), "people", ("id",)),),
-)
 
 
 def photograph_path(photograph_id: int) -> str:
     return f"{FOLDER}photograph-{photograph_id}.jpg"
 
 
-def photograph_rows(photographs: Iterable[Photograph]) -> list[Cells]:
-    """One row for each, in their order."""
-    same = ("id", "name", "caption", "width_px", "height_px", "size_bytes", "sha256")
-    return [
-        {
-            **{name: getattr(one, name) for name in same},
-            "position": place,
-            "file": photograph_path(one.id),
-            "created_by_id": None if one.created_by is None else one.created_by.id,
-            "created_at": when(one.created_at),
-        }
-        for place, one in enumerate(photographs, start=1)
-    ]
+#: A photograph and its place in the order, from 1.
+Placed = tuple[int, Photograph]
+
+PHOTOGRAPHS: Table[Placed] = Table(
+    "photographs",
+    "Photographs of the set-up in the order of the report; made anew as JPEG, without what a camera wrote "
+    "into the file.",
+    (
+        key("id", "photograph", lambda p: p[1].id),
+        integer("position", "place in the order", lambda p: p[0], required=True, minimum=1),
+        text("file", "the photograph, in this package", lambda p: photograph_path(p[1].id), required=True),
+        text("name", "name of the file that was given", lambda p: p[1].name, required=True),
+        text("caption", "what it shows", lambda p: p[1].caption),
+        integer("width_px", "width", lambda p: p[1].width_px, unit="px", required=True, minimum=1),
+        integer("height_px", "height", lambda p: p[1].height_px, unit="px", required=True, minimum=1),
+        integer(
+            "size_bytes", "size of the file", lambda p: p[1].size_bytes, unit="B", required=True, minimum=1
+        ),
+        text("sha256", "SHA-256 of the file", lambda p: p[1].sha256, required=True),
+        person("created_by_id", "who added it", lambda p: p[1].created_by),
+        moment("created_at", "when it was added", lambda p: p[1].created_at),
+    ),
+    primary=("id",),
+    foreign=((("created_by_id",), "people", ("id",)),),
+)
 
 
 def photos_in(files: Files) -> tuple[PhotographFile, ...]:

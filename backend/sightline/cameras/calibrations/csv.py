@@ -1,0 +1,79 @@
+"""The table of calibrations in the package."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import get_args
+
+from sightline.cameras.calibrations.records import Calibration
+from sightline.enums import CalibrationSource
+from sightline.infra.csv_package.columns import flag, integer, key, moment, number, person, text
+from sightline.infra.csv_package.schema import Cell, Column, Table
+
+
+def calibration_path(calibration_id: int) -> str:
+    """Where a calibration is, as the command line reads it."""
+    return f"calibrations/calibration-{calibration_id}.json"
+
+
+@dataclass(frozen=True, slots=True)
+class NamedCalibration:
+    """A calibration and the name of its camera."""
+
+    calibration: Calibration
+    camera_name: str | None
+
+
+def _said(name: str) -> Callable[[NamedCalibration], Cell]:
+    """What the calibration's document says."""
+
+    def of(named: NamedCalibration) -> Cell:
+        value: Cell = named.calibration.document.get(name)
+        return value
+
+    return of
+
+
+def _distortion(named: NamedCalibration) -> str:
+    return " ".join(repr(float(value)) for value in named.calibration.document["distortion"])
+
+
+def _pixels(name: str, meaning: str) -> Column[NamedCalibration]:
+    return number(name, meaning, "px", _said(name), required=True)
+
+
+CALIBRATIONS: Table[NamedCalibration] = Table(
+    "calibrations",
+    "Lens and camera matrix behind the poses; the whole of each is in calibrations/calibration-N.json.",
+    (
+        key("id", "calibration", lambda c: c.calibration.id),
+        key("camera_id", "camera it belongs to", lambda c: c.calibration.camera_id),
+        text("camera_name", "name of the camera", lambda c: c.camera_name),
+        text(
+            "source", "where it comes from", lambda c: c.calibration.source, enum=get_args(CalibrationSource)
+        ),
+        text("model", "lens model", _said("model"), required=True, enum=("brown", "fisheye")),
+        integer("width_px", "width of the images it holds for", _said("width_px"), unit="px", required=True),
+        integer(
+            "height_px", "height of the images it holds for", _said("height_px"), unit="px", required=True
+        ),
+        _pixels("fx_px", "focal length along x"),
+        _pixels("fy_px", "focal length along y"),
+        _pixels("cx_px", "principal point, x"),
+        _pixels("cy_px", "principal point, y"),
+        text("distortion", "distortion coefficients in OpenCV's order, separated by blanks", _distortion),
+        number("rms_px", "root of the mean squared point distance", "px", _said("rms_px")),
+        flag("trusted", "false where the program warned against using it", lambda c: c.calibration.trusted),
+        text(
+            "document",
+            "the calibration as a file of this package (sightline-camera-1)",
+            lambda c: calibration_path(c.calibration.id),
+            required=True,
+        ),
+        person("created_by_id", "who made it", lambda c: c.calibration.created_by),
+        moment("created_at", "when it was made", lambda c: c.calibration.created_at),
+    ),
+    primary=("id",),
+    foreign=((("created_by_id",), "people", ("id",)),),
+)

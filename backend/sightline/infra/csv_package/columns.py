@@ -1,0 +1,128 @@
+"""Columns of the kinds that many tables have, each with its getter (`schema.Column.of`)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from datetime import datetime
+
+from typing_extensions import TypeVar
+
+from sightline.infra.audit.records import Who
+from sightline.infra.csv_package.schema import Cell, Column, Row, when
+
+R = TypeVar("R", default=Row)
+Part = TypeVar("Part")
+Getter = Callable[[R], Cell]
+
+STATUS = ("ok", "not_measurable")
+
+
+def integer(
+    name: str,
+    meaning: str,
+    of: Getter[R] | None = None,
+    *,
+    unit: str = "",
+    required: bool = False,
+    minimum: float | None = None,
+) -> Column[R]:
+    """A whole number."""
+    return Column(name, "integer", meaning, unit=unit, required=required, minimum=minimum, of=of)
+
+
+def key(name: str, meaning: str, of: Getter[R] | None = None) -> Column[R]:
+    """The number of a row, of this table or of another, that is always there."""
+    return integer(name, meaning, of, required=True)
+
+
+def number(
+    name: str,
+    meaning: str,
+    unit: str = "",
+    of: Getter[R] | None = None,
+    *,
+    required: bool = False,
+    minimum: float | None = None,
+) -> Column[R]:
+    """A number with its unit."""
+    return Column(name, "number", meaning, unit=unit, required=required, minimum=minimum, of=of)
+
+
+def metres(name: str, meaning: str, of: Getter[R] | None = None, *, required: bool = False) -> Column[R]:
+    """A length, written to the micrometre."""
+    return number(name, meaning, "m", of, required=required)
+
+
+def pixel(
+    name: str, meaning: str, of: Getter[R] | None = None, *, of_what: str = "", required: bool = True
+) -> Column[R]:
+    """A coordinate in a picture; `of_what`: "crop's" where it is not the frame."""
+    words = f"{meaning}; (0, 0) is the centre of the {of_what}top-left pixel"
+    return number(name, words, "px", of, required=required)
+
+
+def text(
+    name: str,
+    meaning: str,
+    of: Getter[R] | None = None,
+    *,
+    required: bool = False,
+    enum: tuple[str, ...] = (),
+) -> Column[R]:
+    """Words, or one of a closed list of them."""
+    return Column(name, "string", meaning, required=required, enum=enum, of=of)
+
+
+def flag(name: str, meaning: str, of: Getter[R] | None = None, *, required: bool = False) -> Column[R]:
+    """True or false."""
+    return Column(name, "boolean", meaning, required=required, of=of)
+
+
+def moment(name: str, meaning: str, of: Callable[[R], datetime | None]) -> Column[R]:
+    """A time in UTC, to the microsecond."""
+    return Column(name, "datetime", f"{meaning} (ISO 8601, UTC)", of=lambda record: when(of(record)))
+
+
+def person(name: str, meaning: str, of: Callable[[R], Who | None]) -> Column[R]:
+    """The number of a person."""
+
+    def number_of(record: R) -> Cell:
+        who = of(record)
+        return None if who is None else who.id
+
+    return integer(name, meaning, number_of)
+
+
+def joined(words: Sequence[str]) -> str:
+    """Several sentences in one cell."""
+    return "; ".join(words)
+
+
+def of_part(
+    columns: Sequence[Column[Part]], part: Callable[[R], Part | None], *, required: bool = True
+) -> tuple[Column[R], ...]:
+    """The same columns for records that hold such a record; empty where they hold none.
+
+    `required`: False where they may hold none.
+    """
+    return tuple(_of_part(column, part, required) for column in columns)
+
+
+def _of_part(column: Column[Part], part: Callable[[R], Part | None], required: bool) -> Column[R]:
+    getter = column.of
+    assert getter is not None, column.name
+
+    def of(record: R) -> Cell:
+        held = part(record)
+        return None if held is None else getter(held)
+
+    return Column(
+        name=column.name,
+        type=column.type,
+        meaning=column.meaning,
+        unit=column.unit,
+        required=column.required and required,
+        enum=column.enum,
+        minimum=column.minimum,
+        of=of,
+    )

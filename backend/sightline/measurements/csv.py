@@ -1,0 +1,346 @@
+"""The tables of measurements in the package: current ones, revisions, budgets, clicks."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from typing import get_args
+
+from typing_extensions import TypeVar
+
+from sightline.enums import Category, Lighting, MeasurementStatus, Point, Target, Verdict
+from sightline.infra.csv_package.columns import (
+    flag,
+    integer,
+    joined,
+    key,
+    metres,
+    moment,
+    number,
+    of_part,
+    person,
+    pixel,
+    text,
+)
+from sightline.infra.csv_package.schema import Cell, Column, Table
+from sightline.measurements.records import FurtherFrame, Measurement
+from sightline.poses.csv import pose_path
+
+TARGETS: tuple[str, ...] = get_args(Target)
+Record = TypeVar("Record")
+Columns = tuple[Column[Measurement], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class OfVehicle:
+    """What a row of clicks says of a measurement's vehicle."""
+
+    number: int
+    lighting: str | None
+    category: str | None
+    manufacturer_height_m: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class Clicked:
+    """A measurement and the vehicle that it is of."""
+
+    measurement: Measurement
+    vehicle: OfVehicle
+
+
+@dataclass(frozen=True, slots=True)
+class BudgetEntry:
+    """One contribution to the uncertainty of a measurement's height."""
+
+    measurement_id: int
+    source: str
+    u_m: float
+
+
+def budget_entries(measurement: Measurement) -> Iterator[BudgetEntry]:
+    """The contributions to the uncertainty of a height, in their order."""
+    for entry in measurement.values.budget:
+        yield BudgetEntry(measurement.id, str(entry["source"]), float(entry["u_m"]))
+
+
+def clicks_path(pose_id: int) -> str:
+    """Where the clicks of one road pose alone are."""
+    return f"clicks/pose-{pose_id}.csv"
+
+
+_WHERE: Columns = (
+    key("vehicle_id", "vehicle that was measured", lambda m: m.vehicle_id),
+    key("recording_id", "recording in which the points were clicked", lambda m: m.recording_id),
+    text("target", "what was measured", lambda m: m.values.target, required=True, enum=TARGETS),
+    integer(
+        "frame",
+        "frame number: the n-th decoded frame, from 0",
+        lambda m: m.values.frame,
+        required=True,
+        minimum=0,
+    ),
+    integer(
+        "pts",
+        "presentation time stamp of that frame, in the stream's own time base",
+        lambda m: m.values.pts,
+    ),
+    number("time_s", "time of that frame from the start of the stream", "s", lambda m: m.values.time_s),
+    integer(
+        "frame_crc32",
+        "CRC-32 of the decoded luma of that frame: proof of what was clicked on",
+        lambda m: m.values.crc32,
+    ),
+)
+_POINTS: Columns = (
+    pixel(
+        "contact_x_px",
+        "where the tyre meets the road, x to the right",
+        lambda m: float(m.values.contact[0]),
+    ),
+    pixel("contact_y_px", "where the tyre meets the road, y down", lambda m: float(m.values.contact[1])),
+    pixel("target_x_px", "the target point, x to the right", lambda m: float(m.values.target_point[0])),
+    pixel("target_y_px", "the target point, y down", lambda m: float(m.values.target_point[1])),
+    number(
+        "sigma_px",
+        "standard uncertainty of each coordinate of each click",
+        "px",
+        lambda m: float(m.values.sigma_px),
+        minimum=0,
+    ),
+)
+_POSE: Columns = (key("pose_id", "road pose used", lambda m: m.values.pose_id),)
+_INSET: Columns = (
+    metres(
+        "inset_m",
+        "how far the target lies behind the vertical plane through the contact point, along road Y",
+        lambda m: float(m.values.inset_m),
+    ),
+    metres("u_inset_m", "standard uncertainty of the inset (k = 1)", lambda m: float(m.values.u_inset_m)),
+)
+
+
+def _on_frame(k: int, value: Callable[[FurtherFrame], Cell]) -> Callable[[Measurement], Cell]:
+    """A value of the k-th frame of a measurement, from 2; None where fewer were clicked on."""
+
+    def of(measurement: Measurement) -> Cell:
+        more = measurement.values.more_frames
+        return value(more[k - 2]) if len(more) > k - 2 else None
+
+    return of
+
+
+def _coordinate(point: Callable[[FurtherFrame], Point], axis: int) -> Callable[[FurtherFrame], Cell]:
+    return lambda frame: float(point(frame)[axis])
+
+
+def _further_points(k: int) -> Columns:
+    """The same two points on the k-th frame; empty where fewer were clicked."""
+    points: tuple[tuple[str, str, Callable[[FurtherFrame], Point]], ...] = (
+        ("contact", "the same tyre contact", lambda frame: frame.contact),
+        ("target", "the same target point", lambda frame: frame.target_point),
+    )
+    return tuple(
+        number(
+            f"{word}{k}_{axis}_px",
+            f"{what} on frame {k} of the measurement, {axis}",
+            "px",
+            _on_frame(k, _coordinate(point, at)),
+        )
+        for word, what, point in points
+        for at, axis in enumerate("xy")
+    )
+
+
+def _frame_number(k: int) -> Column[Measurement]:
+    meaning = f"number of frame {k} that the points were clicked on"
+    return integer(f"frame{k}", meaning, _on_frame(k, lambda frame: frame.frame), minimum=0)
+
+
+_SEVERAL: Columns = (
+    integer(
+        "frames",
+        "on how many frames the points were clicked",
+        lambda m: len(m.values.frames),
+        required=True,
+        minimum=1,
+    ),
+    _frame_number(2),
+    *_further_points(2),
+    metres(
+        "solved_inset_m",
+        "the inset found from several frames; inset_m is then not used for height_m",
+        lambda m: m.values.solved_inset_m,
+    ),
+    metres(
+        "u_solved_inset_m",
+        "standard uncertainty of the inset found (k = 1)",
+        lambda m: m.values.u_solved_inset_m,
+    ),
+)
+_HEIGHT: Columns = (
+    metres(
+        "height_m",
+        "height of the target above the road along its normal, corrected for the inset",
+        lambda m: m.values.height_m,
+    ),
+    metres(
+        "uncorrected_height_m",
+        "the first frame's height with an inset of 0 (the paper's assumption)",
+        lambda m: m.values.uncorrected_height_m,
+    ),
+    metres("u_height_m", "standard uncertainty of height_m (k = 1)", lambda m: m.values.u_height_m),
+    metres("U95_height_m", "half-width of the 95 % interval of height_m", lambda m: m.values.U95_height_m),
+    metres("distance_m", "from the camera's centre to the contact point", lambda m: m.values.distance_m),
+    text(
+        "status",
+        "whether there is a height",
+        lambda m: m.values.status,
+        required=True,
+        enum=get_args(MeasurementStatus),
+    ),
+    text("reason", "why there is no height", lambda m: m.values.reason),
+    text("flags", "warnings on this height, separated by semicolons", lambda m: joined(m.all_flags)),
+    text(
+        "code_version",
+        "version of the program that computed the height",
+        lambda m: m.values.code_version,
+        required=True,
+    ),
+    person("created_by_id", "who clicked", lambda m: m.created_by),
+    moment("created_at", "when the revision was stored", lambda m: m.created_at),
+    flag("withdrawn", "true where the measurement was taken back", lambda m: m.withdrawn, required=True),
+)
+_MEASURED: Columns = (
+    *_WHERE,
+    *_POINTS,
+    *_POSE,
+    key("calibration_id", "calibration behind that pose", lambda m: m.values.calibration_id),
+    *_INSET,
+    *_SEVERAL,
+    *_HEIGHT,
+)
+
+MEASUREMENTS: Table[Measurement] = Table(
+    "measurements",
+    "The current revision of every measurement, with the verdict on it. Withdrawn ones are kept and marked.",
+    (
+        key("id", "measurement (a series of revisions)", lambda m: m.id),
+        key("revision", "number of the current revision, from 1", lambda m: m.revision),
+        *_MEASURED,
+        text(
+            "verdict",
+            "state of the review of this revision",
+            lambda m: m.review.verdict,
+            required=True,
+            enum=get_args(Verdict),
+        ),
+        text("review_reason", "the reviewer's reason", lambda m: m.review.reason),
+        person("reviewer_id", "who reviewed", lambda m: m.review.reviewer),
+        moment("reviewed_at", "when it was reviewed", lambda m: m.review.at),
+    ),
+    primary=("id",),
+    foreign=(
+        (("vehicle_id",), "vehicles", ("id",)),
+        (("recording_id",), "recordings", ("id",)),
+        (("recording_id", "frame"), "frames", ("recording_id", "frame")),
+        (("pose_id",), "poses", ("id",)),
+        (("calibration_id",), "calibrations", ("id",)),
+        (("created_by_id",), "people", ("id",)),
+        (("reviewer_id",), "people", ("id",)),
+    ),
+)
+
+REVISIONS: Table[Measurement] = Table(
+    "revisions",
+    "Every revision of every measurement as it was stored: nothing is overwritten.",
+    (
+        key("measurement_id", "measurement that this is a revision of", lambda m: m.id),
+        key("revision", "number of the revision, from 1", lambda m: m.revision),
+        *_MEASURED,
+    ),
+    primary=("measurement_id", "revision"),
+    foreign=(
+        (("measurement_id",), "measurements", ("id",)),
+        (("recording_id", "frame"), "frames", ("recording_id", "frame")),
+        (("pose_id",), "poses", ("id",)),
+        (("created_by_id",), "people", ("id",)),
+    ),
+)
+
+BUDGET: Table[BudgetEntry] = Table(
+    "budget",
+    "The contributions to each current u_height_m; their root sum of squares is u_height_m.",
+    (
+        key("measurement_id", "measurement", lambda entry: entry.measurement_id),
+        text("source", "where the uncertainty comes from", lambda entry: entry.source, required=True),
+        metres("u_m", "its contribution to the standard uncertainty of the height", lambda entry: entry.u_m),
+    ),
+    primary=("measurement_id", "source"),
+    foreign=((("measurement_id",), "measurements", ("id",)),),
+)
+
+
+def _measurement(clicked: Clicked) -> Measurement:
+    return clicked.measurement
+
+
+def _reference_height_m(clicked: Clicked) -> Cell:
+    """A manufacturer's height is that of the roof."""
+    of_roof = clicked.measurement.values.target == "roof"
+    return clicked.vehicle.manufacturer_height_m if of_roof else None
+
+
+CLICKS: Table[Clicked] = Table(
+    "clicks",
+    "The clicks of every current measurement, as `sightline height --clicks` reads them; those of each pose "
+    "alone are in clicks/pose-N.csv, to be used with poses/pose-N.json.",
+    (
+        text("id", "measurement the clicks belong to", lambda c: f"m{c.measurement.id}", required=True),
+        *of_part((*_POINTS, *_INSET, *_further_points(2)), _measurement),
+        text(
+            "lighting",
+            "light at the time of the pass",
+            lambda c: c.vehicle.lighting,
+            enum=get_args(Lighting),
+        ),
+        metres("reference_height_m", "manufacturer's height, for roofs", _reference_height_m),
+        text(
+            "target", "what was measured", lambda c: c.measurement.values.target, required=True, enum=TARGETS
+        ),
+        text("category", "body of the vehicle", lambda c: c.vehicle.category, enum=get_args(Category)),
+        key("pose_id", "road pose to compute the height with", lambda c: c.measurement.values.pose_id),
+        text(
+            "pose_file",
+            "that pose as a file of this package",
+            lambda c: pose_path(c.measurement.values.pose_id),
+            required=True,
+        ),
+    ),
+    primary=("id",),
+    foreign=((("pose_id",), "poses", ("id",)),),
+)
+
+
+def with_frames(table: Table[Measurement], most: int) -> Table[Measurement]:
+    """The table with the columns of frames 3 to `most`."""
+    return _with_frames(table, most, lambda columns: columns)
+
+
+def clicks_with_frames(most: int) -> Table[Clicked]:
+    """The table of clicks with the columns of frames 3 to `most`."""
+    return _with_frames(CLICKS, most, lambda columns: of_part(columns, _measurement))
+
+
+def _with_frames(
+    table: Table[Record], most: int, of_records: Callable[[Columns], tuple[Column[Record], ...]]
+) -> Table[Record]:
+    """Frame numbers follow that of the second, points those of the second."""
+    columns: list[Column[Record]] = []
+    for column in table.columns:
+        columns.append(column)
+        if column.name == "frame2":
+            columns += of_records(tuple(_frame_number(k) for k in range(3, most + 1)))
+        elif column.name == "target2_y_px":
+            columns += of_records(tuple(one for k in range(3, most + 1) for one in _further_points(k)))
+    return replace(table, columns=tuple(columns))

@@ -1,0 +1,83 @@
+"""The table of road poses in the package."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from sightline.infra.csv_package.columns import integer, key, metres, moment, number, person, text
+from sightline.infra.csv_package.schema import Cell, Table
+from sightline.poses.records import Pose
+
+
+def pose_path(pose_id: int) -> str:
+    """Where a road pose is, as `sightline height --pose` reads it."""
+    return f"poses/pose-{pose_id}.json"
+
+
+def _of_board(name: str) -> Callable[[Pose], Cell]:
+    """What the pose states of its board; None where there was none."""
+
+    def of(pose: Pose) -> Cell:
+        value: Cell = (pose.document.get("board") or {}).get(name)
+        return value
+
+    return of
+
+
+POSES: Table[Pose] = Table(
+    "poses",
+    "Where the camera stood with respect to the road; the whole of each is in poses/pose-N.json.",
+    (
+        key("id", "road pose", lambda p: p.id),
+        integer("recording_id", "recording in which the board stood on the road", lambda p: p.recording_id),
+        key("calibration_id", "calibration it was solved with", lambda p: p.calibration_id),
+        integer("first_frame", "first frame of the board's segment", lambda p: p.first_frame),
+        integer("last_frame", "last frame of the board's segment", lambda p: p.last_frame),
+        integer("frames_used", "frames that entered the solution", lambda p: p.document.get("frames_used")),
+        number("rms_px", "root of the mean squared distance of the corners", "px", lambda p: p.rms_px),
+        metres("board_distance_m", "from the camera's centre to the board", lambda p: p.distance_m),
+        integer("board_columns", "inner corners in a row of the board", _of_board("columns")),
+        integer("board_rows", "rows of inner corners", _of_board("rows")),
+        metres("square_m", "side of a square", _of_board("square_m")),
+        text(
+            "reference",
+            "row of inner corners whose height was measured",
+            _of_board("reference"),
+            enum=("top", "bottom"),
+        ),
+        metres("reference_height_m", "height of that row above the road", _of_board("reference_height_m")),
+        metres(
+            "u_reference_height_m",
+            "standard uncertainty of that height (k = 1)",
+            _of_board("u_reference_height_m"),
+        ),
+        number(
+            "u_lean_rad", "standard uncertainty of the board's lean (k = 1)", "rad", _of_board("u_lean_rad")
+        ),
+        metres("u_square_m", "standard uncertainty of the side of a square (k = 1)", _of_board("u_square_m")),
+        metres(
+            "u_bow_m", "standard uncertainty of the board's middle out of plane (k = 1)", _of_board("u_bow_m")
+        ),
+        integer(
+            "turned_from",
+            "the pose that this one was, before it was turned to the traffic",
+            lambda p: p.turned_from,
+        ),
+        number(
+            "turned_by_rad",
+            "by how much it was turned about the road's normal",
+            "rad",
+            lambda p: p.turned_by_rad,
+        ),
+        text(
+            "document",
+            "the pose as a file of this package (sightline-pose-1)",
+            lambda p: pose_path(p.id),
+            required=True,
+        ),
+        person("created_by_id", "who made it", lambda p: p.created_by),
+        moment("created_at", "when it was made", lambda p: p.created_at),
+    ),
+    primary=("id",),
+    foreign=((("calibration_id",), "calibrations", ("id",)), (("created_by_id",), "people", ("id",))),
+)

@@ -1,0 +1,123 @@
+"""The table of recordings in the package, with what was found and decided of cameras that moved."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import get_args
+
+from sightline.enums import JsonObject, Lighting
+from sightline.infra.csv_package.chain import stamp
+from sightline.infra.csv_package.columns import flag, integer, key, metres, number, of_part, text
+from sightline.infra.csv_package.schema import Cell, Cells, Column, Table
+from sightline.recordings.drift_query import drift_check_of, drift_figures
+from sightline.recordings.records import Recording
+
+_STATES = ("still", "moved", "unknown")
+
+
+@dataclass(frozen=True, slots=True)
+class Drift:
+    """Figures of what was found of a camera against its pose in force, and what a person decided of that."""
+
+    found: JsonObject | None
+    decision: JsonObject | None
+
+
+@dataclass(frozen=True, slots=True)
+class DescribedRecording:
+    """A recording, and whether its camera moved since its pose in force."""
+
+    recording: Recording
+    drift: Drift
+
+
+def described(recording: Recording) -> DescribedRecording:
+    """The recording with the figures of its drift."""
+    check = drift_check_of(recording.drift, recording.pose_id)
+    found = None if check is None else drift_figures(check)
+    return DescribedRecording(recording, drift_of(found, recording.drift_decision, recording.pose_id))
+
+
+def drift_of(found: JsonObject | None, decision: JsonObject | None, pose_id: int | None) -> Drift:
+    """What was found of the pose in force, and the decision where it is about that pose."""
+    in_force = decision is not None and decision["pose_id"] == pose_id
+    return Drift(found, decision if in_force else None)
+
+
+def drift_cells(drift: Drift) -> Cells:
+    """The columns about a camera that moved, by name."""
+    return {column.name: column.of(drift) for column in _DRIFT if column.of is not None}
+
+
+def _found(name: str) -> Callable[[Drift], Cell]:
+    return lambda drift: _held(drift.found, name)
+
+
+def _decided(name: str) -> Callable[[Drift], Cell]:
+    return lambda drift: _held(drift.decision, name)
+
+
+def _held(document: Mapping[str, Cell] | None, name: str) -> Cell:
+    return None if document is None else document[name]
+
+
+def _time(of: Callable[[Drift], Cell]) -> Callable[[Drift], Cell]:
+    def stamped(drift: Drift) -> Cell:
+        at = of(drift)
+        return stamp(at) if isinstance(at, str) else None
+
+    return stamped
+
+
+_DRIFT: tuple[Column[Drift], ...] = (
+    text("drift_state", "whether the camera moved since that pose", _found("state"), enum=_STATES),
+    number("drift_floor_px", "motion that could not be told from standing still", "px", _found("floor_px")),
+    number("drift_moved_px", "largest motion found, where it moved", "px", _found("moved_px")),
+    metres("drift_height_m", "by how much heights are off at most for it", _found("height_m")),
+    Column(
+        "drift_checked_at",
+        "datetime",
+        "when that was looked at (ISO 8601, UTC)",
+        of=_time(_found("checked_at")),
+    ),
+    text("drift_decision", "why a person lets the pose stand although the camera moved", _decided("reason")),
+    integer("drift_decided_by_id", "who decided that", _decided("by_id")),
+    Column("drift_decided_at", "datetime", "when that was decided (ISO 8601, UTC)", of=_time(_decided("at"))),
+)
+_FACTS: tuple[Column[Recording], ...] = (
+    key("id", "recording", lambda r: r.id),
+    text("name", "name of the file", lambda r: r.name, required=True),
+    text("sha256", "SHA-256 of the file", lambda r: r.sha256),
+    integer("size_bytes", "size of the file", lambda r: r.size_bytes, unit="byte"),
+    integer("width_px", "width of a frame", lambda r: r.width_px, unit="px"),
+    integer("height_px", "height of a frame", lambda r: r.height_px, unit="px"),
+    integer("frame_count", "number of decoded frames", lambda r: r.frame_count),
+    number("duration_s", "time from the first frame to the end of the last", "s", lambda r: r.duration_s),
+    text("codec", "codec of the video stream", lambda r: r.codec),
+    text("container", "container of the file", lambda r: r.container),
+    flag("variable_rate", "true where the time between frames varies", lambda r: r.vfr),
+    text("lighting", "light in the recording", lambda r: r.lighting, enum=get_args(Lighting)),
+    integer("camera_id", "camera that made it", lambda r: r.camera_id),
+    integer("pose_id", "road pose in force", lambda r: r.pose_id),
+)
+
+
+def _recording(described: DescribedRecording) -> Recording:
+    return described.recording
+
+
+def _drift(described: DescribedRecording) -> Drift:
+    return described.drift
+
+
+RECORDINGS: Table[DescribedRecording] = Table(
+    "recordings",
+    "The video files behind the measurements.",
+    (
+        *of_part(_FACTS, _recording),
+        *of_part(_DRIFT, _drift),
+    ),
+    primary=("id",),
+    foreign=((("drift_decided_by_id",), "people", ("id",)),),
+)

@@ -1,0 +1,49 @@
+"""The table of the frames that were clicked on, in the package."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+from sightline.infra.csv_package.columns import integer, key, number
+from sightline.infra.csv_package.schema import Table
+from sightline.recordings.frames.records import FrameTable
+
+
+@dataclass(frozen=True, slots=True)
+class ClickedFrame:
+    """A frame of a recording, as its frame table has it."""
+
+    recording_id: int
+    frame: int
+    pts: int
+    time_s: float
+    crc32: int
+
+
+def clicked_frames(recording_id: int, table: FrameTable, frames: Iterable[int]) -> Iterator[ClickedFrame]:
+    """Those of these frame numbers that a recording has."""
+    for n in frames:
+        if n < len(table):
+            yield ClickedFrame(
+                recording_id=recording_id,
+                frame=int(n),
+                pts=int(table.pts[n]),
+                time_s=float(table.time_s[n]),
+                crc32=int(table.crc32[n]),
+            )
+
+
+FRAMES: Table[ClickedFrame] = Table(
+    "frames",
+    "The frames that were clicked on, so that each can be found again in the video and proved unchanged.",
+    (
+        key("recording_id", "recording", lambda f: f.recording_id),
+        integer("frame", "the n-th decoded frame, from 0", lambda f: f.frame, required=True, minimum=0),
+        integer("pts", "presentation time stamp in the stream's time base", lambda f: f.pts),
+        number("time_s", "time from the start of the stream", "s", lambda f: f.time_s),
+        integer("crc32", "CRC-32 of the decoded luma", lambda f: f.crc32, required=True),
+    ),
+    primary=("recording_id", "frame"),
+    foreign=((("recording_id",), "recordings", ("id",)),),
+)

@@ -1,0 +1,31 @@
+"""The table of verdicts in the package."""
+
+from __future__ import annotations
+
+from typing import get_args
+
+from sightline.enums import ReviewVerdict
+from sightline.infra.csv_package.columns import key, moment, person, text
+from sightline.infra.csv_package.schema import Table
+from sightline.reviews.records import Review
+
+REVIEWS: Table[Review] = Table(
+    "reviews",
+    "Every verdict, in the order in which they were given.",
+    (
+        key("id", "review", lambda r: r.id),
+        key("measurement_id", "measurement that was reviewed", lambda r: r.measurement_id),
+        key("revision", "revision that the reviewer saw", lambda r: r.revision),
+        key(
+            "result_revision",
+            "revision that the verdict holds for (a fix makes a new one)",
+            lambda r: r.result_revision,
+        ),
+        text("verdict", "the verdict", lambda r: r.verdict, required=True, enum=get_args(ReviewVerdict)),
+        text("reason", "the reviewer's reason", lambda r: r.reason),
+        person("reviewer_id", "who reviewed", lambda r: r.reviewer),
+        moment("at", "when", lambda r: r.at),
+    ),
+    primary=("id",),
+    foreign=((("measurement_id",), "measurements", ("id",)), (("reviewer_id",), "people", ("id",))),
+)

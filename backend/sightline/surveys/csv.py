@@ -1,0 +1,34 @@
+"""The table of a survey's insets in the package."""
+
+from __future__ import annotations
+
+from typing import get_args
+
+from sightline.enums import Target
+from sightline.infra.csv_package.columns import metres, text
+from sightline.infra.csv_package.schema import Table
+from sightline.surveys.records import Inset, Survey
+
+#: A target and the inset that is in force for it.
+InForce = tuple[str, Inset]
+
+INSETS: Table[InForce] = Table(
+    "insets",
+    "The insets in force in this survey: used for every measurement that does not carry its own.",
+    (
+        text("target", "what is measured", lambda i: i[0], required=True, enum=get_args(Target)),
+        metres(
+            "inset_m",
+            "how far the target lies behind the vertical plane through the contact point, along road Y",
+            lambda i: i[1].inset_m,
+        ),
+        metres("u_inset_m", "standard uncertainty of the inset (k = 1)", lambda i: i[1].u_inset_m),
+        text("note", "where the figure comes from", lambda i: i[1].note),
+    ),
+    primary=("target",),
+)
+
+
+def insets_in_force(survey: Survey) -> list[InForce]:
+    """The survey's insets by target."""
+    return sorted(survey.insets.items())

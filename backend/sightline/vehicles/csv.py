@@ -1,0 +1,39 @@
+"""The table of vehicles in the package."""
+
+from __future__ import annotations
+
+from typing import get_args
+
+from sightline.enums import Category, Lighting
+from sightline.infra.csv_package.columns import integer, key, metres, text
+from sightline.infra.csv_package.schema import Table
+from sightline.measurements.records import Vehicle
+
+VEHICLES: Table[Vehicle] = Table(
+    "vehicles",
+    "The passes and what is known of each vehicle.",
+    (
+        key("id", "vehicle", lambda v: v.id),
+        key("number", "its number within the survey", lambda v: v.number),
+        key("recording_id", "recording it passes in", lambda v: v.recording_id),
+        integer("first_frame", "first frame of the pass", lambda v: v.first_frame, minimum=0),
+        integer("last_frame", "last frame of the pass", lambda v: v.last_frame, minimum=0),
+        integer("best_frame", "frame proposed for measuring", lambda v: v.best_frame, minimum=0),
+        text("make", "maker", lambda v: v.make),
+        text("model", "model", lambda v: v.model),
+        integer("year", "model year", lambda v: v.year),
+        text("category", "kind of body", lambda v: v.category, enum=get_args(Category)),
+        metres("manufacturer_height_m", "overall height the maker states", lambda v: v.manufacturer_height_m),
+        metres(
+            "u_manufacturer_height_m",
+            "standard uncertainty of that height (k = 1)",
+            lambda v: v.u_manufacturer_height_m,
+        ),
+        text("height_source", "where that height comes from", lambda v: v.height_source),
+        text("lighting", "light at the time of the pass", lambda v: v.lighting, enum=get_args(Lighting)),
+        text("notes", "remarks", lambda v: v.notes),
+        text("state", "how far the work on it is", lambda v: v.state, required=True),
+    ),
+    primary=("id",),
+    foreign=((("recording_id",), "recordings", ("id",)),),
+)
