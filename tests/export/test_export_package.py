@@ -86,7 +86,7 @@ def test_an_export_that_is_cancelled_leaves_nothing(
         staging.add("measurements.csv", b"half")
         raise Cancelled("Cancelled.")
 
-    monkeypatch.setattr("sightline.export.export_job.build", stopped)
+    monkeypatch.setattr("sightline.export.build.build", stopped)
     viewer.made(f"/surveys/{survey_id}/exports")
     assert [one.state for one in work()] == ["cancelled"]
     assert viewer.seen(f"/surveys/{survey_id}/exports") == []
