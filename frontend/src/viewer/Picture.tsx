@@ -71,7 +71,10 @@ export function Picture<P, V extends View<P, V>>(props: PictureProps<P, V>) {
       aria-describedby={props.describedBy}
       onMouseDown={(event) => event.button === 1 && event.preventDefault()}
       onPointerDown={down}
-      onPointerMove={(event) => gestures.move(placeOf(event))}
+      onPointerMove={(event) => {
+        gestures.move(placeOf(event));
+        event.currentTarget.classList.toggle(`${props.class}--handle`, gestures.overHandle(placeOf(event)));
+      }}
       onPointerUp={(event) => gestures.up(placeOf(event))}
       onPointerCancel={() => gestures.cancel()}
       onLostPointerCapture={() => gestures.cancel()}

@@ -47,6 +47,12 @@ export class Gestures<P, V extends View<P, V>> {
     return this.press !== null;
   }
 
+  /** Whether a drag from here would move a handle: the pointer says so. */
+  overHandle(client: ScreenPoint): boolean {
+    const { stage } = this;
+    return !stage.placing.value && stage.grab(stage.fromClient(client[0], client[1]), PICK_PX) !== null;
+  }
+
   down(client: ScreenPoint, button: number, space: boolean): void {
     if (button > 1) return;
     this.cancel();

@@ -140,7 +140,9 @@ export class PictureStage<P, V extends View<P, V>> {
   private measure(): void {
     if (!this.element || this.pressed) return;
     const screen = { width: this.element.clientWidth, height: this.element.clientHeight };
-    if (screen.width > 0) this.resize(screen);
+    const now = this.view.value.screen;
+    const same = now.width === screen.width && now.height === screen.height;
+    if (screen.width > 0 && !same) this.resize(screen);
   }
 }
 

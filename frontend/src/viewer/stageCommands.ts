@@ -10,7 +10,7 @@ const STEPS_PX = { "": 1, Far: 10, Fine: 0.1 } as const;
 const WAYS = { Left: [-1, 0], Right: [1, 0], Up: [0, -1], Down: [0, 1] } as const;
 
 /** Nudges, the cursor, Enter, Esc and zoom: of every picture. */
-function pictureCommands<P, V extends View<P, V>>(stage: PictureStage<P, V>): ButtonCommand[] {
+export function pictureCommands<P, V extends View<P, V>>(stage: PictureStage<P, V>): ButtonCommand[] {
   const nudges = Object.entries(WAYS).flatMap(([way, [dx, dy]]) =>
     Object.entries(STEPS_PX).map(
       ([size, px]): ButtonCommand => ({

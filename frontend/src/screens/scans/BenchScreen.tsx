@@ -1,17 +1,19 @@
 /** The line-scan bench: both strips above, the vehicles below with everything that is known of the chosen one. */
 import { useEffect, useMemo, useState } from "preact/hooks";
 import { Button, Empty, JobProgress, Loading, Notice, Problem } from "../../components";
+import { type ButtonCommand, CommandButton } from "../../components/CommandButton";
 import { historyCommands, useUndoTools } from "../../components/undoTools";
 import { query } from "../../core/address";
-import { type ActionId, type Command, hint, useCommands } from "../../core/commands";
+import { type ActionId, useCommands } from "../../core/commands";
 import { cancelJob } from "../../core/jobs";
 import type { ScreenProps } from "../../core/places";
 import { canWork, may } from "../../core/session";
 import { formatDuration } from "../../core/times";
 import { toastProblem } from "../../core/toasts";
-import type { Scan } from "../../core/types";
+import type { Scan, Target } from "../../core/types";
 import { formatCount, formatLength } from "../../core/units";
 import { TARGETS } from "../../core/words";
+import { pictureCommands } from "../../viewer/stageCommands";
 import { FindDialog } from "./FindDialog";
 import { ScanModel } from "./model";
 import { RigDialog } from "./RigDialog";
@@ -19,7 +21,6 @@ import { RodPanel } from "./RodPanel";
 import { StripView } from "./StripView";
 import { VehiclePanel } from "./VehiclePanel";
 import { VehicleTable } from "./VehicleTable";
-import { panBy, zoomHeight, zoomTime } from "./view";
 import "../../parts/vehicles/vehicle.css";
 import "./heights.css";
 import "./scan.css";
@@ -31,7 +32,7 @@ export default function BenchScreen({ surveyId }: ScreenProps) {
     if (id > 0) void model.load();
     return () => model.close();
   }, [model]);
-  const steps = useMemo(() => historyCommands(model.history), [model]);
+  const steps = useMemo(() => historyCommands(model.history, { back: () => model.stage.back() }), [model]);
   useUndoTools(model.history, steps);
   useCommands([steps.undo, steps.redo, ...benchCommands(model)]);
   const scan = model.scan.value;
@@ -81,23 +82,12 @@ function Head({ model, scan, surveyId }: { model: ScanModel; scan: Scan; surveyI
       ) : (
         canWork.value && (
           <>
-            <Button
-              small
-              pressed={model.mode.value === "new"}
-              title={`Add a vehicle by two clicks${hint("scanNew")}`}
-              icon="add"
-              onClick={() => model.start("new")}
-            >
+            <CommandButton command={addVehicle(model)} kind="plain">
               Vehicle
-            </Button>
-            <Button
-              small
-              pressed={model.mode.value === "rod"}
-              title={`Click the marks of a rod, so that heights can be measured${hint("scanRod")}`}
-              onClick={() => model.start("rod")}
-            >
+            </CommandButton>
+            <CommandButton command={calibrateHeight(model)} kind="plain">
               Calibrate height
-            </Button>
+            </CommandButton>
             <Button small onClick={() => setOpen("rig")}>
               Rig…
             </Button>
@@ -191,63 +181,60 @@ function Nothing({ surveyId }: { surveyId: number }) {
 
 const PAN_SHARE = 0.15;
 
-function benchCommands(model: ScanModel): Command[] {
+/** The keys that step through frames elsewhere move along the strips. */
+function benchCommands(model: ScanModel): ButtonCommand[] {
+  const { stage, heights } = model;
   const pan = (share: number) => () => {
-    const view = model.view.value;
-    if (view) model.view.value = panBy(view, -share * view.width, 0);
+    stage.view.value = stage.view.value.pan(-share * stage.view.value.width, 0);
   };
-  const zoom = (factor: number) => () => {
-    const view = model.view.value;
-    if (view) model.view.value = zoomTime(view, view.width / 2, factor);
-  };
-  const tall = (factor: number) => () => {
-    const view = model.view.value;
-    if (view) model.view.value = zoomHeight(view, view.height / 2, factor);
-  };
-  const nudge = (by: number) => () => (canWork.value ? model.heights.nudge(by, 0) || model.nudge(by) : false);
-  const rise = (by: number) => () => model.heights.nudge(0, by);
-  const runs: Partial<Record<ActionId, () => unknown>> = {
-    frameNext: pan(PAN_SHARE),
-    framePrevious: pan(-PAN_SHARE),
-    frameNextTen: pan(0.9),
-    framePreviousTen: pan(-0.9),
-    frameFirst: pan(-1e9),
-    frameLast: pan(1e9),
-    zoomIn: zoom(1.5),
-    zoomOut: zoom(1 / 1.5),
-    zoomFit: zoom(1e-9),
-    scanTaller: tall(1.5),
-    scanFlatter: tall(1 / 1.5),
-    scanFit: () => model.show("fit"),
-    scanWheels: () => model.start("wheels"),
-    scanNew: () => model.start("new"),
-    scanRod: () => model.start("rod"),
-    scanHeight: () => model.heights.begin(null),
-    newContact: () => model.heights.newContact(),
-    ...Object.fromEntries(
-      TARGETS.map((target, at) => [`target${at + 1}`, () => model.heights.begin(target)]),
-    ),
-    passNext: () => model.step(1),
-    passPrevious: () => model.step(-1),
-    selectNext: () => model.selectNext(),
-    remove: () => void model.remove(),
-    cancel: () => model.cancel(),
-    reviewAccept: () => void model.review("accepted"),
-    reviewReject: () => {
-      model.rejecting.value = true;
+  const target = (at: Target, index: number): ButtonCommand => ({
+    id: `target${index + 1}` as ActionId,
+    run: () => heights.begin(at),
+  });
+  return [
+    { id: "frameNext", label: "On along the strips", run: pan(PAN_SHARE) },
+    { id: "framePrevious", label: "Back along the strips", run: pan(-PAN_SHARE) },
+    { id: "frameNextTen", label: "On by a window", run: pan(0.9) },
+    { id: "framePreviousTen", label: "Back by a window", run: pan(-0.9) },
+    { id: "frameFirst", label: "To the first line", run: pan(-1e9) },
+    { id: "frameLast", label: "To the last line", run: pan(1e9) },
+    { id: "scanTaller", run: () => stage.zoom(1.5, true) },
+    { id: "scanFlatter", run: () => stage.zoom(1 / 1.5, true) },
+    { id: "scanFit", run: () => model.show("fit") },
+    { id: "scanWheels", run: () => model.start("wheels") },
+    addVehicle(model),
+    calibrateHeight(model),
+    { id: "scanHeight", run: () => heights.begin(null) },
+    { id: "newContact", run: () => heights.newContact() },
+    ...TARGETS.map(target),
+    { id: "passNext", label: "Next vehicle", run: () => model.step(1) },
+    { id: "passPrevious", label: "Previous vehicle", run: () => model.step(-1) },
+    { id: "selectNext", run: () => model.selectNext() },
+    { id: "remove", label: "Take the vehicle out", run: () => void model.remove() },
+    { id: "reviewAccept", run: () => void model.review("accepted") },
+    {
+      id: "reviewReject",
+      run: () => {
+        model.rejecting.value = true;
+      },
     },
-    nudgeLeft: nudge(-1),
-    nudgeRight: nudge(1),
-    nudgeLeftFar: nudge(-10),
-    nudgeRightFar: nudge(10),
-    nudgeUp: rise(-1),
-    nudgeDown: rise(1),
-    nudgeUpFar: rise(-10),
-    nudgeDownFar: rise(10),
-    nudgeUpFine: rise(-0.1),
-    nudgeDownFine: rise(0.1),
-    nudgeLeftFine: nudge(-0.1),
-    nudgeRightFine: nudge(0.1),
+    ...pictureCommands(stage),
+  ];
+}
+
+function addVehicle(model: ScanModel): ButtonCommand {
+  return {
+    id: "scanNew",
+    icon: "add",
+    run: () => model.start("new"),
+    pressed: () => model.mode.value === "new",
   };
-  return (Object.keys(runs) as ActionId[]).map((id) => ({ id, run: () => runs[id]?.() !== false }));
+}
+
+function calibrateHeight(model: ScanModel): ButtonCommand {
+  return {
+    id: "scanRod",
+    run: () => model.start("rod"),
+    pressed: () => model.mode.value === "rod",
+  };
 }

@@ -1,8 +1,11 @@
 /** As much of the bench as heights and the rod's marks need: they know this, not the page. */
 import type { ReadonlySignal, Signal } from "@preact/signals";
+import type { ChangeSet, History } from "../../core/history";
 import type { ScanVehicle } from "../../core/types";
-import type { View } from "./view";
+import type { Crossings, Edge } from "./draw";
+import type { StripsView } from "./view";
 
+/** The tool that is taken up; "look": none, boundaries are dragged and vehicles chosen. */
 export type Mode = "look" | "wheels" | "new" | "rod" | "height";
 
 export interface Bench {
@@ -10,9 +13,23 @@ export interface Bench {
   readonly chosenId: ReadonlySignal<number | null>;
   readonly chosen: ReadonlySignal<ScanVehicle | null>;
   readonly mode: Signal<Mode>;
-  readonly view: Signal<View | null>;
+  readonly view: Signal<StripsView>;
+  readonly history: History;
   start(mode: Mode): void;
   cancel(): boolean;
-  pushUndo(label: string, undo: () => Promise<void>, redo: () => Promise<void>): void;
+  /** One change after the other, as a step; what goes wrong is told in words. */
+  change(label: string, work: (changes: ChangeSet) => Promise<void>): Promise<void>;
   tell(work: () => Promise<void>): Promise<void>;
+}
+
+/** What the tools on the strips need beside that: the vehicles and the boundaries in hand. */
+export interface Strips extends Bench {
+  readonly vehicles: ReadonlySignal<readonly ScanVehicle[]>;
+  readonly crossings: ReadonlySignal<Crossings | null>;
+  readonly edge: Signal<Edge | null>;
+  readonly draft: Signal<Crossings | null>;
+  choose(id: number | null): void;
+  moveEdge(edge: Edge, line: number): void;
+  nudge(by: number): boolean;
+  storeDraft(): Promise<void>;
 }

@@ -1,18 +1,15 @@
 /** Draws the two strips, the vehicles' spans and the boundaries of the chosen one on a canvas. */
 import type { Scan, ScanVehicle } from "../../core/types";
 import type { Tiles } from "./tiles";
-import { levelFor, tilesIn, type View, xOf, yOf } from "./view";
+import { AXIS_PX, levelFor, type StripsView, stripTop, tilesIn, xOf, yOf } from "./view";
 
 export const EDGES = ["front_line_1", "rear_line_1", "front_line_2", "rear_line_2"] as const;
 export type Edge = (typeof EDGES)[number];
 export type Crossings = Record<Edge, number>;
 
-/** Height of the band between the strips, which carries the time, and of the words above each. */
-export const AXIS_PX = 24;
-
 export interface Drawing {
   readonly scan: Scan;
-  readonly view: View;
+  readonly view: StripsView;
   readonly tiles: Tiles;
   readonly vehicles: readonly ScanVehicle[];
   readonly chosen: number | null;
@@ -26,11 +23,6 @@ interface Colours {
   line: string;
   accent: string;
   paper: string;
-}
-
-/** Top of a strip's window in the canvas. */
-export function stripTop(view: View, camera: 1 | 2): number {
-  return camera === 1 ? 0 : view.height + AXIS_PX;
 }
 
 export function draw(canvas: HTMLCanvasElement, what: Drawing): void {

@@ -3,13 +3,13 @@
 import type { LineHeight } from "../../core/types";
 import { formatHeight, formatLength } from "../../core/units";
 import { TARGET_WORDS } from "../../core/words";
-import { clicksOf, type Place } from "./heights";
+import { clicksOf } from "./heights";
 import type { ScanModel } from "./model";
-import { type View, xOf, yOf } from "./view";
+import { type Place, type StripsView, xOf, yOf } from "./view";
 
 interface Pens {
   readonly pen: CanvasRenderingContext2D;
-  readonly view: View;
+  readonly view: StripsView;
   readonly ink: string;
   readonly accent: string;
   readonly paper: string;
@@ -19,7 +19,7 @@ interface Pens {
 const LABELLED_PX = 120;
 const DARK = "rgb(16 17 16 / 72%)";
 
-export function drawHeights(canvas: HTMLCanvasElement, model: ScanModel, view: View): void {
+export function drawHeights(canvas: HTMLCanvasElement, model: ScanModel, view: StripsView): void {
   const pen = canvas.getContext("2d");
   if (!pen) return;
   const style = getComputedStyle(canvas);

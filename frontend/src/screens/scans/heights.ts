@@ -4,17 +4,14 @@
  */
 import { computed, signal } from "@preact/signals";
 import { api, explain } from "../../core/api";
+import type { Ledger } from "../../core/history";
 import { Latest } from "../../core/latest";
 import { canWork } from "../../core/session";
 import { toast } from "../../core/toasts";
 import type { LineHeight, LineHeightAnswer, LinePose, LinePoses, Target } from "../../core/types";
 import { REQUIRED, TARGET_WORDS } from "../../core/words";
 import type { Bench } from "./bench";
-
-export interface Place {
-  readonly line: number;
-  readonly row: number;
-}
+import type { Place } from "./view";
 
 export interface Inset {
   readonly inset_m: number;
@@ -200,15 +197,10 @@ export class LineHeights {
     const before = this.of(target);
     const vehicle = this.bench.chosen.value;
     if (!before || !vehicle) return;
-    await this.bench.tell(async () => {
-      const gone = () => this.take(vehicle.id, target);
-      await gone();
-      this.bench.pushUndo(
-        `withdrawing the ${words(target)} of vehicle ${vehicle.number}`,
-        () => this.put(vehicle.id, target, clicksOf(before)),
-        gone,
-      );
-    });
+    await this.bench.change(
+      `withdrawing the ${words(target)} of vehicle ${vehicle.number}`,
+      async (changes) => void (await changes.write(this.ledger, { id: vehicle.id, target }, null)),
+    );
     this.selected.value = null;
   }
 
@@ -271,16 +263,25 @@ export class LineHeights {
     this.live.value = null;
   }
 
+  /** The clicks of each target of each vehicle on the server; null: none, or withdrawn. */
+  private readonly ledger: Ledger<{ id: number; target: Target }, Clicks | null> = {
+    nameOf: ({ id, target }) => `${id}:${target}`,
+    read: ({ id, target }) => {
+      const newest = this.newest(id, target);
+      return newest && !newest.withdrawn ? clicksOf(newest) : null;
+    },
+    write: ({ id, target }, clicks) => (clicks ? this.put(id, target, clicks) : this.take(id, target)),
+  };
+
   private async store(id: number, number: number, target: Target, clicks: Clicks): Promise<void> {
-    await this.bench.tell(async () => {
-      const before = this.all.value.find((one) => one.vehicle_id === id && one.target === target);
-      await this.put(id, target, clicks);
-      const back =
-        before && !before.withdrawn
-          ? () => this.put(id, target, clicksOf(before))
-          : () => this.take(id, target);
-      this.bench.pushUndo(`${words(target)} of vehicle ${number}`, back, () => this.put(id, target, clicks));
-    });
+    await this.bench.change(
+      `${words(target)} of vehicle ${number}`,
+      async (changes) => void (await changes.write(this.ledger, { id, target }, clicks)),
+    );
+  }
+
+  private newest(id: number, target: Target): LineHeight | undefined {
+    return this.all.value.find((one) => one.vehicle_id === id && one.target === target);
   }
 
   private async put(id: number, target: Target, clicks: Clicks): Promise<void> {
@@ -294,7 +295,7 @@ export class LineHeights {
   }
 
   private revisionOf(id: number, target: Target): number {
-    return this.all.value.find((one) => one.vehicle_id === id && one.target === target)?.revision ?? 0;
+    return this.newest(id, target)?.revision ?? 0;
   }
 
   private keep(made: LineHeight): void {

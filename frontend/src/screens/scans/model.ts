@@ -2,35 +2,40 @@
 import { computed, signal } from "@preact/signals";
 import { setQuery } from "../../core/address";
 import { api } from "../../core/api";
-import { History } from "../../core/history";
+import { type ChangeSet, History, type Ledger } from "../../core/history";
 import { followJob } from "../../core/jobs";
 import { may } from "../../core/session";
 import { toast, toastProblem } from "../../core/toasts";
 import type { Job, Scan, ScanMethod, ScanVehicle, ScanVehicleDetail } from "../../core/types";
-import type { Mode } from "./bench";
+import type { Tool } from "../../viewer/tool";
+import type { Mode, Strips } from "./bench";
 import { type Crossings, EDGES, type Edge } from "./draw";
 import { LineHeights } from "./heights";
 import { RodDraft } from "./rod";
+import { StripStage } from "./stage";
 import { Tiles } from "./tiles";
-import { fitAll, revealLines, showLines, type View } from "./view";
+import { Boundaries, HeightTool, RodTool, TwoLines } from "./tools";
+import { revealLines, type StripPoint, showLines } from "./view";
 
 export type Facts = Partial<
   Pick<ScanVehicle, "make" | "model" | "category" | "true_length_m" | "true_wheelbase_m">
 >;
 
-export class ScanModel {
+export class ScanModel implements Strips {
   readonly scan = signal<Scan | null>(null);
   readonly vehicles = signal<readonly ScanVehicle[]>([]);
   readonly chosenId = signal<number | null>(null);
   readonly detail = signal<ScanVehicleDetail | null>(null);
   readonly problem = signal<unknown>(null);
-  readonly view = signal<View | null>(null);
+  readonly stage: StripStage = new StripStage(
+    () => [this.stage.keyboard, ...this.placingTools(), this.boundaryTool],
+    () => this.show("fit"),
+  );
+  readonly view = this.stage.view;
   readonly edge = signal<Edge | null>(null);
   /** Boundaries in hand, not stored yet. */
   readonly draft = signal<Crossings | null>(null);
   readonly mode = signal<Mode>("look");
-  /** First of two clicks: a wheel's hub, or the front of a new vehicle. */
-  readonly firstClick = signal<number | null>(null);
   readonly busy = signal(false);
   /** A reason is being written. */
   readonly rejecting = signal(false);
@@ -38,6 +43,10 @@ export class ScanModel {
   readonly history = new History();
   readonly heights = new LineHeights(this);
   readonly rod = new RodDraft(this, this.heights);
+  readonly twoLines: TwoLines = new TwoLines(this, (low, high) => void this.storeTwo(low, high));
+  private readonly boundaryTool: Boundaries = new Boundaries(this, this.heights);
+  private readonly heightTool: HeightTool = new HeightTool(this, this.heights);
+  private readonly rodTool: RodTool = new RodTool(this, this.rod);
   readonly tiles: Tiles;
 
   readonly chosen = computed(() => this.vehicles.value.find((one) => one.id === this.chosenId.value) ?? null);
@@ -47,7 +56,7 @@ export class ScanModel {
   });
   /** The hub lines of the chosen vehicle, the first click among them. */
   readonly wheels = computed<readonly (number | null)[]>(() => {
-    if (this.firstClick.value !== null) return [this.firstClick.value];
+    if (this.twoLines.first.value !== null) return [this.twoLines.first.value];
     const measured = this.chosen.value?.measurement;
     return measured ? [measured.front_wheel_line, measured.rear_wheel_line] : [];
   });
@@ -66,7 +75,7 @@ export class ScanModel {
     this.problem.value = null;
     try {
       const scan = await api.get<Scan>(`/scans/${this.id}`);
-      this.scan.value = scan;
+      this.take(scan);
       if (scan.state === "ready") await Promise.all([this.readVehicles(), this.heights.load()]);
       if (scan.job && (scan.job.state === "running" || scan.job.state === "queued"))
         void this.follow(scan.job);
@@ -84,20 +93,11 @@ export class ScanModel {
     this.tiles.close();
   }
 
-  /** The window of one strip has this size now. */
-  measured(width: number, height: number, resize: (view: View) => View): void {
-    const scan = this.scan.value;
-    if (!scan?.lines || !scan.rows_px) return;
-    const old = this.view.value;
-    this.view.value = old ? resize(old) : fitAll({ lines: scan.lines, rows: scan.rows_px }, width, height);
-    if (!old) this.show("fit");
-  }
-
   choose(id: number | null): void {
     this.flush();
     this.heights.end();
     this.mode.value = "look";
-    this.firstClick.value = null;
+    this.twoLines.back();
     this.edge.value = null;
     this.rejecting.value = false;
     this.chosenId.value = id;
@@ -120,7 +120,7 @@ export class ScanModel {
   show(how: "reveal" | "fit"): void {
     const lines = this.crossings.value;
     const view = this.view.value;
-    if (!view || !lines) return;
+    if (!lines) return;
     const first = Math.min(lines.front_line_1, lines.front_line_2);
     const last = Math.max(lines.rear_line_1, lines.rear_line_2);
     this.view.value = how === "fit" ? showLines(view, first, last) : revealLines(view, first, last);
@@ -162,14 +162,10 @@ export class ScanModel {
     const vehicle = this.chosen.value;
     const before = vehicle?.measurement;
     if (!draft || !vehicle || !before) return;
-    await this.tell(async () => {
-      await this.putBoundaries(vehicle.id, draft);
-      this.pushUndo(
-        `boundaries of vehicle ${vehicle.number}`,
-        () => this.putBoundaries(vehicle.id, crossingsOf(before)),
-        () => this.putBoundaries(vehicle.id, draft),
-      );
-    });
+    if (!sameCrossings(draft, before))
+      await this.change(`boundaries of vehicle ${vehicle.number}`, async (changes) => {
+        await changes.write(this.boundaries, vehicle.id, draft);
+      });
     if (this.draft.value === draft) this.draft.value = null;
   }
 
@@ -183,7 +179,7 @@ export class ScanModel {
     this.draft.value = null;
     this.edge.value = null;
     this.mode.value = "look";
-    this.firstClick.value = null;
+    this.twoLines.back();
     return held;
   }
 
@@ -196,34 +192,32 @@ export class ScanModel {
     if (mode === "rod") this.rod.open();
   }
 
-  /** A click on strip 1 while something is asked for. */
-  async click(line: number, row: number): Promise<void> {
-    if (this.mode.value === "rod") return this.rod.click({ line, row });
-    if (this.mode.value === "height") return this.heights.click({ line, row });
-    const first = this.firstClick.value;
-    if (first === null) {
-      this.firstClick.value = line;
-      return;
+  /** The tools of what is taken up. */
+  private placingTools(): Tool<StripPoint>[] {
+    switch (this.mode.value) {
+      case "rod":
+        return [this.rodTool];
+      case "height":
+        return [this.heightTool];
+      case "look":
+        return [];
+      default:
+        return [this.twoLines];
     }
+  }
+
+  private async storeTwo(low: number, high: number): Promise<void> {
     const mode = this.mode.value;
     this.mode.value = "look";
-    this.firstClick.value = null;
-    const [low, high] = first < line ? [first, line] : [line, first];
     if (mode === "wheels") await this.storeWheels(low, high);
-    else if (mode === "new") await this.addVehicle(low, high);
+    else await this.addVehicle(low, high);
   }
 
   async storeWheels(front: number | null, rear: number | null): Promise<void> {
     const vehicle = this.chosen.value;
-    const before = vehicle?.measurement;
-    if (!vehicle || !before) return;
-    await this.tell(async () => {
-      await this.putWheels(vehicle.id, front, rear);
-      this.pushUndo(
-        `wheels of vehicle ${vehicle.number}`,
-        () => this.putWheels(vehicle.id, before.front_wheel_line, before.rear_wheel_line),
-        () => this.putWheels(vehicle.id, front, rear),
-      );
+    if (!vehicle?.measurement) return;
+    await this.change(`wheels of vehicle ${vehicle.number}`, async (changes) => {
+      await changes.write(this.hubs, vehicle.id, [front, rear]);
     });
   }
 
@@ -233,26 +227,20 @@ export class ScanModel {
     await this.tell(async () => {
       const { make, model, category, true_length_m, true_wheelbase_m } = vehicle;
       await this.putFacts(vehicle.id, facts);
-      this.pushUndo(
-        `what is known of vehicle ${vehicle.number}`,
-        () => this.putFacts(vehicle.id, { make, model, category, true_length_m, true_wheelbase_m }),
-        () => this.putFacts(vehicle.id, facts),
-      );
+      // an entry of the catalogue says more than these fields: done again, it is chosen again
+      this.history.push({
+        label: `what is known of vehicle ${vehicle.number}`,
+        undo: () => this.putFacts(vehicle.id, { make, model, category, true_length_m, true_wheelbase_m }),
+        redo: () => this.putFacts(vehicle.id, facts),
+      });
     });
   }
 
   async remove(): Promise<void> {
     const vehicle = this.chosen.value;
     if (!vehicle || !may("operator")) return;
-    await this.tell(async () => {
-      const gone = async () => {
-        const version = this.versionOf(vehicle.id) ?? vehicle.version;
-        await api.del(`/scan-vehicles/${vehicle.id}?version=${version}`);
-        if (this.chosenId.value === vehicle.id) this.choose(null);
-        await this.readVehicles();
-      };
-      await gone();
-      this.pushUndo(`taking out vehicle ${vehicle.number}`, () => this.restore(vehicle.id), gone);
+    await this.change(`taking out vehicle ${vehicle.number}`, async (changes) => {
+      await changes.write(this.presence, vehicle.id, false);
       toast(`Vehicle ${vehicle.number} was taken out; Ctrl Z brings it back.`);
     });
   }
@@ -275,6 +263,7 @@ export class ScanModel {
 
   take(scan: Scan): void {
     this.scan.value = scan;
+    if (scan.lines && scan.rows_px) this.stage.setStrips({ lines: scan.lines, rows: scan.rows_px });
   }
 
   async refresh(): Promise<void> {
@@ -284,19 +273,47 @@ export class ScanModel {
 
   private async addVehicle(front: number, rear: number): Promise<void> {
     await this.tell(async () => {
-      const made = await api.post<ScanVehicle>(`/scans/${this.id}/vehicles`, {
-        front_line_1: front,
-        rear_line_1: rear,
-      });
-      await this.readVehicles();
-      this.choose(made.id);
-      const gone = async () => {
-        await api.del(`/scan-vehicles/${made.id}`);
-        if (this.chosenId.value === made.id) this.choose(null);
+      const lines = { front_line_1: front, rear_line_1: rear };
+      const made = await api.post<ScanVehicle>(`/scans/${this.id}/vehicles`, lines);
+      await this.history.run(`vehicle ${made.number}`, async (changes) => {
+        changes.touch(this.presence, made.id);
         await this.readVehicles();
-      };
-      this.pushUndo(`vehicle ${made.number}`, gone, () => this.restore(made.id));
+        this.choose(made.id);
+      });
     });
+  }
+
+  /** Whether a vehicle is in the list. */
+  private readonly presence: Ledger<number, boolean> = {
+    read: (id) => this.vehicles.value.some((one) => one.id === id),
+    write: (id, there) => (there ? this.restore(id) : this.takeOut(id)),
+  };
+
+  private readonly boundaries: Ledger<number, Crossings | null> = {
+    read: (id) => {
+      const measured = this.measurementOf(id);
+      return measured ? crossingsOf(measured) : null;
+    },
+    write: (id, lines) => (lines ? this.putBoundaries(id, lines) : undefined),
+  };
+
+  private readonly hubs: Ledger<number, readonly [number | null, number | null]> = {
+    read: (id) => {
+      const measured = this.measurementOf(id);
+      return [measured?.front_wheel_line ?? null, measured?.rear_wheel_line ?? null];
+    },
+    write: (id, [front, rear]) => this.putWheels(id, front, rear),
+  };
+
+  private measurementOf(id: number): ScanVehicle["measurement"] {
+    return this.vehicles.value.find((one) => one.id === id)?.measurement ?? null;
+  }
+
+  private async takeOut(id: number): Promise<void> {
+    const version = this.versionOf(id);
+    await api.del(`/scan-vehicles/${id}${version === undefined ? "" : `?version=${version}`}`);
+    if (this.chosenId.value === id) this.choose(null);
+    await this.readVehicles();
   }
 
   private async restore(id: number): Promise<void> {
@@ -350,8 +367,9 @@ export class ScanModel {
       );
       this.job.value = null;
       if (over.state === "failed") toastProblem(new Error(over.error ?? "The search stopped."));
-      this.scan.value = await api.get<Scan>(`/scans/${this.id}`);
-      if (this.scan.value.state === "ready") await Promise.all([this.refresh(), this.heights.load()]);
+      const scan = await api.get<Scan>(`/scans/${this.id}`);
+      this.take(scan);
+      if (scan.state === "ready") await Promise.all([this.refresh(), this.heights.load()]);
     } catch (error) {
       this.job.value = null;
       if (!this.stop.signal.aborted) toastProblem(error);
@@ -364,8 +382,8 @@ export class ScanModel {
     else this.draft.value = null;
   }
 
-  pushUndo(label: string, undo: () => Promise<void>, redo: () => Promise<void>): void {
-    this.history.push({ label, undo, redo });
+  change(label: string, work: (changes: ChangeSet) => Promise<void>): Promise<void> {
+    return this.tell(() => this.history.run(label, work));
   }
 
   /** One change after the other, after an undo that is under way; what goes wrong is told in words. */
@@ -385,4 +403,8 @@ export class ScanModel {
 function crossingsOf(one: Crossings): Crossings {
   const { front_line_1, rear_line_1, front_line_2, rear_line_2 } = one;
   return { front_line_1, rear_line_1, front_line_2, rear_line_2 };
+}
+
+function sameCrossings(a: Crossings, b: Crossings): boolean {
+  return EDGES.every((edge) => a[edge] === b[edge]);
 }

@@ -6,6 +6,7 @@ import type { LineHeight, LinePose, LinePoses } from "../../core/types";
 import type { Bench } from "./bench";
 import { LineHeights } from "./heights";
 import { RodDraft } from "./rod";
+import { fitAll } from "./view";
 
 const SOLVED = { status: "ok", residuals_px: [], warnings: [], camera_height_m: 1.2 };
 const MARK = { distance_m: 2.7, height_m: 0, row_px: 250, line: 10 };
@@ -16,14 +17,13 @@ function bench() {
   const model = {
     id: 7,
     mode: signal("rod"),
-    view: signal(null),
+    view: signal(fitAll({ lines: 100, rows: 256 }, 100, 256)),
+    history: undo,
     edge: signal(null),
     chosenId: signal<number | null>(3),
     start: (mode: string) => {
       model.mode.value = mode;
     },
-    pushUndo: (label: string, back: () => Promise<void>, again: () => Promise<void>) =>
-      undo.push({ label, undo: back, redo: again }),
   };
   const heights = new LineHeights(model as unknown as Bench);
   return { model, undo, heights, rod: new RodDraft(model as unknown as Bench, heights) };

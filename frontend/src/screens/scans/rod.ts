@@ -1,12 +1,13 @@
 /** The rod's marks while the line camera is calibrated: clicked on camera 1, solved by the server, stored as a whole. */
 import { signal } from "@preact/signals";
 import { api } from "../../core/api";
+import type { Ledger } from "../../core/history";
 import { Latest } from "../../core/latest";
 import { toast, toastProblem } from "../../core/toasts";
 import type { LinePose, RodMark, SolvedRod } from "../../core/types";
 import type { Bench } from "./bench";
-import type { LineHeights, Place } from "./heights";
-import { showLines } from "./view";
+import type { LineHeights } from "./heights";
+import { type Place, showLines } from "./view";
 
 export interface RodValues {
   readonly marks: readonly RodMark[];
@@ -48,9 +49,8 @@ export class RodDraft {
     if (!this.changed.value) this.reset();
     this.next.value = { ...this.next.value, distance_m: null, height_m: 0 };
     const lines = this.values.value.marks.map((mark) => mark.line);
-    const view = this.bench.view.value;
-    if (view && lines.length > 0)
-      this.bench.view.value = showLines(view, Math.min(...lines), Math.max(...lines), 0.5);
+    if (lines.length > 0)
+      this.bench.view.value = showLines(this.bench.view.value, Math.min(...lines), Math.max(...lines), 0.5);
   }
 
   /** Back to the marks that are stored, or to none. */
@@ -90,15 +90,10 @@ export class RodDraft {
 
   async store(): Promise<void> {
     const values = this.values.value;
-    const before = this.heights.pose.value;
-    await this.bench.tell(async () => {
-      await this.send(values);
-      if (before)
-        this.bench.pushUndo(
-          "calibration of the height",
-          () => this.send(valuesOf(before)),
-          () => this.send(values),
-        );
+    await this.bench.change("calibration of the height", async (changes) => {
+      // before the first one there was none, and none can be put back
+      if (this.heights.pose.value) await changes.write(this.stored, "pose", values);
+      else await this.send(values);
       this.bench.cancel();
       const older = this.heights.older.value.length;
       toast(
@@ -118,19 +113,22 @@ export class RodDraft {
     this.changed.value = false;
   }
 
-  private put(marks: readonly RodMark[], label: string): void {
-    const before = this.values.value.marks;
-    const place = (to: readonly RodMark[]) => () => {
+  private readonly stored: Ledger<"pose", RodValues | null> = {
+    read: () => (this.heights.pose.value ? valuesOf(this.heights.pose.value) : null),
+    write: (_key, values) => (values ? this.send(values) : undefined),
+  };
+
+  private readonly marks: Ledger<"marks", readonly RodMark[]> = {
+    read: () => this.values.value.marks,
+    write: (_key, marks) => {
       // taken back from elsewhere, it is shown where it happens
       if (this.bench.mode.value !== "rod") this.bench.start("rod");
-      this.show({ ...this.values.value, marks: to });
-    };
-    place(marks)();
-    this.bench.pushUndo(
-      label,
-      async () => place(before)(),
-      async () => place(marks)(),
-    );
+      this.show({ ...this.values.value, marks });
+    },
+  };
+
+  private put(marks: readonly RodMark[], label: string): void {
+    this.bench.history.run(label, (changes) => void changes.write(this.marks, "marks", marks));
   }
 
   private show(values: RodValues): void {

@@ -1,5 +1,7 @@
-/** Tiles of the strips as bitmaps: fetched when wanted, dropped when no longer, the oldest forgotten past a bound in bytes. */
+/** Tiles of the strips as bitmaps: fetched when wanted, dropped when no longer. */
 import { signal } from "@preact/signals";
+import { BitmapCache } from "../../viewer/bitmapCache";
+import { fetchPicture, isAbort } from "../../viewer/frames";
 
 const MOST_BYTES = 160 * 2 ** 20;
 
@@ -9,82 +11,49 @@ export interface TileKey {
   readonly index: number;
 }
 
-type Entry = { bitmap: ImageBitmap; bytes: number } | "failed";
-
 export class Tiles {
   /** Counts arrivals, so that what draws from here draws again. */
   readonly arrived = signal(0);
   readonly failed = signal(false);
-  private readonly kept = new Map<string, Entry>();
-  private readonly running = new Map<string, AbortController>();
-  private bytes = 0;
+  private readonly lost = new Set<string>();
+  private readonly cache: BitmapCache<TileKey, ImageBitmap>;
 
-  constructor(
-    private readonly address: (key: TileKey) => string,
-    private readonly most = MOST_BYTES,
-  ) {}
+  constructor(address: (key: TileKey) => string, maxBytes = MOST_BYTES) {
+    this.cache = new BitmapCache<TileKey, ImageBitmap>((key, abort) => fetchPicture(address(key), abort), {
+      maxBytes,
+      nameOf,
+      onChange: () => {
+        this.arrived.value = this.arrived.peek() + 1;
+      },
+    });
+  }
 
   /** A tile that is here; asking makes it the newest. */
   get(key: TileKey): ImageBitmap | null {
-    const name = nameOf(key);
-    const entry = this.kept.get(name);
-    if (!entry || entry === "failed") return null;
-    this.kept.delete(name);
-    this.kept.set(name, entry);
-    return entry.bitmap;
+    return this.cache.get(key) ?? null;
   }
 
   /** Exactly these are wanted now; what else is under way is dropped. */
   want(keys: readonly TileKey[]): void {
-    const names = new Map(keys.map((key) => [nameOf(key), key]));
-    for (const [name, stop] of this.running) if (!names.has(name)) stop.abort();
-    for (const [name, key] of names) {
-      if (!this.kept.has(name) && !this.running.has(name)) void this.fetch(name, key);
-    }
+    this.cache.keepOnly(keys);
+    for (const key of keys)
+      if (!this.lost.has(nameOf(key)))
+        this.cache.fetch(key).catch((error: unknown) => {
+          if (isAbort(error)) return;
+          this.lost.add(nameOf(key));
+          this.failed.value = true;
+        });
   }
 
   /** Those that could not be fetched are asked for again. */
   retry(): void {
-    for (const [name, entry] of this.kept) if (entry === "failed") this.kept.delete(name);
+    this.lost.clear();
     this.failed.value = false;
     this.arrived.value++;
   }
 
   close(): void {
-    for (const stop of this.running.values()) stop.abort();
-    for (const entry of this.kept.values()) if (entry !== "failed") entry.bitmap.close();
-    this.kept.clear();
-  }
-
-  private async fetch(name: string, key: TileKey): Promise<void> {
-    const stop = new AbortController();
-    this.running.set(name, stop);
-    try {
-      const answer = await fetch(this.address(key), { signal: stop.signal, credentials: "same-origin" });
-      if (!answer.ok) throw new Error(`tile ${name}: status ${answer.status}`);
-      const bitmap = await createImageBitmap(await answer.blob());
-      this.keep(name, { bitmap, bytes: bitmap.width * bitmap.height * 4 });
-    } catch {
-      if (!stop.signal.aborted) {
-        this.kept.set(name, "failed");
-        this.failed.value = true;
-      }
-    } finally {
-      this.running.delete(name);
-      this.arrived.value++;
-    }
-  }
-
-  private keep(name: string, entry: Exclude<Entry, "failed">): void {
-    this.kept.set(name, entry);
-    this.bytes += entry.bytes;
-    for (const [old, one] of this.kept) {
-      if (this.bytes <= this.most || old === name) break;
-      this.kept.delete(old);
-      if (one === "failed") continue;
-      this.bytes -= one.bytes;
-      one.bitmap.close();
-    }
+    this.cache.clear();
   }
 }
 

@@ -1,0 +1,126 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { toasts } from "../../core/toasts";
+import { FakeServer } from "../../testing/server";
+import { Gestures } from "../../viewer/gestures";
+import { screenPoint } from "../../viewer/points";
+import { ScanModel } from "./model";
+import type { StripPoint } from "./view";
+
+const LINES = { front_line_1: 200, rear_line_1: 500, front_line_2: 220, rear_line_2: 520 };
+
+let server: FakeServer;
+let model: ScanModel;
+let measurement: Record<string, unknown>;
+const quiet = () => vi.advanceTimersByTimeAsync(20);
+const puts = () => server.writes.filter((write) => write.startsWith("PUT"));
+
+beforeEach(async () => {
+  vi.useFakeTimers();
+  toasts.value = [];
+  server = new FakeServer();
+  measurement = { id: 1, ...LINES, front_wheel_line: null, rear_wheel_line: null, status: "ok" };
+  server.on("GET", /^\/scans\/3$/, () => ({ id: 3, state: "ready", lines: 1000, rows_px: 200, levels: [] }));
+  server.on("GET", /^\/scans\/3\/vehicles$/, () => [{ id: 9, number: 1, version: 1, measurement }]);
+  server.on("GET", /\/line-pose$/, () => ({ current: null, history: [] }));
+  server.on("PUT", /\/boundaries$/, (_match, { version: _version, ...lines }) => {
+    measurement = { ...measurement, ...lines };
+    return {};
+  });
+  server.on("PUT", /\/wheels$/, (_match, { version: _version, ...wheels }) => {
+    measurement = { ...measurement, ...wheels };
+    return {};
+  });
+  model = new ScanModel(3);
+  await model.load();
+  // one line and one row to a screen pixel
+  model.stage.view.value = model.stage.view.value.resized({ width: 1000, height: 424 });
+  model.choose(9);
+  await quiet();
+});
+
+afterEach(() => {
+  model.close();
+  vi.useRealTimers();
+  vi.unstubAllGlobals();
+  history.replaceState(null, "", "/");
+});
+
+function hand(): (fromX: number, toX: number, y?: number, cancelled?: boolean) => void {
+  const gestures = new Gestures(model.stage);
+  gestures.options = { panByDrag: true };
+  return (fromX, toX, y = 100, cancelled = false) => {
+    gestures.down(screenPoint(fromX, y), 0, false);
+    gestures.move(screenPoint(toX, y));
+    if (cancelled) gestures.cancel();
+    else gestures.up(screenPoint(toX, y));
+  };
+}
+
+describe("the strips", () => {
+  it("go to the screen and back, each camera in its own window", () => {
+    for (const at of [
+      { camera: 1, line: 30.5, row: 12 },
+      { camera: 2, line: 700, row: 150.25 },
+    ] as StripPoint[]) {
+      const view = model.view.value;
+      expect(view.toPicture(view.toScreen(at))).toEqual(at);
+    }
+  });
+
+  it("have boundaries that are dragged on their own strip, as one step", async () => {
+    const drag = hand();
+    drag(202, 262, 330); // the front at camera 2 stands at 220, out of reach
+    expect(model.draft.value).toBeNull();
+    model.stage.fit();
+    drag(202, 262);
+    await quiet();
+    expect(measurement).toMatchObject({ ...LINES, front_line_1: 260 });
+    expect(model.history.undoLabel.value).toContain("boundaries");
+    await model.history.undo();
+    expect(measurement).toMatchObject(LINES);
+  });
+
+  it("keep a boundary where it was when its drag is cancelled, or nudged forth and back", async () => {
+    hand()(200, 260, 100, true);
+    expect(model.draft.value).toBeNull();
+    model.edge.value = "front_line_1";
+    model.stage.nudge(1, 0);
+    model.stage.nudge(-1, 0);
+    await vi.advanceTimersByTimeAsync(1000);
+    expect(model.draft.value).toBeNull();
+    expect(puts()).toEqual([]);
+    expect(model.history.undoLabel.value).toBeNull();
+  });
+
+  it("take two clicks on camera 1 for the wheels, a slide among them", async () => {
+    model.start("wheels");
+    const click = hand();
+    click(300, 305, 330);
+    expect(toasts.value[0]?.text).toContain("camera 1");
+    click(450, 455);
+    expect(model.stage.hint.value).toContain("rear wheel");
+    click(300, 300);
+    await quiet();
+    expect(measurement["front_wheel_line"]).toBeCloseTo(299.5);
+    expect(measurement["rear_wheel_line"]).toBeCloseTo(449.5);
+    expect(model.stage.placing.value).toBe(false);
+    await model.history.undo();
+    expect(measurement).toMatchObject({ front_wheel_line: null, rear_wheel_line: null });
+  });
+
+  it("give the first of two clicks back with Ctrl+Z, and let go of everything with Esc", () => {
+    model.start("new");
+    hand()(600, 600);
+    expect(model.stage.back()).toBe(true);
+    expect(model.stage.hint.value).toContain("front");
+    expect(model.stage.cancel()).toBe(true);
+    expect(model.mode.value).toBe("look");
+  });
+
+  it("choose the vehicle under a click, and none beside it", async () => {
+    hand()(800, 800);
+    expect(model.chosenId.value).toBeNull();
+    hand()(350, 350, 330);
+    expect(model.chosenId.value).toBe(9);
+  });
+});

@@ -1,0 +1,31 @@
+/** The stage of two strips. */
+import { PictureStage } from "../../viewer/stage";
+import type { Tool } from "../../viewer/tool";
+import type { Size } from "../../viewer/view";
+import { fitAll, type StripPoint, type Strips, type StripsView } from "./view";
+
+export class StripStage extends PictureStage<StripPoint, StripsView> {
+  private measured = false;
+
+  constructor(
+    tools: () => readonly Tool<StripPoint>[],
+    /** Called once the strips lie in a window of a size. */
+    private readonly arrived: () => void,
+  ) {
+    super(fitAll({ lines: 1, rows: 1 }, 1, 1), tools);
+  }
+
+  /** The size of the strips, once known; another size fits anew. */
+  setStrips(strips: Strips): void {
+    const now = this.view.value;
+    if (now.strips.lines === strips.lines && now.strips.rows === strips.rows) return;
+    this.view.value = fitAll(strips, now.width, now.height);
+  }
+
+  protected override resize(screen: Size): void {
+    super.resize(screen);
+    if (this.measured) return;
+    this.measured = true;
+    this.arrived();
+  }
+}

@@ -1,0 +1,159 @@
+/** What is done on the strips: a rod's marks, heights, two lines of a vehicle, and its boundaries when nothing else is taken up. */
+import { computed, signal } from "@preact/signals";
+import { canWork } from "../../core/session";
+import { toast } from "../../core/toasts";
+import { formatLength } from "../../core/units";
+import { TARGET_HINTS } from "../../core/words";
+import { type ScreenPoint, screenPoint } from "../../viewer/points";
+import type { DragPhase, Handle, Tool } from "../../viewer/tool";
+import type { Strips } from "./bench";
+import { EDGES, type Edge } from "./draw";
+import type { LineHeights } from "./heights";
+import type { RodDraft } from "./rod";
+import { type Place, type StripPoint, type StripsView, xOf } from "./view";
+
+const always = computed(() => true);
+
+/** Points are clicked on camera 1; a click elsewhere says so. */
+function onCamera1(view: StripsView, at: StripPoint, use: (at: Place) => void): boolean {
+  if (isOnCamera1(view, at)) use(at);
+  else toast("Click on camera 1, the upper strip.");
+  return true;
+}
+
+function isOnCamera1(view: StripsView, { camera, row }: StripPoint): boolean {
+  return camera === 1 && row >= -0.5 && row <= view.strips.rows - 0.5;
+}
+
+export class RodTool implements Tool<StripPoint> {
+  readonly placing = always;
+  readonly hint = computed(() => {
+    const { distance_m, height_m } = this.rod.next.value;
+    if (distance_m === null) return "Enter the rod's distance on the right";
+    return `Click the rod ${formatLength(distance_m, 2)} away, ${formatLength(height_m, 2)} above the road`;
+  });
+
+  constructor(
+    private readonly model: Strips,
+    private readonly rod: RodDraft,
+  ) {}
+
+  place(at: StripPoint): boolean {
+    return onCamera1(this.model.view.value, at, (place) => this.rod.click(place));
+  }
+}
+
+export class HeightTool implements Tool<StripPoint> {
+  readonly placing = always;
+  readonly hint = computed(() => {
+    if (!this.heights.contact.value) return "Click where a tyre stands on the road, on camera 1";
+    return `Click ${this.heights.target.value ? TARGET_HINTS[this.heights.target.value] : "the target"}`;
+  });
+
+  constructor(
+    private readonly model: Strips,
+    private readonly heights: LineHeights,
+  ) {}
+
+  place(at: StripPoint): boolean {
+    return onCamera1(this.model.view.value, at, (place) => void this.heights.click(place));
+  }
+
+  hover(at: StripPoint | null): boolean {
+    this.heights.point(at && isOnCamera1(this.model.view.value, at) ? at : null);
+    return true;
+  }
+}
+
+/** Two lines clicked one after the other: both hubs, or front and rear. */
+export class TwoLines implements Tool<StripPoint> {
+  readonly first = signal<number | null>(null);
+  readonly placing = always;
+  readonly hint = computed(() => {
+    const second = this.first.value !== null;
+    return this.model.mode.value === "wheels"
+      ? `Click the hub of the ${second ? "rear" : "front"} wheel on camera 1`
+      : `Click the vehicle's ${second ? "rear" : "front"} on camera 1`;
+  });
+
+  constructor(
+    private readonly model: Strips,
+    private readonly both: (low: number, high: number) => void,
+  ) {}
+
+  place(at: StripPoint): boolean {
+    return onCamera1(this.model.view.value, at, ({ line }) => {
+      const first = this.first.value;
+      this.first.value = first === null ? line : null;
+      if (first !== null) this.both(Math.min(first, line), Math.max(first, line));
+    });
+  }
+
+  back(): boolean {
+    const begun = this.first.value !== null;
+    this.first.value = null;
+    return begun;
+  }
+}
+
+/** The vehicles: a click chooses one, its boundaries are dragged and nudged, and so are the points of its heights. */
+export class Boundaries implements Tool<StripPoint> {
+  readonly handles = computed<readonly Handle<StripPoint>[]>(() => {
+    const lines = this.model.crossings.value;
+    if (!lines || !canWork.value || this.model.mode.value !== "look") return [];
+    return EDGES.map((edge) => this.handleOf(edge, lines[edge]));
+  });
+
+  constructor(
+    private readonly model: Strips,
+    private readonly heights: LineHeights,
+  ) {}
+
+  place(at: StripPoint): boolean {
+    const id = vehicleAt(this.model, at);
+    if (id !== this.model.chosenId.value) this.model.choose(id);
+    return true;
+  }
+
+  pick(handle: string): void {
+    this.model.edge.value = handle as Edge;
+    this.heights.selected.value = null;
+  }
+
+  drag(handle: string, at: StripPoint, phase: DragPhase): void {
+    if (phase === "cancel") this.model.draft.value = null;
+    else this.model.moveEdge(handle as Edge, at.line);
+    if (phase === "end") void this.model.storeDraft();
+  }
+
+  nudge(dx: number, dy: number): boolean {
+    if (!canWork.value) return false;
+    return this.heights.nudge(dx, dy) || (dy === 0 && this.model.nudge(dx));
+  }
+
+  cancel(): boolean {
+    return this.model.cancel();
+  }
+
+  /** An upright line: how far the pointer is beside it counts, on its own strip. */
+  private handleOf(edge: Edge, line: number): Handle<StripPoint> {
+    const camera = edge.endsWith("1") ? 1 : 2;
+    const at: StripPoint = { camera, line, row: 0 };
+    const distance = (pointer: ScreenPoint): number => {
+      const view = this.model.view.value;
+      const here = view.toPicture(screenPoint(pointer[0], pointer[1])).camera === camera;
+      return here ? Math.abs(xOf(view, line) - pointer[0]) : Number.POSITIVE_INFINITY;
+    };
+    return { id: edge, at, distance };
+  }
+}
+
+function vehicleAt(model: Strips, { camera, line }: StripPoint): number | null {
+  const found = model.vehicles.value.find(({ measurement }) => {
+    if (!measurement) return false;
+    const from = camera === 2 ? measurement.front_line_2 : measurement.front_line_1;
+    const to = camera === 2 ? measurement.rear_line_2 : measurement.rear_line_1;
+    return line >= from && line <= to;
+  });
+  return found?.id ?? null;
+}
