@@ -6,8 +6,7 @@ from sqlalchemy import Table, text
 from sqlalchemy.orm import Session
 
 from sightline.infra.database.engine import SessionFactory, writing
-from sightline.measurements.tables import measurement_series, measurements
-from sightline.reviews.tables import reviews
+from sightline.measurements.tables import measurement_series, measurements, reviews
 from sightline.vehicles.tables import vehicles
 from tests.support import samples
 from tests.support.samples import Sample

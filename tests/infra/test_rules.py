@@ -42,6 +42,7 @@ from sightline.recordings.uploads.store import (
     remove_upload,
     unfinished_uploads,
 )
+from sightline.reviews.query import measurement_history
 from sightline.reviews.store import add_review, review_queue
 from sightline.surveys.records import Inset
 from sightline.surveys.store import create_survey, get_survey, update_survey
@@ -93,7 +94,7 @@ def test_a_vehicles_state_follows_from_its_measurements(session: Session, one: S
     assert (counts.measurements, counts.accepted, counts.to_review, counts.vehicles_measured) == (2, 2, 0, 0)
     restore_measurement(session, roof.id, seen_revision=3, actor=one.olga.id)
     assert state(session, one) == "measured"
-    assert [r.withdrawn for r in measurement_revisions(session, roof.id).revisions] == [
+    assert [r.withdrawn for r in measurement_revisions(session, roof.id)] == [
         False,
         False,
         True,
@@ -128,7 +129,7 @@ def test_nobody_reviews_their_own(session: Session, one: Sample) -> None:
     assert fixed.created_by is not None and fixed.created_by.name == "René"
     with pytest.raises(NotAllowed):
         add_review(session, made.id, seen_revision=2, verdict="accepted", actor=one.rene.id)
-    history = measurement_revisions(session, made.id)
+    history = measurement_history(session, made.id)
     assert [r.review.verdict for r in history.revisions] == ["to_review", "fixed"]
     assert [(r.revision, r.result_revision) for r in history.reviews] == [(1, 2)]
 

@@ -14,7 +14,9 @@ from sightline.errors import SightlineError
 from sightline.export.store import add_export
 from sightline.infra.audit import trail
 from sightline.infra.audit.records import Verification
+from sightline.infra.audit.tables import audit_events
 from sightline.infra.audit.verification import verify_database, verify_records
+from sightline.infra.audit.vouched import WrittenOnce, WrittenOnceApart, fingerprints, marked
 from sightline.infra.database.engine import SessionFactory, engine_of, reading, writing
 from sightline.measurements.click_sigma_store import choose_click_sigma
 from sightline.people.store import person_by_email
@@ -79,6 +81,37 @@ def test_the_database_refuses_changes_removal_and_replacing(filled: SessionFacto
                 pytest.fail(statement)
     with reading(filled) as session:
         assert verify_records(session).ok
+
+
+def test_every_table_that_is_written_once_says_so_and_is_verified(filled: SessionFactory) -> None:
+    """A table that the database protects and that bears no mark would never be hashed again."""
+    said = {table.name: mark for mark, table in marked() if isinstance(mark, WrittenOnce | WrittenOnceApart)}
+    assert set(said) | {audit_events.name} == set(WRITTEN_ONCE) == _protected(engine_of(filled))
+    apart = {mark.fingerprint for mark in said.values() if isinstance(mark, WrittenOnceApart)}
+    assert apart <= {fingerprint.entity for fingerprint in fingerprints()}
+
+
+def test_every_hash_that_an_event_keeps_is_compared_with_a_row(filled: SessionFactory) -> None:
+    with reading(filled) as session:
+        events = trail.for_export(session)
+    hashed = {event.entity for event in events if event.after and "content_sha256" in event.after}
+    compared = {mark.entity for mark, _ in marked() if isinstance(mark, WrittenOnce)}
+    assert hashed == compared
+    assert {event.entity for event in events if event.after and "frames_sha256" in event.after} == {
+        "recording"
+    }
+
+
+def _protected(engine: Engine) -> set[str]:
+    """The tables of which the database itself refuses to change a row."""
+    query = (
+        "SELECT DISTINCT event_object_table FROM information_schema.triggers"
+        if engine.dialect.name == "postgresql"
+        else "SELECT DISTINCT tbl_name FROM sqlite_master WHERE type = 'trigger'"
+    )
+    with engine.connect() as connection:
+        tables = set(connection.execute(text(query)).scalars())
+    return {name for name in tables if not name.startswith("procrastinate_")}
 
 
 def _attempts(dialect: str, table: str) -> tuple[str, ...]:

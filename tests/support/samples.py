@@ -19,13 +19,13 @@ from sightline.measurements.records import Measurement, MeasurementValues, Vehic
 from sightline.measurements.store import add_measurement
 from sightline.measurements.tables import measurement_series
 from sightline.measurements.tables import measurements as revision_rows
+from sightline.measurements.tables import reviews as review_rows
 from sightline.people.store import create_person
 from sightline.poses.records import Pose
 from sightline.poses.store import add_pose
 from sightline.recordings.frames.records import FrameTable
 from sightline.recordings.records import Facts, Recording
 from sightline.recordings.store import create_recording, get_recording, note_ingested
-from sightline.reviews.tables import reviews as review_rows
 from sightline.surveys.photographs.records import Photograph
 from sightline.surveys.photographs.store import add_photograph
 from sightline.surveys.records import Survey

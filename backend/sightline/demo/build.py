@@ -29,7 +29,7 @@ from sightline.media.cancelling import IngestCancelled
 from sightline.people.store import create_person, person_by_email, update_person
 from sightline.poses.service import Solved
 from sightline.poses.store import add_pose
-from sightline.quality.drift.drift_job import request_if_posed
+from sightline.recordings.drift_request import request_if_posed
 from sightline.recordings.ingest_job import facts_of, table_of
 from sightline.recordings.store import create_recording, list_recordings, note_ingested, update_recording
 from sightline.simulation.models import catalogue as demo_catalogue

@@ -14,14 +14,14 @@ from sightline.infra.audit.tables import audit_events
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import row_content
 from sightline.measurements.csv import OfVehicle
+from sightline.measurements.drift_query import flagged
 from sightline.measurements.query import is_first, measurement_of_row, measurement_revision_rows
 from sightline.measurements.records import Measurement, Vehicle
 from sightline.measurements.tables import measurement_series, measurements
+from sightline.measurements.tables import reviews as review_rows
 from sightline.poses.tables import road_poses
-from sightline.recordings.drift_query import flagged
 from sightline.reviews.query import reviews_of_series
 from sightline.reviews.records import Review
-from sightline.reviews.tables import reviews as review_rows
 from sightline.vehicles.store import list_vehicles_by_id
 from sightline.vehicles.tables import vehicles as vehicle_rows
 

@@ -6,12 +6,12 @@ from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from sightline.export.records import Export
-from sightline.export.tables import exports
 from sightline.infra.audit import trail
 from sightline.infra.audit.records import AuditHead
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import add_row, get_row, missing, who
 from sightline.infra.database.types import now
+from sightline.results.tables import exports
 from sightline.surveys.tables import surveys
 
 

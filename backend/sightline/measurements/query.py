@@ -10,10 +10,9 @@ from sqlalchemy.orm import Session
 from sightline.enums import JsonObject
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import who
+from sightline.measurements.drift_query import flagged
 from sightline.measurements.records import FurtherFrame, Measurement, MeasurementValues, ReviewState
-from sightline.measurements.tables import measurement_series, measurements
-from sightline.recordings.drift_query import flagged
-from sightline.reviews.tables import reviews
+from sightline.measurements.tables import measurement_series, measurements, reviews
 
 series = measurement_series
 _later = measurements.alias("later")

@@ -15,7 +15,6 @@ from sightline.measurements.bodies import (
     NewMeasurement,
 )
 from sightline.measurements.records import ClickedFrame, Clicks
-from sightline.reviews.bodies import HistoryBody
 
 router = APIRouter()
 
@@ -96,9 +95,3 @@ def restore_measurement(
     """A new revision that brings a withdrawn measurement back."""
     back = store.restore_measurement(session, measurement_id, seen_revision=body.revision, actor=who.id)
     return MeasurementBody.model_validate(back)
-
-
-@router.get("/measurements/{measurement_id}/history")
-def measurement_history(measurement_id: PathId, who: Viewer, session: Reading) -> HistoryBody:
-    """Every revision and every verdict, oldest first."""
-    return HistoryBody.model_validate(store.measurement_revisions(session, measurement_id))

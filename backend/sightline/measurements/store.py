@@ -13,6 +13,7 @@ from sightline.infra.audit import trail
 from sightline.infra.audit.hashing import plain
 from sightline.infra.database.rows import add_row, missing, name_of, row_hash
 from sightline.infra.database.types import columns_of, now
+from sightline.measurements.drift_query import flagged_by
 from sightline.measurements.query import (
     fetch_measurements,
     is_current,
@@ -23,12 +24,9 @@ from sightline.measurements.query import (
 from sightline.measurements.records import FurtherFrame, Measurement, MeasurementValues
 from sightline.measurements.tables import measurement_series, measurements
 from sightline.poses.tables import road_poses
-from sightline.recordings.drift_query import flagged_by
 from sightline.recordings.frames.store import missing_frame
 from sightline.recordings.frames.tables import frames
 from sightline.recordings.tables import recordings
-from sightline.reviews.query import reviews_of_series
-from sightline.reviews.records import MeasurementHistory
 from sightline.vehicles.tables import vehicles
 
 _IN_EVENTS = (
@@ -147,8 +145,8 @@ def _measurement_of(row: RowMapping) -> Measurement:
     return flagged_by(measurement_of_row(row), row["drift"], row["drift_decision"])
 
 
-def measurement_revisions(session: Session, series_id: int) -> MeasurementHistory:
-    """Every revision and every review, oldest first. Raises NotFound."""
+def measurement_revisions(session: Session, series_id: int) -> tuple[Measurement, ...]:
+    """Every revision, oldest first. Raises NotFound."""
     query = (
         measurement_revision_rows()
         .where(measurements.c.series_id == series_id)
@@ -157,7 +155,7 @@ def measurement_revisions(session: Session, series_id: int) -> MeasurementHistor
     found = fetch_measurements(session, query)
     if not found:
         raise missing("measurement", series_id)
-    return MeasurementHistory(found, reviews_of_series(session, measurement_series.c.id == series_id))
+    return found
 
 
 def list_measurements(

@@ -1,4 +1,4 @@
-"""The tables of measurements, their revisions, and people's own click sigmas."""
+"""What people clicked and what was said of it: measurements, their verdicts, tyre contacts, click sigmas."""
 
 from sqlalchemy import (
     BigInteger,
@@ -7,6 +7,7 @@ from sqlalchemy import (
     Column,
     Float,
     ForeignKey,
+    Index,
     Integer,
     String,
     Table,
@@ -14,8 +15,9 @@ from sqlalchemy import (
     UniqueConstraint,
 )
 
-from sightline.enums import MeasurementStatus, Target
-from sightline.infra.database.types import Document, Moment, identity, metadata, one_of
+from sightline.enums import MeasurementStatus, ReviewVerdict, Target
+from sightline.infra.audit.vouched import WrittenOnce, WrittenOnceApart, vouched
+from sightline.infra.database.types import HOLDS, Document, Moment, identity, metadata, one_of
 
 # What stays the same over all revisions of one measurement; append-only like them.
 measurement_series = Table(
@@ -23,12 +25,13 @@ measurement_series = Table(
     metadata,
     identity(),
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
-    Column("recording_id", ForeignKey("recordings.id"), nullable=False, index=True),
+    Column("recording_id", ForeignKey("recordings.id"), nullable=False, index=True, info=HOLDS),
     Column("vehicle_id", ForeignKey("vehicles.id"), nullable=False, index=True),
     Column("client_key", String(36), nullable=False),
     # the measurement that this one repeats: shown and counted with the repeats only
     Column("repeat_of", ForeignKey("measurement_series.id"), index=True),
     UniqueConstraint("client_key"),
+    info=vouched(WrittenOnceApart("series")),
 )
 
 
@@ -79,6 +82,7 @@ measurements = Table(
         "(status = 'ok' AND height_m IS NOT NULL) OR (status <> 'ok' AND reason IS NOT NULL)",
         name="height_or_reason",
     ),
+    info=vouched(WrittenOnce("measurement", "measurement revision")),
 )
 
 
@@ -94,4 +98,49 @@ click_sigmas = Table(
     Column("created_at", Moment, nullable=False),
     Column("created_by", ForeignKey("people.id")),
     CheckConstraint("sigma_px > 0", name="sigma_positive"),
+    info=vouched(WrittenOnce("click_sigma", "click sigma")),
+)
+
+
+# `revision` is what the reviewer saw, `result_revision` what the verdict holds for (a fix makes a new one).
+reviews = Table(
+    "reviews",
+    metadata,
+    identity(),
+    Column("series_id", ForeignKey("measurement_series.id"), nullable=False),
+    Column("revision", Integer, nullable=False),
+    Column("result_revision", Integer, nullable=False),
+    Column("verdict", String(20), nullable=False),
+    Column("reason", Text),
+    Column("created_at", Moment, nullable=False),
+    Column("created_by", ForeignKey("people.id")),
+    one_of("verdict", ReviewVerdict),
+    CheckConstraint("verdict <> 'rejected' OR reason IS NOT NULL", name="rejected_has_reason"),
+    info=vouched(WrittenOnce("review", "review")),
+)
+
+
+Index("ix_reviews_series_id_result_revision", reviews.c.series_id, reviews.c.result_revision)
+
+
+# Both tyre contacts of a vehicle on one frame: its direction of travel. The newest row of a vehicle counts.
+wheel_pairs = Table(
+    "wheel_pairs",
+    metadata,
+    identity(),
+    Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
+    Column("recording_id", ForeignKey("recordings.id"), nullable=False),
+    Column("vehicle_id", ForeignKey("vehicles.id"), nullable=False, index=True),
+    Column("frame", Integer, nullable=False),
+    Column("pts", BigInteger, nullable=False),
+    Column("time_s", Float, nullable=False),
+    Column("crc32", BigInteger, nullable=False),
+    Column("first_x_px", Float, nullable=False),
+    Column("first_y_px", Float, nullable=False),
+    Column("second_x_px", Float, nullable=False),
+    Column("second_y_px", Float, nullable=False),
+    Column("withdrawn", Boolean, nullable=False),
+    Column("created_at", Moment, nullable=False),
+    Column("created_by", ForeignKey("people.id")),
+    info=vouched(WrittenOnce("wheel_pair", "pair of tyre contacts")),
 )

@@ -20,7 +20,7 @@ from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
 from sightline.poses.service import BoardView, Solved, board_in_span, board_view, check_fits, solve
 from sightline.poses.store import add_pose
-from sightline.quality.drift.drift_job import request_if_posed
+from sightline.recordings.drift_request import request_if_posed
 from sightline.recordings.frames.stills import stills_of
 from sightline.recordings.records import Recording
 from sightline.recordings.store import get_recording, update_recording

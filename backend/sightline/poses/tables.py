@@ -10,6 +10,7 @@ from sqlalchemy import (
     Text,
 )
 
+from sightline.infra.audit.vouched import WrittenOnce, vouched
 from sightline.infra.database.types import Document, Moment, identity, metadata
 
 road_poses = Table(
@@ -34,4 +35,5 @@ road_poses = Table(
     Column("created_at", Moment, nullable=False),
     Column("created_by", ForeignKey("people.id")),
     CheckConstraint("first_frame >= 0 AND last_frame >= first_frame", name="span_forward"),
+    info=vouched(WrittenOnce("pose", "road pose")),
 )

@@ -10,7 +10,7 @@ from sightline.enums import JsonObject, Lighting
 from sightline.infra.csv_package.chain import stamp
 from sightline.infra.csv_package.columns import flag, integer, key, metres, number, of_part, text
 from sightline.infra.csv_package.schema import Cell, Cells, Column, Table
-from sightline.recordings.drift_query import drift_check_of, drift_figures
+from sightline.recordings.drift import drift_check_of, drift_figures
 from sightline.recordings.records import Recording
 
 _STATES = ("still", "moved", "unknown")

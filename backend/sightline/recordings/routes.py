@@ -8,8 +8,8 @@ from pydantic import Field
 
 from sightline.infra.web.bodies import Id, In, JobBody, Name, Out
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired
-from sightline.quality.drift import drift_job
 from sightline.recordings import ingest_job, store
+from sightline.recordings.drift_request import request_if_posed
 from sightline.recordings.frames.stills import stills_of
 from sightline.recordings.records import Recording, RecordingChanges
 
@@ -86,7 +86,7 @@ def change_recording(
     with services.writing() as session:
         changed = store.update_recording(session, recording_id, changes, actor=who.id)
         if changes.get("pose_id") is not None:
-            drift_job.request_if_posed(session, recording_id, actor=who.id)
+            request_if_posed(session, recording_id, actor=who.id)
     stills_of(services).forget(recording_id)
     return recording_body(changed)
 

@@ -11,12 +11,10 @@ from sightline.cameras.tables import cameras
 from sightline.enums import JsonObject
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
-from sightline.infra.database.rows import add_row, change_row, get_row, name_of
+from sightline.infra.database.rows import add_row, change_row, get_row, is_held, name_of, named_table
 from sightline.infra.database.types import columns_of, now
 from sightline.infra.jobs.store import latest_jobs_of_recordings
-from sightline.measurements.tables import measurement_series
-from sightline.poses.tables import road_poses
-from sightline.recordings.drift_query import drift_check_of, drift_figures
+from sightline.recordings.drift import drift_check_of, drift_figures
 from sightline.recordings.frames.records import FrameTable
 from sightline.recordings.frames.store import (
     frame_table_fingerprint,
@@ -80,9 +78,10 @@ def update_recording(
         raise BadInput("A recording needs a name; fill it in.")
     if change.get("lighting") not in (None, "daytime", "low_light"):
         raise BadInput("The lighting is daytime or low_light; choose one.")
-    for key, table, word in (("camera_id", cameras, "camera"), ("pose_id", road_poses, "road pose")):
-        if change.get(key) is not None:
-            _same_survey(session, table, cast(int, change[key]), word, before["survey_id"])
+    for column, word in ((recordings.c.camera_id, "camera"), (recordings.c.pose_id, "road pose")):
+        if change.get(column.name) is not None:
+            row_id = cast(int, change[column.name])
+            _same_survey(session, named_table(column), row_id, word, before["survey_id"])
     if change.get("pose_id") is not None:
         _same_size(session, before, cast(int, change["pose_id"]))
     if change:
@@ -101,7 +100,7 @@ def note_ingested(
     """
     before = _row(session, recording_id)
     fingerprint = frame_table_fingerprint(found)
-    if _measured(session, recording_id):
+    if is_held(session, recordings, recording_id):
         if fingerprint != frame_table_fingerprint(get_frame_table(session, recording_id)):
             raise Conflict(
                 "The frames found now are not those that were measured; upload the video as a new one."
@@ -133,7 +132,7 @@ def remove_recording(session: Session, recording_id: int, *, actor: int | None) 
     The caller removes the media file if `media_in_use` says that nothing else needs it.
     """
     gone = get_recording(session, recording_id)
-    if _measured(session, recording_id):
+    if is_held(session, recordings, recording_id):
         raise Conflict("This recording has measurements and stays; an audit needs its frames.")
     remove_frames(session, recording_id)
     change_row(session, recordings, recording_id, {"deleted_at": now()})
@@ -223,11 +222,6 @@ def _row(session: Session, recording_id: int) -> dict[str, Any]:
     return get_row(session, recordings, recording_id, "recording", _ALIVE)
 
 
-def _measured(session: Session, recording_id: int) -> bool:
-    query = select(measurement_series.c.id).where(measurement_series.c.recording_id == recording_id).limit(1)
-    return session.execute(query).first() is not None
-
-
 def _same_survey(session: Session, table: Any, row_id: int, word: str, survey_id: int) -> None:
     if get_row(session, table, row_id, word)["survey_id"] != survey_id:
         raise BadInput(f"The {word} {row_id} belongs to another survey; choose one of this survey's.")
@@ -235,7 +229,7 @@ def _same_survey(session: Session, table: Any, row_id: int, word: str, survey_id
 
 def _same_size(session: Session, recording: Mapping[str, Any], pose_id: int) -> None:
     """A pose's pixels are those of its camera's pictures: at another size every height would be wrong."""
-    document = get_row(session, road_poses, pose_id, "road pose")["document"]
+    document = get_row(session, named_table(recordings.c.pose_id), pose_id, "road pose")["document"]
     camera = document.get("camera", {})
     posed = (camera.get("width_px"), camera.get("height_px"))
     filmed = (recording["width_px"], recording["height_px"])

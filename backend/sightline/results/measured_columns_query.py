@@ -18,9 +18,8 @@ from sqlalchemy.orm import Session
 from sightline.enums import Category, Lighting, Target, Verdict
 from sightline.errors import Damaged
 from sightline.infra.audit.tables import audit_anchor
-from sightline.measurements.tables import measurement_series, measurements
+from sightline.measurements.tables import measurement_series, measurements, reviews
 from sightline.recordings.tables import recordings
-from sightline.reviews.tables import reviews
 from sightline.vehicles.tables import vehicles
 
 if TYPE_CHECKING:

@@ -9,10 +9,10 @@ from sqlalchemy.orm import Session
 
 from sightline.cameras.tables import cameras
 from sightline.enums import REQUIRED_TARGETS, StepKey
-from sightline.export.tables import exports
 from sightline.measurements.query import is_current, is_first, verdict, waits, with_verdict
 from sightline.measurements.tables import measurement_series, measurements
 from sightline.recordings.tables import recordings
+from sightline.results.tables import exports
 from sightline.scans.progress_query import no_scans, scan_progress_of
 from sightline.surveys.records import ScanProgress, Step, SurveyCounts
 from sightline.vehicles.tables import vehicles

@@ -1,13 +1,13 @@
-"""Reading reviews."""
+"""Reading reviews, and a measurement's whole history."""
 
 from sqlalchemy import ColumnElement, select
 from sqlalchemy.orm import Session
 
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import who
-from sightline.measurements.tables import measurement_series
-from sightline.reviews.records import Review
-from sightline.reviews.tables import reviews
+from sightline.measurements.store import measurement_revisions
+from sightline.measurements.tables import measurement_series, reviews
+from sightline.reviews.records import MeasurementHistory, Review
 
 
 def reviews_of_series(session: Session, condition: ColumnElement[bool]) -> tuple[Review, ...]:
@@ -32,3 +32,9 @@ def reviews_of_series(session: Session, condition: ColumnElement[bool]) -> tuple
         )
         for row in session.execute(query)
     )
+
+
+def measurement_history(session: Session, series_id: int) -> MeasurementHistory:
+    """Every revision and every review of a measurement, oldest first. Raises NotFound."""
+    revisions = measurement_revisions(session, series_id)
+    return MeasurementHistory(revisions, reviews_of_series(session, measurement_series.c.id == series_id))

@@ -7,8 +7,8 @@ from pydantic import Field
 
 from sightline.infra.web.deps import PathId, Reading, Reviewer, Viewer, Writing
 from sightline.measurements.bodies import MeasurementBody
-from sightline.reviews import store
-from sightline.reviews.bodies import NewReview, QueueItemBody
+from sightline.reviews import query, store
+from sightline.reviews.bodies import HistoryBody, NewReview, QueueItemBody
 from sightline.reviews.service import review
 from sightline.reviews.store import QueueState
 from sightline.surveys.store import get_survey
@@ -53,3 +53,9 @@ def review_measurement(
         actor=who.id,
     )
     return MeasurementBody.model_validate(judged)
+
+
+@router.get("/measurements/{measurement_id}/history")
+def measurement_history(measurement_id: PathId, who: Viewer, session: Reading) -> HistoryBody:
+    """Every revision and every verdict, oldest first."""
+    return HistoryBody.model_validate(query.measurement_history(session, measurement_id))

@@ -26,11 +26,10 @@ from sightline.measurements.store import (
     measurement_revisions,
     require_measurement_revision,
 )
-from sightline.measurements.tables import measurement_series
+from sightline.measurements.tables import measurement_series, reviews
 from sightline.measurements.tables import measurements as revision_rows
 from sightline.reviews.query import reviews_of_series
 from sightline.reviews.records import QueueItem, Review
-from sightline.reviews.tables import reviews
 from sightline.vehicles.store import list_vehicles_by_id
 from sightline.vehicles.tables import vehicles as vehicle_rows
 
@@ -149,7 +148,7 @@ def list_for_survey(session: Session, survey_id: int) -> tuple[Review, ...]:
 def _not_own(session: Session, before: Measurement, actor: int) -> None:
     """Nobody reviews points of their own, nor does somebody else's withdrawing and restoring make them so."""
     clicks = before.values.first_clicks
-    for one in measurement_revisions(session, before.id).revisions:
+    for one in measurement_revisions(session, before.id):
         own = one.created_by is not None and one.created_by.id == actor
         if own and (one.revision == before.revision or one.values.first_clicks == clicks):
             raise NotAllowed("Nobody reviews their own measurement; ask another reviewer.")

@@ -26,6 +26,7 @@ from sightline.enums import (
     TimeAxis,
     VehicleOrigin,
 )
+from sightline.infra.audit.vouched import ChangedByEvents, WrittenOnce, vouched
 from sightline.infra.database.types import Document, Moment, identity, metadata, one_of
 
 # A pair of strips and the rig that took them. `first` is the camera that a vehicle reaches first.
@@ -84,6 +85,7 @@ scans = Table(
         "state <> 'ready' OR (lines IS NOT NULL AND first_key IS NOT NULL)", name="ready_has_lines"
     ),
     CheckConstraint("state <> 'failed' OR error IS NOT NULL", name="failed_has_error"),
+    info=vouched(ChangedByEvents("scan", "line-scan recording")),
 )
 
 # One search for vehicles (or one measuring again of those that are known); written once.
@@ -104,6 +106,7 @@ scan_runs = Table(
     Column("created_at", Moment, nullable=False),
     Column("created_by", ForeignKey("people.id")),
     one_of("method", ScanMethod),
+    info=vouched(WrittenOnce("scan_run", "run over a line-scan recording")),
 )
 
 scan_vehicles = Table(
@@ -136,6 +139,7 @@ scan_vehicles = Table(
     one_of("category", Category),
     one_of("lighting", Lighting),
     CheckConstraint("version >= 1", name="version_counts"),
+    info=vouched(ChangedByEvents("scan_vehicle", "scanned vehicle")),
 )
 
 # One row a revision of a vehicle's motion, with the rig that it was computed with; written once.
@@ -194,6 +198,7 @@ scan_measurements = Table(
         "(front_wheel_line IS NULL) = (rear_wheel_line IS NULL)",
         name="two_wheels",
     ),
+    info=vouched(WrittenOnce("scan_measurement", "scanned vehicle's measurement")),
 )
 
 # Verdicts on a revision; written once, the newest of a revision counts.
@@ -209,5 +214,6 @@ scan_reviews = Table(
     Column("created_by", ForeignKey("people.id")),
     one_of("verdict", ScanVerdict),
     CheckConstraint("verdict <> 'rejected' OR reason IS NOT NULL", name="rejected_has_reason"),
+    info=vouched(WrittenOnce("scan_review", "scanned vehicle's review")),
 )
 Index("ix_scan_reviews_measurement_id", scan_reviews.c.measurement_id)

@@ -15,8 +15,7 @@ from sightline.infra.database.rows import add_row, change_row, get_row, missing,
 from sightline.infra.database.types import columns_of, now
 from sightline.measurements.query import measurements_of_vehicles
 from sightline.measurements.records import Measurement, Vehicle
-from sightline.measurements.tables import measurement_series, measurements
-from sightline.quality.checks.tables import wheel_pairs
+from sightline.measurements.tables import measurement_series, measurements, wheel_pairs
 from sightline.recordings.tables import recordings
 from sightline.vehicles.records import MOST_HEIGHT_M, VehicleChanges
 from sightline.vehicles.tables import vehicles

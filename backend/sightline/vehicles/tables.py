@@ -13,6 +13,7 @@ from sqlalchemy import (
 )
 
 from sightline.enums import Category, Direction, Lighting, VehicleOrigin
+from sightline.infra.audit.vouched import ChangedByEvents, vouched
 from sightline.infra.database.types import Document, Moment, identity, metadata, one_of
 
 vehicles = Table(
@@ -51,4 +52,5 @@ vehicles = Table(
     one_of("direction", Direction),
     CheckConstraint("first_frame >= 0 AND last_frame >= first_frame", name="span_forward"),
     CheckConstraint("version >= 1", name="version_counts"),
+    info=vouched(ChangedByEvents("vehicle", "vehicle")),
 )

@@ -13,6 +13,7 @@ from sqlalchemy import (
 )
 
 from sightline.enums import CalibrationSource
+from sightline.infra.audit.vouched import WrittenOnce, vouched
 from sightline.infra.database.types import Document, Moment, identity, metadata, one_of
 
 calibration_images = Table(
@@ -55,4 +56,5 @@ calibrations = Table(
     Column("created_at", Moment, nullable=False),
     Column("created_by", ForeignKey("people.id")),
     one_of("source", CalibrationSource),
+    info=vouched(WrittenOnce("calibration", "calibration")),
 )

@@ -1,12 +1,13 @@
 """Finding out whether somebody changed the records behind the program's back.
 
-The chain is walked (ids without gap, each hash from the one before, the anchor and every export's head in
-place), then every row that is written once (revisions, reviews, calibrations, poses) and every frame table
-is hashed again and compared with what its audit event says, and every vehicle record, line-scan recording
-and photograph with what its events made of it.
+The chain is walked (ids without gap, each hash from the one before, the anchor and every head that a table
+carries in place), then every row that is written once and everything that has a fingerprint is hashed again
+and compared with what its audit event says, and every record that people change with what its events made of
+it. Which those are, tables and slices say of themselves (`vouched`).
 """
 
 import json
+from collections import defaultdict
 from collections.abc import Iterator
 from typing import Any
 
@@ -14,12 +15,18 @@ from sqlalchemy import Engine, Table, inspect, select
 from sqlalchemy.exc import DatabaseError, OperationalError
 from sqlalchemy.orm import Session
 
-from sightline.cameras.calibrations.tables import calibrations
 from sightline.errors import BadInput
-from sightline.export.tables import exports
 from sightline.infra.audit.hashing import GENESIS, chain_hash, plain
 from sightline.infra.audit.records import Verification
 from sightline.infra.audit.tables import audit_anchor, audit_events
+from sightline.infra.audit.vouched import (
+    CarriesHead,
+    ChangedByEvents,
+    Event,
+    WrittenOnce,
+    fingerprints,
+    marked,
+)
 from sightline.infra.database.engine import (
     explanation,
     lock_chain,
@@ -30,26 +37,8 @@ from sightline.infra.database.engine import (
     stored_revision,
 )
 from sightline.infra.database.rows import row_hash
-from sightline.measurements.tables import click_sigmas, measurement_series, measurements
-from sightline.poses.tables import road_poses
-from sightline.quality.checks.tables import wheel_pairs
-from sightline.recordings.frames.store import frame_table_fingerprint, get_frame_table
-from sightline.recordings.tables import recordings
-from sightline.reviews.tables import reviews
-from sightline.scans.heights.tables import line_heights, line_poses
-from sightline.scans.tables import scan_measurements, scan_reviews, scan_runs, scan_vehicles, scans
-from sightline.surveys.photographs.tables import survey_photographs
-from sightline.vehicles.tables import vehicles
 
-Promises = dict[tuple[str, int], str]
-
-# Records that people change: each must be what its events, one after the other, made of it.
-_CHANGED: dict[str, tuple[str, Table]] = {
-    "vehicle": ("vehicle", vehicles),
-    "scan": ("line-scan recording", scans),
-    "scan_vehicle": ("scanned vehicle", scan_vehicles),
-    "photograph": ("photograph of the set-up", survey_photographs),
-}
+Promises = dict[str, dict[int, str]]
 
 
 class _Problem(Exception):
@@ -110,8 +99,12 @@ class _Walk:
         self.checked = 0
         self.head = GENESIS
         self.hashes: list[str] = [GENESIS]
-        self.promised: Promises = {}
-        self.told: dict[str, dict[int, dict[str, Any]]] = {entity: {} for entity in _CHANGED}
+        self.promised: Promises = defaultdict(dict)
+        self.fingerprints = fingerprints()
+        self.marked = marked()
+        self.replayed: dict[str, dict[int, dict[str, Any]]] = {
+            mark.entity: {} for mark, _ in self.marked if isinstance(mark, ChangedByEvents)
+        }
 
     def chain(self, session: Session) -> None:
         """Every event in order: number, link and hash."""
@@ -124,26 +117,28 @@ class _Walk:
                 raise _Problem(f"Audit event {row['id']} was changed after it was written; restore a backup.")
             self.checked, self.head = row["id"], row["hash"]
             self.hashes.append(row["hash"])
-            self._promise(row)
+            after = _object(row["after"])
+            self._note(
+                Event(row["entity"], row["action"], row["entity_id"], row["survey_id"], after),
+            )
 
-    def _promise(self, row: Any) -> None:
-        after = _object(row["after"])
-        if "content_sha256" in after:
-            row_id = after["revision_id"] if row["entity"] == "measurement" else row["entity_id"]
-            self.promised[(row["entity"], row_id)] = after["content_sha256"]
-        if "frames_sha256" in after:
-            self.promised[("frames", row["entity_id"])] = after["frames_sha256"]
-        if (row["entity"], row["action"]) == ("photograph", "order"):
-            for position, one in enumerate(after["order"], start=1):
-                self.told["photograph"][one]["position"] = position
-        elif row["entity"] in _CHANGED:
-            self.told[row["entity"]].setdefault(row["entity_id"], {"deleted": False}).update(after)
-        if (row["entity"], row["action"]) == ("measurement", "create"):
-            place = {"survey_id": row["survey_id"], "vehicle_id": after["vehicle_id"]}
-            place["repeat_of"] = after.get("repeat_of")
-            self.promised[("series", row["entity_id"])] = str(sorted(place.items()))
-        if (row["entity"], row["action"]) == ("recording", "delete"):
-            self.promised.pop(("frames", row["entity_id"]), None)
+    def _note(self, event: Event) -> None:
+        """What an event says that a row, a record or something with a fingerprint must be."""
+        if "content_sha256" in event.after:
+            row_id = event.after.get("revision_id", event.entity_id)
+            self.promised[event.entity][row_id] = event.after["content_sha256"]
+        for fingerprint in self.fingerprints:
+            fingerprint.promise(event, self.promised[fingerprint.entity])
+        if event.entity in self.replayed:
+            self._replay(event, self.replayed[event.entity])
+
+    @staticmethod
+    def _replay(event: Event, records: dict[int, dict[str, Any]]) -> None:
+        if event.action == "order":
+            for position, row_id in enumerate(event.after["order"], start=1):
+                records[row_id]["position"] = position
+        elif event.entity_id is not None:
+            records.setdefault(event.entity_id, {"deleted": False}).update(event.after)
 
 
 def _object(text: str | None) -> dict[str, Any]:
@@ -158,34 +153,29 @@ def _anchors(session: Session, walk: _Walk) -> None:
         raise _Problem(
             f"The audit chain ends at event {walk.checked}, which is not where it ended; restore a backup."
         )
-    for row in session.execute(select(exports).order_by(exports.c.id)).mappings():
+    for mark, table in walk.marked:
+        if isinstance(mark, CarriesHead):
+            _heads(session, walk, mark, table)
+
+
+def _heads(session: Session, walk: _Walk, mark: CarriesHead, table: Table) -> None:
+    for row in _all(session, table):
         count = row["audit_count"]
         if count > walk.checked or walk.hashes[count] != row["audit_head"]:
-            raise _Problem(f"The audit chain is not the one in export {row['id']}; restore a backup.")
+            raise _Problem(f"The audit chain is not the one in {mark.words} {row['id']}; restore a backup.")
 
 
 def _rows(session: Session, walk: _Walk) -> None:
     """Every row that is written once is still what its event says, and none came or went by itself."""
-    kept: tuple[tuple[str, str, Table], ...] = (
-        ("measurement", "measurement revision", measurements),
-        ("review", "review", reviews),
-        ("calibration", "calibration", calibrations),
-        ("pose", "road pose", road_poses),
-        ("wheel_pair", "pair of tyre contacts", wheel_pairs),
-        ("click_sigma", "click sigma", click_sigmas),
-        ("scan_run", "run over a line-scan recording", scan_runs),
-        ("scan_measurement", "scanned vehicle's measurement", scan_measurements),
-        ("scan_review", "scanned vehicle's review", scan_reviews),
-        ("line_pose", "calibration of a line camera", line_poses),
-        ("line_height", "scanned vehicle's height", line_heights),
-    )
-    for entity, words, table in kept:
-        found = ((row["id"], row_hash(row)) for row in _all(session, table))
-        _compare(walk.promised, entity, words, found)
-    _compare(walk.promised, "series", "measurement", _series(session))
-    _compare(walk.promised, "frames", "frame table of recording", _frame_tables(session))
-    for entity, (words, table) in _CHANGED.items():
-        _changed(session, walk.told[entity], words, table)
+    for mark, table in walk.marked:
+        if isinstance(mark, WrittenOnce):
+            stored = ((row["id"], row_hash(row)) for row in _all(session, table))
+            _compare(walk.promised[mark.entity], mark.words, stored)
+    for fingerprint in walk.fingerprints:
+        _compare(walk.promised[fingerprint.entity], fingerprint.words, fingerprint.stored(session))
+    for mark, table in walk.marked:
+        if isinstance(mark, ChangedByEvents):
+            _changed(session, walk.replayed[mark.entity], mark.words, table)
 
 
 def _changed(session: Session, told: dict[int, dict[str, Any]], words: str, table: Table) -> None:
@@ -201,10 +191,10 @@ def _changed(session: Session, told: dict[int, dict[str, Any]], words: str, tabl
         raise _Problem(f"The {words} {min(missing)} was removed behind the program's back; restore a backup.")
 
 
-def _compare(promised: Promises, entity: str, words: str, found: Iterator[tuple[int, str]]) -> None:
-    missing = {row_id for kind, row_id in promised if kind == entity}
-    for row_id, content in found:
-        if promised.get((entity, row_id)) != content:
+def _compare(promised: dict[int, str], words: str, stored: Iterator[tuple[int, str]]) -> None:
+    missing = set(promised)
+    for row_id, content in stored:
+        if promised.get(row_id) != content:
             raise _Problem(f"The {words} {row_id} is not what was written at first; restore a backup.")
         missing.discard(row_id)
     if missing:
@@ -214,17 +204,3 @@ def _compare(promised: Promises, entity: str, words: str, found: Iterator[tuple[
 def _all(session: Session, table: Table) -> Iterator[Any]:
     query = select(table).order_by(table.c.id).execution_options(yield_per=1000)
     return iter(session.execute(query).mappings())
-
-
-def _series(session: Session) -> Iterator[tuple[int, str]]:
-    for row in _all(session, measurement_series):
-        place = {name: row[name] for name in ("survey_id", "vehicle_id", "repeat_of")}
-        yield row["id"], str(sorted(place.items()))
-
-
-def _frame_tables(session: Session) -> Iterator[tuple[int, str]]:
-    query = select(recordings.c.id).where(
-        recordings.c.frame_count.is_not(None), recordings.c.deleted_at.is_(None)
-    )
-    for recording_id in session.execute(query.order_by(recordings.c.id)).scalars().all():
-        yield recording_id, frame_table_fingerprint(get_frame_table(session, recording_id))

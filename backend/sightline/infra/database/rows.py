@@ -4,13 +4,15 @@ from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
 from typing import Any
 
-from sqlalchemy import ColumnElement, Table, insert, select, update
+from sqlalchemy import Column, ColumnElement, Table, insert, select, update
 from sqlalchemy.orm import Session
 
 from sightline.errors import NotFound
 from sightline.infra.audit.hashing import content_hash
 from sightline.infra.audit.records import Who
 from sightline.infra.database.people import people
+from sightline.infra.database.types import metadata
+from sightline.infra.slices import load_tables
 
 
 def add_row(session: Session, table: Table, values: Mapping[str, Any]) -> int:
@@ -39,6 +41,28 @@ def get_row(
     if row is None:
         raise missing(word, row_id)
     return dict(row)
+
+
+def is_held(session: Session, table: Table, row_id: int) -> bool:
+    """Whether a row of another table holds this one (`HOLDS`)."""
+    load_tables()
+    holding = (
+        column
+        for other in metadata.tables.values()
+        for column in other.columns
+        if "holds" in column.info and column.references(table.c.id)
+    )
+    return any(
+        session.execute(select(column).where(column == row_id).limit(1)).first() is not None
+        for column in holding
+    )
+
+
+def named_table(column: Column[Any]) -> Table:
+    """The table whose rows a column names."""
+    load_tables()
+    (key,) = column.foreign_keys
+    return key.column.table
 
 
 def missing(word: str, row_id: int | None = None) -> NotFound:

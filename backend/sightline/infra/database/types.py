@@ -27,6 +27,9 @@ NAMING = {
 
 metadata = MetaData(naming_convention=NAMING)
 
+#: `info` of a column whose rows hold the row that it names: that one may neither go nor become another.
+HOLDS = {"holds": True}
+
 
 def now() -> datetime:
     """The present, in UTC."""

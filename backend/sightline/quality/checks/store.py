@@ -11,8 +11,8 @@ from sightline.infra.audit import trail
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import add_row, get_row, missing, stored_hash, who
 from sightline.infra.database.types import now
+from sightline.measurements.tables import wheel_pairs
 from sightline.quality.checks.records import WheelPair
-from sightline.quality.checks.tables import wheel_pairs
 from sightline.recordings.frames.store import get_frame
 from sightline.recordings.tables import recordings
 from sightline.vehicles.tables import vehicles

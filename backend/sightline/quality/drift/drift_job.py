@@ -9,30 +9,25 @@ from typing import Any
 import numpy as np
 from sqlalchemy.orm import Session
 
-from sightline.enums import JobState
-from sightline.errors import BadInput, Conflict
 from sightline.geometry.drift import TARGET_M, HeightChange, Motion, height_change
 from sightline.geometry.drift_spans import Course, Look, course
 from sightline.geometry.road_pose import RoadPose
 from sightline.infra.database.types import now
 from sightline.infra.jobs import registry
-from sightline.infra.jobs.records import Job
-from sightline.infra.jobs.store import list_jobs
 from sightline.infra.services import Services
 from sightline.infra.version import code_version
 from sightline.measurements.service import road_pose
 from sightline.media.video.drift import Background, background, mean_of, register
 from sightline.poses.records import Pose
 from sightline.poses.store import get_pose
+from sightline.recordings.drift_request import DRIFT
 from sightline.recordings.frames.stills import stills_of
 from sightline.recordings.records import Recording
 from sightline.recordings.store import get_recording, store_drift
 
-KIND = "drift"
 _OF_POSE = 8  # frames of the pose's span whose mean is looked for
 _EVERY_S = 1.0
 _FEWEST, _MOST = 24, 120
-UNDER_WAY: tuple[JobState, ...] = ("running", "queued")
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,36 +42,7 @@ class _Check:
     time_s: Callable[[int], float]
 
 
-def request_drift(session: Session, recording_id: int, *, actor: int | None) -> Job:
-    """Queue a look at the whole recording. Raises Conflict without a road pose, BadInput while not ready."""
-    recording = get_recording(session, recording_id)
-    if recording.state != "ready" or not recording.frame_count:
-        raise BadInput(f"{recording.name} has no frames yet; wait until it is ready.")
-    if recording.pose_id is None:
-        raise Conflict(f"{recording.name} has no road pose yet, so nothing says where its camera stood.")
-    payload = {"recording_id": recording_id, "pose_id": recording.pose_id}
-    return registry.enqueue(
-        session, KIND, payload, survey_id=recording.survey_id, recording_id=recording_id, actor=actor
-    )
-
-
-def request_if_posed(session: Session, recording_id: int, *, actor: int | None) -> None:
-    """The same after a pose was taken or chosen; nothing for a recording without pose or frames."""
-    recording = get_recording(session, recording_id)
-    if recording.state == "ready" and recording.frame_count and recording.pose_id is not None:
-        request_drift(session, recording_id, actor=actor)
-
-
-def under_way(session: Session, recording: Recording) -> Job | None:
-    """The look at a recording that waits or runs, if there is one."""
-    for state in UNDER_WAY:
-        for job in list_jobs(session, survey_id=recording.survey_id, state=state):
-            if job.kind == KIND and job.recording_id == recording.id:
-                return job
-    return None
-
-
-@registry.handler(KIND)
+@registry.handler(DRIFT)
 def look_for_drift(context: registry.JobContext) -> registry.Outcome:
     """Compare frames over the recording with those of the pose, and store what was found."""
     recording_id, pose_id = int(context.payload["recording_id"]), int(context.payload["pose_id"])

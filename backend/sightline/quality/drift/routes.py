@@ -7,8 +7,8 @@ from pydantic import Field
 
 from sightline.infra.web.bodies import In, JobBody, Out, Text
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
-from sightline.quality.drift import drift_job
-from sightline.recordings.drift_query import drift_check_of, open_spans
+from sightline.recordings.drift import drift_check_of, open_spans
+from sightline.recordings.drift_request import request_drift, under_way
 from sightline.recordings.records import Recording
 from sightline.recordings.store import decide_drift, get_recording, take_back_drift_decision
 
@@ -114,7 +114,7 @@ def drift_body(recording: Recording) -> DriftBody:
 def get_drift(recording_id: PathId, who: Viewer, session: Reading) -> DriftBody:
     """What was found of the camera since the road pose in force, and whether it is being looked at."""
     recording = get_recording(session, recording_id)
-    job = drift_job.under_way(session, recording)
+    job = under_way(session, recording)
     return drift_body(recording).model_copy(
         update={"job": None if job is None else JobBody.model_validate(job)}
     )
@@ -123,7 +123,7 @@ def get_drift(recording_id: PathId, who: Viewer, session: Reading) -> DriftBody:
 @router.post("/recordings/{recording_id}/drift", status_code=202)
 def look_again(recording_id: PathId, who: Operator, session: Writing) -> JobBody:
     """Look at the whole recording, in the background. A conflict without a road pose."""
-    return JobBody.model_validate(drift_job.request_drift(session, recording_id, actor=who.id))
+    return JobBody.model_validate(request_drift(session, recording_id, actor=who.id))
 
 
 @router.put("/recordings/{recording_id}/drift/decision")

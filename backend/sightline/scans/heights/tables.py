@@ -14,6 +14,7 @@ from sqlalchemy import (
 )
 
 from sightline.enums import MeasurementStatus, Target
+from sightline.infra.audit.vouched import WrittenOnce, vouched
 from sightline.infra.database.types import Document, Moment, identity, metadata, one_of
 
 # One row a calibration of a scan's camera 1 with the rod; the newest of a scan counts. Written once.
@@ -39,6 +40,7 @@ line_poses = Table(
     Column("created_by", ForeignKey("people.id")),
     UniqueConstraint("scan_id", "revision"),
     CheckConstraint("revision >= 1", name="revision_counts"),
+    info=vouched(WrittenOnce("line_pose", "calibration of a line camera")),
 )
 
 # One row a revision of a target's height; the newest of a vehicle's target counts. Written once.
@@ -79,4 +81,5 @@ line_heights = Table(
         "(status = 'ok' AND height_m IS NOT NULL) OR (status <> 'ok' AND reason IS NOT NULL)",
         name="height_or_reason",
     ),
+    info=vouched(WrittenOnce("line_height", "scanned vehicle's height")),
 )

@@ -11,6 +11,7 @@ from sqlalchemy import (
     Text,
 )
 
+from sightline.infra.audit.vouched import ChangedByEvents, vouched
 from sightline.infra.database.types import Moment, identity, metadata
 
 # Pictures of the set-up: the rig, the road, the board in place. `position` is their order on the page.
@@ -36,4 +37,5 @@ survey_photographs = Table(
     CheckConstraint("width_px > 0 AND height_px > 0 AND size_bytes > 0", name="size_positive"),
     CheckConstraint("position >= 1", name="position_counts"),
     CheckConstraint("version >= 1", name="version_counts"),
+    info=vouched(ChangedByEvents("photograph", "photograph of the set-up")),
 )

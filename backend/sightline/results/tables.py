@@ -9,6 +9,7 @@ from sqlalchemy import (
     Table,
 )
 
+from sightline.infra.audit.vouched import CarriesHead, vouched
 from sightline.infra.database.types import Moment, identity, metadata
 
 exports = Table(
@@ -24,4 +25,5 @@ exports = Table(
     Column("audit_head", String(64), nullable=False),
     Column("created_at", Moment, nullable=False),
     Column("created_by", ForeignKey("people.id")),
+    info=vouched(CarriesHead("export")),
 )

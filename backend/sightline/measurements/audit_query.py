@@ -1,0 +1,29 @@
+"""What the audit chain says of a measurement's place: its survey, its vehicle and what it repeats."""
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from sqlalchemy import select
+from sqlalchemy.orm import Session
+
+from sightline.infra.audit.vouched import Event, Fingerprint, register
+from sightline.measurements.tables import measurement_series
+
+
+def _promise(event: Event, promised: dict[int, str]) -> None:
+    if (event.entity, event.action) == ("measurement", "create") and event.entity_id is not None:
+        place = {"vehicle_id": event.after["vehicle_id"], "repeat_of": event.after.get("repeat_of")}
+        promised[event.entity_id] = _text({**place, "survey_id": event.survey_id})
+
+
+def _stored(session: Session) -> Iterator[tuple[int, str]]:
+    query = select(measurement_series).order_by(measurement_series.c.id).execution_options(yield_per=1000)
+    for row in session.execute(query).mappings():
+        yield row["id"], _text({name: row[name] for name in ("survey_id", "vehicle_id", "repeat_of")})
+
+
+def _text(place: Mapping[str, Any]) -> str:
+    return str(sorted(place.items()))
+
+
+register(Fingerprint("series", "measurement", _promise, _stored))
