@@ -19,6 +19,7 @@ import sightline.infra.web.health
 import sightline.measurements.assist.routes
 import sightline.measurements.preview.routes
 import sightline.measurements.routes
+import sightline.measurements.sheets.passes_routes
 import sightline.measurements.sheets.routes
 import sightline.people.routes
 import sightline.people.session_routes
@@ -78,6 +79,7 @@ ROUTERS: tuple[tuple[str, APIRouter], ...] = (
     ("geometry", sightline.measurements.preview.routes.router),
     ("vehicles", sightline.measurements.sheets.routes.router),
     ("passes", sightline.vehicles.passes.routes.router),
+    ("passes", sightline.measurements.sheets.passes_routes.router),
     ("catalogue", sightline.vehicles.catalogue.routes.router),
     ("measurements", sightline.measurements.routes.router),
     ("reviews", sightline.reviews.routes.router),

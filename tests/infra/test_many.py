@@ -6,11 +6,11 @@ from sqlalchemy import event
 from sqlalchemy.orm import Session
 
 from sightline.infra.database.engine import SessionFactory, reading, writing
+from sightline.measurements.sheets.query import list_sheets
 from sightline.recordings.frames.store import get_frame_table
 from sightline.recordings.store import note_ingested
 from sightline.reviews.store import review_queue
 from sightline.surveys.store import create_survey, get_survey, list_surveys
-from sightline.vehicles.store import list_vehicles
 from tests.support import samples
 from tests.support.samples import Sample
 
@@ -49,7 +49,7 @@ def test_vehicles_list_in_three_queries(large: tuple[SessionFactory, Sample]) ->
     factory, one = large
     with reading(factory) as session:
         ran = _statements(session)
-        found = list_vehicles(session, one.survey.id)
+        found = list_sheets(session, one.survey.id)
         assert len(ran) == 3
         survey = get_survey(session, one.survey.id)
         assert len(ran) == 3 + 9

@@ -10,6 +10,7 @@ from sqlalchemy.orm import Session
 from sightline.cameras.store import choose_calibration, create_camera, get_camera
 from sightline.errors import BadInput, Conflict, NotAllowed, NotFound, NotSignedIn
 from sightline.infra.jobs.store import create_job
+from sightline.measurements.sheets.query import get_sheet, list_sheets
 from sightline.measurements.store import (
     add_measurement,
     get_measurement,
@@ -51,7 +52,6 @@ from sightline.vehicles.catalogue.store import add_catalogue_row, import_catalog
 from sightline.vehicles.store import (
     create_vehicle,
     get_vehicle,
-    list_vehicles,
     remove_vehicle,
     restore_vehicle,
     update_vehicle,
@@ -68,7 +68,7 @@ def one(session: Session) -> Iterator[Sample]:
 
 
 def state(session: Session, one: Sample) -> str:
-    return get_vehicle(session, one.vehicle.id).state
+    return get_sheet(session, one.vehicle.id).state
 
 
 def test_a_vehicles_state_follows_from_its_measurements(session: Session, one: Sample) -> None:
@@ -232,12 +232,13 @@ def test_a_deleted_recording_is_gone_but_its_media_may_be_shared(session: Sessio
 def test_a_deleted_vehicle_leaves_lists_and_counts_and_comes_back(session: Session, one: Sample) -> None:
     samples.measure(session, one)
     assert remove_vehicle(session, one.vehicle.id, version=1, actor=None).deleted
-    assert list_vehicles(session, one.survey.id) == ()
+    assert list_sheets(session, one.survey.id) == ()
     assert list_measurements(session, one.survey.id) == ()
     assert review_queue(session, one.survey.id, actor=None) == ()
     counts = get_survey(session, one.survey.id).counts
     assert (counts.vehicles, counts.measurements) == (0, 0)
-    assert restore_vehicle(session, one.vehicle.id, actor=None).state == "partial"
+    restore_vehicle(session, one.vehicle.id, actor=None)
+    assert state(session, one) == "partial"
     assert len(review_queue(session, one.survey.id, actor=None)) == 1
 
 

@@ -9,8 +9,8 @@ from sightline.geometry.camera import project
 from sightline.geometry.road_pose import RoadPose
 from sightline.infra.audit.verification import verify_records
 from sightline.infra.services import Services
+from sightline.measurements.sheets.query import list_sheets
 from sightline.measurements.store import list_measurements
-from sightline.vehicles.store import list_vehicles
 from tests.support.app import Client, error_of
 from tests.support.ground import Ground, add_vehicle, lay_ground, measure, pixel, pose_above_road
 
@@ -182,7 +182,7 @@ def test_roofs_of_known_height_offer_the_inset_with_its_origin(
     with services.reading() as session:
         stored = list_measurements(session, ground.survey_id)
         assert {one.values.inset_m for one in stored} == {0.3}
-        assert len(list_vehicles(session, ground.survey_id)) == 12
+        assert len(list_sheets(session, ground.survey_id)) == 12
 
 
 def test_cases_are_metrologys_closed_form(viewer: Client, ground: Ground) -> None:

@@ -25,6 +25,7 @@ from sightline.infra.database.engine import (
     session_factory,
     writing,
 )
+from sightline.measurements.sheets.query import list_sheets
 from sightline.measurements.store import (
     add_measurement,
     list_measurements,
@@ -42,7 +43,7 @@ from sightline.results.measured_columns_query import (
 )
 from sightline.reviews.store import add_review
 from sightline.surveys.store import create_survey
-from sightline.vehicles.store import create_vehicle, list_vehicles, remove_vehicle, update_vehicle
+from sightline.vehicles.store import create_vehicle, remove_vehicle, update_vehicle
 from sightline.vehicles.tables import vehicles as vehicles_table
 from tests.support import samples
 
@@ -81,7 +82,7 @@ def test_columns_are_the_records(factory: SessionFactory, monkeypatch: pytest.Mo
     with reading(factory) as session:
         found = load_measured_columns(session, [one.survey.id], days=True)
         records = [m for m in list_measurements(session, one.survey.id) if m.values.height_m is not None]
-        cars = {vehicle.id: vehicle for vehicle in list_vehicles(session, one.survey.id)}
+        cars = {vehicle.id: vehicle for vehicle in list_sheets(session, one.survey.id)}
         everything = load_measured_columns(session)
         assert not everything.day.any()  # not asked for
         assert len(load_measured_columns(session, [other.id])) == 0

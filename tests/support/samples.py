@@ -15,7 +15,7 @@ from sightline.enums import Role, Target
 from sightline.infra.database.engine import SessionFactory, writing
 from sightline.infra.database.types import now
 from sightline.infra.web.person import Person
-from sightline.measurements.records import Measurement, MeasurementValues, Vehicle
+from sightline.measurements.records import Measurement, MeasurementValues
 from sightline.measurements.store import add_measurement
 from sightline.measurements.tables import measurement_series
 from sightline.measurements.tables import measurements as revision_rows
@@ -30,6 +30,7 @@ from sightline.surveys.photographs.records import Photograph
 from sightline.surveys.photographs.store import add_photograph
 from sightline.surveys.records import Survey
 from sightline.surveys.store import create_survey
+from sightline.vehicles.records import Vehicle
 from sightline.vehicles.store import create_vehicle
 from sightline.vehicles.tables import vehicles as vehicle_rows
 

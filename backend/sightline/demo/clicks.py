@@ -14,11 +14,12 @@ import numpy as np
 from sqlalchemy.orm import Session
 
 from sightline.enums import REQUIRED_TARGETS, Point
-from sightline.measurements.records import ClickedFrame, Clicks, Measurement, Vehicle
+from sightline.measurements.records import ClickedFrame, Clicks, Measurement
 from sightline.measurements.service import store_measurement
 from sightline.reviews.service import review
 from sightline.simulation.scene import FPS
 from sightline.simulation.truth import PassTruth
+from sightline.vehicles.records import Vehicle
 
 CLICK_NOISE_PX = 0.7
 # A driver on the far side sits behind the middle of the car.

@@ -48,6 +48,7 @@ from sightline.measurements.csv import (
     with_frames,
 )
 from sightline.measurements.records import Measurement
+from sightline.measurements.sheets.csv import VEHICLES
 from sightline.media.store.local import check_room
 from sightline.people.csv import PEOPLE
 from sightline.poses.csv import POSES, pose_path
@@ -69,7 +70,6 @@ from sightline.surveys.photographs.service import photograph_content
 from sightline.surveys.photographs.store import list_photographs
 from sightline.surveys.records import Survey
 from sightline.surveys.store import get_survey
-from sightline.vehicles.csv import VEHICLES
 
 Record = TypeVar("Record")
 Tell = Callable[[float, str], None]

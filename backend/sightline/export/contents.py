@@ -16,6 +16,7 @@ from sightline.infra.csv_package.audit import AUDIT
 from sightline.infra.csv_package.schema import About, AnyTable, Other
 from sightline.infra.version import code_version
 from sightline.measurements.csv import BUDGET, MEASUREMENTS, REVISIONS, clicks_with_frames, with_frames
+from sightline.measurements.sheets.csv import VEHICLES
 from sightline.people.csv import PEOPLE
 from sightline.poses.csv import POSES
 from sightline.quality.checks.csv import WHEEL_PAIRS
@@ -28,7 +29,6 @@ from sightline.scans.csv import TABLES as SCANS
 from sightline.surveys.csv import INSETS
 from sightline.surveys.photographs.csv import FOLDER as PHOTOGRAPHS_FOLDER
 from sightline.surveys.photographs.csv import PHOTOGRAPHS
-from sightline.vehicles.csv import VEHICLES
 
 REPORT = "report.pdf"
 FIGURES = "figures/"

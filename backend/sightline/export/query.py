@@ -16,13 +16,13 @@ from sightline.infra.database.rows import row_content
 from sightline.measurements.csv import OfVehicle
 from sightline.measurements.drift_query import flagged
 from sightline.measurements.query import is_first, measurement_of_row, measurement_revision_rows
-from sightline.measurements.records import Measurement, Vehicle
+from sightline.measurements.records import Measurement, VehicleSheet
+from sightline.measurements.sheets.query import list_sheets_by_id
 from sightline.measurements.tables import measurement_series, measurements
 from sightline.measurements.tables import reviews as review_rows
 from sightline.poses.tables import road_poses
 from sightline.reviews.query import reviews_of_series
 from sightline.reviews.records import Review
-from sightline.vehicles.store import list_vehicles_by_id
 from sightline.vehicles.tables import vehicles as vehicle_rows
 
 PAGE = 1000
@@ -66,11 +66,11 @@ def revision_pages(session: Session, survey_id: int) -> Iterator[list[tuple[Meas
         yield list(zip(flagged(session, found), cars, strict=True))
 
 
-def vehicle_pages(session: Session, survey_id: int) -> Iterator[list[Vehicle]]:
+def vehicle_pages(session: Session, survey_id: int) -> Iterator[list[VehicleSheet]]:
     """The vehicles that were not deleted, with their measurements, in the order of ids."""
     of_survey = select(vehicle_rows.c.id).where(vehicle_rows.c.survey_id == survey_id)
     for ids in _ids(session, of_survey, vehicle_rows.c.id):
-        yield sorted(list_vehicles_by_id(session, ids), key=lambda one: one.id)
+        yield sorted(list_sheets_by_id(session, ids), key=lambda one: one.id)
 
 
 def review_pages(session: Session, survey_id: int) -> Iterator[tuple[Review, ...]]:

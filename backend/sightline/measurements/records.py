@@ -4,18 +4,15 @@ from dataclasses import dataclass
 from datetime import datetime
 
 from sightline.enums import (
-    Category,
-    Direction,
     JsonObject,
-    Lighting,
     MeasurementStatus,
     Point,
     Target,
-    VehicleOrigin,
     VehicleState,
     Verdict,
 )
 from sightline.infra.audit.records import Who
+from sightline.vehicles.records import Vehicle
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -186,29 +183,8 @@ class ClickSigma:
 
 
 @dataclass(frozen=True, slots=True)
-class Vehicle:
-    id: int
-    survey_id: int
-    recording_id: int
-    number: int
-    first_frame: int
-    last_frame: int
-    best_frame: int | None
-    make: str | None
-    model: str | None
-    year: int | None
-    category: Category | None
-    manufacturer_height_m: float | None
-    u_manufacturer_height_m: float | None
-    height_source: str | None
-    lighting: Lighting | None
-    notes: str
-    origin: VehicleOrigin
-    direction: Direction | None
-    detection: JsonObject | None
-    version: int
-    updated_by: Who | None
-    updated_at: datetime
-    deleted: bool
+class VehicleSheet(Vehicle):
+    """A record with its standing measurements, and what they make of it."""
+
     state: VehicleState
     measurements: tuple[Measurement, ...]

@@ -28,10 +28,10 @@ from sightline.geometry.travel import Chase, body_of, further_gain
 from sightline.infra.services import Services
 from sightline.measurements.click_context_query import click_context
 from sightline.measurements.height_of_clicks import measured_frames
-from sightline.measurements.records import Clicks, Measurement, Vehicle
+from sightline.measurements.records import Clicks, Measurement, VehicleSheet
 from sightline.measurements.service import clicks_in_context, pose_in_force
+from sightline.measurements.sheets.query import get_sheet
 from sightline.recordings.frames.stills import OpenRecording, stills_of
-from sightline.vehicles.store import get_vehicle
 
 Source = Literal["followed", "measured", "assumed"]
 
@@ -102,7 +102,7 @@ def proposal(
     context = click_context(session, recording_id, actor)
     pose, _, _ = pose_in_force(session, context)
     clicks = clicks_in_context(clicks, context)
-    vehicle = get_vehicle(session, vehicle_id)
+    vehicle = get_sheet(session, vehicle_id)
     if vehicle.recording_id != recording_id:
         raise BadInput("The vehicle is not of this recording; choose one of its passes.")
     u_now, reason = _now(pose, clicks)
@@ -136,7 +136,7 @@ def _now(pose: RoadPose, clicks: Clicks) -> tuple[float | None, str | None]:
     return height.u_height_m, height.reason
 
 
-def _span(vehicle: Vehicle, n: int, frames: int) -> range:
+def _span(vehicle: VehicleSheet, n: int, frames: int) -> range:
     """The frames of the pass round the one clicked, as many as are worth looking at."""
     first = max(min(vehicle.first_frame, n), n - _MOST_FRAMES, 0)
     last = min(max(vehicle.last_frame, n), n + _MOST_FRAMES, frames - 1)
@@ -148,7 +148,7 @@ def _known_travels(
     opened: OpenRecording,
     pose: RoadPose,
     clicks: Clicks,
-    vehicle: Vehicle,
+    vehicle: VehicleSheet,
     span: range,
 ) -> list[Travels]:
     """The best that is known of the vehicle's travel: one answer, or one for each speed assumed."""

@@ -7,7 +7,7 @@ from sightline.enums import (
     ReviewVerdict,
 )
 from sightline.infra.audit.records import Who
-from sightline.measurements.records import Measurement, Vehicle
+from sightline.measurements.records import Measurement, VehicleSheet
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,5 +37,5 @@ class QueueItem:
     """A measurement waiting for a reviewer; `mine` when the asker made this revision."""
 
     measurement: Measurement
-    vehicle: Vehicle
+    vehicle: VehicleSheet
     mine: bool

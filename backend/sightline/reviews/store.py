@@ -20,6 +20,7 @@ from sightline.measurements.query import (
     waits,
 )
 from sightline.measurements.records import Measurement, MeasurementValues
+from sightline.measurements.sheets.query import list_sheets_by_id
 from sightline.measurements.store import (
     append_measurement_revision,
     get_measurement,
@@ -30,7 +31,6 @@ from sightline.measurements.tables import measurement_series, reviews
 from sightline.measurements.tables import measurements as revision_rows
 from sightline.reviews.query import reviews_of_series
 from sightline.reviews.records import QueueItem, Review
-from sightline.vehicles.store import list_vehicles_by_id
 from sightline.vehicles.tables import vehicles as vehicle_rows
 
 QueueState = Literal["to_review", "accepted", "fixed", "rejected", "all"]
@@ -104,7 +104,7 @@ def review_queue(
     found = fetch_measurements(
         session, query.order_by(vehicle_rows.c.number, revision_rows.c.series_id).limit(limit)
     )
-    chosen = list_vehicles_by_id(session, (one.vehicle_id for one in found))
+    chosen = list_sheets_by_id(session, (one.vehicle_id for one in found))
     by_id = {vehicle.id: vehicle for vehicle in chosen}
     mine = _of_own_points(session, found, actor)
     return tuple(QueueItem(one, by_id[one.vehicle_id], one.id in mine) for one in found)

@@ -1,10 +1,42 @@
-"""What may be changed of a vehicle."""
+"""The facts of a vehicle, and what may be changed of them."""
 
+from dataclasses import dataclass
+from datetime import datetime
 from typing import TypedDict
 
 from sightline.enums import Category, Direction, JsonObject, Lighting, VehicleOrigin
+from sightline.infra.audit.records import Who
 
 MOST_HEIGHT_M = 10.0  # of a vehicle, and of its uncertainty; a height is more than 0
+
+
+@dataclass(frozen=True, slots=True)
+class Vehicle:
+    """The facts of a record; its measurements are on its sheet (`measurements`)."""
+
+    id: int
+    survey_id: int
+    recording_id: int
+    number: int
+    first_frame: int
+    last_frame: int
+    best_frame: int | None
+    make: str | None
+    model: str | None
+    year: int | None
+    category: Category | None
+    manufacturer_height_m: float | None
+    u_manufacturer_height_m: float | None
+    height_source: str | None
+    lighting: Lighting | None
+    notes: str
+    origin: VehicleOrigin
+    direction: Direction | None
+    detection: JsonObject | None
+    version: int
+    updated_by: Who | None
+    updated_at: datetime
+    deleted: bool
 
 
 class VehicleChanges(TypedDict, total=False):

@@ -5,8 +5,7 @@ from __future__ import annotations
 from sqlalchemy.orm import Session
 
 from sightline.errors import Conflict
-from sightline.measurements.records import Vehicle
-from sightline.vehicles.records import VehicleChanges
+from sightline.vehicles.records import Vehicle, VehicleChanges
 from sightline.vehicles.store import get_vehicle, update_vehicle
 
 

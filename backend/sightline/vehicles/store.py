@@ -1,23 +1,20 @@
-"""Vehicle records. Their state follows from their measurements and is never stored."""
+"""Vehicle records: their facts."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from sqlalchemy import ColumnElement, func, select
+from sqlalchemy import ColumnElement, Select, func, select
 from sqlalchemy.orm import Session
 
-from sightline.enums import REQUIRED_TARGETS, Direction, VehicleState
+from sightline.enums import Direction
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import add_row, change_row, get_row, missing, name_of, who
 from sightline.infra.database.types import columns_of, now
-from sightline.measurements.query import measurements_of_vehicles
-from sightline.measurements.records import Measurement, Vehicle
-from sightline.measurements.tables import measurement_series, measurements, wheel_pairs
 from sightline.recordings.tables import recordings
-from sightline.vehicles.records import MOST_HEIGHT_M, VehicleChanges
+from sightline.vehicles.records import MOST_HEIGHT_M, Vehicle, VehicleChanges
 from sightline.vehicles.tables import vehicles
 
 
@@ -56,32 +53,18 @@ def create_vehicle(
 
 
 def get_vehicle(session: Session, vehicle_id: int, *, deleted: bool = False) -> Vehicle:
-    """One vehicle with its measurements. Raises NotFound; `deleted` also finds one that was deleted."""
-    found = _fetch(
-        session, [vehicles.c.id == vehicle_id], [measurement_series.c.vehicle_id == vehicle_id], deleted
-    )
-    if not found:
+    """The facts of one vehicle. Raises NotFound; `deleted` also finds one that was deleted."""
+    query = vehicle_rows(vehicles.c.id == vehicle_id, deleted=deleted)
+    row = session.execute(query).mappings().one_or_none()
+    if row is None:
         raise missing("vehicle", vehicle_id)
-    return found[0]
+    return Vehicle(**facts_of_row(row))
 
 
-def list_vehicles(
-    session: Session, survey_id: int, *, recording_id: int | None = None
-) -> tuple[Vehicle, ...]:
-    """The vehicles of a survey or of one recording by number, with measurements; two queries."""
-    where = [vehicles.c.survey_id == survey_id]
-    of_these = [measurement_series.c.survey_id == survey_id]
-    if recording_id is not None:
-        where.append(vehicles.c.recording_id == recording_id)
-        of_these.append(measurement_series.c.recording_id == recording_id)
-    return _fetch(session, where, of_these, False)
-
-
-def list_vehicles_by_id(session: Session, ids: Iterable[int]) -> tuple[Vehicle, ...]:
-    """Those of these vehicles that were not deleted, by number, with measurements; two queries."""
-    chosen = sorted(set(ids))
-    of_these = [measurement_series.c.vehicle_id.in_(chosen)]
-    return _fetch(session, [vehicles.c.id.in_(chosen)], of_these, False)
+def list_vehicles_of_recording(session: Session, recording_id: int) -> tuple[Vehicle, ...]:
+    """The facts of the vehicles of a recording, by number."""
+    rows = session.execute(vehicle_rows(vehicles.c.recording_id == recording_id)).mappings()
+    return tuple(Vehicle(**facts_of_row(row)) for row in rows)
 
 
 def update_vehicle(
@@ -134,34 +117,6 @@ def pass_spans(session: Session, recording_id: int) -> tuple[PassSpan, ...]:
     )
 
 
-def frames_used_of_vehicle(session: Session, vehicle_id: int) -> tuple[tuple[int, ...], ...]:
-    """The frames of each measurement of a vehicle as it is now, withdrawn ones and repeats too."""
-    newest = (
-        select(measurements.c.series_id, func.max(measurements.c.revision).label("revision"))
-        .join(measurement_series, measurement_series.c.id == measurements.c.series_id)
-        .where(measurement_series.c.vehicle_id == vehicle_id)
-        .group_by(measurements.c.series_id)
-        .subquery()
-    )
-    query = select(measurements.c.frame, measurements.c.more_frames).join(
-        newest,
-        (newest.c.series_id == measurements.c.series_id) & (newest.c.revision == measurements.c.revision),
-    )
-    clicked = [(frame, *(int(one["frame"]) for one in more or ())) for frame, more in session.execute(query)]
-    pairs = select(wheel_pairs.c.frame).where(wheel_pairs.c.vehicle_id == vehicle_id)
-    return (*clicked, *((int(frame),) for frame in session.execute(pairs).scalars()))
-
-
-def state_of(found: Sequence[Measurement]) -> VehicleState:
-    """What a vehicle's standing measurements make of it (roof, eye and taillight are asked for)."""
-    verdicts = {one.review.verdict for one in found}
-    if "rejected" in verdicts:
-        return "rejected"
-    if not set(REQUIRED_TARGETS) <= {one.values.target for one in found}:
-        return "partial" if found else "to_do"
-    return "accepted" if verdicts <= {"accepted", "fixed"} else "measured"
-
-
 def _current(session: Session, vehicle_id: int, version: int | None) -> dict[str, Any]:
     row = get_row(session, vehicles, vehicle_id, "vehicle", _ALIVE)
     if version is not None and row["version"] != version:
@@ -199,28 +154,15 @@ def _checked(fields: Mapping[str, Any], frame_count: int | None) -> dict[str, An
     return values
 
 
-def _fetch(
-    session: Session,
-    where: Iterable[ColumnElement[bool]],
-    of_these: Iterable[ColumnElement[bool]],
-    deleted: bool,
-) -> tuple[Vehicle, ...]:
-    query = (
-        select(vehicles, people.c.name.label("changer"))
-        .outerjoin(people, people.c.id == vehicles.c.updated_by)
-        .where(*where)
-        .order_by(vehicles.c.number)
-    )
-    rows = session.execute(query if deleted else query.where(_ALIVE)).mappings().all()
-    found = measurements_of_vehicles(session, of_these) if rows else {}
-    return tuple(_vehicle(row, tuple(found.get(row["id"], ()))) for row in rows)
+def vehicle_rows(*where: ColumnElement[bool], deleted: bool = False) -> Select[Any]:
+    """Vehicles by number with who changed them last, for `facts_of_row`; `deleted`: those too."""
+    query = select(vehicles, people.c.name.label("changer"))
+    query = query.outerjoin(people, people.c.id == vehicles.c.updated_by).order_by(vehicles.c.number)
+    return query.where(*where) if deleted else query.where(*where, _ALIVE)
 
 
-def _vehicle(row: Mapping[Any, Any], found: tuple[Measurement, ...]) -> Vehicle:
-    return Vehicle(
-        updated_by=who(row["updated_by"], row["changer"]),
-        deleted=row["deleted_at"] is not None,
-        state=state_of(found),
-        measurements=found,
-        **{name: row[name] for name in _NAMED},
-    )
+def facts_of_row(row: Mapping[Any, Any]) -> dict[str, Any]:
+    """The fields of a Vehicle, from a row of `vehicle_rows`."""
+    stored = {name: row[name] for name in _NAMED}
+    changed = {"updated_by": who(row["updated_by"], row["changer"]), "deleted": row["deleted_at"] is not None}
+    return {**stored, **changed}

@@ -13,6 +13,7 @@ from sightline.infra.audit.hashing import content_hash
 from sightline.infra.csv_package.chain import stamp
 from sightline.infra.csv_package.files import Files, number, read_columns, read_rows, read_whole
 from sightline.infra.csv_package.schema import AnyTable, Cells, cell_text, record_path
+from sightline.measurements.sheets.csv import VEHICLES
 from sightline.poses.csv import POSES, pose_path
 from sightline.quality.checks.csv import WHEEL_PAIRS
 from sightline.recordings.csv import RECORDINGS, drift_cells, drift_of
@@ -20,7 +21,6 @@ from sightline.results.csv import standards_in
 from sightline.reviews.csv import REVIEWS
 from sightline.statistics.standards import STANDARDS, Standard
 from sightline.surveys.csv import INSETS
-from sightline.vehicles.csv import VEHICLES
 
 _DEFAULT_VERDICT = "to_review"
 

@@ -4,9 +4,11 @@ from typing import Annotated, cast
 
 from fastapi import APIRouter, Query
 
+from sightline.infra.database import Session
 from sightline.infra.web.bodies import Id
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
 from sightline.measurements.bodies import VehicleBody
+from sightline.measurements.sheets import query
 from sightline.surveys.store import get_survey
 from sightline.vehicles import service, store
 from sightline.vehicles.bodies import ChangedVehicle, NewVehicle, VehicleFields
@@ -25,6 +27,11 @@ def changes_of(body: VehicleFields) -> VehicleChanges:
     return cast(VehicleChanges, given)
 
 
+def sheet_body(session: Session, vehicle_id: int) -> VehicleBody:
+    """A vehicle with its standing measurements, as it goes out."""
+    return VehicleBody.model_validate(query.get_sheet(session, vehicle_id))
+
+
 @router.get("/surveys/{survey_id}/vehicles")
 def list_vehicles(
     survey_id: PathId,
@@ -34,35 +41,32 @@ def list_vehicles(
 ) -> list[VehicleBody]:
     """The vehicles of a survey by number, with their standing measurements."""
     get_survey(session, survey_id)
-    found = store.list_vehicles(session, survey_id, recording_id=recording_id)
+    found = query.list_sheets(session, survey_id, recording_id=recording_id)
     return [VehicleBody.model_validate(one) for one in found]
 
 
 @router.post("/recordings/{recording_id}/vehicles", status_code=201)
 def add_vehicle(recording_id: PathId, body: NewVehicle, who: Operator, session: Writing) -> VehicleBody:
     """A pass in a recording; its number counts up in the survey."""
-    return VehicleBody.model_validate(
-        store.create_vehicle(session, recording_id, changes_of(body), actor=who.id)
-    )
+    made = store.create_vehicle(session, recording_id, changes_of(body), actor=who.id)
+    return sheet_body(session, made.id)
 
 
 @router.get("/vehicles/{vehicle_id}")
 def get_vehicle(vehicle_id: PathId, who: Viewer, session: Reading) -> VehicleBody:
     """One vehicle with its standing measurements."""
-    return VehicleBody.model_validate(store.get_vehicle(session, vehicle_id))
+    return sheet_body(session, vehicle_id)
 
 
 @router.put("/vehicles/{vehicle_id}")
 def change_vehicle(vehicle_id: PathId, body: ChangedVehicle, who: Operator, session: Writing) -> VehicleBody:
     """Change a record. If somebody was quicker, the conflict says who and when and carries the record."""
     try:
-        changed = service.change_vehicle(
-            session, vehicle_id, changes_of(body), version=body.version, actor=who.id
-        )
+        service.change_vehicle(session, vehicle_id, changes_of(body), version=body.version, actor=who.id)
     except Overtaken as error:
-        error.current = VehicleBody.model_validate(error.current).model_dump(mode="json")
+        error.current = sheet_body(session, vehicle_id).model_dump(mode="json")
         raise
-    return VehicleBody.model_validate(changed)
+    return sheet_body(session, vehicle_id)
 
 
 @router.delete("/vehicles/{vehicle_id}", status_code=204)
@@ -79,4 +83,5 @@ def remove_vehicle(
 @router.post("/vehicles/{vehicle_id}/restore")
 def restore_vehicle(vehicle_id: PathId, who: Operator, session: Writing) -> VehicleBody:
     """Bring a record back that was taken out."""
-    return VehicleBody.model_validate(store.restore_vehicle(session, vehicle_id, actor=who.id))
+    store.restore_vehicle(session, vehicle_id, actor=who.id)
+    return sheet_body(session, vehicle_id)

@@ -21,14 +21,14 @@ from sightline.geometry.inset_trend import (
     together,
 )
 from sightline.geometry.insets import DEFAULT_INSETS, INSET_CHOICES, bias_m
-from sightline.measurements.records import Measurement, Vehicle
+from sightline.measurements.records import Measurement, VehicleSheet
 from sightline.measurements.service import road_pose
+from sightline.measurements.sheets.query import list_sheets
 from sightline.measurements.store import list_measurements
 from sightline.recordings.store import list_recordings
 from sightline.statistics.agreement import U_MANUFACTURER_M
 from sightline.surveys.records import Inset, Survey
 from sightline.surveys.store import get_survey
-from sightline.vehicles.store import list_vehicles
 
 Method = Literal["known_heights", "trend", "two_frames"]
 
@@ -132,7 +132,7 @@ class _Rows:
 def check_insets(session: Session, survey_id: int) -> InsetCheck:
     """Estimate each target's inset from the survey itself. Raises NotFound."""
     survey = get_survey(session, survey_id)
-    known = {one.id: one for one in list_vehicles(session, survey_id)}
+    known = {one.id: one for one in list_sheets(session, survey_id)}
     standing = [
         one
         for one in list_measurements(session, survey_id)
@@ -173,7 +173,7 @@ def _target(
     survey: Survey,
     target: Target,
     standing: Sequence[Measurement],
-    known: dict[int, Vehicle],
+    known: dict[int, VehicleSheet],
 ) -> TargetInsets:
     in_force = survey.insets[target]
     fitting = [one for one in standing if not _is_other_choice(one, in_force)]
@@ -217,7 +217,7 @@ def _rows(session: Session, made: Sequence[Measurement]) -> _Rows:
     return _Rows(tuple(kept), together(parts) if kept else None)
 
 
-def _from_known(rows: _Rows, known: dict[int, Vehicle]) -> Estimate:
+def _from_known(rows: _Rows, known: dict[int, VehicleSheet]) -> Estimate:
     heights = [known[one.vehicle_id].manufacturer_height_m for one in rows.made]
     u = [known[one.vehicle_id].u_manufacturer_height_m for one in rows.made]
     has = np.array([height is not None for height in heights], dtype=np.bool_)
@@ -234,13 +234,13 @@ def _from_known(rows: _Rows, known: dict[int, Vehicle]) -> Estimate:
     return _estimate("known_heights", found, made, known)
 
 
-def _from_trend(rows: _Rows, known: dict[int, Vehicle]) -> Estimate:
+def _from_trend(rows: _Rows, known: dict[int, VehicleSheet]) -> Estimate:
     if rows.seen is None:
         return Estimate("trend", "Nothing is measured of this target.")
     return _estimate("trend", inset_from_trend(rows.seen), rows.made, known)
 
 
-def _from_solved(made: Sequence[Measurement], known: dict[int, Vehicle]) -> Estimate:
+def _from_solved(made: Sequence[Measurement], known: dict[int, VehicleSheet]) -> Estimate:
     solved = [
         one
         for one in made
@@ -254,7 +254,7 @@ def _from_solved(made: Sequence[Measurement], known: dict[int, Vehicle]) -> Esti
 
 
 def _estimate(
-    method: Method, found: InsetEstimate | str, made: Sequence[Measurement], known: dict[int, Vehicle]
+    method: Method, found: InsetEstimate | str, made: Sequence[Measurement], known: dict[int, VehicleSheet]
 ) -> Estimate:
     if isinstance(found, str):
         return Estimate(method, found)

@@ -22,8 +22,9 @@ from sightline.geometry.traffic import (
 )
 from sightline.measurements.click_context_query import click_context
 from sightline.measurements.height_of_clicks import DEFAULT_SIGMA_PX
-from sightline.measurements.records import Measurement, Vehicle
+from sightline.measurements.records import Measurement, VehicleSheet
 from sightline.measurements.service import pose_in_force, road_pose
+from sightline.measurements.sheets.query import list_sheets
 from sightline.measurements.store import list_measurements
 from sightline.poses.store import get_pose
 from sightline.quality.checks.records import WheelPair
@@ -32,7 +33,7 @@ from sightline.quality.checks.turning import Changes, changes_of_heights
 from sightline.recordings.frames.store import get_frame
 from sightline.recordings.records import Recording
 from sightline.recordings.store import list_recordings
-from sightline.vehicles.store import get_vehicle, list_vehicles
+from sightline.vehicles.store import get_vehicle
 
 Source = Literal["tyres", "two_frames"]
 
@@ -89,7 +90,7 @@ class _Told:
 def check_traffic(session: Session, survey_id: int) -> tuple[PoseCheck, ...]:
     """Every pose in force of a survey's recordings, with the headings of their vehicles."""
     ready = [one for one in list_recordings(session, survey_id) if one.state == "ready"]
-    passes = list_vehicles(session, survey_id)
+    passes = list_sheets(session, survey_id)
     pairs = list_wheel_pairs(session, survey_id)
     in_force = sorted({one.pose_id for one in ready if one.pose_id is not None})
     return tuple(check_pose(session, pose_id, ready, passes, pairs) for pose_id in in_force)
@@ -129,7 +130,7 @@ def check_pose(
     session: Session,
     pose_id: int,
     ready: Sequence[Recording],
-    passes: Sequence[Vehicle],
+    passes: Sequence[VehicleSheet],
     pairs: Sequence[WheelPair],
 ) -> PoseCheck:
     pose = road_pose(session, pose_id)
@@ -167,7 +168,7 @@ def check_pose(
     )
 
 
-def _headings(pose: RoadPose, passes: Sequence[Vehicle], pairs: Sequence[WheelPair]) -> list[_Told]:
+def _headings(pose: RoadPose, passes: Sequence[VehicleSheet], pairs: Sequence[WheelPair]) -> list[_Told]:
     """One heading a vehicle, by number: from its tyre contacts, else from its best two-frame measurement."""
     found = headings_of_pairs(
         pose, [one.first for one in pairs], [one.second for one in pairs], DEFAULT_SIGMA_PX

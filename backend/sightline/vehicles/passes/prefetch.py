@@ -15,7 +15,7 @@ from sightline.infra.services import Services
 from sightline.media.video.frames import FrameServer
 from sightline.media.video.window import NotWanted
 from sightline.recordings.frames.stills import OpenRecording, Stills, stills_of
-from sightline.vehicles.store import list_vehicles
+from sightline.vehicles.store import list_vehicles_of_recording
 
 log = logging.getLogger(__name__)
 
@@ -108,7 +108,7 @@ class PassPrefetcher:
         """Frames around the best frames of the passes, those behind frame n first."""
         recording = opened.recording
         with reading(self._sessions) as session:
-            found = list_vehicles(session, recording.survey_id, recording_id=recording.id)
+            found = list_vehicles_of_recording(session, recording.id)
         best = [
             one.best_frame if one.best_frame is not None else (one.first_frame + one.last_frame) // 2
             for one in found

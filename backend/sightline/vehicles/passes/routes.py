@@ -1,58 +1,15 @@
-"""Passes: looked for in the background, split, joined."""
-
-from typing import Annotated
+"""Passes, looked for in the background."""
 
 from fastapi import APIRouter
-from pydantic import Field
 
-from sightline.infra.web.bodies import FrameNumber, Id, In, JobBody, Out
+from sightline.infra.web.bodies import JobBody
 from sightline.infra.web.deps import Operator, PathId, Writing
-from sightline.measurements.bodies import VehicleBody
-from sightline.vehicles.passes import find_job, split_join
+from sightline.vehicles.passes import find_job
 
 router = APIRouter()
-Version = Annotated[int, Field(ge=1, le=2**31 - 1, description="The version that you saw.")]
-
-
-class SplitWanted(In):
-    frame: FrameNumber = Field(description="The first frame of the later pass.")
-    version: Version
-
-
-class SplitBody(Out):
-    earlier: VehicleBody
-    later: VehicleBody
-
-
-class JoinWanted(In):
-    other_id: Id
-    version: Version
-    other_version: Version
 
 
 @router.post("/recordings/{recording_id}/find-passes", status_code=202)
 def find_passes(recording_id: PathId, who: Operator, session: Writing) -> JobBody:
     """Look for vehicle passes in the background; those that are there or were discarded are left alone."""
     return JobBody.model_validate(find_job.request_passes(session, recording_id, actor=who.id))
-
-
-@router.post("/vehicles/{vehicle_id}/split")
-def split_pass(vehicle_id: PathId, body: SplitWanted, who: Operator, session: Writing) -> SplitBody:
-    """Two passes of one; the vehicle keeps the side on which it was measured."""
-    sides = split_join.split(session, vehicle_id, body.frame, version=body.version, actor=who.id)
-    earlier, later = (VehicleBody.model_validate(one) for one in sides)
-    return SplitBody(earlier=earlier, later=later)
-
-
-@router.post("/vehicles/{vehicle_id}/join")
-def join_passes(vehicle_id: PathId, body: JoinWanted, who: Operator, session: Writing) -> VehicleBody:
-    """One pass of two; refused where both were measured."""
-    kept = split_join.join(
-        session,
-        vehicle_id,
-        body.other_id,
-        version=body.version,
-        other_version=body.other_version,
-        actor=who.id,
-    )
-    return VehicleBody.model_validate(kept)

@@ -5,11 +5,10 @@ from __future__ import annotations
 from sqlalchemy.orm import Session
 
 from sightline.errors import BadInput, Conflict
-from sightline.measurements.records import Vehicle
-from sightline.vehicles.records import VehicleChanges
+from sightline.measurements.sheets.query import frames_used_of_vehicle
+from sightline.vehicles.records import Vehicle, VehicleChanges
 from sightline.vehicles.store import (
     create_vehicle,
-    frames_used_of_vehicle,
     get_vehicle,
     remove_vehicle,
     update_vehicle,

@@ -7,9 +7,9 @@ from typing import get_args
 from sightline.enums import Category, Lighting
 from sightline.infra.csv_package.columns import integer, key, metres, text
 from sightline.infra.csv_package.schema import Table
-from sightline.measurements.records import Vehicle
+from sightline.measurements.records import VehicleSheet
 
-VEHICLES: Table[Vehicle] = Table(
+VEHICLES: Table[VehicleSheet] = Table(
     "vehicles",
     "The passes and what is known of each vehicle.",
     (

@@ -1,0 +1,82 @@
+"""Sheets of vehicles: the facts of a record with its standing measurements. The state is never stored."""
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from sqlalchemy import ColumnElement, func, select
+from sqlalchemy.orm import Session
+
+from sightline.enums import REQUIRED_TARGETS, VehicleState
+from sightline.infra.database.rows import missing
+from sightline.measurements.query import measurements_of_vehicles
+from sightline.measurements.records import Measurement, VehicleSheet
+from sightline.measurements.tables import measurement_series, measurements, wheel_pairs
+from sightline.vehicles.store import facts_of_row, vehicle_rows
+from sightline.vehicles.tables import vehicles
+
+
+def get_sheet(session: Session, vehicle_id: int) -> VehicleSheet:
+    """One vehicle with its measurements; two queries. Raises NotFound."""
+    found = _fetch(session, [vehicles.c.id == vehicle_id], [measurement_series.c.vehicle_id == vehicle_id])
+    if not found:
+        raise missing("vehicle", vehicle_id)
+    return found[0]
+
+
+def list_sheets(
+    session: Session, survey_id: int, *, recording_id: int | None = None
+) -> tuple[VehicleSheet, ...]:
+    """The vehicles of a survey or of one recording by number, with measurements; two queries."""
+    where = [vehicles.c.survey_id == survey_id]
+    of_these = [measurement_series.c.survey_id == survey_id]
+    if recording_id is not None:
+        where.append(vehicles.c.recording_id == recording_id)
+        of_these.append(measurement_series.c.recording_id == recording_id)
+    return _fetch(session, where, of_these)
+
+
+def list_sheets_by_id(session: Session, ids: Iterable[int]) -> tuple[VehicleSheet, ...]:
+    """Those of these vehicles that were not deleted, by number, with measurements; two queries."""
+    chosen = sorted(set(ids))
+    of_these = [measurement_series.c.vehicle_id.in_(chosen)]
+    return _fetch(session, [vehicles.c.id.in_(chosen)], of_these)
+
+
+def frames_used_of_vehicle(session: Session, vehicle_id: int) -> tuple[tuple[int, ...], ...]:
+    """The frames of each measurement of a vehicle as it is now, withdrawn ones and repeats too."""
+    newest = (
+        select(measurements.c.series_id, func.max(measurements.c.revision).label("revision"))
+        .join(measurement_series, measurement_series.c.id == measurements.c.series_id)
+        .where(measurement_series.c.vehicle_id == vehicle_id)
+        .group_by(measurements.c.series_id)
+        .subquery()
+    )
+    query = select(measurements.c.frame, measurements.c.more_frames).join(
+        newest,
+        (newest.c.series_id == measurements.c.series_id) & (newest.c.revision == measurements.c.revision),
+    )
+    clicked = [(frame, *(int(one["frame"]) for one in more or ())) for frame, more in session.execute(query)]
+    pairs = select(wheel_pairs.c.frame).where(wheel_pairs.c.vehicle_id == vehicle_id)
+    return (*clicked, *((int(frame),) for frame in session.execute(pairs).scalars()))
+
+
+def state_of(found: Sequence[Measurement]) -> VehicleState:
+    """What a vehicle's standing measurements make of it (roof, eye and taillight are asked for)."""
+    verdicts = {one.review.verdict for one in found}
+    if "rejected" in verdicts:
+        return "rejected"
+    if not set(REQUIRED_TARGETS) <= {one.values.target for one in found}:
+        return "partial" if found else "to_do"
+    return "accepted" if verdicts <= {"accepted", "fixed"} else "measured"
+
+
+def _fetch(
+    session: Session, where: Iterable[ColumnElement[bool]], of_these: Iterable[ColumnElement[bool]]
+) -> tuple[VehicleSheet, ...]:
+    rows = session.execute(vehicle_rows(*where)).mappings().all()
+    found = measurements_of_vehicles(session, of_these) if rows else {}
+    return tuple(_sheet(facts_of_row(row), tuple(found.get(row["id"], ()))) for row in rows)
+
+
+def _sheet(facts: dict[str, Any], measured: tuple[Measurement, ...]) -> VehicleSheet:
+    return VehicleSheet(**facts, state=state_of(measured), measurements=measured)
