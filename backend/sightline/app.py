@@ -30,6 +30,7 @@ import sightline.quality.repeats.routes
 import sightline.recordings.frames.routes
 import sightline.recordings.routes
 import sightline.recordings.uploads.routes
+import sightline.results.overview.routes
 import sightline.results.routes
 import sightline.reviews.routes
 import sightline.scans.heights.routes
@@ -37,7 +38,6 @@ import sightline.scans.routes
 import sightline.scans.statistics.routes
 import sightline.scans.vehicles.routes
 import sightline.surveys.photographs.routes
-import sightline.surveys.routes
 import sightline.vehicles.catalogue.routes
 import sightline.vehicles.passes.routes
 from sightline.errors import NotFound
@@ -64,7 +64,7 @@ ROUTERS: tuple[tuple[str, APIRouter], ...] = (
     ("health", sightline.infra.web.health.router),
     ("session", sightline.people.session_routes.router),
     ("people", sightline.people.routes.router),
-    ("surveys", sightline.surveys.routes.router),
+    ("surveys", sightline.results.overview.routes.router),
     ("photographs", sightline.surveys.photographs.routes.router),
     ("cameras", sightline.cameras.routes.router),
     ("calibrations", sightline.cameras.calibrations.routes.router),

@@ -29,8 +29,8 @@ from sightline.measurements.sheets.query import list_sheets
 from sightline.measurements.store import list_measurements
 from sightline.recordings.frames.store import get_frame_table
 from sightline.recordings.store import note_ingested
+from sightline.results.overview.query import survey_overview
 from sightline.reviews.store import review_queue
-from sightline.surveys.store import get_survey
 from tests.bench.goals import Row, report, row
 from tests.support import samples
 from tests.support.samples import Sample
@@ -64,7 +64,7 @@ def lists(factory: SessionFactory, one: Sample) -> Iterator[Row]:
                 1.0,
                 lambda: list_sheets(session, survey_id),
             ),
-            ("counts and steps of that survey", 0.3, lambda: get_survey(session, survey_id)),
+            ("counts and steps of that survey", 0.3, lambda: survey_overview(session, survey_id)),
             ("review queue of that survey", 1.5, lambda: review_queue(session, survey_id, actor=1)),
             ("all its measurements", 1.0, lambda: list_measurements(session, survey_id)),
         )

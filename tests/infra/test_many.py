@@ -9,8 +9,9 @@ from sightline.infra.database.engine import SessionFactory, reading, writing
 from sightline.measurements.sheets.query import list_sheets
 from sightline.recordings.frames.store import get_frame_table
 from sightline.recordings.store import note_ingested
+from sightline.results.overview.query import survey_overview, survey_overviews
 from sightline.reviews.store import review_queue
-from sightline.surveys.store import create_survey, get_survey, list_surveys
+from sightline.surveys.store import create_survey
 from tests.support import samples
 from tests.support.samples import Sample
 
@@ -51,7 +52,7 @@ def test_vehicles_list_in_three_queries(large: tuple[SessionFactory, Sample]) ->
         ran = _statements(session)
         found = list_sheets(session, one.survey.id)
         assert len(ran) == 3
-        survey = get_survey(session, one.survey.id)
+        survey = survey_overview(session, one.survey.id)
         assert len(ran) == 3 + 9
         queue = review_queue(session, one.survey.id, actor=one.olga.id)
     assert len(found) == 500 and sum(len(vehicle.measurements) for vehicle in found) == 1498
@@ -67,5 +68,5 @@ def test_many_surveys_take_as_many_queries_as_one(factory: SessionFactory) -> No
             create_survey(session, name=f"S{n}", actor=None)
     with reading(factory) as session:
         ran = _statements(session)
-        assert len(list_surveys(session)) == 40
+        assert len(survey_overviews(session)) == 40
         assert len(ran) == 9

@@ -43,6 +43,7 @@ from sightline.recordings.uploads.store import (
     remove_upload,
     unfinished_uploads,
 )
+from sightline.results.overview.query import survey_overview
 from sightline.reviews.query import measurement_history
 from sightline.reviews.store import add_review, review_queue
 from sightline.surveys.records import Inset
@@ -90,7 +91,7 @@ def test_a_vehicles_state_follows_from_its_measurements(session: Session, one: S
     assert (again.revision, again.review.verdict, state(session, one)) == (2, "to_review", "measured")
     withdraw_measurement(session, roof.id, seen_revision=2, actor=one.olga.id)
     assert state(session, one) == "partial"
-    counts = get_survey(session, one.survey.id).counts
+    counts = survey_overview(session, one.survey.id).counts
     assert (counts.measurements, counts.accepted, counts.to_review, counts.vehicles_measured) == (2, 2, 0, 0)
     restore_measurement(session, roof.id, seen_revision=3, actor=one.olga.id)
     assert state(session, one) == "measured"
@@ -104,7 +105,7 @@ def test_a_vehicles_state_follows_from_its_measurements(session: Session, one: S
 
 def test_the_steps_of_a_survey_lead_on(session: Session) -> None:
     def steps() -> list[str]:
-        return [step.state for step in get_survey(session, survey.id).steps]
+        return [step.state for step in survey_overview(session, survey.id).steps]
 
     survey = create_survey(session, name="New", actor=None)
     assert steps() == ["next"] + ["waiting"] * 5
@@ -114,7 +115,7 @@ def test_the_steps_of_a_survey_lead_on(session: Session) -> None:
     recording = samples.add_recording(session, survey.id, None)
     samples.road_pose(session, recording.id, calibration.id, None)
     assert steps() == ["done", "done", "done", "next", "waiting", "waiting"]
-    words = [step.summary for step in get_survey(session, survey.id).steps]
+    words = [step.summary for step in survey_overview(session, survey.id).steps]
     assert all(sentence.endswith(".") and sentence.count(".") == 1 for sentence in words)
 
 
@@ -144,7 +145,7 @@ def test_a_reopened_measurement_waits_again(session: Session, one: Sample) -> No
     add_review(session, made.id, seen_revision=1, verdict="reopened", actor=one.rene.id)
     (item,) = review_queue(session, one.survey.id, actor=None)
     assert item.measurement.review.verdict == "reopened" and item.vehicle.number == 1
-    assert get_survey(session, one.survey.id).counts.to_review == 1
+    assert survey_overview(session, one.survey.id).counts.to_review == 1
 
 
 @pytest.mark.parametrize(
@@ -235,7 +236,7 @@ def test_a_deleted_vehicle_leaves_lists_and_counts_and_comes_back(session: Sessi
     assert list_sheets(session, one.survey.id) == ()
     assert list_measurements(session, one.survey.id) == ()
     assert review_queue(session, one.survey.id, actor=None) == ()
-    counts = get_survey(session, one.survey.id).counts
+    counts = survey_overview(session, one.survey.id).counts
     assert (counts.vehicles, counts.measurements) == (0, 0)
     restore_vehicle(session, one.vehicle.id, actor=None)
     assert state(session, one) == "partial"

@@ -7,13 +7,14 @@ import pytest
 from sqlalchemy.orm import Session
 
 from sightline.errors import Conflict
+from sightline.results.overview.query import survey_overview
 from sightline.scans.rig.service import rig_of_traffic
 from sightline.scans.store import update_scan
 from sightline.scans.swap_store import swap_scan_cameras
 from sightline.scans.vehicles.measurement_store import append_scan_measurement
 from sightline.scans.vehicles.review_store import add_scan_review
 from sightline.scans.vehicles.store import change_scan_vehicle, create_scan_vehicle, list_scan_vehicles
-from sightline.surveys.store import create_survey, get_survey
+from sightline.surveys.store import create_survey
 from tests.support import samples, scans_samples
 from tests.support.samples import Sample
 from tests.support.scans_samples import RIG, values
@@ -43,23 +44,24 @@ def vehicles(session: Session, one: Sample, scan_id: int, bases_m: Sequence[floa
 
 def test_a_survey_tells_of_its_line_scans(session: Session) -> None:
     one = samples.sample(session)
-    told = get_survey(session, one.survey.id).scans
+    told = survey_overview(session, one.survey.id).scans
     assert (told.state, told.scans) == ("none", 0)
     scans_samples.scan(session, one)
-    assert "has been read in" in get_survey(session, one.survey.id).scans.summary
+    assert "has been read in" in survey_overview(session, one.survey.id).scans.summary
     scan = scans_samples.ready(session, one)
-    assert "Find the vehicles of 1 line scan" in get_survey(session, one.survey.id).scans.summary
+    assert "Find the vehicles of 1 line scan" in survey_overview(session, one.survey.id).scans.summary
     measured = vehicles(session, one, scan.id, [2.6, 2.6])
     add_scan_review(session, measured[0], verdict="accepted", actor=one.rene.id)
-    told = get_survey(session, one.survey.id).scans
+    told = survey_overview(session, one.survey.id).scans
     assert (told.state, told.scans, told.ready, told.vehicles) == ("open", 2, 1, 2)
     assert (told.to_review, told.accepted) == (1, 1) and "Review 1 of 2 vehicles." in told.summary
-    assert any(step.state == "next" for step in get_survey(session, one.survey.id).steps)
+    assert any(step.state == "next" for step in survey_overview(session, one.survey.id).steps)
     alone = create_survey(session, name="Scans only", site="", description="", actor=one.olga.id)
-    assert alone.scans.state == "none" and alone.steps[0].state == "next"
+    empty = survey_overview(session, alone.id)
+    assert empty.scans.state == "none" and empty.steps[0].state == "next"
     scans_samples.scan(session, replace(one, survey=alone))
-    alone = get_survey(session, alone.id)
-    assert alone.scans.scans == 1 and {step.state for step in alone.steps} == {"waiting"}
+    scanned = survey_overview(session, alone.id)
+    assert scanned.scans.scans == 1 and {step.state for step in scanned.steps} == {"waiting"}
 
 
 def test_known_wheelbases_imply_a_baseline(session: Session) -> None:

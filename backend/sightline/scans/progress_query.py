@@ -6,9 +6,8 @@ from sqlalchemy import func, select
 from sqlalchemy.orm import Session
 
 from sightline.scans.query import scan_vehicle_states
-from sightline.scans.records import state_of
+from sightline.scans.records import ScanProgress, state_of
 from sightline.scans.tables import scan_vehicles, scans
-from sightline.surveys.records import ScanProgress
 
 NOTHING = "None here. Two line cameras a known baseline apart give speed, length and gaps."
 

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from datetime import datetime
-from typing import TypedDict
+from typing import Literal, TypedDict
 
 from sightline.enums import (
     Category,
@@ -278,3 +278,18 @@ class ScanReview:
     reason: str | None
     reviewer: Who | None
     at: datetime
+
+
+@dataclass(frozen=True, slots=True)
+class ScanProgress:
+    """The line scans of a survey: vehicles by what was done with them, and what to do next."""
+
+    state: Literal["none", "open", "done"]
+    summary: str
+    scans: int = 0
+    ready: int = 0
+    vehicles: int = 0
+    to_review: int = 0
+    accepted: int = 0
+    rejected: int = 0
+    not_measurable: int = 0

@@ -1,14 +1,8 @@
-"""What a survey is, and how far its work has come."""
+"""What a survey is."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import datetime
-from typing import Literal
-
-from sightline.enums import (
-    StepKey,
-    StepState,
-)
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,44 +15,9 @@ class Inset:
 
 
 @dataclass(frozen=True, slots=True)
-class SurveyCounts:
-    """Computed when asked, never stored."""
-
-    recordings: int = 0
-    vehicles: int = 0
-    vehicles_measured: int = 0
-    measurements: int = 0
-    to_review: int = 0
-    accepted: int = 0
-    rejected: int = 0
-
-
-@dataclass(frozen=True, slots=True)
-class Step:
-    """One step of a survey's work, and what to do next in it."""
-
-    key: StepKey
-    state: StepState
-    summary: str
-
-
-@dataclass(frozen=True, slots=True)
-class ScanProgress:
-    """The line scans of a survey: vehicles by what was done with them, and what to do next."""
-
-    state: Literal["none", "open", "done"]
-    summary: str
-    scans: int = 0
-    ready: int = 0
-    vehicles: int = 0
-    to_review: int = 0
-    accepted: int = 0
-    rejected: int = 0
-    not_measurable: int = 0
-
-
-@dataclass(frozen=True, slots=True)
 class Survey:
+    """Its words and insets; how far its work has come is its overview (`results`)."""
+
     id: int
     name: str
     site: str
@@ -67,6 +26,3 @@ class Survey:
     version: int
     created_at: datetime
     insets: Mapping[str, Inset]
-    counts: SurveyCounts
-    steps: tuple[Step, ...]
-    scans: ScanProgress

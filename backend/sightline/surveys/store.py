@@ -1,6 +1,6 @@
-"""Surveys: their words, insets, counts and the steps of the work (computed in `survey_progress`)."""
+"""Surveys: their words and insets."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Any
 
@@ -12,7 +12,6 @@ from sightline.geometry.insets import DEFAULT_INSETS
 from sightline.infra.audit import trail
 from sightline.infra.database.rows import add_row, change_row, get_row, name_of
 from sightline.infra.database.types import now
-from sightline.results.overview_query import progress_of
 from sightline.surveys.records import Inset, Survey
 from sightline.surveys.tables import surveys
 
@@ -44,18 +43,18 @@ def create_survey(
 
 
 def get_survey(session: Session, survey_id: int) -> Survey:
-    """One survey with its counts and steps. Raises NotFound."""
-    return _surveys(session, [get_row(session, surveys, survey_id, "survey")])[0]
+    """One survey. Raises NotFound."""
+    return _survey(get_row(session, surveys, survey_id, "survey"))
 
 
 def list_surveys(session: Session) -> tuple[Survey, ...]:
-    """Every survey, newest first; a fixed number of queries however many there are."""
-    rows = session.execute(select(surveys).order_by(surveys.c.id.desc())).mappings().all()
-    return _surveys(session, [dict(row) for row in rows])
+    """Every survey, newest first."""
+    rows = session.execute(select(surveys).order_by(surveys.c.id.desc())).mappings()
+    return tuple(_survey(dict(row)) for row in rows)
 
 
 def survey_names(session: Session) -> dict[int, tuple[str, str]]:
-    """(name, site) of every survey by id, newest first; without counts, which cost much."""
+    """(name, site) of every survey by id, newest first."""
     query = select(surveys.c.id, surveys.c.name, surveys.c.site).order_by(surveys.c.id.desc())
     return {row.id: (row.name, row.site) for row in session.execute(query)}
 
@@ -66,7 +65,7 @@ def survey_by_name(session: Session, name: str) -> Survey:
     row = session.execute(query).mappings().one_or_none()
     if row is None:
         raise BadInput(f"There is no survey named “{name}”; check the name on the home page.")
-    return _surveys(session, [dict(row)])[0]
+    return _survey(dict(row))
 
 
 def demo_survey_id(session: Session) -> int | None:
@@ -118,21 +117,14 @@ def _content(name: str, site: str, description: str, insets: Mapping[str, Inset]
     }
 
 
-def _surveys(session: Session, rows: Sequence[Mapping[str, Any]]) -> tuple[Survey, ...]:
-    progress = progress_of(session, [row["id"] for row in rows])
-    return tuple(
-        Survey(
-            id=row["id"],
-            name=row["name"],
-            site=row["site"],
-            description=row["description"],
-            is_demo=row["is_demo"],
-            version=row["version"],
-            created_at=row["created_at"],
-            insets={target: Inset(**values) for target, values in row["insets"].items()},
-            counts=progress[row["id"]].counts,
-            steps=progress[row["id"]].steps,
-            scans=progress[row["id"]].scans,
-        )
-        for row in rows
+def _survey(row: Mapping[str, Any]) -> Survey:
+    return Survey(
+        id=row["id"],
+        name=row["name"],
+        site=row["site"],
+        description=row["description"],
+        is_demo=row["is_demo"],
+        version=row["version"],
+        created_at=row["created_at"],
+        insets={target: Inset(**values) for target, values in row["insets"].items()},
     )

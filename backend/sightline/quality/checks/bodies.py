@@ -8,7 +8,7 @@ from pydantic import Field
 from sightline.enums import Target
 from sightline.infra.web.bodies import Finite, FrameNumber, In, Out, Point, WhoBody
 from sightline.poses.bodies import PoseOverlay
-from sightline.surveys.routes import InsetBody
+from sightline.surveys.bodies import InsetBody
 
 # Half a turn is more than any board was ever set up askew.
 TurnRad = Annotated[Finite, Field(ge=-1.6, le=1.6, description="The mean that was shown, radians.")]

@@ -12,19 +12,13 @@ from sightline.enums import REQUIRED_TARGETS, StepKey
 from sightline.measurements.query import is_current, is_first, verdict, waits, with_verdict
 from sightline.measurements.tables import measurement_series, measurements
 from sightline.recordings.tables import recordings
+from sightline.results.overview.records import Step, SurveyCounts, SurveyOverview
 from sightline.results.tables import exports
 from sightline.scans.progress_query import no_scans, scan_progress_of
-from sightline.surveys.records import ScanProgress, Step, SurveyCounts
+from sightline.scans.records import ScanProgress
+from sightline.surveys import store as surveys
+from sightline.surveys.records import Survey
 from sightline.vehicles.tables import vehicles
-
-
-@dataclass(frozen=True, slots=True)
-class Progress:
-    """What a survey has and what comes next."""
-
-    counts: SurveyCounts
-    steps: tuple[Step, ...]
-    scans: ScanProgress
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,10 +35,20 @@ _ALIVE: ColumnElement[bool] = vehicles.c.deleted_at.is_(None)
 _STANDING = [is_current, is_first, ~measurements.c.withdrawn, _ALIVE]
 
 
-def progress_of(session: Session, survey_ids: Sequence[int]) -> dict[int, Progress]:
-    """Counts and steps of these surveys, by id."""
-    if not survey_ids:
-        return {}
+def survey_overview(session: Session, survey_id: int) -> SurveyOverview:
+    """One survey with its counts and steps. Raises NotFound."""
+    return _overviews(session, [surveys.get_survey(session, survey_id)])[0]
+
+
+def survey_overviews(session: Session) -> tuple[SurveyOverview, ...]:
+    """Every survey, newest first; a fixed number of queries however many there are."""
+    return _overviews(session, surveys.list_surveys(session))
+
+
+def _overviews(session: Session, of: Sequence[Survey]) -> tuple[SurveyOverview, ...]:
+    if not of:
+        return ()
+    survey_ids = [survey.id for survey in of]
     tables = [
         _by_survey(session, query)
         for query in (
@@ -57,21 +61,21 @@ def progress_of(session: Session, survey_ids: Sequence[int]) -> dict[int, Progre
         )
     ]
     scanned = scan_progress_of(session, survey_ids)
-    found: dict[int, Progress] = {}
-    for survey_id in survey_ids:
+    overviews = []
+    for survey in of:
         facts: dict[str, int] = {}
         for table in tables:
-            facts.update(table.get(survey_id, {}))
-        found[survey_id] = _progress(facts, scanned.get(survey_id, no_scans()))
-    return found
+            facts.update(table.get(survey.id, {}))
+        overviews.append(_overview(survey, facts, scanned.get(survey.id, no_scans())))
+    return tuple(overviews)
 
 
-def _progress(facts: dict[str, int], scans: ScanProgress) -> Progress:
+def _overview(survey: Survey, facts: dict[str, int], scans: ScanProgress) -> SurveyOverview:
     counts = SurveyCounts(**{name: facts.get(name, 0) for name in SurveyCounts.__slots__})
     rest = _Facts(**{name: facts.get(name, 0) for name in _Facts.__slots__})
     # with line scans alone nobody need calibrate a camera: no step is the next one
     only_scans = scans.scans > 0 and rest.cameras == 0 and counts.recordings == 0
-    return Progress(counts, _steps(counts, rest, only_scans), scans)
+    return SurveyOverview(survey, counts, _steps(counts, rest, only_scans), scans)
 
 
 def _sum(condition: ColumnElement[bool]) -> ColumnElement[Any]:

@@ -1,0 +1,39 @@
+"""How far the work of a survey has come."""
+
+from dataclasses import dataclass
+
+from sightline.enums import StepKey, StepState
+from sightline.scans.records import ScanProgress
+from sightline.surveys.records import Survey
+
+
+@dataclass(frozen=True, slots=True)
+class SurveyCounts:
+    """Computed when asked, never stored."""
+
+    recordings: int = 0
+    vehicles: int = 0
+    vehicles_measured: int = 0
+    measurements: int = 0
+    to_review: int = 0
+    accepted: int = 0
+    rejected: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One step of a survey's work, and what to do next in it."""
+
+    key: StepKey
+    state: StepState
+    summary: str
+
+
+@dataclass(frozen=True, slots=True)
+class SurveyOverview:
+    """A survey with what it has and what comes next."""
+
+    survey: Survey
+    counts: SurveyCounts
+    steps: tuple[Step, ...]
+    scans: ScanProgress

@@ -1,0 +1,98 @@
+"""Surveys as they go out: their words, insets, counts, and what to do next."""
+
+from typing import Literal
+
+from fastapi import APIRouter
+
+from sightline.infra.web.bodies import Out
+from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
+from sightline.results.overview.query import survey_overview, survey_overviews
+from sightline.results.overview.records import SurveyOverview
+from sightline.surveys import store
+from sightline.surveys.bodies import InsetChanges, NewSurvey, SurveyChange, SurveyFacts
+from sightline.surveys.records import Inset
+
+router = APIRouter()
+
+
+class Counts(Out):
+    recordings: int
+    vehicles: int
+    vehicles_measured: int
+    measurements: int
+    to_review: int
+    accepted: int
+    rejected: int
+
+
+class StepBody(Out):
+    key: Literal["camera", "recordings", "pose", "vehicles", "review", "results"]
+    state: Literal["done", "next", "waiting"]
+    summary: str
+
+
+class ScanProgressBody(Out):
+    """The line scans: vehicles by what was done with them, and what to do next."""
+
+    state: Literal["none", "open", "done"]
+    summary: str
+    scans: int
+    ready: int
+    vehicles: int
+    to_review: int
+    accepted: int
+    rejected: int
+    not_measurable: int
+
+
+class SurveyBody(SurveyFacts):
+    counts: Counts
+    steps: list[StepBody]
+    scans: ScanProgressBody
+
+
+def survey_body(overview: SurveyOverview) -> SurveyBody:
+    """A survey with its overview as one object."""
+    facts = SurveyFacts.model_validate(overview.survey).model_dump()
+    progress = {"counts": overview.counts, "steps": overview.steps, "scans": overview.scans}
+    return SurveyBody.model_validate({**facts, **progress})
+
+
+@router.get("/surveys")
+def list_surveys(who: Viewer, session: Reading) -> list[SurveyBody]:
+    """Every survey, newest first."""
+    return [survey_body(overview) for overview in survey_overviews(session)]
+
+
+@router.post("/surveys", status_code=201)
+def add_survey(body: NewSurvey, who: Operator, session: Writing) -> SurveyBody:
+    """A new, empty survey."""
+    made = store.create_survey(
+        session, name=body.name, site=body.site, description=body.description, actor=who.id
+    )
+    return survey_body(survey_overview(session, made.id))
+
+
+@router.get("/surveys/{survey_id}")
+def get_survey(survey_id: PathId, who: Viewer, session: Reading) -> SurveyBody:
+    """One survey with its counts and steps, computed now."""
+    return survey_body(survey_overview(session, survey_id))
+
+
+@router.put("/surveys/{survey_id}")
+def change_survey(survey_id: PathId, body: SurveyChange, who: Operator, session: Writing) -> SurveyBody:
+    """Change words or insets; insets count for measurements made from now on."""
+    insets = dict(store.get_survey(session, survey_id).insets)
+    for target, inset in (body.insets or InsetChanges()).model_dump(exclude_none=True).items():
+        insets[target] = Inset(**inset)
+    store.update_survey(
+        session,
+        survey_id,
+        name=body.name,
+        site=body.site,
+        description=body.description,
+        insets=insets,
+        version=body.version,
+        actor=who.id,
+    )
+    return survey_body(survey_overview(session, survey_id))
