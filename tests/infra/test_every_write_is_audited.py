@@ -331,7 +331,6 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
 NO_EVENT = {
     "note_person_seen": "a time stamp of presence",
     "rehash_password": "the same password under newer hash parameters",
-    "advance_upload": "bytes that arrive; the upload's beginning and end are events",
     "claim_job": "which worker process has it",
     "note_progress": "how far it is",
     "replace_frames": "part of recordings.ingested",

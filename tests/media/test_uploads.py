@@ -27,15 +27,19 @@ def pieces(data: bytes, size: int = 7_000) -> Iterator[bytes]:
 
 def test_an_upload_in_three_goes(tmp_path: Path) -> None:
     upload_parts.create(tmp_path, "u1", len(DATA))
-    assert (upload_parts.offset(tmp_path, "u1"), upload_parts.size(tmp_path, "u1")) == (0, len(DATA))
-    assert upload_parts.append(tmp_path, "u1", 0, pieces(DATA[:50_000])) == 50_000
-    assert upload_parts.append(tmp_path, "u1", 50_000, []) == 50_000
+    assert upload_parts.offset(tmp_path, "u1") == 0
+    assert upload_parts.append(tmp_path, "u1", len(DATA), 0, pieces(DATA[:50_000])) == 50_000
+    assert upload_parts.append(tmp_path, "u1", len(DATA), 50_000, []) == 50_000
     with pytest.raises(Conflict, match="not complete: 50000 of 200000"):
-        upload_parts.finish(tmp_path, "u1")
-    assert upload_parts.append(tmp_path, "u1", 50_000, pieces(DATA[50_000:])) == len(DATA)
-    done = upload_parts.finish(tmp_path, "u1")
+        upload_parts.finish(tmp_path, "u1", len(DATA))
+    assert upload_parts.append(tmp_path, "u1", len(DATA), 50_000, pieces(DATA[50_000:])) == len(DATA)
+    done = upload_parts.finish(tmp_path, "u1", len(DATA))
     assert done.path.read_bytes() == DATA and done.size == len(DATA)
-    assert done.sha256 == hashlib.sha256(DATA).hexdigest() == upload_parts.finish(tmp_path, "u1").sha256
+    assert (
+        done.sha256
+        == hashlib.sha256(DATA).hexdigest()
+        == upload_parts.finish(tmp_path, "u1", len(DATA)).sha256
+    )
     upload_parts.discard(tmp_path, "u1")
     upload_parts.discard(tmp_path, "u1")
     assert list(tmp_path.iterdir()) == []
@@ -43,20 +47,20 @@ def test_an_upload_in_three_goes(tmp_path: Path) -> None:
 
 def test_wrong_offsets_are_refused(tmp_path: Path) -> None:
     upload_parts.create(tmp_path, "u1", len(DATA))
-    upload_parts.append(tmp_path, "u1", 0, [DATA[:1000]])
+    upload_parts.append(tmp_path, "u1", len(DATA), 0, [DATA[:1000]])
     for wrong in (0, 999, 1001, -1):
         with pytest.raises(Conflict, match="stands at byte 1000"):
-            upload_parts.append(tmp_path, "u1", wrong, [b"x"])
+            upload_parts.append(tmp_path, "u1", len(DATA), wrong, [b"x"])
     assert upload_parts.offset(tmp_path, "u1") == 1000
 
 
 def test_more_than_announced_is_refused_and_the_rest_kept(tmp_path: Path) -> None:
     upload_parts.create(tmp_path, "u1", 1000)
     with pytest.raises(BadInput, match="1000 announced"):
-        upload_parts.append(tmp_path, "u1", 0, [DATA[:900], DATA[900:1001]])
+        upload_parts.append(tmp_path, "u1", 1000, 0, [DATA[:900], DATA[900:1001]])
     assert upload_parts.offset(tmp_path, "u1") == 900
-    assert upload_parts.append(tmp_path, "u1", 900, [DATA[900:1000]]) == 1000
-    assert upload_parts.finish(tmp_path, "u1").path.read_bytes() == DATA[:1000]
+    assert upload_parts.append(tmp_path, "u1", 1000, 900, [DATA[900:1000]]) == 1000
+    assert upload_parts.finish(tmp_path, "u1", 1000).path.read_bytes() == DATA[:1000]
 
 
 def test_a_broken_connection_keeps_what_arrived(tmp_path: Path) -> None:
@@ -66,7 +70,7 @@ def test_a_broken_connection_keeps_what_arrived(tmp_path: Path) -> None:
 
     upload_parts.create(tmp_path, "u1", len(DATA))
     with pytest.raises(ConnectionResetError):
-        upload_parts.append(tmp_path, "u1", 0, broken())
+        upload_parts.append(tmp_path, "u1", len(DATA), 0, broken())
     assert upload_parts.offset(tmp_path, "u1") == 5000
 
 
@@ -76,15 +80,15 @@ def test_two_connections_do_not_write_at_once(tmp_path: Path) -> None:
     def meddled() -> Iterator[bytes]:
         yield DATA[:100]
         with pytest.raises(Conflict, match="another connection"):
-            upload_parts.append(tmp_path, "u1", 100, [b"x"])
+            upload_parts.append(tmp_path, "u1", len(DATA), 100, [b"x"])
         yield DATA[100:200]
 
-    assert upload_parts.append(tmp_path, "u1", 0, meddled()) == 200
+    assert upload_parts.append(tmp_path, "u1", len(DATA), 0, meddled()) == 200
 
 
 def test_a_full_disk_keeps_what_was_there(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     upload_parts.create(tmp_path, "u1", len(DATA))
-    upload_parts.append(tmp_path, "u1", 0, [DATA[:5000]])
+    upload_parts.append(tmp_path, "u1", len(DATA), 0, [DATA[:5000]])
     write, room = os.write, [8000]
 
     def small_disk(handle: int, data: memoryview) -> int:
@@ -96,11 +100,11 @@ def test_a_full_disk_keeps_what_was_there(tmp_path: Path, monkeypatch: pytest.Mo
 
     monkeypatch.setattr(upload_parts.os, "write", small_disk)
     with pytest.raises(NoRoom, match="disk is full"):
-        upload_parts.append(tmp_path, "u1", 5000, pieces(DATA[5000:]))
+        upload_parts.append(tmp_path, "u1", len(DATA), 5000, pieces(DATA[5000:]))
     monkeypatch.undo()
     assert upload_parts.offset(tmp_path, "u1") == 13_000
-    upload_parts.append(tmp_path, "u1", 13_000, pieces(DATA[13_000:]))
-    assert upload_parts.finish(tmp_path, "u1").sha256 == hashlib.sha256(DATA).hexdigest()
+    upload_parts.append(tmp_path, "u1", len(DATA), 13_000, pieces(DATA[13_000:]))
+    assert upload_parts.finish(tmp_path, "u1", len(DATA)).sha256 == hashlib.sha256(DATA).hexdigest()
 
 
 def test_no_room_is_told_before_a_byte_is_sent(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -115,9 +119,11 @@ def test_empty_files_and_strange_names_are_refused(tmp_path: Path) -> None:
         with pytest.raises(BadInput, match="empty"):
             upload_parts.create(tmp_path, "u1", size)
     for name in ("../u", "a/b", "", ".", "x" * 65, "u.1"):
-        for ask in (upload_parts.offset, upload_parts.size, upload_parts.finish, upload_parts.discard):
+        for ask in (upload_parts.offset, upload_parts.discard):
             with pytest.raises(NotFound):
                 ask(tmp_path, name)
+        with pytest.raises(NotFound):
+            upload_parts.finish(tmp_path, name, 5)
         with pytest.raises(NotFound):
             upload_parts.create(tmp_path, name, 5)
     upload_parts.create(tmp_path, "u1", 5)
@@ -129,7 +135,7 @@ def test_unknown_uploads_are_not_there(tmp_path: Path) -> None:
     with pytest.raises(NotFound, match="no such upload"):
         upload_parts.offset(tmp_path, "gone")
     with pytest.raises(NotFound):
-        upload_parts.append(tmp_path, "gone", 0, [b"x"])
+        upload_parts.append(tmp_path, "gone", 10, 0, [b"x"])
 
 
 def test_sweeping_takes_only_what_is_old(tmp_path: Path) -> None:
@@ -153,7 +159,7 @@ def test_a_killed_server_leaves_an_upload_that_goes_on(after_s: float, tmp_path:
         "def slowly():\n"
         "    for k in range(0, len(data), 500):\n"
         "        yield data[k:k + 500]\n        print(k, flush=True)\n        time.sleep(0.002)\n"
-        "uploads.append(folder, 'u1', 0, slowly())\n"
+        "uploads.append(folder, 'u1', len(data), 0, slowly())\n"
     )
     with subprocess.Popen([sys.executable, "-c", program], cwd=ROOT, stdout=subprocess.PIPE) as child:
         assert child.stdout is not None
@@ -162,5 +168,5 @@ def test_a_killed_server_leaves_an_upload_that_goes_on(after_s: float, tmp_path:
         child.send_signal(signal.SIGKILL)
     have = upload_parts.offset(tmp_path / "u", "u1")
     assert 0 < have < len(DATA)
-    upload_parts.append(tmp_path / "u", "u1", have, pieces(DATA[have:]))
-    assert upload_parts.finish(tmp_path / "u", "u1").path.read_bytes() == DATA
+    upload_parts.append(tmp_path / "u", "u1", len(DATA), have, pieces(DATA[have:]))
+    assert upload_parts.finish(tmp_path / "u", "u1", len(DATA)).path.read_bytes() == DATA

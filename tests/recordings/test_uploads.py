@@ -94,7 +94,7 @@ def test_a_server_killed_behind_the_last_byte(
     content = clip.read_bytes()
     location = announce(operator, survey_id, "a.mp4", len(content)).headers["Location"]
     part = f"upload-{location.rpartition('/')[2]}"
-    upload_parts.append(service.upload_folder(services), part, 0, [content])
+    upload_parts.append(service.upload_folder(services), part, len(content), 0, [content])
     assert operator.seen(f"/surveys/{survey_id}/recordings") == []
     reborn = open_services(settings)
     with TestClient(create_app(services=reborn)):
@@ -111,7 +111,7 @@ def test_an_empty_patch_finishes_what_the_kill_left(
     content = clip.read_bytes()
     location = announce(operator, survey_id, "a.mp4", len(content)).headers["Location"]
     part = f"upload-{location.rpartition('/')[2]}"
-    upload_parts.append(service.upload_folder(services), part, 0, [content])
+    upload_parts.append(service.upload_folder(services), part, len(content), 0, [content])
     asked = operator.http.head(location, headers=TUS)
     assert asked.headers["Upload-Offset"] == str(len(content))
     assert not {"Sightline-Recording", "Sightline-Finished"} & set(asked.headers)

@@ -1,13 +1,12 @@
 """Parts of resumable uploads (tus 1.0) on disk: what has arrived is kept, whatever breaks.
 
-An upload is two files in the upload folder: `ID.json` with its size, `ID.part` with the bytes that have
-arrived. The length of the part is the offset; there is no other record that could disagree with it.
+An upload is one file in the upload folder, `ID.part`, with the bytes that have arrived. Its length is the
+offset; there is no other record that could disagree with it. How many bytes there will be, the caller knows.
 """
 
 from __future__ import annotations
 
 import fcntl
-import json
 import os
 import re
 import time
@@ -41,15 +40,12 @@ def create(upload_dir: Path, upload_id: str, size: int) -> None:
         raise BadInput("The file is empty; choose a video file.")
     upload_dir.mkdir(parents=True, exist_ok=True)
     check_room(upload_dir, size, "this upload")
-    info, part = _paths(upload_dir, upload_id)
-    temporary = info.with_suffix(".new")
+    part = _path(upload_dir, upload_id)
     with no_room_told("this upload"):
         try:
             part.touch(exist_ok=False)
         except FileExistsError as error:
             raise Conflict("An upload with this name is already under way; start a new one.") from error
-        temporary.write_text(json.dumps({"size": size}))
-        os.replace(temporary, info)
         sync_folder(upload_dir)
 
 
@@ -58,24 +54,15 @@ def offset(upload_dir: Path, upload_id: str) -> int:
     return _part(upload_dir, upload_id).stat().st_size
 
 
-def size(upload_dir: Path, upload_id: str) -> int:
-    """How many bytes there will be. Raises NotFound."""
-    info, _ = _paths(upload_dir, upload_id)
-    try:
-        return int(json.loads(info.read_text())["size"])
-    except (OSError, ValueError, KeyError) as error:
-        raise _not_there() from error
+def append(upload_dir: Path, upload_id: str, size: int, at: int, chunks: Iterable[bytes]) -> int:
+    """Write the chunks of an upload of `size` bytes behind byte `at` and return the new offset.
 
-
-def append(upload_dir: Path, upload_id: str, at: int, chunks: Iterable[bytes]) -> int:
-    """Write the chunks behind byte `at` and return the new offset; what arrived is on disk when this
-    returns.
+    What arrived is on disk when this returns.
 
     Raises Conflict if `at` is not the offset or somebody else is writing, BadInput if more comes than
     was announced (nothing of the chunk that overflows is kept), NoRoom on a full disk. Whatever arrived
     before stays, also if `chunks` itself raises: ask for the offset and go on from there.
     """
-    whole = size(upload_dir, upload_id)
     with _locked(_part(upload_dir, upload_id)) as handle:
         have = os.fstat(handle).st_size
         if at != have:
@@ -84,8 +71,8 @@ def append(upload_dir: Path, upload_id: str, at: int, chunks: Iterable[bytes]) -
         synced = have
         try:
             for chunk in chunks:
-                if have + len(chunk) > whole:
-                    raise BadInput(f"More bytes came than the {whole} announced; start the upload again.")
+                if have + len(chunk) > size:
+                    raise BadInput(f"More bytes came than the {size} announced; start the upload again.")
                 with no_room_told("the rest of this upload"):
                     _write_all(handle, chunk)
                 have += len(chunk)
@@ -103,22 +90,22 @@ def _write_all(handle: int, chunk: bytes) -> None:
         view = view[os.write(handle, view) :]
 
 
-def finish(upload_dir: Path, upload_id: str) -> FinishedUpload:
-    """The whole file and its SHA-256; the part stays until `discard`, so a killed server can finish again.
+def finish(upload_dir: Path, upload_id: str, size: int) -> FinishedUpload:
+    """The whole file of `size` bytes and its SHA-256.
 
-    Raises Conflict while bytes are missing.
+    The part stays until `discard`, so that a killed server can finish again. Raises Conflict while bytes
+    are missing.
     """
-    path, whole = _part(upload_dir, upload_id), size(upload_dir, upload_id)
+    path = _part(upload_dir, upload_id)
     have = path.stat().st_size
-    if have != whole:
-        raise Conflict(f"The upload is not complete: {have} of {whole} bytes have arrived; continue it.")
-    return FinishedUpload(path, sha256_of(path), whole)
+    if have != size:
+        raise Conflict(f"The upload is not complete: {have} of {size} bytes have arrived; continue it.")
+    return FinishedUpload(path, sha256_of(path), size)
 
 
 def discard(upload_dir: Path, upload_id: str) -> None:
     """Remove an upload and what has arrived of it; nothing happens if it is not there."""
-    for path in reversed(_paths(upload_dir, upload_id)):
-        path.unlink(missing_ok=True)
+    _path(upload_dir, upload_id).unlink(missing_ok=True)
 
 
 def sweep(upload_dir: Path, older_than_s: float) -> list[str]:
@@ -132,15 +119,15 @@ def sweep(upload_dir: Path, older_than_s: float) -> list[str]:
     return gone
 
 
-def _paths(upload_dir: Path, upload_id: str) -> tuple[Path, Path]:
+def _path(upload_dir: Path, upload_id: str) -> Path:
     if not _ID.fullmatch(upload_id):
         raise _not_there()
-    return upload_dir / f"{upload_id}.json", upload_dir / f"{upload_id}.part"
+    return upload_dir / f"{upload_id}.part"
 
 
 def _part(upload_dir: Path, upload_id: str) -> Path:
-    info, part = _paths(upload_dir, upload_id)
-    if not (info.is_file() and part.is_file()):
+    part = _path(upload_dir, upload_id)
+    if not part.is_file():
         raise _not_there()
     return part
 

@@ -9,7 +9,7 @@ from sightline.infra.audit.records import Who
 
 @dataclass(frozen=True, slots=True)
 class Upload:
-    """A file on its way in; `offset` bytes have arrived.
+    """A file on its way in; how much of it has arrived is the length of its part on disk.
 
     A video becomes a recording; a strip waits, with its content's `sha256`, for the scan that it belongs to.
     """
@@ -18,7 +18,6 @@ class Upload:
     survey_id: int
     filename: str
     size_bytes: int
-    offset: int
     media_key: str
     created_at: datetime
     created_by: Who | None

@@ -15,7 +15,7 @@ from sightline.enums import UploadPurpose
 from sightline.errors import BadInput, SightlineError
 from sightline.infra.services import Services
 from sightline.infra.web.bodies import Out
-from sightline.infra.web.deps import OPEN, Operator, PathId, Reading, Viewer, Wired
+from sightline.infra.web.deps import OPEN, Operator, PathId, Viewer, Wired
 from sightline.infra.web.uploaded import clean_name
 from sightline.recordings.uploads import service, store
 from sightline.recordings.uploads.records import Upload
@@ -65,9 +65,21 @@ async def upload_abilities() -> Response:
 
 
 @router.get("/surveys/{survey_id}/uploads")
-def list_uploads(survey_id: PathId, who: Viewer, session: Reading) -> list[UploadBody]:
+def list_uploads(survey_id: PathId, who: Viewer, services: Wired) -> list[UploadBody]:
     """Uploads that can go on."""
-    return [UploadBody.model_validate(one) for one in store.unfinished_uploads(session, survey_id)]
+    under_way = service.uploads_under_way(services, survey_id)
+    return [
+        UploadBody(
+            id=upload.id,
+            survey_id=upload.survey_id,
+            filename=upload.filename,
+            size_bytes=upload.size_bytes,
+            offset=arrived,
+            purpose=upload.purpose,
+            created_at=upload.created_at,
+        )
+        for upload, arrived in under_way
+    ]
 
 
 @router.post("/surveys/{survey_id}/uploads", status_code=201, response_class=Response, dependencies=[SPEAKS])

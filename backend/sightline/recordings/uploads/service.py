@@ -22,7 +22,6 @@ from sightline.recordings.records import Recording
 from sightline.recordings.store import create_recording, get_recording
 from sightline.recordings.uploads.records import Upload
 from sightline.recordings.uploads.store import (
-    advance_upload,
     create_upload,
     finish_upload,
     get_upload,
@@ -74,6 +73,20 @@ def upload_arrived(services: Services, upload: Upload) -> int:
     return upload_parts.offset(upload_folder(services), part_name(upload.id))
 
 
+def uploads_under_way(services: Services, survey_id: int) -> list[tuple[Upload, int]]:
+    """A survey's uploads that can go on, each with how many bytes have arrived; 0 where the part is gone."""
+    with services.reading() as session:
+        waiting = unfinished_uploads(session, survey_id)
+    return [(upload, _bytes_here(services, upload)) for upload in waiting]
+
+
+def _bytes_here(services: Services, upload: Upload) -> int:
+    try:
+        return upload_arrived(services, upload)
+    except NotFound:
+        return 0
+
+
 def take_bytes(services: Services, upload: Upload, at: int, chunks: Iterable[bytes]) -> int:
     """Write chunks behind byte `at`; the new offset. What arrived stays, whatever breaks.
 
@@ -81,22 +94,7 @@ def take_bytes(services: Services, upload: Upload, at: int, chunks: Iterable[byt
     """
     if upload.finished_at is not None:
         raise Conflict("This upload is finished already; look for its recording in the list.")
-    try:
-        return upload_parts.append(upload_folder(services), part_name(upload.id), at, chunks)
-    finally:
-        _note_offset(services, upload.id)
-
-
-def _note_offset(services: Services, upload_id: int) -> None:
-    """Bring the row's offset up to the part's, for lists; the part stays the truth."""
-    try:
-        with services.writing() as session:
-            upload = get_upload(session, upload_id)
-            now_at = upload_parts.offset(upload_folder(services), part_name(upload_id))
-            if upload.finished_at is None and now_at > upload.offset:
-                advance_upload(session, upload_id, from_offset=upload.offset, to_offset=now_at)
-    except SightlineError as error:
-        log.info("the offset of upload %s was not noted: %s", upload_id, error.message)
+    return upload_parts.append(upload_folder(services), part_name(upload.id), upload.size_bytes, at, chunks)
 
 
 def upload_arrived_whole(services: Services, upload: Upload) -> int | None:
@@ -113,7 +111,7 @@ def keep_strip(services: Services, upload_id: int) -> Upload:
         upload = get_upload(session, upload_id)
     if upload.finished_at is not None:
         return upload
-    whole = upload_parts.finish(upload_folder(services), part_name(upload_id))
+    whole = upload_parts.finish(upload_folder(services), part_name(upload_id), upload.size_bytes)
     key = key_of(whole.sha256, suffix_of(upload.filename))
     services.media.put_file(key, whole.path, link=True)
     actor = upload.created_by.id if upload.created_by else None
@@ -136,10 +134,10 @@ def complete(services: Services, upload_id: int) -> Recording:
     done = _recording_of(services, upload_id)
     if done is not None:
         return done
-    whole = upload_parts.finish(upload_folder(services), part_name(upload_id))
     with services.reading() as session:
-        filename = get_upload(session, upload_id).filename
-    key = key_of(whole.sha256, suffix_of(filename))
+        upload = get_upload(session, upload_id)
+    whole = upload_parts.finish(upload_folder(services), part_name(upload_id), upload.size_bytes)
+    key = key_of(whole.sha256, suffix_of(upload.filename))
     # Linked where the store can: a copy would need the room twice. The part is discarded further down.
     services.media.put_file(key, whole.path, link=True)
     try:

@@ -1,9 +1,9 @@
-"""Uploads on their way in (tus): how far each has come and what became of it."""
+"""Uploads on their way in (tus), and what became of each."""
 
 from collections.abc import Mapping
 from typing import Any
 
-from sqlalchemy import delete, select, update
+from sqlalchemy import delete, select
 from sqlalchemy.orm import Session
 
 from sightline.enums import UploadPurpose
@@ -32,7 +32,7 @@ def create_upload(
     content: dict[str, Any] = {"survey_id": survey_id, "filename": filename, "size_bytes": size_bytes}
     if purpose != "video":
         content["purpose"] = purpose
-    stamps = {"media_key": media_key, "offset": 0, "created_at": now(), "created_by": actor}
+    stamps = {"media_key": media_key, "created_at": now(), "created_by": actor}
     upload_id = add_row(session, uploads, {**content, **stamps})
     trail.record(session, actor, "create", "upload", upload_id, survey_id, None, content)
     return get_upload(session, upload_id)
@@ -52,20 +52,6 @@ def unfinished_uploads(session: Session, survey_id: int | None = None) -> tuple[
     if survey_id is not None:
         query = query.where(uploads.c.survey_id == survey_id)
     return tuple(_upload(row) for row in session.execute(query).mappings())
-
-
-def advance_upload(session: Session, upload_id: int, *, from_offset: int, to_offset: int) -> Upload:
-    """Bytes `from_offset .. to_offset` are on disk; not an event. Raises Conflict if it stands elsewhere."""
-    done = session.execute(
-        update(uploads)
-        .where(uploads.c.id == upload_id, uploads.c.offset == from_offset, uploads.c.finished_at.is_(None))
-        .values(offset=to_offset)
-        .returning(uploads.c.id)
-    )
-    if done.first() is None:
-        stands = get_upload(session, upload_id)
-        raise Conflict(f"The upload stands at byte {stands.offset}, not {from_offset}; go on from there.")
-    return get_upload(session, upload_id)
 
 
 def finish_upload(session: Session, upload_id: int, *, recording_id: int, actor: int | None) -> Upload:
@@ -114,7 +100,7 @@ def remove_upload(session: Session, upload_id: int, *, actor: int | None) -> Upl
     if gone.finished_at is not None and (gone.purpose == "video" or gone.scan_id is not None):
         raise Conflict("This upload is finished; delete its recording instead.")
     session.execute(delete(uploads).where(uploads.c.id == upload_id))
-    before = {"filename": gone.filename, "size_bytes": gone.size_bytes, "offset": gone.offset}
+    before = {"filename": gone.filename, "size_bytes": gone.size_bytes}
     trail.record(session, actor, "delete", "upload", upload_id, gone.survey_id, before, None)
     return gone
 

@@ -2,7 +2,6 @@
 
 from sqlalchemy import (
     BigInteger,
-    CheckConstraint,
     Column,
     ForeignKey,
     Integer,
@@ -20,7 +19,6 @@ uploads = Table(
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     Column("filename", String(400), nullable=False),
     Column("size_bytes", BigInteger, nullable=False),
-    Column("offset", BigInteger, nullable=False),
     Column("media_key", String(400), nullable=False),
     Column("recording_id", ForeignKey("recordings.id")),
     Column("created_at", Moment, nullable=False),
@@ -31,5 +29,4 @@ uploads = Table(
     Column("sha256", String(64)),
     Column("scan_id", Integer, ForeignKey("scans.id", use_alter=True)),
     one_of("purpose", UploadPurpose),
-    CheckConstraint('"offset" >= 0 AND "offset" <= size_bytes', name="offset_within"),
 )
