@@ -68,12 +68,13 @@ def start(
     environment = {name: value for name, value in os.environ.items() if not name.startswith("SIGHTLINE_")}
     environment |= {"SIGHTLINE_PORT": str(port), "PYTHONUNBUFFERED": "1", "SIGHTLINE_FIND_PASSES": "false"}
     environment |= extra or {}
-    process = subprocess.Popen(
-        [str(SIGHTLINE), *command.split(), "--data-dir", str(data_dir)],
-        stdout=log.open("w"),
-        stderr=subprocess.STDOUT,
-        cwd=data_dir,
-        env=environment,
-        text=True,
-    )
+    with log.open("w") as output:
+        process = subprocess.Popen(
+            [str(SIGHTLINE), *command.split(), "--data-dir", str(data_dir)],
+            stdout=output,
+            stderr=subprocess.STDOUT,
+            cwd=data_dir,
+            env=environment,
+            text=True,
+        )
     return Server(process, f"http://127.0.0.1:{port}", log, data_dir)

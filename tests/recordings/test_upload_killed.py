@@ -60,6 +60,7 @@ def test_cut_killed_and_resumed(tmp_path: Path, clip: Path) -> None:
         location = client.post(f"/api/surveys/{survey_id}/uploads", headers=headers).headers["Location"]
         sent_in_part(client, location, content, 6000)
         assert offset_of(client, location, 6000) == 6000
+        client.close()
         server.stop(signal.SIGKILL)
 
         server = start("serve", tmp_path)
@@ -76,6 +77,7 @@ def test_cut_killed_and_resumed(tmp_path: Path, clip: Path) -> None:
             if recording["state"] != "ingesting":
                 break
             time.sleep(0.1)
+        again.close()
         assert recording["state"] == "ready" and recording["frame_count"] == 12
     finally:
         server.stop()
