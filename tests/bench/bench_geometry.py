@@ -29,7 +29,6 @@ from sightline.geometry.corners import Corners  # noqa: E402
 from sightline.geometry.height import measure_height, measure_heights  # noqa: E402
 from sightline.geometry.multiframe import measure_frames  # noqa: E402
 from sightline.geometry.pose import pose_from_corners  # noqa: E402
-from sightline.geometry.quick import QuickHeights  # noqa: E402
 from sightline.geometry.road_pose import Reference  # noqa: E402
 from tests.bench.goals import BOARD, Row, best_s, facing, report, rms, row, truth_of  # noqa: E402
 from tests.geometry.scenes import LENSES, camera_of, pose_of  # noqa: E402
@@ -219,10 +218,6 @@ def speed() -> Iterator[Row]:
     a = np.random.default_rng(7).normal(size=(15, 15)) * 1e-3
     pose = pose_of(scene, covariance=a @ a.T)
     clicks = scene.look([(1.0, 0.1, 0.0), (0.6, 0.55, 1.16)])
-    quick = QuickHeights(pose)
-    numbers = [float(v) for v in clicks.ravel()]
-    one = 1e3 * best_s(lambda: [quick.height_m(*numbers, 0.45) for _ in range(1000)], 9)
-    yield row("one height", "10 us", f"{one:.1f} us", one <= 10)
     full = 1e3 * best_s(lambda: [measure_height(pose, *clicks, 1.0, 0.45, 0.1) for _ in range(50)], 9) / 50
     yield row("one height with its budget", "1 ms", f"{full:.2f} ms", full <= 1)
     rng = np.random.default_rng(8)

@@ -8,6 +8,7 @@ import pytest
 
 from sightline.geometry.camera import Camera
 from sightline.geometry.road_pose import RoadPose
+from sightline.geometry.traffic import Headings, headings_of_pairs, summary_of_headings
 from tests.geometry.simulate import Lens, Scene
 
 LENSES = (
@@ -29,6 +30,14 @@ def camera_of(lens: Lens, covariance: np.ndarray | None = None) -> Camera:
 def pose_of(scene: Scene, **more: object) -> RoadPose:
     rotation, translation = scene.pose_arrays()
     return RoadPose(camera_of(scene.lens), rotation, translation, **more)  # type: ignore[arg-type]
+
+
+def headings(pose: RoadPose, first_px: np.ndarray, second_px: np.ndarray, sigma_px: float) -> Headings | str:
+    """The traffic's direction from both tyre contacts (N, 2) of N vehicles, as the checks put it together."""
+    pairs = headings_of_pairs(pose, first_px, second_px, sigma_px)
+    heading = [np.nan if isinstance(pair, str) else pair.heading_rad for pair in pairs]
+    u = [np.nan if isinstance(pair, str) else pair.u_heading_rad for pair in pairs]
+    return summary_of_headings(heading, u)
 
 
 def shared(*parts: str) -> Path:

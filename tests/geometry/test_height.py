@@ -9,7 +9,6 @@ from sightline.coverage import COVERAGE_95
 from sightline.geometry.arrays import exp_rotation
 from sightline.geometry.gradient import gradient
 from sightline.geometry.height import height_both, measure_height, measure_heights
-from sightline.geometry.quick import QuickHeights
 from sightline.geometry.road_pose import BoardOnRoad, RoadPose
 from sightline.geometry.sight import REASONS, sight
 from tests.geometry.scenes import LENSES, camera_of, pose_of
@@ -263,20 +262,3 @@ def test_square_camera_of_another_size_is_named() -> None:
 
     with pytest.raises(BadInput, match="800x600"):
         require_size(camera_of(Lens()), 800, 600, "clip.mp4")
-
-
-def test_quick_heights_are_the_same_heights() -> None:
-    pose, clicks, inset = one()
-    rng = np.random.default_rng(9)
-    contacts, targets = rng.uniform(-30, 700, (400, 2)), rng.uniform(-30, 700, (400, 2))
-    for lens in LENSES:
-        other = dataclasses.replace(pose, camera=camera_of(lens))
-        quick = QuickHeights(other)
-        many = measure_heights(other, contacts, targets, 1.0, 0.3, with_uncertainty=False)
-        for i in range(400):
-            height = quick.height_m(*contacts[i], *targets[i], 0.3)
-            assert (height is not None) == bool(many.ok[i])
-            if height is not None:
-                assert height == pytest.approx(many.height_m[i], abs=1e-10)
-    assert QuickHeights(pose).height_m(*clicks.ravel(), inset) == pytest.approx(1.16, abs=1e-12)
-    assert QuickHeights(pose).height_m(np.nan, 1, 2, 3) is None

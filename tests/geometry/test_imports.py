@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from sightline.errors import BadInput
-from sightline.geometry.imports import camera_from_text, read_camera
+from sightline.geometry.imports import read_camera
 from tests.geometry.scenes import shared
 
 OPENCV_YAML = """%YAML:1.0
@@ -67,7 +67,7 @@ MRCAL = """# generated on a test
     "text", [OPENCV_YAML, OPENCV_JSON, OPENCV_STORAGE_JSON, ROS, ROS_TOPIC, KALIBR, MRCAL]
 )
 def test_each_format(text: str) -> None:
-    camera = camera_from_text(text, "camera.any")
+    camera = read_camera(text, "camera.any").camera
     assert (camera.fx_px, camera.fy_px, camera.cx_px, camera.cy_px) == (500, 501, 320, 240)
     assert (camera.width_px, camera.height_px, camera.model) == (640, 480, "brown")
     assert camera.distortion[:4] == pytest.approx([-0.3, 0.1, 0.001, -0.002])
@@ -77,9 +77,9 @@ def test_each_format(text: str) -> None:
 def test_fisheye_by_each_name() -> None:
     k = "[0.1, -0.02, 0.003, -0.0004]"
     equidistant = KALIBR.replace("radtan", "equidistant").replace("[-0.3, 0.1, 0.001, -0.002]", k)
-    assert camera_from_text(equidistant, "k.yaml").model == "fisheye"
+    assert read_camera(equidistant, "k.yaml").camera.model == "fisheye"
     ros = ROS_TOPIC.replace("plumb_bob", "equidistant").replace("[-0.3, 0.1, 0.001, -0.002, 0.05]", k)
-    assert camera_from_text(ros, "r.yaml").model == "fisheye"
+    assert read_camera(ros, "r.yaml").camera.model == "fisheye"
 
 
 def test_four_unnamed_coefficients_are_read_by_their_size_and_said_so() -> None:
@@ -136,13 +136,13 @@ def test_a_small_file_cannot_be_a_huge_one() -> None:
 
 
 def test_real_files() -> None:
-    published = camera_from_text(
+    published = read_camera(
         shared("calibration", "opencv_left", "left_intrinsics.yml").read_text(), "left.yml"
-    )
+    ).camera
     assert published.fx_px == pytest.approx(535.916, abs=1e-3) and published.rms_px == pytest.approx(
         0.393, abs=1e-3
     )
     for name in ("front.yaml", "left.yaml"):
-        camera = camera_from_text(shared("calibration", "ground_pattern", name).read_text(), name)
+        camera = read_camera(shared("calibration", "ground_pattern", name).read_text(), name).camera
         assert camera.model == "fisheye" and (camera.width_px, camera.height_px) == (960, 640)
         assert np.abs(camera.distortion).max() < 0.1

@@ -18,8 +18,8 @@ from sightline.geometry.inset_trend import (
 from sightline.geometry.insets import bias_m
 from sightline.geometry.multiframe import measure_frames
 from sightline.geometry.spread import mean_and_spread, strays
-from sightline.geometry.traffic import heading_of_pair, headings, turned
-from tests.geometry.scenes import pose_of
+from sightline.geometry.traffic import heading_of_pair, turned
+from tests.geometry.scenes import headings, pose_of
 from tests.geometry.simulate import Lens, Scene
 
 SCENE = Scene(Lens(), (0.0, -3.0, 1.5), 0.0, 4.0)
@@ -76,8 +76,8 @@ def test_headings_find_a_turned_board() -> None:
     clicks = scene.look([(-1.2, 0.5, 0.0), (-0.9, 0.5, 1.2)])
     before, after = (measure_height(p, clicks[0], clicks[1]).height_m for p in (pose, turned(pose, turn)))
     assert before is not None and after is not None and abs(after - before) < 0.004
-    assert isinstance(headings(pose, a[:2], b[:2]), str)
-    assert isinstance(headings(pose, a, a), str)
+    assert isinstance(headings(pose, a[:2], b[:2], 1.0), str)
+    assert isinstance(headings(pose, a, a, 1.0), str)
 
 
 def test_mean_heading_covers_the_truth_and_its_own_uncertainty_is_right() -> None:

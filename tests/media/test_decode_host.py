@@ -75,7 +75,8 @@ def test_the_child_gives_what_a_decoder_here_gives(
         assert np.array_equal(served.gray(plain, n), server.gray(plain, n))
     crop = (20, 100, -6, 41, 31, 2, "bright")
     assert served.crop_png(plain, *crop) == server.crop_png(plain, *crop)
-    assert served.is_warm(plain, 34) and not served.is_warm(plain, 70)
+    warm = served._pictures.warm(plain)
+    assert 34 in warm and 70 not in warm
     with pytest.raises(BadInput, match="out of bounds"):
         served.crop_png(plain, 0, 0, 0, 90_000, 90_000)
 
@@ -187,7 +188,7 @@ def test_frames_prepared_ahead_are_ready_and_leave_the_window_alone(
     served.still(plain, 10)
     size = served.prepare(plain, 60)
     assert size == served.prepare(plain, 60) == len(served.still(plain, 60))
-    assert not served.is_warm(plain, 60)
+    assert 60 not in served._pictures.warm(plain)
     assert (60, 60) in served.ready(plain)
 
 

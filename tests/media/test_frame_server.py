@@ -88,7 +88,7 @@ def test_a_step_back_in_the_window_decodes_nothing(
     server.bgr(media, 70)
     monkeypatch.setattr(Seeker, "find", lambda *_, **__: pytest.fail("a decoder was asked"))
     assert [read_number(server.bgr(media, n)) for n in range(69, 30, -1)] == list(range(69, 30, -1))
-    assert server.is_warm(media, 69)
+    assert 69 in server._pictures.warm(media)
 
 
 def test_stills_survive_a_restart_on_disk(

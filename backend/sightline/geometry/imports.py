@@ -69,11 +69,6 @@ def _matrix_node(loader: yaml.SafeLoader, node: yaml.Node) -> Any:
 _Loader.add_constructor("tag:yaml.org,2002:opencv-matrix", _matrix_node)
 
 
-def camera_from_text(text: str, file_name: str) -> Camera:
-    """As `read_camera`, without the notes."""
-    return read_camera(text, file_name).camera
-
-
 def read_camera(
     text: str,
     file_name: str,

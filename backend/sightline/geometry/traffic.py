@@ -135,19 +135,6 @@ def summary_of_headings(heading_rad: ArrayLike, u_rad: ArrayLike) -> Headings | 
     )
 
 
-def headings(
-    pose: RoadPose, first_px: ArrayLike, second_px: ArrayLike, sigma_px: float = 1.0
-) -> Headings | str:
-    """Self-check of a pose: both tyre contacts (N, 2) of N vehicles give their directions of travel.
-
-    Or the reason why there is none. Vehicles whose contacts lie less than a metre apart are not used.
-    """
-    found = headings_of_pairs(pose, first_px, second_px, sigma_px)
-    heading = [np.nan if isinstance(one, str) else one.heading_rad for one in found]
-    u = [np.nan if isinstance(one, str) else one.u_heading_rad for one in found]
-    return summary_of_headings(heading, u)
-
-
 def turned(pose: RoadPose, heading_rad: float, u_heading_rad: float = 0.0) -> RoadPose:
     """The pose with the road's X axis turned about Z to a heading found in the traffic.
 

@@ -154,11 +154,6 @@ class Finder:
         return out
 
     @property
-    def kept_bytes(self) -> int:
-        """What is kept of both strips' lines at the moment."""
-        return sum(block.nbytes for reel in self._reels for _, block in reel.blocks)
-
-    @property
     def _begin_lines(self) -> int:
         return self.block * max(1, round(BEGIN_S / BLOCK_S))
 

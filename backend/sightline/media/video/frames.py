@@ -122,10 +122,6 @@ class FrameServer:
         """Like `image`, but (h, w, 3) BGR; made smaller there if a side is longer than `most_px`."""
         return self._pictures.image(data, name, colour=True, most_px=most_px)
 
-    def is_warm(self, media: RecordingMedia, n: int) -> bool:
-        """Whether frame n can be answered without decoding, from the window."""
-        return n in self._pictures.warm(media)
-
     def ready(self, media: RecordingMedia) -> list[tuple[int, int]]:
         """Runs (first, last) of the frames that are answered without decoding: the window's and the disk's.
 
