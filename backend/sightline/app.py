@@ -27,6 +27,7 @@ import sightline.poses.routes
 import sightline.quality.checks.routes
 import sightline.quality.drift.routes
 import sightline.quality.repeats.routes
+import sightline.recordings.calibrating.routes
 import sightline.recordings.frames.routes
 import sightline.recordings.routes
 import sightline.recordings.uploads.routes
@@ -68,6 +69,7 @@ ROUTERS: tuple[tuple[str, APIRouter], ...] = (
     ("photographs", sightline.surveys.photographs.routes.router),
     ("cameras", sightline.cameras.routes.router),
     ("calibrations", sightline.cameras.calibrations.routes.router),
+    ("calibrations", sightline.recordings.calibrating.routes.router),
     ("uploads", sightline.recordings.uploads.routes.router),
     ("recordings", sightline.recordings.routes.router),
     ("frames", sightline.recordings.frames.routes.router),

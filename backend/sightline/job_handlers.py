@@ -1,17 +1,17 @@
 """Every kind of background work: importing a module registers its handler."""
 
-import sightline.cameras.calibrations.calibrate_job
 import sightline.demo.demo_job
 import sightline.export.export_job
 import sightline.poses.pose_job
 import sightline.quality.drift.drift_job
+import sightline.recordings.calibrating.calibrate_job
 import sightline.recordings.ingest_job
 import sightline.scans.read_job
 import sightline.scans.vehicles.find_job
 import sightline.vehicles.passes.find_job
 
 MODULES = (
-    sightline.cameras.calibrations.calibrate_job,
+    sightline.recordings.calibrating.calibrate_job,
     sightline.demo.demo_job,
     sightline.export.export_job,
     sightline.poses.pose_job,

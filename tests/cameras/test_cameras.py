@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 import pytest
 
-from sightline.cameras.calibrations.calibrate_job import Wish, frames_of
+from sightline.cameras.calibrations.calibrating import Wish, frames_of
 from sightline.infra.jobs.records import Job
 from tests.support.app import Client, error_of, upload
 from tests.support.boards import COLUMNS, FOCAL_PX, HEIGHT, POSES, ROWS, SQUARE_M, WIDTH, picture_bytes, view

@@ -8,9 +8,9 @@ from pydantic import Field
 from sightline.cameras import store
 from sightline.cameras.board_bodies import Dictionary, KindAsked, MarkerM, Markers, SquareM
 from sightline.cameras.boards import board_told
-from sightline.cameras.calibrations import calibrate_job
 from sightline.cameras.calibrations import images as calibration_images
 from sightline.cameras.calibrations.bodies import CalibrationSummaryBody
+from sightline.cameras.calibrations.calibrating import under_way
 from sightline.cameras.calibrations.records import CalibrationImage
 from sightline.cameras.records import Camera
 from sightline.infra.jobs.records import Job
@@ -96,7 +96,7 @@ def add_camera(survey_id: PathId, body: NewCamera, who: Operator, session: Writi
 @router.get("/cameras/{camera_id}")
 def get_camera(camera_id: PathId, who: Viewer, session: Reading) -> CameraDetail:
     """One camera with its images."""
-    job = calibrate_job.under_way(session, camera_id)
+    job = under_way(session, camera_id)
     return camera_detail(
         store.get_camera(session, camera_id), store.list_calibration_images(session, camera_id), job
     )

@@ -11,7 +11,7 @@ from typing import Any
 
 from sqlalchemy.orm import Session
 
-from sightline.cameras.calibrations.calibrate_job import Seen, document_of, summary_of, view_rows
+from sightline.cameras.calibrations.calibrating import Seen, document_of, summary_of, view_rows
 from sightline.cameras.calibrations.images import detection_of
 from sightline.cameras.calibrations.store import add_calibration
 from sightline.cameras.store import add_calibration_image, create_camera

@@ -13,7 +13,7 @@ from pathlib import Path
 from threading import Event, Lock
 from typing import Any
 
-from sightline.cameras.calibrations.calibrate_job import Seen
+from sightline.cameras.calibrations.calibrating import Seen
 from sightline.demo.rendering import SCENES, Image, rendered, scene_named
 from sightline.geometry.board import Board
 from sightline.geometry.calibration import CalibrationResult

@@ -7,7 +7,7 @@ import numpy as np
 from pydantic import Field
 
 from sightline.cameras.board_bodies import Markers
-from sightline.cameras.calibrations.calibrate_job import CHECKS
+from sightline.cameras.calibrations.calibrating import CHECKS
 from sightline.cameras.calibrations.records import Calibration
 from sightline.geometry.reshoot import places_missing
 from sightline.infra.web.bodies import FrameNumber, Id, Out, WhoBody

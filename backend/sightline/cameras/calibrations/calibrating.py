@@ -1,41 +1,35 @@
-"""Calibrations: from images or from the frames of a recording, as a job; or from another tool's file."""
+"""What a calibration is made of: what was asked for, the pictures, the rows stored of them; or a file."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
-from sqlalchemy.orm import Session
 
 from sightline.cameras.boards import BoardKind, board_told
-from sightline.cameras.calibrations import images as calibration_images
 from sightline.cameras.calibrations.records import Calibration, CalibrationImage
 from sightline.cameras.calibrations.store import add_calibration
-from sightline.cameras.store import get_camera, list_calibration_images
+from sightline.cameras.store import get_camera
 from sightline.enums import JsonObject
 from sightline.errors import BadInput
-from sightline.geometry.board import Board, require_board
+from sightline.geometry.board import Board
 from sightline.geometry.calibration import CalibrationResult
-from sightline.geometry.calibration_checks import CheckedCalibration, calibrate_and_check
+from sightline.geometry.calibration_checks import CheckedCalibration
 from sightline.geometry.camera import Camera
-from sightline.geometry.corners import Corners, detect
+from sightline.geometry.corners import Corners
 from sightline.geometry.documents import camera_to_dict
-from sightline.infra.jobs import registry
+from sightline.infra.database import Session
 from sightline.infra.jobs.records import Job
-from sightline.infra.jobs.registry import Finish, JobContext
 from sightline.infra.jobs.store import list_jobs
 from sightline.infra.services import Services
-from sightline.recordings.frames.stills import stills_of
-from sightline.recordings.store import get_recording
 
-KIND = "calibrate"
+CALIBRATE = "calibrate"
 Model = Literal["brown", "fisheye"]
 # Beyond this, views add time and hardly any knowledge of the lens.
 MOST_FRAMES = 60
 USUAL_FRAMES = 24
 # Key of a calibration's document that is no key of camera.json.
 CHECKS = "checks"
-LOOKING, FITTING = 0.85, 0.9
 MOST_IMPORT_BYTES = 2_000_000
 
 
@@ -73,40 +67,12 @@ class Seen:
     frame: int | None = None
 
 
-def start(services: Services, camera_id: int, wish: Wish, actor: int) -> Job:
-    """Queue a calibration. Raises NotFound, BadInput for what cannot work from the outset."""
-    require_board(wish.board)
-    with services.writing() as session:
-        camera = get_camera(session, camera_id)
-        if wish.recording_id is None:
-            if camera.images < 3:
-                raise BadInput(
-                    f"{camera.name} has {camera.images} images; add at least three, better 15 to 25."
-                )
-        else:
-            recording = get_recording(session, wish.recording_id)
-            if recording.survey_id != camera.survey_id:
-                raise BadInput(f"{recording.name} belongs to another survey; choose one of this survey's.")
-            if recording.state != "ready" or recording.frame_count is None:
-                raise BadInput(f"{recording.name} has no frames yet; wait until its ingest is done.")
-            frames_of(wish, recording.frame_count)
-        payload = {"camera_id": camera_id, **vars(wish)}
-        return registry.enqueue(
-            session,
-            KIND,
-            payload,
-            survey_id=camera.survey_id,
-            recording_id=None,
-            actor=actor,
-        )
-
-
 def under_way(session: Session, camera_id: int) -> Job | None:
     """The newest calibration of this camera that waits or runs."""
     survey_id = get_camera(session, camera_id).survey_id
     for state in ("running", "queued"):
         for job in list_jobs(session, survey_id=survey_id, state=state):
-            if job.kind == KIND and job.payload.get("camera_id") == camera_id:
+            if job.kind == CALIBRATE and job.payload.get("camera_id") == camera_id:
                 return job
     return None
 
@@ -129,71 +95,9 @@ def frames_of(wish: Wish, frame_count: int) -> list[int]:
     return frames
 
 
-@registry.handler(KIND)
-def run_calibration(context: JobContext) -> Finish:
-    """Detect where that was not done yet, fit, and store the result as the camera's current calibration."""
-    services = context.services
-    asked = dict(context.payload)
-    camera_id = int(asked.pop("camera_id"))
-    context.progress(0.0, "Looking for the board.")
-    wish = Wish(**asked)
-    with services.reading() as session:
-        camera = get_camera(session, camera_id)
-    seen = (
-        _from_images(context, services, camera_id, wish)
-        if wish.recording_id is None
-        else (_from_recording(context, services, wish))
-    )
-    context.progress(FITTING, "Fitting the lens, and its two halves apart.")
-    views = unique_names(seen)
-    named_views = [(one.name, one.corners, one.size) for one in views]
-    checked = calibrate_and_check(named_views, wish.board, wish.model, wish.bent_board)
-    result = checked.result
-    named = replace(result.camera, name=camera.name)
-    rows = view_rows(views, result)
-    summary = summary_of(named, len(result.corners), len(views))
-
-    def finish(session: Session) -> Mapping[str, Any]:
-        made = add_calibration(
-            session,
-            camera_id,
-            source="images" if wish.recording_id is None else "clip",
-            document=document_of(named, checked),
-            trusted=result.trusted,
-            warnings=list(result.warnings),
-            coverage=result.coverage.astype(int).tolist(),
-            views=rows,
-            summary=summary,
-            recording_id=wish.recording_id,
-            actor=context.actor,
-        )
-        return {"calibration_id": made.id, "camera_id": camera_id}
-
-    return finish
-
-
 def document_of(camera: Camera, checked: CheckedCalibration) -> JsonObject:
     """camera.json with the checks beside its own keys: they are written once with it, and never change."""
     return {**camera_to_dict(camera), CHECKS: checked.documents()}
-
-
-def _from_images(context: JobContext, services: Services, camera_id: int, wish: Wish) -> list[Seen]:
-    with services.reading() as session:
-        images = list_calibration_images(session, camera_id)
-    seen = []
-    for index, image in enumerate(images):
-        context.progress(LOOKING * index / len(images), f"Looking for the board in {image.name}.")
-        seen.append(_seen_image(services, image, wish.board))
-    return seen
-
-
-def _seen_image(services: Services, image: CalibrationImage, board: Board) -> Seen:
-    """The stored detection where it was made for this board, else a fresh one."""
-    if image.found and made_for(image, board):
-        corners = stored_corners(image, board)
-    else:
-        corners = detect(calibration_images.gray_of(services, image), board)
-    return Seen(image.name, corners, (image.width_px, image.height_px), image_id=image.id)
 
 
 def made_for(image: CalibrationImage, board: Board) -> bool:
@@ -222,19 +126,6 @@ def stored_corners(image: CalibrationImage, board: Board) -> Corners:
         detector="stored",
         ids=ids,
     )
-
-
-def _from_recording(context: JobContext, services: Services, wish: Wish) -> list[Seen]:
-    assert wish.recording_id is not None
-    opened = stills_of(services).open(wish.recording_id)
-    frames = frames_of(wish, len(opened.media))
-    seen = []
-    for index, n in enumerate(frames):
-        context.progress(LOOKING * index / len(frames), f"Looking for the board in frame {n}.")
-        gray = stills_of(services).gray(wish.recording_id, n)
-        size = (int(gray.shape[1]), int(gray.shape[0]))
-        seen.append(Seen(f"{opened.recording.name} frame {n}", detect(gray, wish.board), size, frame=n))
-    return seen
 
 
 def unique_names(seen: Sequence[Seen]) -> list[Seen]:
