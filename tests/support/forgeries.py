@@ -4,9 +4,9 @@ import json
 from collections.abc import Callable
 from pathlib import Path
 
-from sightline.export.verify.heights import _clicks
 from sightline.geometry.documents import pose_from_dict
 from sightline.measurements.height_of_clicks import answer
+from sightline.measurements.verify import clicks_of_row
 from tests.support.packages import drop, edit, rederive, rehash, reseal, rewrite, rows
 
 Row = dict[str, str]
@@ -39,7 +39,7 @@ def a_click_and_its_height(place: Path) -> str:
     moved = repr(float(row["target_y_px"]) + 5.0)
     path = f"poses/pose-{row['pose_id']}.json"
     pose = pose_from_dict(json.loads((place / path).read_text()), path)
-    found = answer(pose, _clicks({**row, "target_y_px": moved}))
+    found = answer(pose, clicks_of_row({**row, "target_y_px": moved}))
     heights = {name: f"{getattr(found, name):.6f}" for name in ("height_m", "uncorrected_height_m")}
     u = {name: f"{getattr(found, name):.6f}" for name in ("u_height_m", "U95_height_m")}
     cells = {"target_y_px": moved, **heights, **u}

@@ -16,6 +16,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from sightline.cameras.calibrations.verify import check_calibrations
 from sightline.errors import BadInput, Damaged
 from sightline.export.verify.chain import ReplayedState, walk
 from sightline.export.verify.derived import (
@@ -25,18 +26,20 @@ from sightline.export.verify.derived import (
     check_statistics,
     described_tables,
 )
-from sightline.export.verify.heights import check_heights
-from sightline.export.verify.rows import (
-    check_frames,
-    check_keys,
-    check_people_s_work,
-    check_set_up,
-    check_verdicts,
-)
 from sightline.infra.csv_package.files import Files, Tick, no_tick, open_package, read_whole, sum_of
 from sightline.infra.csv_package.schema import CHECKSUMS, Written
+from sightline.infra.csv_package.verify import check_keys
+from sightline.measurements.sheets.verify import check_vehicles
+from sightline.measurements.verify import Recomputed, check_frames, check_measurements
+from sightline.poses.verify import check_poses
+from sightline.quality.checks.verify import check_wheel_pairs
+from sightline.quality.repeats.verify import check_repeats
+from sightline.recordings.verify import check_recordings
+from sightline.results.verify import check_standards
+from sightline.reviews.verify import check_verdicts
 from sightline.scans.verify import check_scans
 from sightline.surveys.photographs.verify import check_photographs
+from sightline.surveys.verify import check_insets
 
 _LEAST_OF_HEAD = 16
 
@@ -113,11 +116,18 @@ def _check(files: Files, head: str | None, found: _Found, tick: Tick) -> None:
     found.checked, found.head = told.count, told.head
     _same_head(told, head)
     tick(0.2)
-    check_set_up(files, told)
-    found.heights = check_heights(files, told)
+    check_poses(files, told.contents["pose"])
+    check_calibrations(files, told.contents["calibration"])
+    check_insets(files, told.survey.get("insets", {}))
+    check_standards(files, told.standards)
+    heights = Recomputed(files)
+    found.heights = check_measurements(files, told.measurements, told.is_gone, heights)
+    found.heights += check_repeats(files, told.measurements, told.is_gone, heights)
     tick(0.5)
-    check_people_s_work(files, told)
-    check_verdicts(files, told)
+    check_vehicles(files, told.vehicles, told.is_gone)
+    check_recordings(files, told.recordings)
+    check_wheel_pairs(files, told.pairs)
+    check_verdicts(files, told.reviews, told.is_gone)
     check_frames(files)
     check_scans(files, told.scans)
     check_photographs(files, told.photographs, written)

@@ -1,22 +1,25 @@
-"""Computing every height of an export again, and holding its rows against each other and their events."""
+"""Computing every height of a package again, and holding its rows against each other and their events."""
 
 from __future__ import annotations
 
+import hashlib
 import json
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from itertools import groupby
-from typing import cast
+from typing import Any, cast
 
 from sightline.coverage import COVERAGE_95
 from sightline.enums import Target
 from sightline.errors import BadInput, Damaged
-from sightline.export.verify.chain import ReplayedState, same_repeat, same_words
 from sightline.geometry.documents import pose_from_dict
 from sightline.geometry.road_pose import RoadPose
-from sightline.infra.csv_package.files import Files, read_rows, read_whole
+from sightline.infra.csv_package.chain import stamp
+from sightline.infra.csv_package.files import Files, read_columns, read_rows, read_whole
 from sightline.infra.csv_package.files import number as figure_of
+from sightline.infra.csv_package.schema import metres_text, safe_text
 from sightline.measurements.csv import clicks_path
 from sightline.measurements.height_of_clicks import Answer, answer
 from sightline.measurements.records import ClickedFrame, Clicks
@@ -30,9 +33,33 @@ _RECOMPUTED = ("height_m", "uncorrected_height_m", "distance_m", "solved_inset_m
 _ONLY_CURRENT = ("id", "verdict", "review_reason", "reviewer_id", "reviewed_at")
 
 
-def check_heights(files: Files, told: ReplayedState) -> int:
-    """Compute the height of every revision and repeat again; how many were. Raises Damaged."""
-    shelf = _Shelf(files)
+@dataclass(eq=False)
+class MeasurementEvents:
+    """What the events say of measurements, as digests: `revisions` by (measurement, revision), `repeats` by
+    repeat, of its newest revision; `of_vehicle`: whose each measurement is.
+    """
+
+    revisions: dict[tuple[int, int], bytes] = field(default_factory=dict)
+    repeats: dict[int, bytes] = field(default_factory=dict)
+    of_vehicle: dict[int, int] = field(default_factory=dict)
+
+    def add(self, number: int, after: Mapping[str, Any]) -> None:
+        """An event of a measurement; `after` with the person who did it as `by`."""
+        self.of_vehicle[number] = int(after["vehicle_id"])
+        if after.get("repeat_of") is not None:
+            self.repeats[number] = _digest([*_short_of_event(after), stamp(after["created_at"])])
+        else:
+            stamps = [stamp(after["created_at"]), safe_text(after["code_version"])]
+            self.revisions[number, int(after["revision"])] = _digest([*_words_of_event(after), *stamps])
+
+
+def check_measurements(
+    files: Files, events: MeasurementEvents, is_gone: Callable[[int], bool], heights: Recomputed
+) -> int:
+    """Compute the height of every revision again; how many were. `is_gone`: whether a vehicle was deleted.
+
+    Raises Damaged.
+    """
     count = 0
     revisions = groupby(read_rows(files, "revisions.csv"), key=lambda row: row["measurement_id"])
     clicks = _Lockstep(files, "clicks.csv", "id")
@@ -44,8 +71,8 @@ def check_heights(files: Files, told: ReplayedState) -> int:
         if name != current["id"]:
             raise Damaged(f"revisions.csv: measurement {current['id']} has no revisions; one was taken out.")
         for row in rows:
-            _same(f"revisions.csv: {name}", row, shelf.answer(row))
-            _by_event(told, "revisions.csv", row, (int(name), int(row["revision"])))
+            heights.check(f"revisions.csv: {name}", row)
+            _by_event(events, "revisions.csv", row, (int(name), int(row["revision"])))
             count += 1
         _is_newest(current, rows[-1])
         budget.check(current)
@@ -59,23 +86,26 @@ def check_heights(files: Files, told: ReplayedState) -> int:
     budget.end()
     for left in (clicks, *of_poses.values()):
         left.end()
-    _nothing_left(told)
-    return count + _repeats(files, told, shelf)
+    _nothing_left(events, is_gone)
+    return count
 
 
-class _Shelf:
-    """The poses of a package, read once."""
+class Recomputed:
+    """Heights computed again from the poses of a package, each read once."""
 
     def __init__(self, files: Files) -> None:
         self._files = files
         self._poses: dict[str, RoadPose] = {}
 
-    def answer(self, row: Row) -> Answer:
-        """What the clicks of a row give."""
+    def check(self, name: str, row: Row) -> None:
+        """The figures of a row are those that its clicks give. Raises Damaged."""
+        _same(name, row, self._answer(row))
+
+    def _answer(self, row: Row) -> Answer:
         path = pose_path(int(row["pose_id"]))
         if path not in self._poses:
             self._poses[path] = _pose(self._files, path)
-        return answer(self._poses[path], _clicks(row))
+        return answer(self._poses[path], clicks_of_row(row))
 
 
 def _pose(files: Files, path: str) -> RoadPose:
@@ -85,7 +115,8 @@ def _pose(files: Files, path: str) -> RoadPose:
         raise Damaged(f"{path} is missing or is no road pose; take the whole export again.") from error
 
 
-def _clicks(row: Row) -> Clicks:
+def clicks_of_row(row: Row) -> Clicks:
+    """The clicks that a row of measurements, revisions or repeats tells."""
     number = {name: float(row[name]) for name in row if name.endswith(("_px", "inset_m")) and row[name]}
     return Clicks(
         target=cast(Target, row["target"]),
@@ -195,36 +226,95 @@ class _Budget:
             raise Damaged(f"budget.csv: {self._next[0]} is not in measurements.csv; it was put in.")
 
 
-def _by_event(told: ReplayedState, path: str, row: Row, key: tuple[int, int]) -> None:
-    digest = told.revisions.pop(key, None)
+def _by_event(events: MeasurementEvents, path: str, row: Row, key: tuple[int, int]) -> None:
+    digest = events.revisions.pop(key, None)
     if digest is None:
         raise Damaged(
             f"{path}: measurement {key[0]} has no audit event for revision {key[1]}; it was put in."
         )
-    if not same_words(digest, row, further(row)):
+    if not _same_words(digest, row, further(row)):
         raise Damaged(f"{path}: measurement {key[0]} differs from its audit event; it was changed.")
 
 
-def _nothing_left(told: ReplayedState) -> None:
+def _nothing_left(events: MeasurementEvents, is_gone: Callable[[int], bool]) -> None:
     """Every measurement that the chain tells of is there, those of deleted vehicles excepted."""
-    for number, revision in told.revisions:
-        if not told.is_gone(told.of_vehicle[number]):
+    for number, revision in events.revisions:
+        if not is_gone(events.of_vehicle[number]):
             raise Damaged(
                 f"revisions.csv: revision {revision} of measurement {number} is missing, though its audit "
                 "event is there; it was taken out."
             )
 
 
-def _repeats(files: Files, told: ReplayedState, shelf: _Shelf) -> int:
-    count = 0
-    for row in read_rows(files, "repeats.csv"):
-        number = int(row["id"])
-        _same(f"repeats.csv: {number}", row, shelf.answer(row))
-        digest = told.repeats.pop(number, None)
-        if digest is None or not same_repeat(digest, row):
-            raise Damaged(f"repeats.csv: {number} is not what its audit event says; it was changed.")
-        count += 1
-    left = [number for number in told.repeats if not told.is_gone(told.of_vehicle[number])]
-    if left:
-        raise Damaged(f"repeats.csv: repeat {left[0]} is missing, though its audit event is there.")
-    return count
+def check_frames(files: Files) -> None:
+    """What a measurement says of its frame is what frames.csv says of it."""
+    names = ("pts", "time_s", "crc32")
+    known = {
+        (row["recording_id"], row["frame"]): [row[name] for name in names]
+        for row in read_rows(files, "frames.csv")
+    }
+    columns = ("id", "recording_id", "frame", "pts", "time_s", "frame_crc32")
+    for path in ("measurements.csv", "repeats.csv"):
+        for id_, recording, frame, *said in read_columns(files, path, columns):
+            found = known.get((recording, frame))
+            if (
+                found is None
+                or found[0] != said[0]
+                or found[2] != said[2]
+                or figure_of(found[1]) != figure_of(said[1])
+            ):
+                raise Damaged(
+                    f"{path}: {id_} was clicked on another frame than frames.csv tells; one is wrong."
+                )
+
+
+def _short_of_event(after: Mapping[str, Any]) -> list[Any]:
+    plain = [after[name] for name in ("vehicle_id", "target", "frame", "pose_id", "status", "withdrawn")]
+    points = [*after["contact"], *after["target_point"]]
+    return [*plain, safe_text(after["reason"] or ""), _length(after["height_m"]), after["by"], points]
+
+
+def _words_of_event(after: Mapping[str, Any]) -> list[Any]:
+    more = [[n, *contact, *point] for n, contact, point in after.get("more_frames", [])]
+    return [*_short_of_event(after), _length(after["U95_height_m"]), more]
+
+
+def _length(value_m: float | None) -> str:
+    return "" if value_m is None else metres_text(value_m)
+
+
+def _short_of_row(row: Mapping[str, str]) -> list[Any]:
+    plain = [int(row["vehicle_id"]), row["target"], int(row["frame"]), int(row["pose_id"])]
+    said = [row["status"], row["withdrawn"] == "true", row["reason"], row["height_m"]]
+    return [*plain, *said, row["created_by_id"], _points_of_row(row, "")]
+
+
+def _words_of_row(row: Mapping[str, str], further: list[int]) -> list[Any]:
+    """What a row says, in the form in which its event says it."""
+    more = [[int(row[f"frame{k}"]), *_points_of_row(row, str(k))] for k in further]
+    return [*_short_of_row(row), row["U95_height_m"], more]
+
+
+def _points_of_row(row: Mapping[str, str], k: str) -> list[float]:
+    return [float(row[f"{word}{k}_{axis}_px"]) for word in ("contact", "target") for axis in "xy"]
+
+
+def _same_words(told: bytes, row: Mapping[str, str], further: list[int]) -> bool:
+    """Whether a row says what its event said."""
+    return told == _digest([*_words_of_row(row, further), row["created_at"], row["code_version"]])
+
+
+def same_repeat(told: bytes, row: Mapping[str, str]) -> bool:
+    """The same for a row of repeats.csv."""
+    return told == _digest([*_short_of_row(row), row["created_at"]])
+
+
+def _digest(words: list[Any]) -> bytes:
+    return hashlib.blake2b(_text(words).encode(), digest_size=12).digest()
+
+
+def _text(words: Any) -> str:
+    """One text for numbers that are equal, whether they came as 3 or as 3.0, as 0 or as -0.0."""
+    if isinstance(words, list):
+        return "[" + ",".join(_text(one) for one in words) + "]"
+    return repr(float(words) + 0.0) if isinstance(words, float | int) else repr(words)

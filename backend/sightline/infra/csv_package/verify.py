@@ -1,0 +1,101 @@
+"""Holding the tables of a package against each other and against what audit events say."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+from sightline.errors import Damaged
+from sightline.infra.audit.hashing import content_hash
+from sightline.infra.csv_package.chain import stamp
+from sightline.infra.csv_package.files import Files, read_columns, read_rows, read_whole
+from sightline.infra.csv_package.schema import AnyTable, cell_text, record_path
+
+_ELSEWHERE = ("id", "created_at", "document", "columns", "rows")
+
+
+def check_keys(files: Files, described: Sequence[AnyTable]) -> int:
+    """Every key is there once and every foreign key leads somewhere; how many were followed."""
+    wanted = {(table, columns) for one in described for _, table, columns in one.foreign}
+    known = {key: _keys(files, _named(described, key[0]).path, key[1]) for key in wanted}
+    followed = 0
+    for one in described:
+        if one.primary:
+            _keys(files, one.path, one.primary)
+        for mine, table, theirs in one.foreign:
+            for values in read_columns(files, one.path, mine):
+                if all(values) and tuple(values) not in known[table, theirs]:
+                    raise Damaged(
+                        f"{one.path}: {' '.join(mine)} {' '.join(values)} is not in {table}.csv; "
+                        "a row was taken out or changed."
+                    )
+                followed += 1
+    return followed
+
+
+def _named(described: Sequence[AnyTable], name: str) -> AnyTable:
+    return next(one for one in described if one.name == name)
+
+
+def _keys(files: Files, path: str, columns: tuple[str, ...]) -> set[tuple[str, ...]]:
+    found: set[tuple[str, ...]] = set()
+    for values in read_columns(files, path, columns):
+        key = tuple(values)
+        if key in found:
+            raise Damaged(f"{path}: {' '.join(columns)} {' '.join(values)} is there twice; one was put in.")
+        found.add(key)
+    return found
+
+
+def check_records(
+    files: Files,
+    kind: str,
+    table: AnyTable,
+    path_of: Callable[[int], str],
+    expected: Mapping[int, str],
+    values_of: Callable[[Mapping[str, Any]], Mapping[str, Any]],
+) -> None:
+    """Each row of a table of what is written once is the record that the chain vouches for.
+
+    `expected`: the hash of each record's content by number; `values_of`: its cells by column. Raises Damaged.
+    """
+    rows = {int(row["id"]): row for row in read_rows(files, table.path)}
+    if set(rows) != set(expected):
+        odd = min(set(rows) ^ set(expected))
+        raise Damaged(f"{table.path}: {kind} {odd} is there without its audit event, or is missing.")
+    for id_, row in rows.items():
+        path = record_path(kind, id_)
+        record = json.loads(read_whole(files, path))
+        if content_hash(record) != expected[id_]:
+            raise Damaged(f"{path} is not what its audit event says; it was changed.")
+        if json.loads(read_whole(files, path_of(id_))) != record["document"]:
+            raise Damaged(f"{path_of(id_)} is not the one that the audit chain vouches for; it was changed.")
+        stamped = [row["created_at"], row["created_by_id"]]
+        if stamped != [stamp(record["created_at"]), str(record["created_by"] or "")]:
+            raise Damaged(
+                f"{table.path}: {kind} {id_} was made by others or at another time than {path} says."
+            )
+        values = values_of(record)
+        names = [name for name in table.header if name in values and name not in _ELSEWHERE and row[name]]
+        if not says(table, row, {name: values[name] for name in names}):
+            raise Damaged(f"{table.path}: {kind} {id_} differs from {path}; one was changed.")
+
+
+def says(table: AnyTable, row: Mapping[str, str], values: Mapping[str, Any]) -> bool:
+    """Whether a row's cells hold these values, as they would be written."""
+    columns = {column.name: column for column in table.columns}
+    for name, value in values.items():
+        if name in columns and isinstance(value, str | int | float | bool | None):
+            expected = cell_text(columns[name], value)
+            if row[name] != expected and not _equal(row[name], expected):
+                return False
+    return True
+
+
+def _equal(told: str, expected: str) -> bool:
+    """3 and 3.0 are one number: JSON does not tell them apart, CSV does."""
+    try:
+        return float(told) == float(expected)
+    except ValueError:
+        return False

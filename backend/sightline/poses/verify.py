@@ -1,0 +1,21 @@
+"""Holding the road poses of a package against the audit chain."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from sightline.infra.csv_package.files import Files
+from sightline.infra.csv_package.verify import check_records
+from sightline.poses.csv import POSES, pose_path
+
+
+def check_poses(files: Files, contents: Mapping[int, str]) -> None:
+    """Poses are those whose content the chain vouches for (hash by number). Raises Damaged."""
+    check_records(files, "pose", POSES, pose_path, contents, _values)
+
+
+def _values(record: Mapping[str, Any]) -> Mapping[str, Any]:
+    document = record["document"]
+    values = {**document, **(document.get("board") or {}), **record}
+    return {**values, "board_distance_m": values.get("distance_m")}

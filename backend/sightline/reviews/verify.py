@@ -1,0 +1,53 @@
+"""Holding the verdicts of a package against the audit chain."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from sightline.errors import Damaged
+from sightline.infra.csv_package.chain import stamp
+from sightline.infra.csv_package.files import Files, read_columns, read_rows
+from sightline.infra.csv_package.verify import says
+from sightline.reviews.csv import REVIEWS
+
+_DEFAULT_VERDICT = "to_review"
+
+
+def check_verdicts(
+    files: Files, reviews: Mapping[int, Mapping[str, Any]], is_gone: Callable[[int], bool]
+) -> None:
+    """Reviews are those of the chain, by number, and each measurement's verdict is its newest review's.
+
+    `is_gone`: whether a vehicle was deleted. Raises Damaged.
+    """
+    newest: dict[tuple[str, str], Mapping[str, str]] = {}
+    there: set[int] = set()
+    for row in read_rows(files, REVIEWS.path):
+        made = reviews.get(int(row["id"]))
+        if made is None or not says(REVIEWS, row, _of_review(made)):
+            raise Damaged(f"reviews.csv: {row['id']} is not what its audit event says; it was changed.")
+        there.add(int(row["id"]))
+        newest[row["measurement_id"], row["result_revision"]] = row
+    for id_, made in reviews.items():
+        if id_ not in there and not is_gone(int(made["vehicle_id"])):
+            raise Damaged(f"reviews.csv: {id_} is missing, though its audit event is there.")
+    names = ("id", "revision", "verdict", "review_reason", "reviewer_id", "reviewed_at")
+    for one, revision, *said in read_columns(files, "measurements.csv", names):
+        review = newest.get((one, revision))
+        wanted = [_DEFAULT_VERDICT, "", "", ""]
+        if review is not None:
+            wanted = [review[name] for name in ("verdict", "reason", "reviewer_id", "at")]
+        if said != wanted:
+            raise Damaged(
+                f"measurements.csv: the verdict on {one} is not that of its newest review; one is wrong."
+            )
+
+
+def _of_review(made: Mapping[str, Any]) -> dict[str, Any]:
+    named: dict[str, Any] = {
+        "measurement_id": made["series_id"],
+        "reviewer_id": int(made["actor_id"]) if made["actor_id"] else None,
+        "at": stamp(made["created_at"]),
+    }
+    return {**made, **named}

@@ -1,0 +1,18 @@
+"""Holding a survey's insets in a package against the audit chain."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from sightline.errors import Damaged
+from sightline.infra.csv_package.files import Files, read_rows
+from sightline.infra.csv_package.verify import says
+from sightline.surveys.csv import INSETS
+
+
+def check_insets(files: Files, insets: Mapping[str, Mapping[str, Any]]) -> None:
+    """The insets in force are those of the survey's events, by target. Raises Damaged."""
+    rows = {row["target"]: row for row in read_rows(files, INSETS.path)}
+    if set(rows) != set(insets) or any(not says(INSETS, rows[one], insets[one]) for one in rows):
+        raise Damaged("insets.csv is not what the survey's audit events say; it was changed.")
