@@ -52,12 +52,10 @@ def settings_of(**overrides: object) -> Settings:
 
 def require_database(settings: Settings) -> None:
     """Raise BadInput where the settings name a SQLite file that is not there: reading must not make one."""
-    if not settings.database_url.startswith("sqlite:///"):
-        return
-    from sqlalchemy import make_url
+    from sightline.infra.database.engine import sqlite_file
 
-    path = make_url(settings.database_url).database or ""
-    if not Path(path).is_file():
+    path = sqlite_file(settings.database_url)
+    if path is not None and not path.is_file():
         raise BadInput(f"There is no database at {path}; name its folder with --data-dir.")
 
 

@@ -9,8 +9,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from sqlalchemy.orm import Session
-
 from sightline.cameras.calibrations.calibrating import Seen, document_of, summary_of, view_rows
 from sightline.cameras.calibrations.images import detection_of
 from sightline.cameras.calibrations.store import add_calibration
@@ -22,6 +20,7 @@ from sightline.demo.repeats import click_again
 from sightline.demo.scan import ScanMaker, ScanParts, store_scan
 from sightline.demo.wheels import click_wheels
 from sightline.enums import Lighting, Role
+from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.recovery import STOPPED
 from sightline.infra.web.person import Person

@@ -11,9 +11,9 @@ from dataclasses import dataclass, replace
 from uuid import UUID, uuid5
 
 import numpy as np
-from sqlalchemy.orm import Session
 
 from sightline.enums import REQUIRED_TARGETS, Point
+from sightline.infra.database import Session
 from sightline.measurements.records import ClickedFrame, Clicks, Measurement
 from sightline.measurements.service import store_measurement
 from sightline.reviews.service import review

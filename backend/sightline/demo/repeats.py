@@ -9,10 +9,10 @@ from __future__ import annotations
 from uuid import UUID, uuid5
 
 import numpy as np
-from sqlalchemy.orm import Session
 
 from sightline.demo.clicks import CLICK_NOISE_PX, Pass, sight_of
 from sightline.enums import Point
+from sightline.infra.database import Session
 from sightline.measurements.records import Clicks, Measurement
 from sightline.measurements.service import store_measurement
 

@@ -15,9 +15,9 @@ from threading import Event
 from typing import Any, cast
 
 import numpy as np
-from sqlalchemy.orm import Session
 
 from sightline.demo.scan_heights import RODS, store_heights
+from sightline.infra.database import Session
 from sightline.infra.services import Services
 from sightline.linescan.parts import Pixels, Rig
 from sightline.media.cancelling import check_cancelled

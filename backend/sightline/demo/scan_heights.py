@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from sqlalchemy.orm import Session
 
+from sightline.infra.database import Session
 from sightline.scans.heights import poses
 from sightline.scans.heights.poses import Mark, Rod
 from sightline.scans.heights.service import Clicked, store_line_height

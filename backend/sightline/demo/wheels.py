@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from sqlalchemy.orm import Session
 
 from sightline.demo.clicks import Pass
 from sightline.enums import Point
+from sightline.infra.database import Session
 from sightline.quality.checks.traffic import store_pair
 from sightline.simulation.truth import PassTruth
 

@@ -13,7 +13,6 @@ from itertools import groupby
 from typing import TypeVar
 
 import numpy as np
-from sqlalchemy.orm import Session
 
 from sightline.cameras.calibrations.csv import CALIBRATIONS, NamedCalibration, calibration_path
 from sightline.cameras.calibrations.store import list_calibrations
@@ -35,6 +34,7 @@ from sightline.infra.audit.records import AuditHead, Who
 from sightline.infra.csv_package.audit import AUDIT, Link
 from sightline.infra.csv_package.files import Staging, TableWriter
 from sightline.infra.csv_package.schema import DESCRIPTION, Table, description_of, json_bytes, record_path
+from sightline.infra.database import Session
 from sightline.infra.services import Services
 from sightline.measurements.csv import (
     BUDGET,

@@ -14,7 +14,6 @@ from typing import Literal
 
 import numpy as np
 import numpy.typing as npt
-from sqlalchemy.orm import Session
 
 from sightline.coverage import COVERAGE_95
 from sightline.enums import Point
@@ -25,6 +24,7 @@ from sightline.geometry.height import measure_height
 from sightline.geometry.road import road_point
 from sightline.geometry.road_pose import RoadPose
 from sightline.geometry.travel import Chase, body_of, further_gain
+from sightline.infra.database import Session
 from sightline.infra.services import Services
 from sightline.measurements.click_context_query import click_context
 from sightline.measurements.height_of_clicks import measured_frames

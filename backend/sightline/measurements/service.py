@@ -10,12 +10,11 @@ from dataclasses import replace
 from typing import Any, cast
 from weakref import WeakKeyDictionary
 
-from sqlalchemy.orm import Session
-
 from sightline.enums import MeasurementStatus, Point, Target
 from sightline.errors import BadInput, Conflict
 from sightline.geometry.road_pose import RoadPose
 from sightline.geometry.ruler import Ruler, ruler
+from sightline.infra.database import Session
 from sightline.infra.version import code_version
 from sightline.measurements.click_context_query import (
     ClickContext,

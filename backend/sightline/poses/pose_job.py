@@ -6,8 +6,6 @@ from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass
 from typing import Any, Literal
 
-from sqlalchemy.orm import Session
-
 from sightline.cameras.boards import BoardKind, board_told
 from sightline.cameras.calibrations.store import get_calibration
 from sightline.errors import BadInput
@@ -15,6 +13,7 @@ from sightline.geometry.board import Board, require_board
 from sightline.geometry.camera import Camera
 from sightline.geometry.documents import camera_from_dict
 from sightline.geometry.road_pose import DEFAULT_U_BOW_M, Reference
+from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services

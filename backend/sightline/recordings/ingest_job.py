@@ -8,10 +8,9 @@ from pathlib import Path
 from statistics import median
 from typing import Any
 
-from sqlalchemy.orm import Session
-
 from sightline.enums import Lighting
 from sightline.errors import Conflict, NotFound
+from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.recovery import STOPPED as CANCELLED

@@ -19,11 +19,11 @@ from typing import Any, Literal
 import numpy as np
 from cachetools import LRUCache, cached
 from numpy.typing import NDArray
-from sqlalchemy.orm import Session
 
 from sightline.enums import Category, Lighting
 from sightline.errors import BadInput, NotFound
 from sightline.infra.audit import trail
+from sightline.infra.database import Session
 from sightline.people.store import list_people
 from sightline.results.measured_columns_query import (
     CATEGORIES,

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from sqlalchemy.orm import Session
-
 from sightline.enums import Point, ReviewVerdict
 from sightline.errors import BadInput
+from sightline.infra.database import Session
 from sightline.measurements.records import Measurement, MeasurementValues
 from sightline.measurements.service import clicked_again, values_at
 from sightline.measurements.store import require_measurement_revision

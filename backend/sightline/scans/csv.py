@@ -6,8 +6,6 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, get_args
 
-from sqlalchemy.orm import Session
-
 from sightline.coverage import expanded
 from sightline.enums import (
     Cause,
@@ -31,6 +29,7 @@ from sightline.infra.csv_package.columns import (
 )
 from sightline.infra.csv_package.files import Staging
 from sightline.infra.csv_package.schema import Cell, Column, Table
+from sightline.infra.database import Session
 from sightline.linescan.parts import Gap
 from sightline.scans.heights.csv import TABLES as HEIGHT_TABLES
 from sightline.scans.heights.csv import HeightRecords

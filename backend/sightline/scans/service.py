@@ -5,10 +5,9 @@ Finding and measuring their vehicles is in `scanning_find` and `scanning_measuri
 
 from __future__ import annotations
 
-from sqlalchemy.orm import Session
-
 from sightline.enums import Lighting, TimeAxis
 from sightline.errors import BadInput, Conflict
+from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.store import latest_jobs_of_scans

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from sqlalchemy.orm import Session
-
 from sightline.errors import Conflict
+from sightline.infra.database import Session
 from sightline.vehicles.records import Vehicle, VehicleChanges
 from sightline.vehicles.store import get_vehicle, update_vehicle
 

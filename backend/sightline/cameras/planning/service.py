@@ -3,8 +3,6 @@
 from dataclasses import dataclass
 from math import radians
 
-from sqlalchemy.orm import Session
-
 from sightline.cameras.calibrations.store import get_calibration
 from sightline.cameras.store import get_camera
 from sightline.errors import BadInput
@@ -12,6 +10,7 @@ from sightline.geometry.camera import Camera
 from sightline.geometry.documents import camera_from_dict
 from sightline.geometry.plan import Plan, plan_site
 from sightline.geometry.site import Site, plain_camera
+from sightline.infra.database import Session
 from sightline.surveys.store import get_survey
 
 

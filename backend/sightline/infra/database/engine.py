@@ -36,6 +36,11 @@ class DatabaseAway(SightlineError):
     code = "database_away"
 
 
+def sqlite_file(url: str) -> Path | None:
+    """The file of a SQLite database by its address; None for an address of another kind."""
+    return Path(make_url(url).database or "") if url.startswith("sqlite:///") else None
+
+
 def make_engine(url: str, *, must_exist: bool = False) -> Engine:
     """An engine for `sqlite:///path` or `postgresql+psycopg://...`. Raises BadInput for any other URL.
 

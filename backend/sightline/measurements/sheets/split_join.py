@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from sqlalchemy.orm import Session
-
 from sightline.errors import BadInput, Conflict
+from sightline.infra.database import Session
 from sightline.measurements.sheets.query import frames_used_of_vehicle
 from sightline.vehicles.records import Vehicle, VehicleChanges
 from sightline.vehicles.store import (

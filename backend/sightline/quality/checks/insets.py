@@ -8,7 +8,6 @@ from itertools import groupby
 from typing import Literal, get_args
 
 import numpy as np
-from sqlalchemy.orm import Session
 
 from sightline.enums import Target
 from sightline.geometry.inset_trend import (
@@ -21,6 +20,7 @@ from sightline.geometry.inset_trend import (
     together,
 )
 from sightline.geometry.insets import DEFAULT_INSETS, INSET_CHOICES, bias_m
+from sightline.infra.database import Session
 from sightline.measurements.records import Measurement, VehicleSheet
 from sightline.measurements.service import road_pose
 from sightline.measurements.sheets.query import list_sheets

@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
-from sqlalchemy.orm import Session
 
 from sightline.enums import Point
 from sightline.errors import BadInput, Conflict
@@ -20,6 +19,7 @@ from sightline.geometry.traffic import (
     headings_of_pairs,
     summary_of_headings,
 )
+from sightline.infra.database import Session
 from sightline.measurements.click_context_query import click_context
 from sightline.measurements.height_of_clicks import DEFAULT_SIGMA_PX
 from sightline.measurements.records import Measurement, VehicleSheet

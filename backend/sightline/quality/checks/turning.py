@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from sqlalchemy.orm import Session
 
 from sightline.errors import Conflict
 from sightline.geometry.arrays import Floats
@@ -14,6 +13,7 @@ from sightline.geometry.height import measure_heights
 from sightline.geometry.multiframe import measure_frames
 from sightline.geometry.road_pose import RoadPose
 from sightline.geometry.traffic import turned
+from sightline.infra.database import Session
 from sightline.measurements.records import Measurement
 from sightline.measurements.service import road_pose
 from sightline.poses.records import Pose

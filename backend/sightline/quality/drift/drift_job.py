@@ -7,11 +7,11 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 import numpy as np
-from sqlalchemy.orm import Session
 
 from sightline.geometry.drift import TARGET_M, HeightChange, Motion, height_change
 from sightline.geometry.drift_spans import Course, Look, course
 from sightline.geometry.road_pose import RoadPose
+from sightline.infra.database import Session
 from sightline.infra.database.types import now
 from sightline.infra.jobs import registry
 from sightline.infra.services import Services

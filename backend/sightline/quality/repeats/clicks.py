@@ -7,10 +7,9 @@ from dataclasses import dataclass
 from itertools import groupby
 from math import sqrt
 
-from sqlalchemy.orm import Session
-
 from sightline.enums import Point, Target
 from sightline.infra.audit.records import Who
+from sightline.infra.database import Session
 from sightline.measurements.height_of_clicks import answer
 from sightline.measurements.records import Clicks, Measurement
 from sightline.measurements.service import road_pose

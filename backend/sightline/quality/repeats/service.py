@@ -9,11 +9,10 @@ from math import dist, sqrt
 from random import Random
 from statistics import fmean
 
-from sqlalchemy.orm import Session
-
 from sightline.enums import Point, Target
 from sightline.errors import BadInput
 from sightline.infra.audit.records import Who
+from sightline.infra.database import Session
 from sightline.measurements.click_sigma_store import choose_click_sigma, list_click_sigmas
 from sightline.measurements.records import ClickSigma, Measurement
 from sightline.measurements.store import get_measurement

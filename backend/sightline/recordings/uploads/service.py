@@ -9,10 +9,9 @@ import logging
 from collections.abc import Iterable
 from pathlib import Path
 
-from sqlalchemy.orm import Session
-
 from sightline.enums import UploadPurpose
 from sightline.errors import Conflict, NotFound, SightlineError
+from sightline.infra.database import Session
 from sightline.infra.services import Services
 from sightline.infra.stored_bytes import suffix_of
 from sightline.media.store import upload_parts

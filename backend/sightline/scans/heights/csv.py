@@ -6,8 +6,6 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any, get_args
 
-from sqlalchemy.orm import Session
-
 from sightline.coverage import expanded
 from sightline.enums import JsonObject, MeasurementStatus, Target
 from sightline.infra.audit.records import Who
@@ -24,6 +22,7 @@ from sightline.infra.csv_package.columns import (
 )
 from sightline.infra.csv_package.files import Staging
 from sightline.infra.csv_package.schema import Column, Table
+from sightline.infra.database import Session
 from sightline.scans.heights.pose_store import line_pose_history
 from sightline.scans.heights.poses import line_pose_result
 from sightline.scans.heights.records import (

@@ -7,10 +7,10 @@ from dataclasses import asdict, dataclass
 from math import sqrt
 
 import numpy as np
-from sqlalchemy.orm import Session
 
 from sightline.enums import JsonObject
 from sightline.errors import BadInput
+from sightline.infra.database import Session
 from sightline.infra.version import code_version
 from sightline.linescan.line_pose import LinePose, LinePoseError, solve_line_pose
 from sightline.scans.heights.pose_store import append_line_pose

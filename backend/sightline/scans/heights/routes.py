@@ -3,10 +3,10 @@
 from typing import Annotated
 
 from fastapi import APIRouter, Query
-from sqlalchemy.orm import Session
 
 from sightline.coverage import expanded
 from sightline.enums import Target
+from sightline.infra.database import Session
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
 from sightline.scans.heights import pose_store, poses, service, store
 from sightline.scans.heights.bodies import (

@@ -7,11 +7,10 @@ from __future__ import annotations
 
 from dataclasses import asdict, dataclass
 
-from sqlalchemy.orm import Session
-
 from sightline.coverage import expanded
 from sightline.enums import Target
 from sightline.errors import BadInput
+from sightline.infra.database import Session
 from sightline.infra.version import code_version
 from sightline.linescan.line_height import LineHeight, contact_distance, ladder, line_height
 from sightline.linescan.line_pose import LinePose

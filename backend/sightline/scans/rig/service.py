@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from sqlalchemy.orm import Session
-
 from sightline.enums import JsonObject
+from sightline.infra.database import Session
 from sightline.linescan.rig import Estimate, alone, baseline_ratio, gain, misalignment
 from sightline.scans.records import Scan, ScanValues, ScanVehicle
 from sightline.scans.store import get_scan, rig_columns

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from sqlalchemy.orm import Session
-
+from sightline.infra.database import Session
 from sightline.scans.records import Scan
 from sightline.scans.statistics.service import GAPS, MOTION, ScanStatistics, Seen, statistics_of_seen
 from sightline.scans.store import list_scans

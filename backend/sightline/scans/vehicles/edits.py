@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from sqlalchemy.orm import Session
-
 from sightline.errors import BadInput
+from sightline.infra.database import Session
 from sightline.infra.services import Services
 from sightline.infra.version import code_version
 from sightline.linescan.by_hand import seen_by_camera_2

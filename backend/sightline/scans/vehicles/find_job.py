@@ -7,9 +7,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from sqlalchemy.orm import Session
-
 from sightline.enums import Cause, JsonObject
+from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.registry import Finish, JobContext
 from sightline.infra.version import code_version

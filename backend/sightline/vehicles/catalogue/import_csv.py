@@ -8,10 +8,9 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, cast, get_args
 
-from sqlalchemy.orm import Session
-
 from sightline.enums import Category
 from sightline.errors import BadInput
+from sightline.infra.database import Session
 from sightline.vehicles.catalogue.records import CatalogueRow
 from sightline.vehicles.catalogue.store import catalogue_row_problem, import_catalogue_rows
 

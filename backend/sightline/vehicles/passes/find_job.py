@@ -6,13 +6,13 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from sqlalchemy.orm import Session
 
 from sightline.detection.classify import FoundPass
 from sightline.enums import JobState
 from sightline.errors import BadInput, Conflict, Damaged
 from sightline.geometry.documents import pose_from_dict
 from sightline.geometry.road_pose import RoadPose
+from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.registry import Cancelled, Finish, JobContext
