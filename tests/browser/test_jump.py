@@ -22,6 +22,7 @@ def recording_with_a_pass(page: Page, base_url: str, folder: Path) -> tuple[int,
     recording = client.upload(survey, write(folder / "jump.mp4", Spec("jump.mp4", gop=250, count=FRAMES)))
     client.ready(recording)
     client.post(f"/recordings/{recording}/vehicles", first_frame=60, last_frame=80, best_frame=70)
+    client.http.close()
     return survey, recording
 
 

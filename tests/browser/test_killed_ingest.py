@@ -53,9 +53,9 @@ def test_an_ingest_outlives_kill_9(tmp_path: Path) -> None:
     clip = long_clip(tmp_path / "long.mp4")
     data = tmp_path / "data"
     server = start("serve", data)
+    client = Client(server.url)
     try:
         server.wait()
-        client = Client(server.url)
         client.sign_in(server.sign_in_link())
         survey = client.post("/surveys", name="Killed", site="", description="")["id"]
         recording = client.upload(survey, clip)
@@ -72,6 +72,7 @@ def test_an_ingest_outlives_kill_9(tmp_path: Path) -> None:
         assert [path for path in (data / "scratch").rglob("*") if path.is_file()] == []
         assert client.post("/audit/verify")["ok"]
     finally:
+        client.http.close()
         server.stop()
 
 
