@@ -18,8 +18,9 @@ def _promise(event: Event, promised: dict[int, str]) -> None:
 
 def _stored(session: Session) -> Iterator[tuple[int, str]]:
     query = select(measurement_series).order_by(measurement_series.c.id).execution_options(yield_per=1000)
-    for row in session.execute(query).mappings():
-        yield row["id"], _text({name: row[name] for name in ("survey_id", "vehicle_id", "repeat_of")})
+    with session.execute(query) as series:
+        for row in series.mappings():
+            yield row["id"], _text({name: row[name] for name in ("survey_id", "vehicle_id", "repeat_of")})
 
 
 def _text(place: Mapping[str, Any]) -> str:

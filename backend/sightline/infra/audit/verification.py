@@ -108,8 +108,7 @@ class _Walk:
 
     def chain(self, session: Session) -> None:
         """Every event in order: number, link and hash."""
-        query = select(audit_events).order_by(audit_events.c.id).execution_options(yield_per=1000)
-        for row in session.execute(query).mappings():
+        for row in _all(session, audit_events):
             expected = self.checked + 1
             if row["id"] != expected:
                 raise _Problem(f"Audit event {expected} is missing; restore the database from a backup.")
@@ -118,9 +117,7 @@ class _Walk:
             self.checked, self.head = row["id"], row["hash"]
             self.hashes.append(row["hash"])
             after = _object(row["after"])
-            self._note(
-                Event(row["entity"], row["action"], row["entity_id"], row["survey_id"], after),
-            )
+            self._note(Event(row["entity"], row["action"], row["entity_id"], row["survey_id"], after))
 
     def _note(self, event: Event) -> None:
         """What an event says that a row, a record or something with a fingerprint must be."""
@@ -202,5 +199,7 @@ def _compare(promised: dict[int, str], words: str, stored: Iterator[tuple[int, s
 
 
 def _all(session: Session, table: Table) -> Iterator[Any]:
+    """Every row by its number; the cursor is closed also where a problem ends the reading."""
     query = select(table).order_by(table.c.id).execution_options(yield_per=1000)
-    return iter(session.execute(query).mappings())
+    with session.execute(query) as found:
+        yield from found.mappings()
