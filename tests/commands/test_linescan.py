@@ -161,9 +161,9 @@ def test_bad_input_is_one_sentence_and_leaves_nothing(
         ("first.png", "cut.png", *RIG): "cut.png is cut off",
         ("first.png", road.files[1], *RIG, "--time-axis", "height"): "time along its height",
         ("first.png", road.files[1], *RIG, "-o", "nowhere/out.csv"): "nowhere/out.csv",
-        ("first.png", road.files[1], "--baseline", "0", "--line-rate", "5000"): "--baseline 0",
-        ("first.png", road.files[1], "--baseline", "nan", "--line-rate", "5000"): "--baseline nan",
-        ("first.png", road.files[1], "--baseline", "0.6", "--line-rate", "1"): "--line-rate 1",
+        ("first.png", road.files[1], "--baseline", "0", "--line-rate", "5000"): "--baseline of 0 m",
+        ("first.png", road.files[1], "--baseline", "nan", "--line-rate", "5000"): "--baseline of nan m",
+        ("first.png", road.files[1], "--baseline", "0.6", "--line-rate", "1"): "--line-rate of 1 Hz",
         ("first.png", road.files[1], "--baseline", "0.6"): "--line-rate",
     }
     for arguments, word in cases.items():
