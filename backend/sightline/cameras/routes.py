@@ -13,6 +13,7 @@ from sightline.cameras.calibrations.bodies import CalibrationSummaryBody
 from sightline.cameras.calibrations.calibrating import under_way
 from sightline.cameras.calibrations.records import CalibrationImage
 from sightline.cameras.records import Camera
+from sightline.enums import Point
 from sightline.infra.jobs.records import Job
 from sightline.infra.web.bodies import Id, In, JobBody, Name, Out, Text
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired, Writing
@@ -43,7 +44,7 @@ class CalibrationImageBody(Out):
     height_px: int
     found: bool
     reason: str | None
-    corners_px: list[list[float]] = Field(description="Row by row, from the top left as seen.")
+    corners_px: list[Point] = Field(description="Row by row, from the top left as seen.")
     columns: int
     rows: int
     sharpness: float | None

@@ -1,7 +1,7 @@
 """What measurements take and answer."""
 
 from datetime import datetime
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 from uuid import UUID
 
 from pydantic import AliasChoices, AliasPath, Field
@@ -12,7 +12,7 @@ from sightline.enums import (
     Verdict,
 )
 from sightline.infra.web.bodies import FrameNumber, Id, In, Out, Point, WhoBody
-from sightline.infra.web.quantities import InsetM, Revision, SigmaPx, UInsetM
+from sightline.infra.web.quantities import BudgetEntryBody, InsetM, Revision, SigmaPx, UInsetM
 from sightline.vehicles.bodies import VehicleAlone
 
 
@@ -72,7 +72,7 @@ class MeasurementBody(Out):
         validation_alias=AliasChoices("all_flags", "flags"),
         description="As stored, and, derived when read, that the camera had moved on this frame.",
     )
-    budget: list[dict[str, Any]] = Field(validation_alias=AliasPath("values", "budget"))
+    budget: list[BudgetEntryBody] = Field(validation_alias=AliasPath("values", "budget"))
     code_version: str = Field(validation_alias=AliasPath("values", "code_version"))
     created_by: WhoBody | None
     created_at: datetime

@@ -1,14 +1,17 @@
 """What road poses take and answer."""
 
 from datetime import datetime
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 from pydantic import Field
 
 from sightline.cameras.board_bodies import Markers, SquareM
+from sightline.cameras.calibrations.bodies import CameraDocument
+from sightline.enums import Point
+from sightline.geometry.road_pose import BoardOnRoad
 from sightline.infra.web.bodies import Finite, FrameNumber, Id, Out
 
-Polyline = list[list[float]]
+Polyline = list[Point]
 
 
 Corners = Annotated[int, Field(ge=2, le=60, description="Inner corners: where four squares meet.")]
@@ -73,7 +76,7 @@ class AxesBody(Out):
     longitudinal: Polyline
     vertical: Polyline
     transversal: Polyline
-    origin_px: list[float]
+    origin_px: Point
 
 
 class IsoHeight(Out):
@@ -95,8 +98,26 @@ class ExpectedHeight(Out):
     reason: str | None
 
 
+class CamFromRoad(Out):
+    rotation: list[list[float]]
+    translation_m: list[float]
+
+
+class PoseDocument(Out):
+    """`pose.json` (docs/formats.md)."""
+
+    format: str
+    camera: CameraDocument
+    cam_from_road: CamFromRoad
+    parameters: list[str]
+    covariance: list[list[float]] | None
+    board: BoardOnRoad | None = Field(description="Null for a pose that was not made from a board.")
+    frames_used: int
+    rms_px: float | None
+
+
 class PoseBody(PoseSummaryBody):
-    document: dict[str, Any] = Field(description="The pose as pose.json.")
+    document: PoseDocument = Field(description="The pose as pose.json.")
     warnings: list[str]
     expected: list[ExpectedHeight]
     overlay: PoseOverlay

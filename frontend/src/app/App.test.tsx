@@ -34,6 +34,7 @@ const survey: Survey = {
   is_demo: false,
   version: 1,
   created_at: "2026-11-21T10:00:00Z",
+  inset_choices: {},
   insets: { roof: inset, driver_eye: inset, taillight: inset, headlight: inset, other: inset },
   counts: {
     recordings: 1,
@@ -71,6 +72,7 @@ const job = (part: Partial<Job>): Job => ({
   result: null,
   survey_id: null,
   recording_id: null,
+  scan_id: null,
   created_at: "2026-11-21T10:00:00Z",
   finished_at: null,
   ...part,

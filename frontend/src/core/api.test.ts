@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import { ApiError, api, connection, explain, onSignedOut, toApiError, tryAgainNow } from "./api";
-import { saveState } from "./save";
+import { ApiError, address, api, connection, explain, onSignedOut, toApiError, tryAgainNow } from "./api";
+import { changeSave, saveState } from "./save";
 
 const answer = (status: number, body: unknown) =>
   new Response(status === 204 ? null : JSON.stringify(body), {
@@ -23,7 +23,7 @@ afterEach(() => {
 describe("requests", () => {
   it("carry the header against cross-site requests and JSON", async () => {
     server.mockResolvedValue(answer(200, { id: 1 }));
-    await expect(api.post("/surveys", { name: "A" })).resolves.toEqual({ id: 1 });
+    await expect(api.write("POST /surveys", {}, { body: { name: "A" } })).resolves.toEqual({ id: 1 });
     const [path, init] = server.mock.calls[0] ?? [];
     expect(path).toBe("/api/surveys");
     expect(init?.method).toBe("POST");
@@ -33,7 +33,7 @@ describe("requests", () => {
 
   it("send a file as form data and leave the boundary to the browser", async () => {
     server.mockResolvedValue(answer(200, {}));
-    await api.file("/cameras/1/images", new File(["x"], "a.jpg"));
+    await api.write("POST /cameras/{camera_id}/images", { camera_id: 1 }, { body: new File(["x"], "a.jpg") });
     const init = server.mock.calls[0]?.[1];
     expect(init?.body).toBeInstanceOf(FormData);
     expect((init as { body: FormData }).body.get("file")).toBeInstanceOf(File);
@@ -42,7 +42,40 @@ describe("requests", () => {
 
   it("give undefined for 204", async () => {
     server.mockResolvedValue(answer(204, null));
-    await expect(api.del("/uploads/1")).resolves.toBeUndefined();
+    await expect(api.write("DELETE /uploads/{upload_id}", { upload_id: 1 })).resolves.toBeUndefined();
+  });
+});
+
+describe("the two verbs", () => {
+  beforeEach(() => changeSave(() => ({ pending: 0, waiting: 0, savedAt: null, failed: false })));
+
+  it("a question never says saved, even when it is a POST", async () => {
+    let answered: (answer: Response) => void = () => {};
+    server.mockReturnValueOnce(new Promise((done) => (answered = done)));
+    const at = { line: 4, row_px: 2 };
+    const body = { target: "roof", contact_line: at.line, contact_row_px: at.row_px } as const;
+    const asked = api.ask("POST /scans/{scan_id}/line-height", { scan_id: 3 }, { body });
+    expect(saveState.value.pending).toBe(0);
+    answered(answer(200, {}));
+    await asked;
+    server.mockResolvedValueOnce(answer(422, null));
+    await api.ask("POST /audit/verify").catch(() => {});
+    expect(saveState.value).toEqual({ pending: 0, waiting: 0, savedAt: null, failed: false });
+  });
+
+  it("what is written does", async () => {
+    server.mockResolvedValue(answer(201, { id: 1 }));
+    const done = api.write("POST /surveys", {}, { body: { name: "A" } });
+    expect(saveState.value.pending).toBe(1);
+    await done;
+    expect(saveState.value).toMatchObject({ pending: 0, failed: false });
+    expect(saveState.value.savedAt).toBeInstanceOf(Date);
+  });
+
+  it("fill the path and put the rest into the query", () => {
+    const params = { survey_id: 5, state: "all", after: undefined, eye: [1, 2], q: "a b/&" };
+    expect(address("/surveys/{survey_id}/x", params)).toBe("/surveys/5/x?state=all&eye=1&eye=2&q=a+b%2F%26");
+    expect(address("/jobs", {})).toBe("/jobs");
   });
 });
 
@@ -53,7 +86,9 @@ describe("errors", () => {
       current: { id: 7 },
     };
     server.mockResolvedValue(answer(409, body));
-    const error = await api.put("/vehicles/7", {}).catch((e: unknown) => e);
+    const error = await api
+      .write("PUT /vehicles/{vehicle_id}", { vehicle_id: 7 }, { body: { version: 1 } })
+      .catch((e: unknown) => e);
     expect(error).toBeInstanceOf(ApiError);
     expect(error).toMatchObject({
       status: 409,
@@ -81,9 +116,9 @@ describe("errors", () => {
     server.mockImplementation(async () =>
       answer(401, { error: { code: "not_signed_in", message: "Sign in." } }),
     );
-    await api.get("/session", { allowSignedOut: true }).catch(() => {});
+    await api.ask("GET /session", {}, { allowSignedOut: true }).catch(() => {});
     expect(told).not.toHaveBeenCalled();
-    await api.get("/surveys").catch(() => {});
+    await api.ask("GET /surveys").catch(() => {});
     expect(told).toHaveBeenCalledTimes(1);
     stop();
   });
@@ -92,7 +127,11 @@ describe("errors", () => {
 describe("a lost connection", () => {
   it("keeps a repeatable write, says so, and sends it when the server is back", async () => {
     server.mockRejectedValueOnce(new TypeError("failed to fetch"));
-    const done = api.put("/vehicles/1", { make: "Saab" });
+    const done = api.write(
+      "PUT /vehicles/{vehicle_id}",
+      { vehicle_id: 1 },
+      { body: { version: 3, make: "Saab" } },
+    );
     await vi.waitFor(() => expect(connection.value.lost).toBe(true));
     expect(saveState.value).toMatchObject({ pending: 1, waiting: 1 });
     server.mockResolvedValueOnce(answer(200, { ok: true }));
@@ -100,19 +139,19 @@ describe("a lost connection", () => {
     await expect(done).resolves.toEqual({ ok: true });
     expect(connection.value.lost).toBe(false);
     expect(saveState.value).toMatchObject({ pending: 0, waiting: 0, failed: false });
-    expect(server.mock.calls[1]?.[1]?.body).toBe('{"make":"Saab"}');
+    expect(server.mock.calls[1]?.[1]?.body).toBe('{"version":3,"make":"Saab"}');
   });
 
   it("does not send a write twice that may not be, and says so in words", async () => {
     server.mockRejectedValueOnce(new TypeError("failed to fetch"));
-    const error = await api.post("/surveys", {}).catch((e: unknown) => e);
+    const error = await api.write("POST /surveys", {}, { body: { name: "A" } }).catch((e: unknown) => e);
     expect(error).toMatchObject({ status: 0, code: "unreachable" });
     expect(server).toHaveBeenCalledTimes(1);
   });
 
   it("treats a proxy without its server as a lost connection", async () => {
     server.mockResolvedValueOnce(answer(502, null));
-    const done = api.get("/surveys");
+    const done = api.ask("GET /surveys");
     await vi.waitFor(() => expect(connection.value.lost).toBe(true));
     server.mockResolvedValueOnce(answer(200, []));
     tryAgainNow();
@@ -122,7 +161,7 @@ describe("a lost connection", () => {
   it("lets go of a request that is not wanted any more", async () => {
     server.mockRejectedValueOnce(new TypeError("failed to fetch"));
     const stop = new AbortController();
-    const done = api.get("/surveys", { signal: stop.signal });
+    const done = api.ask("GET /surveys", {}, { signal: stop.signal });
     await vi.waitFor(() => expect(connection.value.lost).toBe(true));
     stop.abort();
     await expect(done).rejects.toMatchObject({ name: "AbortError" });

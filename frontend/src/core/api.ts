@@ -1,5 +1,6 @@
 /** The only door to the server. One error shape, one header against cross-site requests, retries that are never silent. */
 import { computed, signal } from "@preact/signals";
+import type { AddressOf, AnswerOf, BodyOf, Deed, ParamsOf, Question, Route } from "./routes";
 import { changeSave } from "./save";
 
 export class ApiError extends Error {
@@ -21,8 +22,6 @@ export interface RequestOptions {
   /** Send again when the connection breaks. On by default for GET, PUT and DELETE, which may be sent twice; switch it on for a
    *  POST only if the server treats a repeated one as the same (a measurement carries its `client_key`). */
   retry?: boolean;
-  /** Do not count as a write in the top bar (live geometry while the pointer moves). */
-  quiet?: boolean;
   /** Do not lead to the sign-in page on 401. */
   allowSignedOut?: boolean;
 }
@@ -79,10 +78,13 @@ export function onSignedOut(listener: () => void): () => void {
   return () => signedOutListeners.delete(listener);
 }
 
-const SAFE = new Set(["GET", "HEAD"]);
-
-async function request<T>(method: string, path: string, body: unknown, options: RequestOptions): Promise<T> {
-  const write = !SAFE.has(method) && !options.quiet;
+async function request<T>(
+  method: string,
+  path: string,
+  body: unknown,
+  options: RequestOptions,
+  write: boolean,
+): Promise<T> {
   if (write) changeSave((s) => ({ pending: s.pending + 1, failed: false }));
   try {
     const answer = await send(method, path, body, options, write);
@@ -109,7 +111,7 @@ async function send(
 ): Promise<Response> {
   const { signal } = options;
   const init: RequestInit = { method, ...contentOf(body), signal, credentials: "same-origin" };
-  const mayRepeat = options.retry ?? method !== "POST";
+  const mayRepeat = options.retry ?? !["POST", "PATCH"].includes(method);
   for (;;) {
     const answer = await fetchOnce(path, init, mayRepeat);
     if (answer && !(mayRepeat && SERVER_AWAY.includes(answer.status))) {
@@ -127,7 +129,12 @@ async function send(
 
 function contentOf(body: unknown): Pick<RequestInit, "headers" | "body"> {
   const headers: Record<string, string> = { Accept: "application/json", "X-Sightline": "1" };
-  if (body === undefined || body instanceof FormData) return { headers, body };
+  if (body === undefined) return { headers, body };
+  if (body instanceof File) {
+    const form = new FormData();
+    form.append("file", body, body.name);
+    return { headers, body: form };
+  }
   headers["Content-Type"] = "application/json";
   return { headers, body: JSON.stringify(body) };
 }
@@ -183,21 +190,41 @@ export function explain(error: unknown): string {
   return "Something went wrong in this page; reload it, and tell the administrator if it happens again.";
 }
 
+type Args<R extends Route> = [BodyOf<R>] extends [never]
+  ? NothingGiven<R> extends true
+    ? [params?: ParamsOf<R>, options?: RequestOptions]
+    : [params: ParamsOf<R>, options?: RequestOptions]
+  : [params: ParamsOf<R>, options: RequestOptions & { body: BodyOf<R> }];
+type NothingGiven<R extends Route> = Record<never, never> extends ParamsOf<R> ? true : false;
+
+function call<R extends Route>(write: boolean, route: R, args: Args<R>): Promise<AnswerOf<R>> {
+  const [params, options] = args as [Record<string, unknown>?, (RequestOptions & { body?: unknown })?];
+  const [method = "", template = ""] = route.split(" ");
+  return request(method, address(template, params ?? {}), options?.body, options ?? {}, write);
+}
+
+/** The path with its braces filled; what has no brace goes into the query, unless it is undefined or null. */
+export function address(template: string, params: Readonly<Record<string, unknown>>): string {
+  const query = new URLSearchParams();
+  let path = template;
+  for (const [name, value] of Object.entries(params)) {
+    if (value === undefined || value === null) continue;
+    const filled = path.replace(`{${name}}`, encodeURIComponent(String(value)));
+    if (filled === path) for (const item of [value].flat()) query.append(name, String(item));
+    path = filled;
+  }
+  return query.size > 0 ? `${path}?${query}` : path;
+}
+
+/** What an address says, as a query: the one place where a value's type is left to the server to check. */
+export function fromAddress<R extends Route>(query: AddressOf<R>): ParamsOf<R> {
+  return query as ParamsOf<R>;
+}
+
+/** The two verbs. A route is written as the server describes it, and so are its parameters, its body and its answer. */
 export const api = {
-  get: <T>(path: string, options: RequestOptions = {}) => request<T>("GET", path, undefined, options),
-  post: <T>(path: string, body?: unknown, options: RequestOptions = {}) =>
-    request<T>("POST", path, body, options),
-  put: <T>(path: string, body?: unknown, options: RequestOptions = {}) =>
-    request<T>("PUT", path, body, options),
-  /** Changes some fields of a version that was seen; sent once, since a second one would be of an older version. */
-  patch: <T>(path: string, body?: unknown, options: RequestOptions = {}) =>
-    request<T>("PATCH", path, body, { retry: false, ...options }),
-  del: <T = void>(path: string, options: RequestOptions = {}) =>
-    request<T>("DELETE", path, undefined, options),
-  /** Sends one file as multipart form data, with the field name `file`. */
-  file: <T>(path: string, file: File, options: RequestOptions = {}) => {
-    const form = new FormData();
-    form.append("file", file, file.name);
-    return request<T>("POST", path, form, options);
-  },
+  /** Changes nothing, so that the top bar says nothing of it. */
+  ask: <R extends Question>(route: R, ...args: Args<R>) => call(false, route, args),
+  /** Stores something: the top bar says "saving", then "saved" or that it failed. */
+  write: <R extends Deed>(route: R, ...args: Args<R>) => call(true, route, args),
 };

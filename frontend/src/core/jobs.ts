@@ -14,7 +14,7 @@ export async function followJob(
   signal?: AbortSignal,
 ): Promise<Job> {
   for (let wait = 250; ; wait = Math.min(2000, wait * 1.3)) {
-    const job = await api.get<Job>(`/jobs/${id}`, { signal });
+    const job = await api.ask("GET /jobs/{job_id}", { job_id: id }, { signal });
     onChange(job);
     if (isOver(job)) return job;
     await sleep(wait, signal);
@@ -22,7 +22,7 @@ export async function followJob(
 }
 
 export function cancelJob(id: number): Promise<Job> {
-  return api.post<Job>(`/jobs/${id}/cancel`, undefined, { retry: true });
+  return api.write("POST /jobs/{job_id}/cancel", { job_id: id }, { retry: true });
 }
 
 /** A job as it stands now; `onOver` is called once when it ends. */

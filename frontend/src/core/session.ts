@@ -20,7 +20,7 @@ export const canWork = computed(() => may("operator"));
 export async function loadSession(): Promise<void> {
   try {
     sessionProblem.value = null;
-    me.value = await api.get<Me>("/session", { allowSignedOut: true });
+    me.value = await api.ask("GET /session", {}, { allowSignedOut: true });
   } catch (error) {
     if (error instanceof ApiError && error.status === 401) me.value = null;
     else sessionProblem.value = error;
@@ -28,7 +28,7 @@ export async function loadSession(): Promise<void> {
 }
 
 export async function signOut(): Promise<void> {
-  await api.del("/session", { quiet: true });
+  await api.ask("DELETE /session");
   me.value = null;
   navigate("/sign-in");
 }

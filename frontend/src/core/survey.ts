@@ -14,7 +14,7 @@ export async function loadSurvey(id: number): Promise<void> {
   surveyProblem.value = null;
   wanted = id;
   try {
-    const found = await api.get<Survey>(`/surveys/${id}`);
+    const found = await api.ask("GET /surveys/{survey_id}", { survey_id: id });
     if (wanted === id) survey.value = found; // another one may have been opened meanwhile
   } catch (error) {
     if (wanted !== id) return;

@@ -111,8 +111,11 @@ export class BlindClicks implements Tool<ImagePoint> {
       const { target, frame, measurement_id: repeat_of } = wanted;
       const clicks = { target, frame, contact: pair(contact), point: pair(point), repeat_of };
       const body = { client_key: newKey(), ...clicks };
-      const path = `/vehicles/${wanted.vehicle_id}/measurements`;
-      const made = await api.post<Measurement>(path, body, { retry: true });
+      const made = await api.write(
+        "POST /vehicles/{vehicle_id}/measurements",
+        { vehicle_id: wanted.vehicle_id },
+        { body, retry: true },
+      );
       this.stored(made);
     } catch (error) {
       toastProblem(error);

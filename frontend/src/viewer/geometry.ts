@@ -3,8 +3,8 @@ import { signal } from "@preact/signals";
 import { api, explain } from "../core/api";
 import { Latest } from "../core/latest";
 import type { AxesAnswer, HeightAnswer, SecondFrameAnswer, Target } from "../core/types";
-import { type ImagePoint, samePoint } from "./points";
-import { type FramePoints, framesOf, type Inset, moreBody, type Values } from "./values";
+import { type ImagePoint, pair, samePoint } from "./points";
+import { clickBody, type FramePoints, frameBody, type Inset, type Values } from "./values";
 
 /** How long the ladder of the next target waits for the click before it to be stored. */
 const AFTER_CLICK_MS = 150;
@@ -105,11 +105,9 @@ export class Geometry {
   }
 }
 
-const LIVE = { quiet: true, retry: false } as const;
-
 function askAxes({ recordingId, contact, target, inset }: AxesWish): Promise<AxesAnswer> {
-  const body = { contact: [...contact], target, ...(inset ?? {}) };
-  return api.post<AxesAnswer>(`/recordings/${recordingId}/geometry/axes`, body, LIVE);
+  const body = { contact: pair(contact), target, ...(inset ?? {}) };
+  return api.ask("POST /recordings/{recording_id}/geometry/axes", { recording_id: recordingId }, { body });
 }
 
 export function askHeight({
@@ -123,9 +121,9 @@ export function askHeight({
   more,
 }: HeightWish): Promise<HeightAnswer> {
   const sigma = sigma_px === null ? {} : { sigma_px };
-  const clicked = { contact: [...contact], point: [...point], target, frame };
-  const body = { ...clicked, ...(inset ?? {}), ...sigma, more_frames: moreBody(more) };
-  return api.post<HeightAnswer>(`/recordings/${recordingId}/geometry/height`, body, LIVE);
+  const clicked = { target, ...frameBody({ frame, contact, point }) };
+  const body = { ...clicked, ...(inset ?? {}), ...sigma, more_frames: more?.map(frameBody) };
+  return api.ask("POST /recordings/{recording_id}/geometry/height", { recording_id: recordingId }, { body });
 }
 
 /** The frame that would gain most beside those that are clicked. */
@@ -134,11 +132,12 @@ export function askSecondFrame(
   vehicleId: number,
   values: Values,
 ): Promise<SecondFrameAnswer> {
-  const { target, inset, sigma_px } = values;
-  const [first, ...more] = framesOf(values);
-  const sigma = sigma_px === null ? {} : { sigma_px };
-  const body = { ...first, target, vehicle_id: vehicleId, ...(inset ?? {}), ...sigma, more_frames: more };
-  return api.post<SecondFrameAnswer>(`/recordings/${recordingId}/geometry/second-frame`, body, LIVE);
+  const body = { ...clickBody(values), target: values.target, vehicle_id: vehicleId };
+  return api.ask(
+    "POST /recordings/{recording_id}/geometry/second-frame",
+    { recording_id: recordingId },
+    { body },
+  );
 }
 
 function sameAxes(a: AxesWish, b: AxesWish | null): boolean {

@@ -4,7 +4,7 @@
  */
 import { batch, computed, signal } from "@preact/signals";
 import { api, explain } from "../core/api";
-import type { FrameTable, ReadyFrames, Recording } from "../core/types";
+import type { Recording } from "../core/types";
 import { runsOf, standIn, worthHaving } from "./ahead";
 import { BitmapCache } from "./bitmapCache";
 import { bright } from "./display";
@@ -280,9 +280,11 @@ export class Player {
     if (this.pages.has(first)) return;
     this.pages.add(first);
     try {
-      const table = await api.get<FrameTable>(
-        `/recordings/${this.recordingId}/frames?first=${first}&count=${TABLE_PAGE}`,
-      );
+      const table = await api.ask("GET /recordings/{recording_id}/frames", {
+        recording_id: this.recordingId,
+        first,
+        count: TABLE_PAGE,
+      });
       const times = new Map(this.times.value);
       table.time_s.forEach((time, i) => {
         times.set(table.first + i, time);
@@ -299,7 +301,7 @@ export class Player {
     this.readyTimer = setTimeout(() => {
       this.readyTimer = undefined;
       void api
-        .get<ReadyFrames>(`/recordings/${this.recordingId}/frames/ready`)
+        .ask("GET /recordings/{recording_id}/frames/ready", { recording_id: this.recordingId })
         .then((found) => {
           if (!this.closed) this.ready.value = found.runs;
         })

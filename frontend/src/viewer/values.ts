@@ -1,6 +1,7 @@
 /** What the operator decides about a measurement; everything else in it is the server's. */
+import type { BodyOf } from "../core/routes";
 import type { Measurement, Target } from "../core/types";
-import { fromServer, type ImagePoint, samePoint } from "./points";
+import { fromServer, type ImagePoint, pair, samePoint } from "./points";
 
 export interface Inset {
   readonly inset_m: number;
@@ -93,14 +94,16 @@ export function sameValues(a: Values, b: Values): boolean {
   return a.withdrawn === b.withdrawn && sameClick(a, b);
 }
 
+export type ClickBody = Omit<BodyOf<"PUT /measurements/{measurement_id}">, "revision"> & { target: Target };
+
 /** The body of a POST or PUT. */
-export function clickBody(values: Values): Record<string, unknown> {
-  const { target, frame, contact, point, inset, sigma_px } = values;
+export function clickBody({ target, inset, sigma_px, more, ...first }: Values): ClickBody {
   const sigma = sigma_px === null ? {} : { sigma_px };
-  const more_frames = moreBody(values.more);
-  return { target, frame, contact: [...contact], point: [...point], ...(inset ?? {}), ...sigma, more_frames };
+  return { target, ...frameBody(first), ...(inset ?? {}), ...sigma, more_frames: more.map(frameBody) };
 }
 
-export function moreBody(more: readonly FramePoints[] = []): unknown[] {
-  return more.map((one) => ({ frame: one.frame, contact: [...one.contact], point: [...one.point] }));
+export function frameBody({ frame, contact, point }: FramePoints): FrameBody {
+  return { frame, contact: pair(contact), point: pair(point) };
 }
+
+type FrameBody = NonNullable<ClickBody["more_frames"]>[number];

@@ -9,6 +9,7 @@ from pydantic import Field
 from sightline.cameras.board_bodies import Markers
 from sightline.cameras.calibrations.calibrating import CHECKS
 from sightline.cameras.calibrations.records import Calibration
+from sightline.enums import Point
 from sightline.geometry.reshoot import places_missing
 from sightline.infra.web.bodies import FrameNumber, Id, Out, WhoBody
 
@@ -34,8 +35,8 @@ class ViewBody(Out):
     used: bool
     reason: str | None
     rms_px: float | None
-    corners_px: list[list[float]]
-    residuals_px: list[list[float]]
+    corners_px: list[Point]
+    residuals_px: list[Point]
 
 
 class HeightDifferenceBody(Out):
@@ -70,8 +71,34 @@ class BoardShapeBody(Out):
     height_differences: list[HeightDifferenceBody] = Field(description="Taken as flat minus taken as bent.")
 
 
+class DocumentView(Out):
+    file: str
+    rms_px: float | None
+    used: bool
+    reason: str | None
+
+
+class CameraDocument(Out):
+    """`camera.json` (docs/formats.md)."""
+
+    format: str
+    name: str
+    width_px: int
+    height_px: int
+    model: Literal["brown", "fisheye"]
+    fx_px: float
+    fy_px: float
+    cx_px: float
+    cy_px: float
+    distortion: list[float]
+    rms_px: float | None
+    parameters: list[str]
+    covariance: list[list[float]] | None
+    views: list[DocumentView]
+
+
 class CalibrationBody(CalibrationSummaryBody):
-    document: dict[str, Any] = Field(description="camera.json (docs/formats.md).")
+    document: CameraDocument
     cross_validation: CrossValidationBody | None = Field(description="Null for an import.")
     board_shape: BoardShapeBody | None
     reshoot: list[str] = Field(description="What pictures are missing, in words.")

@@ -32,7 +32,8 @@ class In(BaseModel):
 class Out(BaseModel):
     """A body that goes out; built straight from the storage room's frozen records."""
 
-    model_config = ConfigDict(from_attributes=True)
+    # what has a default goes out all the same, and its description says so
+    model_config = ConfigDict(from_attributes=True, json_schema_serialization_defaults_required=True)
 
 
 class ErrorDetail(Out):

@@ -19,7 +19,7 @@ interface Props {
 
 export function DriftVerdict({ recordingId, poseId, open }: Props) {
   const drift = useResource<Drift>(
-    (signal) => api.get<Drift>(`/recordings/${recordingId}/drift`, { signal }),
+    (signal) => api.ask("GET /recordings/{recording_id}/drift", { recording_id: recordingId }, { signal }),
     [recordingId, poseId],
   );
   const [jobId, setJobId] = useState<number | null>(null);
@@ -35,7 +35,7 @@ export function DriftVerdict({ recordingId, poseId, open }: Props) {
   const look = async (): Promise<void> => {
     setProblem(null);
     try {
-      setJobId((await api.post<Job>(`/recordings/${recordingId}/drift`)).id);
+      setJobId((await api.write("POST /recordings/{recording_id}/drift", { recording_id: recordingId })).id);
     } catch (error) {
       setProblem(error);
     }
@@ -95,7 +95,6 @@ interface DecideProps {
 function Decide({ recordingId, drift, set, onProblem }: DecideProps) {
   const [reason, setReason] = useState("");
   if (!may("operator")) return null;
-  const path = `/recordings/${recordingId}/drift/decision`;
   const send = async (work: () => Promise<Drift>): Promise<void> => {
     onProblem(null);
     try {
@@ -107,7 +106,14 @@ function Decide({ recordingId, drift, set, onProblem }: DecideProps) {
   };
   if (drift.decision) {
     return (
-      <Button small onClick={() => void send(() => api.del<Drift>(path))}>
+      <Button
+        small
+        onClick={() =>
+          void send(() =>
+            api.write("DELETE /recordings/{recording_id}/drift/decision", { recording_id: recordingId }),
+          )
+        }
+      >
         Take the decision back
       </Button>
     );
@@ -118,7 +124,13 @@ function Decide({ recordingId, drift, set, onProblem }: DecideProps) {
       class="drift__decide"
       onSubmit={(event) => {
         event.preventDefault();
-        void send(() => api.put<Drift>(path, { reason }));
+        void send(() =>
+          api.write(
+            "PUT /recordings/{recording_id}/drift/decision",
+            { recording_id: recordingId },
+            { body: { reason } },
+          ),
+        );
       }}
     >
       <TextField label="The pose is still good, because" value={reason} onInput={setReason} />

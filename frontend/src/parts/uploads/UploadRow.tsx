@@ -78,7 +78,7 @@ export function UnfinishedRow({ upload, gone }: { upload: UnfinishedUpload; gone
     });
     if (!yes) return;
     try {
-      await api.del(`/uploads/${upload.id}`);
+      await api.write("DELETE /uploads/{upload_id}", { upload_id: upload.id });
       await gone();
     } catch (error) {
       toastProblem(error);

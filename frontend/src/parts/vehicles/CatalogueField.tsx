@@ -29,7 +29,7 @@ export function CatalogueField(props: CatalogueFieldProps) {
   const asker = useMemo(
     () =>
       new Latest<string, CatalogueRow[]>(
-        (q) => api.get<CatalogueRow[]>(`/catalogue?q=${encodeURIComponent(q)}`),
+        (q) => api.ask("GET /catalogue", { q }),
         (found) => {
           if (!searching.current) return;
           setRows(found);

@@ -40,7 +40,9 @@ export function FindPasses({ recording, found }: Props) {
   const start = async () => {
     setProblem(null);
     try {
-      setJobId((await api.post<Job>(`/recordings/${recording.id}/find-passes`)).id);
+      setJobId(
+        (await api.write("POST /recordings/{recording_id}/find-passes", { recording_id: recording.id })).id,
+      );
     } catch (error) {
       setProblem(error);
     }

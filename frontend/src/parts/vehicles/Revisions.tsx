@@ -17,9 +17,11 @@ export function Revisions({ id, revision }: { id: number; revision: number }) {
   const [error, setError] = useState<unknown>(null);
   useEffect(() => {
     const stop = new AbortController();
-    api.get<History>(`/measurements/${id}/history`, { signal: stop.signal }).then(setHistory, (problem) => {
-      if (!stop.signal.aborted) setError(problem);
-    });
+    api
+      .ask("GET /measurements/{measurement_id}/history", { measurement_id: id }, { signal: stop.signal })
+      .then(setHistory, (problem) => {
+        if (!stop.signal.aborted) setError(problem);
+      });
     return () => stop.abort();
   }, [id, revision]);
   if (error) return <Problem error={error} />;

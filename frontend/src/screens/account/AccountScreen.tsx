@@ -3,7 +3,7 @@ import { Button, Notice, Problem, TextField } from "../../components";
 import { api } from "../../core/api";
 import { me } from "../../core/session";
 import { toast } from "../../core/toasts";
-import { type Me, ROLE_NAMES } from "../../core/types";
+import { ROLE_NAMES } from "../../core/types";
 import "./account.css";
 
 const LEAST = 10;
@@ -48,7 +48,11 @@ function PasswordForm({ hasPassword }: { hasPassword: boolean }) {
     setBusy(true);
     setProblem(null);
     try {
-      me.value = await api.put<Me>("/session/password", { current: hasPassword ? current : null, new: next });
+      me.value = await api.write(
+        "PUT /session/password",
+        {},
+        { body: { current: hasPassword ? current : null, new: next } },
+      );
       toast("Your password is set.");
       setCurrent("");
       setNext("");

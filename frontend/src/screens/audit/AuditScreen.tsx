@@ -1,10 +1,10 @@
 import { useState } from "preact/hooks";
 import { Button, Empty, Loading, Notice, Problem, SelectField, TableScroll } from "../../components";
 import { query, setQuery } from "../../core/address";
-import { api, explain } from "../../core/api";
+import { api, explain, fromAddress } from "../../core/api";
 import { useResource } from "../../core/resource";
 import { formatClock, formatDay } from "../../core/times";
-import type { AuditCheck, AuditEvent, Survey } from "../../core/types";
+import type { AuditCheck, AuditEvent } from "../../core/types";
 import { formatCount } from "../../core/units";
 import { changesOf } from "./changes";
 import "./audit.css";
@@ -38,13 +38,14 @@ export default function AuditScreen() {
   const [atEnd, setAtEnd] = useState(false);
   const [problem, setProblem] = useState<unknown>(null);
   const [busy, setBusy] = useState(false);
-  const surveys = useResource((signal) => api.get<Survey[]>("/surveys", { signal }), []);
-  const filter = new URLSearchParams({ limit: String(PAGE) });
-  if (surveyId) filter.set("survey_id", surveyId);
-  if (entity) filter.set("entity", entity);
+  const surveys = useResource((signal) => api.ask("GET /surveys", {}, { signal }), []);
+  const filter = {
+    limit: PAGE,
+    ...fromAddress<"GET /audit">({ survey_id: surveyId || undefined, entity: entity || undefined }),
+  };
   const first = useResource(
     async (signal) => {
-      const page = await api.get<AuditEvent[]>(`/audit?${filter}`, { signal });
+      const page = await api.ask("GET /audit", filter, { signal });
       setOlder([]);
       setAtEnd(page.length < PAGE);
       return page;
@@ -58,7 +59,7 @@ export default function AuditScreen() {
     setBusy(true);
     setProblem(null);
     try {
-      const page = await api.get<AuditEvent[]>(`/audit?${filter}&before_id=${last.id}`);
+      const page = await api.ask("GET /audit", { ...filter, before_id: last.id });
       setOlder([...older, ...page]);
       setAtEnd(page.length < PAGE);
     } catch (error) {
@@ -199,7 +200,7 @@ function Verify() {
     setBusy(true);
     setProblem(null);
     try {
-      setCheck(await api.post<AuditCheck>("/audit/verify", undefined, { quiet: true, retry: true }));
+      setCheck(await api.ask("POST /audit/verify", {}, { retry: true }));
     } catch (error) {
       setProblem(error);
     }

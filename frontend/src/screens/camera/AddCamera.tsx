@@ -14,7 +14,13 @@ export function AddCamera({ surveyId, count, close, added }: AddProps) {
   const [name, setName] = useState(count === 0 ? "Camera 1" : `Camera ${count + 1}`);
   const [notes, setNotes] = useState("");
   const submit = async () => {
-    await added(await api.post<Camera>(`/surveys/${surveyId}/cameras`, { name: name.trim(), notes }));
+    await added(
+      await api.write(
+        "POST /surveys/{survey_id}/cameras",
+        { survey_id: surveyId },
+        { body: { name: name.trim(), notes } },
+      ),
+    );
   };
   return (
     <FormDialog title="Add a camera" action="Add" onClose={close} submit={submit} disabled={!name.trim()}>

@@ -2,7 +2,6 @@ import { useState } from "preact/hooks";
 import { Button, Segments, SelectField, TextField } from "../../components";
 import { api } from "../../core/api";
 import { useResource } from "../../core/resource";
-import type { Recording } from "../../core/types";
 import { parseNumber, plural } from "../../core/units";
 
 export interface Recipe {
@@ -37,7 +36,7 @@ export function CalibrateForm({ surveyId, source, usable, ready, busy, calibrate
   const [first, setFirst] = useState("");
   const [last, setLast] = useState("");
   const recordings = useResource(
-    (signal) => api.get<Recording[]>(`/surveys/${surveyId}/recordings`, { signal }),
+    (signal) => api.ask("GET /surveys/{survey_id}/recordings", { survey_id: surveyId }, { signal }),
     [surveyId],
   );
   const usableClips = (recordings.data ?? []).filter((recording) => recording.state === "ready");

@@ -18,7 +18,10 @@ interface Props {
 
 /** What a calibration came to: verdict, figures with uncertainties, where the picture was covered, which view fits worst. */
 export function CalibrationPanel({ id, camera, makeCurrent }: Props) {
-  const calibration = useResource((signal) => api.get<Calibration>(`/calibrations/${id}`, { signal }), [id]);
+  const calibration = useResource(
+    (signal) => api.ask("GET /calibrations/{calibration_id}", { calibration_id: id }, { signal }),
+    [id],
+  );
   if (!calibration.data) {
     return calibration.error ? (
       <Problem error={calibration.error} again={calibration.reload} />

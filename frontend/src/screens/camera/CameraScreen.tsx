@@ -6,7 +6,7 @@ import type { ScreenProps } from "../../core/places";
 import { useResource } from "../../core/resource";
 import { may } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
-import type { Camera, CameraDetail } from "../../core/types";
+import type { Camera } from "../../core/types";
 import { AddCamera } from "./AddCamera";
 import { CameraBench } from "./CameraBench";
 import "./camera.css";
@@ -14,7 +14,7 @@ import "./camera.css";
 /** The survey's cameras; one is open. */
 export default function CameraScreen({ surveyId }: ScreenProps) {
   const cameras = useResource(
-    (signal) => api.get<Camera[]>(`/surveys/${surveyId}/cameras`, { signal }),
+    (signal) => api.ask("GET /surveys/{survey_id}/cameras", { survey_id: surveyId }, { signal }),
     [surveyId],
   );
   const [adding, setAdding] = useState(false);
@@ -89,7 +89,10 @@ export default function CameraScreen({ surveyId }: ScreenProps) {
 }
 
 function OpenCamera({ id, surveyId }: { id: number; surveyId: number }) {
-  const camera = useResource((signal) => api.get<CameraDetail>(`/cameras/${id}`, { signal }), [id]);
+  const camera = useResource(
+    (signal) => api.ask("GET /cameras/{camera_id}", { camera_id: id }, { signal }),
+    [id],
+  );
   if (!camera.data) {
     return camera.error ? (
       <Problem error={camera.error} again={camera.reload} />

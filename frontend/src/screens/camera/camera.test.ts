@@ -28,6 +28,7 @@ const lens: CameraDocument = {
     [0, 0, 0, 1, 0],
     [0, 0, 0, 0, 0.0001],
   ],
+  views: [],
 };
 
 describe("the board as typed", () => {

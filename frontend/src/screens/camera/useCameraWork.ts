@@ -3,7 +3,7 @@ import { api, explain } from "../../core/api";
 import { useJob } from "../../core/jobs";
 import { refreshSurvey } from "../../core/survey";
 import { toast } from "../../core/toasts";
-import type { Calibration, CalibrationImage, CameraDetail, Job } from "../../core/types";
+import type { CalibrationImage, CameraDetail } from "../../core/types";
 import type { Board } from "./board";
 import type { Recipe } from "./CalibrateForm";
 
@@ -56,7 +56,7 @@ export function useCameraWork(
       setJobId(null);
       setFailed(over.state === "failed" ? (over.error ?? "The calibration failed; try again.") : null);
       const made = over.result?.["calibration_id"];
-      void (made ? show(made) : refresh());
+      void (typeof made === "number" ? show(made) : refresh());
     },
     (error) => {
       setJobId(null);
@@ -94,28 +94,48 @@ export function useCameraWork(
     detectAgain: () =>
       run(async () => {
         if (!board) return;
-        const where = `/cameras/${camera.id}/images/detect`;
-        const images = await api.post<CalibrationImage[]>(where, board);
+        const images = await api.write(
+          "POST /cameras/{camera_id}/images/detect",
+          { camera_id: camera.id },
+          { body: board },
+        );
         set((now) => ({ ...now, images }));
       }),
     removeImage: (image: CalibrationImage) =>
       run(async () => {
-        await api.del(`/calibration-images/${image.id}`);
+        await api.write("DELETE /calibration-images/{image_id}", { image_id: image.id });
         set((now) => ({ ...now, images: now.images.filter((other) => other.id !== image.id) }));
       }),
     calibrate: (recipe: Recipe) =>
       run(async () => {
-        setJobId((await api.post<Job>(`/cameras/${camera.id}/calibrations`, { ...board, ...recipe })).id);
+        if (!board) return;
+        setJobId(
+          (
+            await api.write(
+              "POST /cameras/{camera_id}/calibrations",
+              { camera_id: camera.id },
+              { body: { ...board, ...recipe } },
+            )
+          ).id,
+        );
       }),
     importFile: (file: File) =>
       run(async () => {
-        const made = await api.file<Calibration>(`/cameras/${camera.id}/calibrations/import`, file);
+        const made = await api.write(
+          "POST /cameras/{camera_id}/calibrations/import",
+          { camera_id: camera.id },
+          { body: file },
+        );
         toast(`${file.name} was read.`);
         await show(made.id);
       }),
     makeCurrent: (calibrationId: number) =>
       run(async () => {
-        await api.put(`/cameras/${camera.id}/current-calibration`, { calibration_id: calibrationId });
+        await api.write(
+          "PUT /cameras/{camera_id}/current-calibration",
+          { camera_id: camera.id },
+          { body: { calibration_id: calibrationId } },
+        );
         await refresh();
       }),
   };
@@ -130,9 +150,11 @@ function waiting(file: File): Sending {
 /** The stored image, or the sentence that says why it was refused. */
 async function sendImage(cameraId: number, board: Board, file: File): Promise<CalibrationImage | string> {
   try {
-    const told = new URLSearchParams(Object.entries(board).map(([name, value]) => [name, String(value)]));
-    const where = `/cameras/${cameraId}/images?${told}`;
-    return await api.file<CalibrationImage>(where, file);
+    return await api.write(
+      "POST /cameras/{camera_id}/images",
+      { camera_id: cameraId, ...board },
+      { body: file },
+    );
   } catch (error) {
     return explain(error);
   }

@@ -19,7 +19,7 @@ const METHODS: Record<Estimate["method"], string> = {
 
 export function InsetsTab({ survey }: { survey: Survey }) {
   const check = useResource(
-    (signal) => api.get<InsetCheck>(`/surveys/${survey.id}/checks/insets`, { signal }),
+    (signal) => api.ask("GET /surveys/{survey_id}/checks/insets", { survey_id: survey.id }, { signal }),
     [survey.id],
   );
   const [problem, setProblem] = useState<unknown>(null);
@@ -31,7 +31,11 @@ export function InsetsTab({ survey }: { survey: Survey }) {
     try {
       const { name, site, description, version } = survey;
       const insets = { [target]: estimate.offer };
-      await api.put(`/surveys/${survey.id}`, { name, site, description, version, insets });
+      await api.write(
+        "PUT /surveys/{survey_id}",
+        { survey_id: survey.id },
+        { body: { name, site, description, version, insets } },
+      );
       toast(`The inset of ${TARGETS_MANY[target]} is changed for new measurements; stored ones keep theirs.`);
     } catch (error) {
       setProblem(error);

@@ -7,7 +7,7 @@ import { Latest } from "../../core/latest";
 import { canWork } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
 import { toast, toastProblem } from "../../core/toasts";
-import type { AxesAnswer, Recording, Vehicle } from "../../core/types";
+import type { AxesAnswer, Vehicle } from "../../core/types";
 import { bestFrame, neighbour } from "../../parts/vehicles/passes";
 import { fromServer, type ImagePoint, pair } from "../../viewer/points";
 import { Reel } from "../../viewer/reel";
@@ -60,10 +60,10 @@ export class TrafficModel {
 
   private readonly axesAsker = new Latest<ImagePoint, AxesAnswer>(
     (at) =>
-      api.post<AxesAnswer>(
-        `/recordings/${this.reel.player.value?.recordingId}/geometry/axes`,
-        { contact: pair(at) },
-        { quiet: true },
+      api.ask(
+        "POST /recordings/{recording_id}/geometry/axes",
+        { recording_id: this.reel.player.value?.recordingId ?? 0 },
+        { body: { contact: pair(at) } },
       ),
     (answer) => {
       this.axes.value = answer;
@@ -88,9 +88,9 @@ export class TrafficModel {
     this.problem.value = null;
     try {
       const [recordings, vehicles, check] = await Promise.all([
-        api.get<Recording[]>(`/surveys/${this.surveyId}/recordings`),
-        api.get<Vehicle[]>(`/surveys/${this.surveyId}/vehicles`),
-        api.get<TrafficCheck>(`/surveys/${this.surveyId}/checks/traffic`),
+        api.ask("GET /surveys/{survey_id}/recordings", { survey_id: this.surveyId }),
+        api.ask("GET /surveys/{survey_id}/vehicles", { survey_id: this.surveyId }),
+        api.ask("GET /surveys/{survey_id}/checks/traffic", { survey_id: this.surveyId }),
       ]);
       batch(() => {
         this.reel.recordings.value = recordings.filter((one) => one.state === "ready");
@@ -158,7 +158,7 @@ export class TrafficModel {
     const pose = this.pose.value;
     if (!pose) return;
     try {
-      this.preview.value = await api.get<TurnedPose>(`/poses/${pose.pose_id}/turn`);
+      this.preview.value = await api.ask("GET /poses/{pose_id}/turn", { pose_id: pose.pose_id });
     } catch (error) {
       toastProblem(error);
     }
@@ -169,7 +169,11 @@ export class TrafficModel {
     if (!preview) return;
     this.turning.value = true;
     try {
-      await api.post(`/poses/${preview.pose_id}/turn`, { turn_rad: preview.turn_rad });
+      await api.write(
+        "POST /poses/{pose_id}/turn",
+        { pose_id: preview.pose_id },
+        { body: { turn_rad: preview.turn_rad } },
+      );
       toast("The turned pose now holds for new measurements; stored ones keep theirs.");
     } catch (error) {
       toastProblem(error);
@@ -189,7 +193,11 @@ export class TrafficModel {
     this.turning.value = true;
     try {
       for (const one of pose.recordings)
-        await api.put(`/recordings/${one.id}`, { pose_id: pose.turned_from });
+        await api.write(
+          "PUT /recordings/{recording_id}",
+          { recording_id: one.id },
+          { body: { pose_id: pose.turned_from } },
+        );
       toast("The pose before the turn holds again.");
     } catch (error) {
       toastProblem(error);
@@ -213,9 +221,9 @@ export class TrafficModel {
       // taken back from elsewhere, it is shown where it happens
       const vehicle = this.vehicles.value.find((one) => one.id === vehicleId);
       if (vehicle && vehicleId !== this.vehicleId.value) this.open(vehicle);
-      const path = `/vehicles/${vehicleId}/wheel-pair`;
-      if (clicks) await api.post(path, clicks);
-      else await api.del(path);
+      const at = { vehicle_id: vehicleId };
+      if (clicks) await api.write("POST /vehicles/{vehicle_id}/wheel-pair", at, { body: clicks });
+      else await api.write("DELETE /vehicles/{vehicle_id}/wheel-pair", at);
       await this.reload();
     },
   };
@@ -241,8 +249,8 @@ export class TrafficModel {
   private async reload(): Promise<void> {
     try {
       const [recordings, check] = await Promise.all([
-        api.get<Recording[]>(`/surveys/${this.surveyId}/recordings`),
-        api.get<TrafficCheck>(`/surveys/${this.surveyId}/checks/traffic`),
+        api.ask("GET /surveys/{survey_id}/recordings", { survey_id: this.surveyId }),
+        api.ask("GET /surveys/{survey_id}/checks/traffic", { survey_id: this.surveyId }),
       ]);
       batch(() => {
         this.reel.recordings.value = recordings.filter((one) => one.state === "ready");

@@ -1,15 +1,15 @@
-/** What the checks send, with points as points. */
+/** What the checks send. */
 import type { components } from "#schema";
-import type { PoseOverlay, Px, Target } from "../../core/types";
+import type { Target } from "../../core/types";
 
 type Schemas = components["schemas"];
 
 export type InsetCheck = Schemas["InsetCheckBody"];
 export type TargetInsets = Schemas["TargetInsetsBody"];
 export type Estimate = Schemas["EstimateBody"];
-export type WheelPair = Omit<Schemas["WheelPairBody"], "first" | "second"> & { first: Px; second: Px };
-export type TrafficCheck = Omit<Schemas["TrafficCheckBody"], "pairs"> & { pairs: WheelPair[] };
-export type TurnedPose = Omit<Schemas["TurnedPose"], "overlay"> & { overlay: PoseOverlay };
+export type WheelPair = Schemas["WheelPairBody"];
+export type TrafficCheck = Schemas["TrafficCheckBody"];
+export type TurnedPose = Schemas["TurnedPose"];
 
 export const TARGET_NAMES: Record<Target, string> = {
   roof: "Roof",

@@ -7,7 +7,7 @@ import { useResource } from "../../core/resource";
 import { survey } from "../../core/survey";
 import { formatMoment } from "../../core/times";
 import { toast } from "../../core/toasts";
-import type { ExportPackage, Job } from "../../core/types";
+import type { ExportPackage } from "../../core/types";
 import { formatBytes, plural } from "../../core/units";
 import "./export.css";
 
@@ -31,7 +31,7 @@ const CONTENTS: [file: string, what: string][] = [
 /** One button writes the package that a standards body needs; every package made stays listed with its hash. */
 export default function ExportScreen({ surveyId }: ScreenProps) {
   const packages = useResource(
-    (signal) => api.get<ExportPackage[]>(`/surveys/${surveyId}/exports`, { signal }),
+    (signal) => api.ask("GET /surveys/{survey_id}/exports", { survey_id: surveyId }, { signal }),
     [surveyId],
   );
   const [jobId, setJobId] = useState<number | null>(null);
@@ -57,7 +57,10 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
     setProblem(null);
     setFailed(null);
     try {
-      setJobId((await api.post<Job>(`/surveys/${surveyId}/exports`, { crops })).id);
+      setJobId(
+        (await api.write("POST /surveys/{survey_id}/exports", { survey_id: surveyId }, { body: { crops } }))
+          .id,
+      );
     } catch (error) {
       setProblem(error);
     }
@@ -156,7 +159,7 @@ function useRunning(surveyId: number, found: (jobId: number) => void) {
   useEffect(() => {
     const stop = new AbortController();
     api
-      .get<Job[]>(`/jobs?survey_id=${surveyId}`, { signal: stop.signal })
+      .ask("GET /jobs", { survey_id: surveyId }, { signal: stop.signal })
       .then((jobs) => {
         const running = jobs.find((job) => job.kind === "export" && !isOver(job));
         if (running) found(running.id);

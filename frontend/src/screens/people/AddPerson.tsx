@@ -1,7 +1,7 @@
 import { useState } from "preact/hooks";
 import { FormDialog, SelectField, TextField } from "../../components";
 import { api } from "../../core/api";
-import type { Person, Role } from "../../core/types";
+import type { Role } from "../../core/types";
 import { ROLES } from "./roles";
 import type { Invitation } from "./ShowLink";
 
@@ -16,11 +16,17 @@ export function AddPerson({ close, added }: { close: () => void; added: (made: I
     return !name.trim() || emailWrong ? null : add();
   };
   const add = async () => {
-    const made = await api.post<{ person: Person; link: string }>("/people", {
-      name: name.trim(),
-      email: email.trim(),
-      role,
-    });
+    const made = await api.write(
+      "POST /people",
+      {},
+      {
+        body: {
+          name: name.trim(),
+          email: email.trim(),
+          role,
+        },
+      },
+    );
     added({ name: made.person.name, link: made.link });
   };
   return (

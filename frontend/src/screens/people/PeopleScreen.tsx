@@ -14,7 +14,7 @@ import { type Invitation, ShowLink } from "./ShowLink";
 /** Accounts and roles, for administrators. */
 export default function PeopleScreen() {
   const people = useResource(
-    (signal) => (may("admin") ? api.get<Person[]>("/people", { signal }) : Promise.resolve([])),
+    (signal) => (may("admin") ? api.ask("GET /people", {}, { signal }) : Promise.resolve([])),
     [],
   );
   const [adding, setAdding] = useState(false);
@@ -39,11 +39,11 @@ export default function PeopleScreen() {
   const put = (person: Person, part: Partial<Person>) =>
     run(() => {
       const { name, role, active } = { ...person, ...part };
-      return api.put(`/people/${person.id}`, { name, role, active });
+      return api.write("PUT /people/{person_id}", { person_id: person.id }, { body: { name, role, active } });
     });
   const newLink = (person: Person) =>
     run(async () => {
-      const { link } = await api.post<{ link: string }>(`/people/${person.id}/link`);
+      const { link } = await api.write("POST /people/{person_id}/link", { person_id: person.id });
       setInvitation({ name: person.name, link });
     });
   const switchOff = async (person: Person) => {

@@ -6,16 +6,15 @@ import { Loading, Problem, TableScroll } from "../../components";
 import { current, query, setQuery } from "../../core/address";
 import { api } from "../../core/api";
 import { useResource } from "../../core/resource";
-import type { Scan } from "../../core/types";
 import { fixed, formatCount, formatSmall, formatSpeed, lengthUnit, speedScale } from "../../core/units";
 import { Advice } from "./Advice";
 import type { LinePlan } from "./model";
 import { Value } from "./PlanForm";
-import { completedLines, LINE_NAMES, linePlanPath, type Values, valuesOf } from "./values";
+import { askLinePlan, completedLines, LINE_NAMES, type Values, valuesOf } from "./values";
 
 export function LineRate({ surveyId }: { surveyId: number }) {
   const scans = useResource(
-    (signal) => api.get<Scan[]>(`/surveys/${surveyId}/scans`, { signal }),
+    (signal) => api.ask("GET /surveys/{survey_id}/scans", { survey_id: surveyId }, { signal }),
     [surveyId],
   );
   const values = scans.data && completedLines(valuesOf(query.value, LINE_NAMES), scans.data);
@@ -60,8 +59,7 @@ function Form({ values }: { values: Values }) {
 
 /** What the server makes of the values; what it says last stays until the next answer is there. */
 function Planned({ values }: { values: Values }) {
-  const path = linePlanPath(values);
-  const plan = useResource((signal) => api.get<LinePlan>(path, { signal }), [path], { keep: true });
+  const plan = useResource((signal) => askLinePlan(values, signal), [JSON.stringify(values)], { keep: true });
   if (plan.error) return <Problem error={plan.error} />;
   if (!plan.data) return <Loading what="the plan" />;
   return <Result plan={plan.data} />;

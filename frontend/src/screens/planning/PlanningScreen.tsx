@@ -4,7 +4,6 @@ import { current, query, setQuery } from "../../core/address";
 import { api } from "../../core/api";
 import type { ScreenProps } from "../../core/places";
 import { useResource } from "../../core/resource";
-import type { Camera } from "../../core/types";
 import { Advice } from "./Advice";
 import { BiasFigure, DistanceFigure } from "./Figures";
 import { LineRate } from "./LineRate";
@@ -12,7 +11,7 @@ import type { Plan } from "./model";
 import { PlanForm } from "./PlanForm";
 import { SiteAbove, SiteAlong } from "./SiteDrawing";
 import { TargetTable } from "./TargetTable";
-import { completed, planPath, type Values, valuesOf } from "./values";
+import { askPlan, completed, type Values, valuesOf } from "./values";
 import "./planning.css";
 
 type What = "heights" | "lines";
@@ -49,7 +48,7 @@ export default function PlanningScreen({ surveyId }: ScreenProps) {
 
 function Heights({ surveyId }: { surveyId: number }) {
   const cameras = useResource(
-    (signal) => api.get<Camera[]>(`/surveys/${surveyId}/cameras`, { signal }),
+    (signal) => api.ask("GET /surveys/{survey_id}/cameras", { survey_id: surveyId }, { signal }),
     [surveyId],
   );
   const list = cameras.data;
@@ -76,8 +75,13 @@ function Heights({ surveyId }: { surveyId: number }) {
 
 /** What the server makes of the values; what it says last stays until the next answer is there. */
 function Planned({ surveyId, values }: { surveyId: number; values: Values }) {
-  const path = planPath(surveyId, values);
-  const plan = useResource((signal) => api.get<Plan>(path, { signal }), [path], { keep: true });
+  const plan = useResource(
+    (signal) => askPlan(surveyId, values, signal),
+    [surveyId, JSON.stringify(values)],
+    {
+      keep: true,
+    },
+  );
   if (plan.error) return <Problem error={plan.error} />;
   if (!plan.data) return <Loading what="the plan" />;
   return <Result plan={plan.data} />;

@@ -1,6 +1,8 @@
 /** What is planned with, as the address of the page holds it: the same names and units as the server's, so that a link tells all. */
+import { api, fromAddress } from "../../core/api";
 import type { Camera, Scan } from "../../core/types";
 import { type LengthUnit, lengthScale, lengthUnit, parseNumber, speedScale } from "../../core/units";
+import type { LinePlan, Plan } from "./model";
 
 const SITE_LENGTHS = ["camera_height_m", "distance_m", "board_distance_m", "travel_m"] as const;
 const LENGTHS: readonly string[] = [...SITE_LENGTHS, "baseline_m", "u_baseline_m"];
@@ -57,8 +59,9 @@ export function withCamera(choice: string): Record<string, string | null> {
   return { calibration_id: null, ...(PLAIN as Record<string, string>) };
 }
 
-export function planPath(surveyId: number, values: Values): string {
-  return `/surveys/${surveyId}/plan?${new URLSearchParams(values as Record<string, string>)}`;
+export function askPlan(survey_id: number, values: Values, signal?: AbortSignal): Promise<Plan> {
+  const query = fromAddress<"GET /surveys/{survey_id}/plan">(values);
+  return api.ask("GET /surveys/{survey_id}/plan", { ...query, survey_id }, { signal });
 }
 
 /** What the address leaves open of a line rate: the newest rig of the survey, else usual values. */
@@ -76,8 +79,8 @@ export function completedLines(values: Values, scans: readonly Pick<Scan, "rig">
   return { speed_mps: String(120 / speedScale("m")[0]), error: "0.01", ...(own ? {} : known), ...values };
 }
 
-export function linePlanPath(values: Values): string {
-  return `/line-rate-plan?${new URLSearchParams(values as Record<string, string>)}`;
+export function askLinePlan(values: Values, signal?: AbortSignal): Promise<LinePlan> {
+  return api.ask("GET /line-rate-plan", fromAddress<"GET /line-rate-plan">(values), { signal });
 }
 
 /** Shown over stored: feet, km/h or mph, per cent. */

@@ -1,5 +1,6 @@
 /** What the operator says about the board, as typed; checked here only for being there and readable, judged by the server. */
 
+import type { BodyOf } from "../../core/routes";
 import type { Pose } from "../../core/types";
 import { lengthText, lengthUnit, parseLength } from "../../core/units";
 import { type BoardKind, markerProblem, markersTold, PLAIN } from "../../parts/boards/markers";
@@ -85,27 +86,37 @@ function lengthOr(text: string, metres: number): number | null {
 }
 
 /** The request, or null while something is missing. */
-export function requestOf(form: BoardForm): Record<string, unknown> | null {
+export function requestOf(form: BoardForm): BodyOf<"POST /recordings/{recording_id}/poses"> | null {
+  const { calibrationId, first, last } = form;
+  const square_m = parseLength(form.square);
+  const reference_height_m = parseLength(form.referenceHeight);
+  const u_reference_height_m = lengthOr(form.uReferenceHeight, U_TAPE_M);
+  const u_bow_m = lengthOr(form.uBow, U_BOW_M);
   if (Object.values(problemsOf(form)).some((problem) => problem !== null)) return null;
+  if (calibrationId === null || first === null || last === null) return null;
+  if (square_m === null || reference_height_m === null) return null;
+  if (u_reference_height_m === null || u_bow_m === null) return null;
   return {
-    calibration_id: form.calibrationId,
-    first_frame: form.first,
-    last_frame: form.last,
+    calibration_id: calibrationId,
+    first_frame: first,
+    last_frame: last,
     columns: form.columns,
     rows: form.rows,
-    square_m: parseLength(form.square),
+    square_m,
     ...markersTold(form.kind, form.dictionary, parseLength(form.marker)),
     reference: form.reference,
-    reference_height_m: parseLength(form.referenceHeight),
-    u_reference_height_m: lengthOr(form.uReferenceHeight, U_TAPE_M),
+    reference_height_m,
+    u_reference_height_m,
     u_lean_rad: Number(form.uLean.replace(",", ".")) * RADIANS_PER_DEGREE,
     ...(form.uSquare.trim() === "" ? {} : { u_square_m: parseLength(form.uSquare) }),
-    u_bow_m: lengthOr(form.uBow, U_BOW_M),
+    u_bow_m,
   };
 }
 
+export type BoardSought = Omit<BodyOf<"POST /recordings/{recording_id}/board">, "frame" | "calibration_id">;
+
 /** The board to look for on a frame, or null while it is half told. */
-export function boardOf(form: BoardForm): Record<string, unknown> | null {
+export function boardOf(form: BoardForm): BoardSought | null {
   if (form.columns < 2 || form.rows < 2) return null;
   const size = { columns: form.columns, rows: form.rows };
   if (form.kind === "checkerboard") return size;
@@ -115,40 +126,26 @@ export function boardOf(form: BoardForm): Record<string, unknown> | null {
   return { ...size, square_m, ...markersTold(form.kind, form.dictionary, parseLength(form.marker)) };
 }
 
-interface BoardOfPose {
-  columns?: number;
-  rows?: number;
-  square_m?: number;
-  reference?: "top" | "bottom";
-  reference_height_m?: number;
-  u_reference_height_m?: number;
-  u_lean_rad?: number;
-  u_square_m?: number | null;
-  u_bow_m?: number | null;
-}
-
 /** What an earlier pose was made from; of another recording without its span. */
 export function fromPose(
   pose: Pose,
   own: boolean,
 ): Partial<BoardForm> & Pick<BoardForm, "columns" | "rows" | "square"> {
-  const board = (pose.document["board"] ?? {}) as BoardOfPose;
+  const board = pose.document.board;
   const text = (metres: number | undefined, otherwise: string): string =>
     metres === undefined ? otherwise : lengthText(metres);
   const small = (metres: number | null | undefined): string => lengthText(metres, lengthUnit.value, 6);
   return {
-    columns: board.columns ?? EMPTY_FORM.columns,
-    rows: board.rows ?? EMPTY_FORM.rows,
-    square: text(board.square_m, ""),
-    reference: board.reference ?? "bottom",
-    referenceHeight: text(board.reference_height_m, ""),
-    uReferenceHeight: small(board.u_reference_height_m),
+    columns: board?.columns ?? EMPTY_FORM.columns,
+    rows: board?.rows ?? EMPTY_FORM.rows,
+    square: text(board?.square_m, ""),
+    reference: board?.reference ?? "bottom",
+    referenceHeight: text(board?.reference_height_m, ""),
+    uReferenceHeight: small(board?.u_reference_height_m),
     uLean:
-      board.u_lean_rad === undefined
-        ? EMPTY_FORM.uLean
-        : String(Number((board.u_lean_rad / RADIANS_PER_DEGREE).toFixed(2))),
-    uSquare: small(board.u_square_m),
-    uBow: small(board.u_bow_m),
+      board === null ? EMPTY_FORM.uLean : String(Number((board.u_lean_rad / RADIANS_PER_DEGREE).toFixed(2))),
+    uSquare: small(board?.u_square_m),
+    uBow: small(board?.u_bow_m),
     ...(own ? { first: pose.first_frame, last: pose.last_frame, calibrationId: pose.calibration_id } : {}),
   };
 }

@@ -6,11 +6,19 @@ import { cancelJob, followJob } from "../../core/jobs";
 import { Latest } from "../../core/latest";
 import { refreshSurvey } from "../../core/survey";
 import { toast, toastProblem } from "../../core/toasts";
-import type { BoardFinding, Camera, Job, Pose, PoseSummary, Recording } from "../../core/types";
+import type { BoardFinding, Camera, Job, Pose, PoseSummary } from "../../core/types";
 import { linesShown } from "../../viewer/display";
 import { Reel } from "../../viewer/reel";
 import { FrameStage } from "../../viewer/stage";
-import { type BoardForm, boardOf, EMPTY_FORM, fromPose, problemsOf, requestOf } from "./form";
+import {
+  type BoardForm,
+  type BoardSought,
+  boardOf,
+  EMPTY_FORM,
+  fromPose,
+  problemsOf,
+  requestOf,
+} from "./form";
 
 /** A frame is looked at for the board when the operator rests on it for so long. */
 const REST_MS = 300;
@@ -51,15 +59,18 @@ export class PoseModel {
   /** Changes only with the board that is looked for, not with every letter typed. */
   private readonly boardSought = computed(() => JSON.stringify(boardOf(this.form.value)));
 
-  private readonly looker = new Latest<{ recordingId: number; frame: number }, BoardFinding>(
-    ({ recordingId, frame }) => {
+  private readonly looker = new Latest<
+    { recordingId: number; frame: number; board: BoardSought },
+    BoardFinding
+  >(
+    ({ recordingId, frame, board }) => {
       const { calibrationId } = this.form.value;
       const body = {
         frame,
-        ...boardOf(this.form.value),
+        ...board,
         ...(calibrationId === null ? {} : { calibration_id: calibrationId }),
       };
-      return api.post<BoardFinding>(`/recordings/${recordingId}/board`, body, { quiet: true });
+      return api.ask("POST /recordings/{recording_id}/board", { recording_id: recordingId }, { body });
     },
     (finding, wish) => {
       this.looking.value = false;
@@ -84,9 +95,9 @@ export class PoseModel {
     this.problem.value = null;
     try {
       const [recordings, cameras, poses] = await Promise.all([
-        api.get<Recording[]>(`/surveys/${this.surveyId}/recordings`),
-        api.get<Camera[]>(`/surveys/${this.surveyId}/cameras`),
-        api.get<PoseSummary[]>(`/surveys/${this.surveyId}/poses`),
+        api.ask("GET /surveys/{survey_id}/recordings", { survey_id: this.surveyId }),
+        api.ask("GET /surveys/{survey_id}/cameras", { survey_id: this.surveyId }),
+        api.ask("GET /surveys/{survey_id}/poses", { survey_id: this.surveyId }),
       ]);
       batch(() => {
         this.reel.recordings.value = recordings;
@@ -141,9 +152,10 @@ export class PoseModel {
 
   lookNow(): void {
     const player = this.reel.player.value;
-    if (!player || boardOf(this.form.value) === null) return;
+    const board = boardOf(this.form.value);
+    if (!player || board === null) return;
     this.looking.value = true;
-    this.looker.want({ recordingId: player.recordingId, frame: player.frame.value });
+    this.looker.want({ recordingId: player.recordingId, frame: player.frame.value, board });
   }
 
   async run(): Promise<void> {
@@ -153,7 +165,11 @@ export class PoseModel {
     if (!body || !recording) return;
     try {
       this.pose.value = null;
-      const job = await api.post<Job>(`/recordings/${recording.id}/poses`, body);
+      const job = await api.write(
+        "POST /recordings/{recording_id}/poses",
+        { recording_id: recording.id },
+        { body },
+      );
       this.job.value = job;
       const over = await followJob(
         job.id,
@@ -177,7 +193,7 @@ export class PoseModel {
 
   async showPose(id: number): Promise<void> {
     try {
-      const pose = await api.get<Pose>(`/poses/${id}`);
+      const pose = await api.ask("GET /poses/{pose_id}", { pose_id: id });
       const own = pose.recording_id === this.reel.player.value?.recordingId;
       batch(() => {
         this.pose.value = pose;
@@ -195,7 +211,11 @@ export class PoseModel {
     const recording = this.reel.recording.value;
     if (!recording) return;
     try {
-      const changed = await api.put<Recording>(`/recordings/${recording.id}`, { pose_id: id });
+      const changed = await api.write(
+        "PUT /recordings/{recording_id}",
+        { recording_id: recording.id },
+        { body: { pose_id: id } },
+      );
       this.reel.recordings.value = this.reel.recordings.value.map((one) =>
         one.id === changed.id ? changed : one,
       );
@@ -211,8 +231,8 @@ export class PoseModel {
     if (job.state !== "done") return;
     const id = job.result?.["pose_id"];
     const [recordings, poses] = await Promise.all([
-      api.get<Recording[]>(`/surveys/${this.surveyId}/recordings`),
-      api.get<PoseSummary[]>(`/surveys/${this.surveyId}/poses`),
+      api.ask("GET /surveys/{survey_id}/recordings", { survey_id: this.surveyId }),
+      api.ask("GET /surveys/{survey_id}/poses", { survey_id: this.surveyId }),
     ]);
     batch(() => {
       this.reel.recordings.value = recordings;
@@ -220,14 +240,14 @@ export class PoseModel {
       this.job.value = null;
       linesShown.value = true;
     });
-    if (id !== undefined) await this.showPose(id);
+    if (typeof id === "number") await this.showPose(id);
     void refreshSurvey();
   }
 
   /** The board of an earlier pose is most likely the same board: take its size, not its tape. */
   private async borrowBoard(id: number): Promise<void> {
     try {
-      const pose = await api.get<Pose>(`/poses/${id}`);
+      const pose = await api.ask("GET /poses/{pose_id}", { pose_id: id });
       const { columns, rows, square } = fromPose(pose, false);
       this.set({ columns, rows, square });
     } catch {

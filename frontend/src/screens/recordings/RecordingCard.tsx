@@ -30,7 +30,11 @@ export function RecordingCard({ recording, cameras, changed, reload }: Props) {
     }
   };
   const put = (part: Partial<Pick<Recording, "name" | "camera_id" | "lighting">>) =>
-    run(async () => changed(await api.put<Recording>(`/recordings/${recording.id}`, part)));
+    run(async () =>
+      changed(
+        await api.write("PUT /recordings/{recording_id}", { recording_id: recording.id }, { body: part }),
+      ),
+    );
   const remove = () =>
     run(async () => {
       const yes = await ask({
@@ -39,7 +43,7 @@ export function RecordingCard({ recording, cameras, changed, reload }: Props) {
         action: "Delete the recording",
       });
       if (!yes) return;
-      await api.del(`/recordings/${recording.id}`);
+      await api.write("DELETE /recordings/{recording_id}", { recording_id: recording.id });
       toast(`${recording.name} was deleted.`);
       await reload();
     });
@@ -50,7 +54,7 @@ export function RecordingCard({ recording, cameras, changed, reload }: Props) {
     });
   const readAgain = () =>
     run(async () => {
-      await api.post(`/recordings/${recording.id}/ingest`);
+      await api.write("POST /recordings/{recording_id}/ingest", { recording_id: recording.id });
       await reload();
     });
   return (

@@ -6,7 +6,6 @@ import { useEvery, useResource } from "../../core/resource";
 import { may } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
 import { toastProblem } from "../../core/toasts";
-import type { Camera, Recording, UnfinishedUpload } from "../../core/types";
 import { RecordingCard } from "./RecordingCard";
 import "./recordings.css";
 import { UnfinishedRow, UploadRow } from "../../parts/uploads/UploadRow";
@@ -15,15 +14,15 @@ import { startUpload, uploads } from "../../parts/uploads/uploads";
 /** Video in: drop files, watch them arrive and be read, say which camera and which light. */
 export default function RecordingsScreen({ surveyId }: ScreenProps) {
   const recordings = useResource(
-    (signal) => api.get<Recording[]>(`/surveys/${surveyId}/recordings`, { signal }),
+    (signal) => api.ask("GET /surveys/{survey_id}/recordings", { survey_id: surveyId }, { signal }),
     [surveyId],
   );
   const cameras = useResource(
-    (signal) => api.get<Camera[]>(`/surveys/${surveyId}/cameras`, { signal }),
+    (signal) => api.ask("GET /surveys/{survey_id}/cameras", { survey_id: surveyId }, { signal }),
     [surveyId],
   );
   const unfinished = useResource(
-    (signal) => api.get<UnfinishedUpload[]>(`/surveys/${surveyId}/uploads`, { signal }),
+    (signal) => api.ask("GET /surveys/{survey_id}/uploads", { survey_id: surveyId }, { signal }),
     [surveyId],
   );
   const busy = recordings.data?.some((recording) => recording.state === "ingesting") ?? false;
@@ -38,7 +37,13 @@ export default function RecordingsScreen({ surveyId }: ScreenProps) {
   const pickOnlyCamera = async (recordingId: number | null) => {
     const [only, another] = cameras.data ?? [];
     if (recordingId === null || !only || another) return;
-    await api.put(`/recordings/${recordingId}`, { camera_id: only.id }).catch(toastProblem);
+    await api
+      .write(
+        "PUT /recordings/{recording_id}",
+        { recording_id: recordingId },
+        { body: { camera_id: only.id } },
+      )
+      .catch(toastProblem);
   };
   const add = (files: File[]) => {
     for (const file of files) {

@@ -6,7 +6,7 @@ import type { ScreenProps } from "../../core/places";
 import { useResource } from "../../core/resource";
 import { canWork } from "../../core/session";
 import { toastProblem } from "../../core/toasts";
-import type { PersonRepeats, Repeats } from "../../core/types";
+import type { PersonRepeats } from "../../core/types";
 import { plural } from "../../core/units";
 import { DifferenceFigure } from "./DifferenceFigure";
 import { PeopleTable } from "./PeopleTable";
@@ -15,14 +15,18 @@ import "./repeats.css";
 
 export default function RepeatsScreen({ surveyId }: ScreenProps) {
   const found = useResource(
-    (signal) => api.get<Repeats>(`/surveys/${surveyId}/repeats`, { signal }),
+    (signal) => api.ask("GET /surveys/{survey_id}/repeats", { survey_id: surveyId }, { signal }),
     [surveyId],
   );
   const [busy, setBusy] = useState(false);
   const choose = async (person: PersonRepeats, own: boolean): Promise<void> => {
     setBusy(true);
     try {
-      await api.put(`/surveys/${surveyId}/people/${person.person.id}/click-sigma`, { own });
+      await api.write(
+        "PUT /surveys/{survey_id}/people/{person_id}/click-sigma",
+        { survey_id: surveyId, person_id: person.person.id },
+        { body: { own } },
+      );
       await found.reload();
     } catch (error) {
       toastProblem(error);

@@ -2,7 +2,7 @@
 import { computed, signal } from "@preact/signals";
 import { api } from "../../core/api";
 import { History, type Ledger } from "../../core/history";
-import type { Measurement, Recording, ToClickAgain } from "../../core/types";
+import type { Measurement, ToClickAgain } from "../../core/types";
 import { BlindClicks } from "../../viewer/blind";
 import { Geometry } from "../../viewer/geometry";
 import { Reel } from "../../viewer/reel";
@@ -30,7 +30,13 @@ export class AgainSession {
     read: (index) => this.done.value[index],
     write: async (index, made) => {
       const now = this.done.value[index];
-      if (now) this.keep(await api.del<Measurement>(`/measurements/${now.id}?revision=${now.revision}`));
+      if (now)
+        this.keep(
+          await api.write("DELETE /measurements/{measurement_id}", {
+            measurement_id: now.id,
+            revision: now.revision,
+          }),
+        );
       const again = made && (await this.restore(made));
       this.done.value = this.done.value.slice(0, index);
       if (again !== undefined) this.done.value = [...this.done.value, again];
@@ -47,8 +53,11 @@ export class AgainSession {
     this.problem.value = null;
     try {
       const [items, recordings] = await Promise.all([
-        api.get<ToClickAgain[]>(`/surveys/${this.surveyId}/repeats/sample?only_own=${this.onlyOwn}`),
-        api.get<Recording[]>(`/surveys/${this.surveyId}/recordings`),
+        api.ask("GET /surveys/{survey_id}/repeats/sample", {
+          survey_id: this.surveyId,
+          only_own: this.onlyOwn,
+        }),
+        api.ask("GET /surveys/{survey_id}/recordings", { survey_id: this.surveyId }),
       ]);
       this.reel.recordings.value = recordings;
       this.items.value = items;
@@ -80,7 +89,9 @@ export class AgainSession {
 
   private async restore({ id, revision }: Measurement): Promise<Measurement> {
     const body = { revision: this.newest.get(id)?.revision ?? revision };
-    return this.keep(await api.post<Measurement>(`/measurements/${id}/restore`, body));
+    return this.keep(
+      await api.write("POST /measurements/{measurement_id}/restore", { measurement_id: id }, { body }),
+    );
   }
 
   private next(made: Measurement | null): void {

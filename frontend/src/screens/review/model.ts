@@ -6,7 +6,7 @@ import { may, me } from "../../core/session";
 import { stored } from "../../core/stored";
 import { refreshSurvey } from "../../core/survey";
 import { toast, toastProblem } from "../../core/toasts";
-import type { Comparison, Measurement, Recording, ReviewItem, Verdict } from "../../core/types";
+import type { Comparison, Measurement, ReviewItem, Verdict } from "../../core/types";
 import { BlindClicks, isDrawn } from "../../viewer/blind";
 import { Geometry } from "../../viewer/geometry";
 import { fromServer, type ImagePoint, pair } from "../../viewer/points";
@@ -98,11 +98,11 @@ export class ReviewModel {
     try {
       const wanted = Number(new URLSearchParams(location.search).get("measurement"));
       const [page, alone, recordings] = await Promise.all([
-        this.read(`&limit=${PAGE}`),
-        wanted > 0 && wanted < 2 ** 31 ? this.read(`&measurement=${wanted}`) : [],
+        this.read({ limit: PAGE }),
+        wanted > 0 && wanted < 2 ** 31 ? this.read({ measurement: wanted }) : [],
         this.reel.recordings.value.length > 0
           ? this.reel.recordings.value
-          : api.get<Recording[]>(`/surveys/${this.surveyId}/recordings`),
+          : api.ask("GET /surveys/{survey_id}/recordings", { survey_id: this.surveyId }),
       ]);
       this.reel.recordings.value = recordings;
       // what the address names comes first if it is not in the first page of a long queue
@@ -129,7 +129,7 @@ export class ReviewModel {
     const last = items.at(-1);
     if (!last || !this.more.value) return;
     try {
-      const page = await this.read(`&limit=${PAGE}&after=${last.measurement.id}`);
+      const page = await this.read({ limit: PAGE, after: last.measurement.id });
       const known = new Set(items.map((item) => item.measurement.id));
       this.items.value = [...items, ...page.filter((item) => !known.has(item.measurement.id))];
       this.more.value = page.length === PAGE;
@@ -211,7 +211,11 @@ export class ReviewModel {
     this.busy.value = true;
     try {
       const body = { revision: item.measurement.revision, verdict, ...(reason ? { reason } : {}), ...points };
-      const judged = await api.post<Measurement>(`/measurements/${item.measurement.id}/reviews`, body);
+      const judged = await api.write(
+        "POST /measurements/{measurement_id}/reviews",
+        { measurement_id: item.measurement.id },
+        { body },
+      );
       this.after(item, judged);
       void refreshSurvey();
     } catch (error) {
@@ -238,7 +242,10 @@ export class ReviewModel {
   /** A second click that went wrong leaves the figures; what was seen stays seen. */
   async takeBack(repeat: Measurement): Promise<void> {
     try {
-      await api.del(`/measurements/${repeat.id}?revision=${repeat.revision}`);
+      await api.write("DELETE /measurements/{measurement_id}", {
+        measurement_id: repeat.id,
+        revision: repeat.revision,
+      });
       if (repeat.repeat_of !== null) await this.readComparisons(repeat.repeat_of);
     } catch (error) {
       toastProblem(error);
@@ -290,7 +297,9 @@ export class ReviewModel {
   /** A verdict was refused, perhaps because the operator changed the points meanwhile: show what there is now. */
   private async refreshItem(item: ReviewItem): Promise<void> {
     try {
-      const measurement = await api.get<Measurement>(`/measurements/${item.measurement.id}`);
+      const measurement = await api.ask("GET /measurements/{measurement_id}", {
+        measurement_id: item.measurement.id,
+      });
       if (measurement.revision === item.measurement.revision) return;
       this.items.value = (this.items.value ?? []).map((other) =>
         other === item ? { ...item, measurement } : other,
@@ -301,8 +310,9 @@ export class ReviewModel {
     }
   }
 
-  private read(more: string): Promise<ReviewItem[]> {
-    return api.get<ReviewItem[]>(`/surveys/${this.surveyId}/review-queue?state=${this.shown.value}${more}`);
+  private read(page: { limit?: number; after?: number; measurement?: number }): Promise<ReviewItem[]> {
+    const asked = { survey_id: this.surveyId, state: this.shown.value, ...page };
+    return api.ask("GET /surveys/{survey_id}/review-queue", asked);
   }
 
   private clickedAgain(made: Measurement): void {
@@ -314,7 +324,7 @@ export class ReviewModel {
 
   private async readComparisons(id: number): Promise<void> {
     try {
-      const found = await api.get<Comparison[]>(`/measurements/${id}/repeats`);
+      const found = await api.ask("GET /measurements/{measurement_id}/repeats", { measurement_id: id });
       if (this.currentId.value !== id) return;
       this.comparisons.value = found;
       if (found.some(isOwn)) this.reveal(id);

@@ -1,13 +1,13 @@
 import { render } from "preact";
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import { api } from "../../core/api";
 import { startUpload } from "../../parts/uploads/uploads";
+import { FakeServer } from "../../testing/server";
 import { AddScan } from "./AddScan";
 
 vi.mock("../../parts/uploads/uploads", () => ({ uploads: { value: [] }, startUpload: vi.fn() }));
 
 const strip = (id: number, filename: string) => ({ id, filename, size_bytes: 1000 });
-const uploaded = [strip(1, "a.png"), strip(2, "b.png"), strip(3, "c.png")];
+const list = vi.fn(() => [strip(1, "a.png"), strip(2, "b.png"), strip(3, "c.png")]);
 
 const box = (label: string): HTMLSelectElement => {
   const found = [...document.querySelectorAll("label")].find((one) => one.textContent?.startsWith(label));
@@ -29,11 +29,15 @@ function drop(): () => void {
 }
 
 beforeEach(() => {
-  vi.spyOn(api, "get").mockResolvedValue(uploaded);
+  list.mockClear();
+  new FakeServer().on("GET", /^\/surveys\/5\/strip-uploads$/, list);
   render(<AddScan surveyId={5} added={async () => {}} />, document.body);
 });
 
-afterEach(() => render(null, document.body));
+afterEach(() => {
+  render(null, document.body);
+  vi.unstubAllGlobals();
+});
 
 describe("strips that arrive", () => {
   it("are chosen by name where nothing was chosen", async () => {
@@ -46,9 +50,9 @@ describe("strips that arrive", () => {
     const arrived = drop();
     await choose("Camera 1", "3");
     await choose("Time runs", "height");
-    vi.mocked(api.get).mockClear();
+    list.mockClear();
     arrived();
-    await vi.waitFor(() => expect(api.get).toHaveBeenCalledTimes(2));
+    await vi.waitFor(() => expect(list).toHaveBeenCalledTimes(2));
     await new Promise((done) => setTimeout(done));
     expect([box("Camera 1").value, box("Camera 2").value, box("Time runs").value]).toEqual([
       "3",

@@ -3,7 +3,7 @@ import { useRef, useState } from "preact/hooks";
 import { Button, DropFiles, Problem, Segments, SelectField, TextField } from "../../components";
 import { api } from "../../core/api";
 import { useResource } from "../../core/resource";
-import type { Recording, Scan, StripUpload } from "../../core/types";
+import type { BodyOf } from "../../core/routes";
 import { formatBytes, parseNumber } from "../../core/units";
 import { UploadRow } from "../../parts/uploads/UploadRow";
 import { startUpload, uploads } from "../../parts/uploads/uploads";
@@ -25,20 +25,25 @@ export function AddScan({ surveyId, onClose, added }: Props) {
   const [problems, setProblems] = useState<RigProblems>({});
   const [problem, setProblem] = useState<unknown>(null);
   const [busy, setBusy] = useState(false);
-  const [chosen, setChosen] = useState<object | null>(null);
+  const [chosen, setChosen] = useState<ChosenStrips | ChosenColumns | null>(null);
   const send = async (event: Event): Promise<void> => {
     event.preventDefault();
     const { baseline, uBaseline } = typed;
     const values = valuesOf(source === "video" ? { ...NEW_RIG, baseline, uBaseline, rate: "1" } : typed);
     if (!isValues(values)) return setProblems(values);
     if (!chosen) return;
-    const { baseline_m, u_baseline_m } = values;
-    const rig = source === "video" ? { baseline_m, u_baseline_m } : values;
-    const body = { ...rig, ...chosen, ...(name.trim() ? { name: name.trim() } : {}) };
+    const named = name.trim() ? { name: name.trim() } : {};
     setBusy(true);
     setProblem(null);
     try {
-      await api.post<Scan>(`/surveys/${surveyId}/scans${source === "video" ? "/from-video" : ""}`, body);
+      const at = { survey_id: surveyId };
+      if ("recording_id" in chosen) {
+        const { baseline_m, u_baseline_m } = values;
+        const body = { baseline_m, u_baseline_m, ...chosen, ...named };
+        await api.write("POST /surveys/{survey_id}/scans/from-video", at, { body });
+      } else {
+        await api.write("POST /surveys/{survey_id}/scans", at, { body: { ...values, ...chosen, ...named } });
+      }
       await added();
     } catch (error) {
       setProblem(error);
@@ -95,9 +100,9 @@ export function AddScan({ surveyId, onClose, added }: Props) {
   );
 }
 
-function Strips({ surveyId, choose }: { surveyId: number; choose: (chosen: object | null) => void }) {
+function Strips({ surveyId, choose }: { surveyId: number; choose: (chosen: ChosenStrips | null) => void }) {
   const waiting = useResource(
-    (signal) => api.get<StripUpload[]>(`/surveys/${surveyId}/strip-uploads`, { signal }),
+    (signal) => api.ask("GET /surveys/{survey_id}/strip-uploads", { survey_id: surveyId }, { signal }),
     [surveyId],
   );
   const [picked, setPicked] = useState<PickedStrips>({ first: "", second: "", axis: "width" });
@@ -112,7 +117,7 @@ function Strips({ surveyId, choose }: { surveyId: number; choose: (chosen: objec
   };
   const arrived = async (): Promise<void> => {
     await waiting.reload();
-    const uploaded = await api.get<StripUpload[]>(`/surveys/${surveyId}/strip-uploads`);
+    const uploaded = await api.ask("GET /surveys/{survey_id}/strip-uploads", { survey_id: surveyId });
     const [first, second] = [...uploaded].sort((a, b) => a.filename.localeCompare(b.filename));
     const untouched = latest.current.first === "" && latest.current.second === "";
     if (first && second && untouched) pick({ first: String(first.id), second: String(second.id) });
@@ -169,6 +174,15 @@ function Strips({ surveyId, choose }: { surveyId: number; choose: (chosen: objec
   );
 }
 
+type ChosenStrips = Pick<
+  BodyOf<"POST /surveys/{survey_id}/scans">,
+  "first_upload" | "second_upload" | "time_axis"
+>;
+type ChosenColumns = Pick<
+  BodyOf<"POST /surveys/{survey_id}/scans/from-video">,
+  "recording_id" | "column_1_px" | "column_2_px"
+>;
+
 interface PickedStrips {
   /** Ids of uploads, as the boxes hold them; empty while none is chosen. */
   readonly first: string;
@@ -180,15 +194,15 @@ function sameStrip({ first, second }: PickedStrips): boolean {
   return first !== "" && first === second;
 }
 
-function requestOf(picked: PickedStrips): object | null {
+function requestOf(picked: PickedStrips): ChosenStrips | null {
   const { first, second, axis } = picked;
   if (first === "" || second === "" || sameStrip(picked)) return null;
   return { first_upload: Number(first), second_upload: Number(second), time_axis: axis };
 }
 
-function Columns({ surveyId, choose }: { surveyId: number; choose: (chosen: object | null) => void }) {
+function Columns({ surveyId, choose }: { surveyId: number; choose: (chosen: ChosenColumns | null) => void }) {
   const recordings = useResource(
-    (signal) => api.get<Recording[]>(`/surveys/${surveyId}/recordings`, { signal }),
+    (signal) => api.ask("GET /surveys/{survey_id}/recordings", { survey_id: surveyId }, { signal }),
     [surveyId],
   );
   const [values, setValues] = useState({ recording: "", one: "", two: "" });

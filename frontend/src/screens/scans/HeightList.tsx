@@ -219,7 +219,11 @@ function Revisions({ one }: { one: LineHeight }) {
   const [error, setError] = useState<unknown>(null);
   useEffect(() => {
     const stop = new AbortController();
-    const asked = api.get<LineHeight[]>(`/scan-vehicles/${one.vehicle_id}/heights`, { signal: stop.signal });
+    const asked = api.ask(
+      "GET /scan-vehicles/{vehicle_id}/heights",
+      { vehicle_id: one.vehicle_id },
+      { signal: stop.signal },
+    );
     asked.then(setAll, (problem) => {
       if (!stop.signal.aborted) setError(problem);
     });

@@ -4,7 +4,6 @@ import { Button, Empty, Loading, Notice, Problem, Segments } from "../../compone
 import { api } from "../../core/api";
 import type { ScreenProps } from "../../core/places";
 import { useResource } from "../../core/resource";
-import type { ScanStatistics } from "../../core/types";
 import { plural } from "../../core/units";
 import { SizeErrors } from "./SizeErrors";
 import { SpreadFigure } from "./SpreadFigure";
@@ -17,9 +16,11 @@ export default function ResultsScreen({ surveyId }: ScreenProps) {
   const [which, setWhich] = useState<Which>("accepted");
   const found = useResource(
     (signal) =>
-      api.get<ScanStatistics>(`/surveys/${surveyId}/scan-statistics?accepted_only=${which === "accepted"}`, {
-        signal,
-      }),
+      api.ask(
+        "GET /surveys/{survey_id}/scan-statistics",
+        { survey_id: surveyId, accepted_only: which === "accepted" },
+        { signal },
+      ),
     [surveyId, which],
   );
   const data = found.data;

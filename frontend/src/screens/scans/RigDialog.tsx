@@ -2,6 +2,7 @@
 import { useState } from "preact/hooks";
 import { FormDialog, TextField } from "../../components";
 import { api } from "../../core/api";
+import type { BodyOf } from "../../core/routes";
 import { toast, toastProblem } from "../../core/toasts";
 import type { Scan } from "../../core/types";
 import type { ScanModel } from "./model";
@@ -73,14 +74,16 @@ export function RigDialog({ model, scan, onClose, changed, offered }: Props) {
   );
 }
 
+type RigChange = Omit<BodyOf<"PATCH /scans/{scan_id}">, "version">;
+
 async function put(
   id: number,
-  values: object,
+  values: RigChange,
   version: number,
   model?: ScanModel,
   changed?: () => Promise<void>,
 ): Promise<Scan> {
-  const stored = await api.patch<Scan>(`/scans/${id}`, { ...values, version });
+  const stored = await api.write("PATCH /scans/{scan_id}", { scan_id: id }, { body: { ...values, version } });
   model?.take(stored);
   await model?.refresh();
   await changed?.();
@@ -90,15 +93,17 @@ async function put(
 /** The change can be taken back: on the bench with Ctrl Z, elsewhere from the message. */
 function offerUndo(
   before: Scan,
-  values: object,
+  values: RigChange,
   stored: Scan,
   model?: ScanModel,
   changed?: () => Promise<void>,
 ): void {
-  const old: Record<string, unknown> = { ...before.rig, name: before.name };
-  const then = Object.fromEntries(Object.keys(values).map((key) => [key, old[key]]));
-  const again = async (what: object) => {
-    const now = await api.get<Scan>(`/scans/${before.id}`);
+  const old: RigChange = { ...before.rig, name: before.name };
+  const then: RigChange = Object.fromEntries(
+    Object.entries(old).filter(([name]) => Object.hasOwn(values, name)),
+  );
+  const again = async (what: RigChange) => {
+    const now = await api.ask("GET /scans/{scan_id}", { scan_id: before.id });
     await put(before.id, what, now.version, model, changed);
   };
   model?.history.push({ label: "the rig", undo: () => again(then), redo: () => again(values) });

@@ -22,8 +22,8 @@ interface Props {
 /** Exchanged on the server, where the search starts again; one press takes it back. */
 async function swapCameras({ id }: Pick<Scan, "id">, changed: () => Promise<void>): Promise<void> {
   try {
-    const { version } = await api.get<Scan>(`/scans/${id}`);
-    await api.post(`/scans/${id}/swap`, { version });
+    const { version } = await api.ask("GET /scans/{scan_id}", { scan_id: id });
+    await api.write("POST /scans/{scan_id}/swap", { scan_id: id }, { body: { version } });
     await changed();
     toast("The cameras were exchanged; the vehicles are being found again.", {
       action: { label: "Undo", run: () => void swapCameras({ id }, changed) },
@@ -35,7 +35,7 @@ async function swapCameras({ id }: Pick<Scan, "id">, changed: () => Promise<void
 
 export function RigOfTraffic({ scan, use, narrow, changed }: Props) {
   const found = useResource(
-    (signal) => api.get<Found>(`/scans/${scan.id}/rig-of-traffic`, { signal }),
+    (signal) => api.ask("GET /scans/{scan_id}/rig-of-traffic", { scan_id: scan.id }, { signal }),
     [scan.id, scan.version],
   );
   if (found.error) return <Problem error={found.error} again={found.reload} />;

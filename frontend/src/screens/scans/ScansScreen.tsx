@@ -17,7 +17,7 @@ import "./scan.css";
 
 export default function ScansScreen({ surveyId }: ScreenProps) {
   const scans = useResource(
-    (signal) => api.get<Scan[]>(`/surveys/${surveyId}/scans`, { signal }),
+    (signal) => api.ask("GET /surveys/{survey_id}/scans", { survey_id: surveyId }, { signal }),
     [surveyId],
   );
   const [adding, setAdding] = useState(false);
@@ -138,7 +138,7 @@ function ScanCard({ scan, reload }: { scan: Scan; reload: () => Promise<void> })
         action: "Delete the line scan",
       });
       if (!yes) return;
-      await api.del(`/scans/${scan.id}`);
+      await api.write("DELETE /scans/{scan_id}", { scan_id: scan.id });
       toast(`${scan.name} was deleted.`);
     });
   const bench = `/surveys/${scan.survey_id}/scan?scan=${scan.id}`;
@@ -166,7 +166,13 @@ function ScanCard({ scan, reload }: { scan: Scan; reload: () => Promise<void> })
             kind="problem"
             actions={
               canWork.value && (
-                <Button small icon="retry" onClick={() => void run(() => api.post(`/scans/${scan.id}/read`))}>
+                <Button
+                  small
+                  icon="retry"
+                  onClick={() =>
+                    void run(() => api.write("POST /scans/{scan_id}/read", { scan_id: scan.id }))
+                  }
+                >
                   Read it again
                 </Button>
               )

@@ -6,6 +6,7 @@ import { computed, signal } from "@preact/signals";
 import { api, explain } from "../../core/api";
 import type { Ledger } from "../../core/history";
 import { Latest } from "../../core/latest";
+import type { BodyOf } from "../../core/routes";
 import { canWork } from "../../core/session";
 import { toast } from "../../core/toasts";
 import type { LineHeight, LineHeightAnswer, LinePose, LinePoses, Target } from "../../core/types";
@@ -70,7 +71,8 @@ export class LineHeights {
   private readonly insets = new Map<Target, Inset>();
   private resting: ReturnType<typeof setTimeout> | undefined;
   private readonly asker = new Latest<Wish, LineHeightAnswer>(
-    (wish) => api.post<LineHeightAnswer>(`/scans/${this.bench.id}/line-height`, bodyOf(wish)),
+    (wish) =>
+      api.ask("POST /scans/{scan_id}/line-height", { scan_id: this.bench.id }, { body: bodyOf(wish) }),
     (answer, wish) => {
       this.live.value = { ...wish, answer, problem: null };
     },
@@ -84,8 +86,8 @@ export class LineHeights {
 
   async load(): Promise<void> {
     const [poses, all] = await Promise.all([
-      api.get<LinePoses>(`/scans/${this.bench.id}/line-pose`),
-      api.get<LineHeight[]>(`/scans/${this.bench.id}/heights`),
+      api.ask("GET /scans/{scan_id}/line-pose", { scan_id: this.bench.id }),
+      api.ask("GET /scans/{scan_id}/heights", { scan_id: this.bench.id }),
     ]);
     this.poses.value = poses;
     this.all.value = all;
@@ -285,13 +287,13 @@ export class LineHeights {
   }
 
   private async put(id: number, target: Target, clicks: Clicks): Promise<void> {
-    const body = { ...bodyOf({ target, ...clicks }), revision: this.revisionOf(id, target) };
-    this.keep(await api.post<LineHeight>(`/scan-vehicles/${id}/heights`, body));
+    const body = { ...clickBody({ target, ...clicks }), revision: this.revisionOf(id, target) };
+    this.keep(await api.write("POST /scan-vehicles/{vehicle_id}/heights", { vehicle_id: id }, { body }));
   }
 
   private async take(id: number, target: Target): Promise<void> {
-    const asked = `target=${target}&revision=${this.revisionOf(id, target)}`;
-    this.keep(await api.del<LineHeight>(`/scan-vehicles/${id}/heights?${asked}`));
+    const asked = { vehicle_id: id, target, revision: this.revisionOf(id, target) };
+    this.keep(await api.write("DELETE /scan-vehicles/{vehicle_id}/heights", asked));
   }
 
   private revisionOf(id: number, target: Target): number {
@@ -318,12 +320,22 @@ function words(target: Target): string {
   return TARGET_WORDS[target].toLowerCase();
 }
 
-function bodyOf({ target, contact, point, inset }: Wish): object {
+function bodyOf({ target, contact, point, inset }: Wish): BodyOf<"POST /scans/{scan_id}/line-height"> {
   return {
     target,
     contact_line: Math.max(contact.line, 0),
     contact_row_px: contact.row,
-    ...(point ? { target_line: Math.max(point.line, 0), target_row_px: point.row } : {}),
+    ...(point ? placeBody(point) : {}),
     ...(inset ?? {}),
   };
 }
+
+function clickBody(wish: Wish & { readonly point: Place }): HeightBody {
+  return { ...bodyOf(wish), ...placeBody(wish.point) };
+}
+
+function placeBody(point: Place) {
+  return { target_line: Math.max(point.line, 0), target_row_px: point.row };
+}
+
+type HeightBody = Omit<BodyOf<"POST /scan-vehicles/{vehicle_id}/heights">, "revision">;

@@ -74,7 +74,7 @@ export class ScanModel implements Strips {
   async load(): Promise<void> {
     this.problem.value = null;
     try {
-      const scan = await api.get<Scan>(`/scans/${this.id}`);
+      const scan = await api.ask("GET /scans/{scan_id}", { scan_id: this.id });
       this.take(scan);
       if (scan.state === "ready") await Promise.all([this.readVehicles(), this.heights.load()]);
       if (scan.job && (scan.job.state === "running" || scan.job.state === "queued"))
@@ -249,7 +249,11 @@ export class ScanModel implements Strips {
     const measured = this.chosen.value?.measurement;
     if (!measured || measured.mine || !may("reviewer")) return;
     await this.tell(async () => {
-      await api.post(`/scan-measurements/${measured.id}/review`, { verdict, ...(reason ? { reason } : {}) });
+      await api.write(
+        "POST /scan-measurements/{measurement_id}/review",
+        { measurement_id: measured.id },
+        { body: { verdict, ...(reason ? { reason } : {}) } },
+      );
       await this.refresh();
     });
   }
@@ -257,7 +261,9 @@ export class ScanModel implements Strips {
   /** Looks for vehicles, or (without `search`) measures those that are known again. */
   async find(method: ScanMethod, search: boolean): Promise<void> {
     await this.tell(async () =>
-      this.follow(await api.post<Job>(`/scans/${this.id}/find`, { method, search })),
+      this.follow(
+        await api.write("POST /scans/{scan_id}/find", { scan_id: this.id }, { body: { method, search } }),
+      ),
     );
   }
 
@@ -274,7 +280,7 @@ export class ScanModel implements Strips {
   private async addVehicle(front: number, rear: number): Promise<void> {
     await this.tell(async () => {
       const lines = { front_line_1: front, rear_line_1: rear };
-      const made = await api.post<ScanVehicle>(`/scans/${this.id}/vehicles`, lines);
+      const made = await api.write("POST /scans/{scan_id}/vehicles", { scan_id: this.id }, { body: lines });
       await this.history.run(`vehicle ${made.number}`, async (changes) => {
         changes.touch(this.presence, made.id);
         await this.readVehicles();
@@ -310,45 +316,61 @@ export class ScanModel implements Strips {
   }
 
   private async takeOut(id: number): Promise<void> {
-    const version = this.versionOf(id);
-    await api.del(`/scan-vehicles/${id}${version === undefined ? "" : `?version=${version}`}`);
+    const version = this.versionOf(id) || undefined;
+    await api.write("DELETE /scan-vehicles/{vehicle_id}", { vehicle_id: id, version });
     if (this.chosenId.value === id) this.choose(null);
     await this.readVehicles();
   }
 
   private async restore(id: number): Promise<void> {
-    await api.post(`/scan-vehicles/${id}/restore`);
+    await api.write("POST /scan-vehicles/{vehicle_id}/restore", { vehicle_id: id });
     await this.readVehicles();
     this.choose(id);
   }
 
   private async putBoundaries(id: number, lines: Crossings): Promise<void> {
-    await api.put(`/scan-vehicles/${id}/boundaries`, { ...lines, version: this.versionOf(id) });
+    await api.write(
+      "PUT /scan-vehicles/{vehicle_id}/boundaries",
+      { vehicle_id: id },
+      { body: { ...lines, version: this.versionOf(id) } },
+    );
     await this.refresh();
   }
 
   private async putWheels(id: number, front: number | null, rear: number | null): Promise<void> {
     const version = this.versionOf(id);
-    await api.put(`/scan-vehicles/${id}/wheels`, { front_wheel_line: front, rear_wheel_line: rear, version });
+    await api.write(
+      "PUT /scan-vehicles/{vehicle_id}/wheels",
+      { vehicle_id: id },
+      { body: { front_wheel_line: front, rear_wheel_line: rear, version } },
+    );
     await this.refresh();
   }
 
   private async putFacts(id: number, facts: Facts & { catalogue_id?: number }): Promise<void> {
-    await api.put(`/scan-vehicles/${id}/facts`, { ...facts, version: this.versionOf(id) });
+    await api.write(
+      "PUT /scan-vehicles/{vehicle_id}/facts",
+      { vehicle_id: id },
+      { body: { ...facts, version: this.versionOf(id) } },
+    );
     await this.refresh();
   }
 
-  private versionOf(id: number): number | undefined {
-    return this.vehicles.value.find((one) => one.id === id)?.version;
+  private versionOf(id: number): number {
+    return this.vehicles.value.find((one) => one.id === id)?.version ?? 0;
   }
 
   private async readVehicles(): Promise<void> {
-    this.vehicles.value = await api.get<ScanVehicle[]>(`/scans/${this.id}/vehicles`);
+    this.vehicles.value = await api.ask("GET /scans/{scan_id}/vehicles", { scan_id: this.id });
   }
 
   private async readDetail(id: number): Promise<void> {
     try {
-      const found = await api.get<ScanVehicleDetail>(`/scan-vehicles/${id}`, { signal: this.stop.signal });
+      const found = await api.ask(
+        "GET /scan-vehicles/{vehicle_id}",
+        { vehicle_id: id },
+        { signal: this.stop.signal },
+      );
       if (this.chosenId.value === id) this.detail.value = found;
     } catch (error) {
       if (!this.stop.signal.aborted) toastProblem(error);
@@ -367,7 +389,7 @@ export class ScanModel implements Strips {
       );
       this.job.value = null;
       if (over.state === "failed") toastProblem(new Error(over.error ?? "The search stopped."));
-      const scan = await api.get<Scan>(`/scans/${this.id}`);
+      const scan = await api.ask("GET /scans/{scan_id}", { scan_id: this.id });
       this.take(scan);
       if (scan.state === "ready") await Promise.all([this.refresh(), this.heights.load()]);
     } catch (error) {

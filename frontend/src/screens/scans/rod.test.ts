@@ -1,8 +1,8 @@
 import { signal } from "@preact/signals";
-import { beforeEach, describe, expect, it, vi } from "vitest";
-import { api } from "../../core/api";
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { History } from "../../core/history";
 import type { LineHeight, LinePose, LinePoses } from "../../core/types";
+import { FakeServer } from "../../testing/server";
 import type { Bench } from "./bench";
 import { LineHeights } from "./heights";
 import { RodDraft } from "./rod";
@@ -36,8 +36,10 @@ function pose(): LinePoses {
 
 describe("the rod's marks", () => {
   beforeEach(() => {
-    vi.spyOn(api, "post").mockResolvedValue(SOLVED);
+    new FakeServer().on("POST", /\/line-pose\/preview$/, () => SOLVED);
   });
+
+  afterEach(() => vi.unstubAllGlobals());
 
   it("asks for the distance first, then counts the heights up", () => {
     const { rod } = bench();

@@ -32,7 +32,12 @@ export class RodDraft {
   /** Whether what is shown is not stored yet. */
   readonly changed = signal(false);
   private readonly asker = new Latest<RodValues, SolvedRod>(
-    (values) => api.post<SolvedRod>(`/scans/${this.bench.id}/line-pose/preview`, values),
+    (values) =>
+      api.ask(
+        "POST /scans/{scan_id}/line-pose/preview",
+        { scan_id: this.bench.id },
+        { body: { ...values, marks: [...values.marks] } },
+      ),
     (answer) => {
       this.solved.value = answer;
     },
@@ -105,10 +110,17 @@ export class RodDraft {
   }
 
   private async send(values: RodValues): Promise<void> {
-    await api.put<LinePose>(`/scans/${this.bench.id}/line-pose`, {
-      ...values,
-      revision: this.heights.pose.value?.revision ?? 0,
-    });
+    await api.write(
+      "PUT /scans/{scan_id}/line-pose",
+      { scan_id: this.bench.id },
+      {
+        body: {
+          ...values,
+          marks: [...values.marks],
+          revision: this.heights.pose.value?.revision ?? 0,
+        },
+      },
+    );
     await this.heights.load();
     this.changed.value = false;
   }

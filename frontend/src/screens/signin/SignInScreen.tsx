@@ -34,7 +34,7 @@ function LinkSignIn({ token }: { token: string }) {
   const go = async () => {
     setProblem(null);
     try {
-      enter(await api.post<Me>("/session/link", { token }, { allowSignedOut: true, quiet: true }));
+      enter(await api.ask("POST /session/link", {}, { body: { token }, allowSignedOut: true }));
     } catch (error) {
       setProblem(error);
     }
@@ -70,7 +70,7 @@ function PasswordSignIn() {
     setBusy(true);
     setProblem(null);
     try {
-      enter(await api.post<Me>("/session", { email, password }, { allowSignedOut: true, quiet: true }));
+      enter(await api.ask("POST /session", {}, { body: { email, password }, allowSignedOut: true }));
     } catch (error) {
       setProblem(error);
       setBusy(false);

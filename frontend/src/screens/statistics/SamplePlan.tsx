@@ -19,15 +19,15 @@ export function SamplePlan({ sdM }: { sdM: number | null }) {
     setWidth(shown(0.02));
     setSd(shown(sdM ?? 0.08));
   }, [unit]);
-  const asked = [parseNumber(percent), parseLength(width), parseLength(sd)];
-  const path = asked.includes(null)
-    ? null
-    : `/statistics/sample-size?percent=${asked[0]}&width_m=${asked[1]}&sd_m=${asked[2]}`;
+  const asked = [parseNumber(percent), parseLength(width), parseLength(sd)] as const;
+  const complete = asked.every((value) => value !== null);
   useEffect(() => {
-    if (!path) return;
+    const [percent, width_m, sd_m] = asked;
+    if (percent === null || width_m === null || sd_m === null) return;
     const stop = new AbortController();
     const timer = setTimeout(() => {
-      api.get<SampleSize>(path, { signal: stop.signal }).then(
+      const own = { signal: stop.signal };
+      api.ask("GET /statistics/sample-size", { percent, width_m, sd_m }, own).then(
         (answer) => {
           setFound(answer);
           setError(null);
@@ -41,7 +41,7 @@ export function SamplePlan({ sdM }: { sdM: number | null }) {
       clearTimeout(timer);
       stop.abort();
     };
-  }, [path]);
+  }, asked);
   return (
     <section class="panel stat-noprint" aria-labelledby="stat-plan">
       <header class="panel__head">
@@ -52,10 +52,10 @@ export function SamplePlan({ sdM }: { sdM: number | null }) {
         <TextField label="Width of its interval" numeric unit={unit} value={width} onInput={setWidth} />
         <TextField label="Spread of heights (SD)" numeric unit={unit} value={sd} onInput={setSd} />
         <p class="stat-plan__answer" data-testid="sample-size" role="status">
-          {path === null ? "Give three numbers." : error ? "" : found?.words}
+          {!complete ? "Give three numbers." : error ? "" : found?.words}
         </p>
       </form>
-      {path !== null && <Problem error={error} />}
+      {complete && <Problem error={error} />}
     </section>
   );
 }

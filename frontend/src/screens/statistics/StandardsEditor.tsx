@@ -1,5 +1,4 @@
 import { useState } from "preact/hooks";
-import type { components } from "#schema";
 import { Button, Loading, Problem, SelectField, TextField } from "../../components";
 import { api } from "../../core/api";
 import { useResource } from "../../core/resource";
@@ -7,7 +6,6 @@ import { lengthText, lengthUnit, parseLength } from "../../core/units";
 import type { Standard } from "../../parts/figures/types";
 import { STANDARD_OF } from "./model";
 
-type Table = components["schemas"]["StandardsBody"];
 interface Row {
   name: string;
   what: Standard["what"];
@@ -19,8 +17,11 @@ const EMPTY: Row = { name: "", what: "driver_eye", height: "", source: "" };
 
 /** A survey's own table of standards: rows to change, add and remove, saved as a whole. */
 export function StandardsEditor({ surveyId, done }: { surveyId: string; done: (saved: boolean) => void }) {
-  const path = `/surveys/${surveyId}/standards`;
-  const found = useResource((signal) => api.get<Table>(path, { signal }), [path]);
+  const survey_id = Number(surveyId);
+  const found = useResource(
+    (signal) => api.ask("GET /surveys/{survey_id}/standards", { survey_id }, { signal }),
+    [survey_id],
+  );
   const [typed, setTyped] = useState<Row[] | null>(null);
   const [problem, setProblem] = useState<unknown>(null);
   const [busy, setBusy] = useState(false);
@@ -30,16 +31,16 @@ export function StandardsEditor({ surveyId, done }: { surveyId: string; done: (s
   const change = (at: number, changes: Partial<Row>) =>
     setTyped(rows.map((row, i) => (i === at ? { ...row, ...changes } : row)));
   const save = async () => {
-    const read = rows.map((row) => ({ ...row, height_m: parseLength(row.height) }));
-    const wrong = read.find((row) => row.height_m === null);
+    const wrong = rows.find((row) => parseLength(row.height) === null);
     if (wrong) {
       setProblem(new Error(`Give the height of ${wrong.name || "the new standard"}, such as ${example()}.`));
       return;
     }
     setBusy(true);
     try {
-      const table = read.map(({ name, what, height_m, source }) => ({ name, what, height_m, source }));
-      await api.put<Table>(path, { version, standards: table });
+      const table = rows.map(({ height, ...row }) => ({ ...row, height_m: parseLength(height) ?? 0 }));
+      const body = { version, standards: table };
+      await api.write("PUT /surveys/{survey_id}/standards", { survey_id }, { body });
       done(true);
     } catch (error) {
       setProblem(error);

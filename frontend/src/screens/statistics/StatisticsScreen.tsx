@@ -2,14 +2,14 @@
 import { useEffect } from "preact/hooks";
 import { Button, Empty, Loading, Problem } from "../../components";
 import { query } from "../../core/address";
-import { api } from "../../core/api";
+import { api, fromAddress } from "../../core/api";
 import { useResource } from "../../core/resource";
 import { formatCount, plural } from "../../core/units";
 import { loadPlot } from "../../parts/figures/PlotFigure";
 import { ErrorFigures } from "./ErrorFigures";
 import { ErrorTable } from "./ErrorTable";
 import { FilterBar } from "./FilterBar";
-import { narrowed, setFilter, statisticsPath, WIDE } from "./filters";
+import { narrowed, setFilter, statisticsQuery, WIDE } from "./filters";
 import { GroupSection } from "./GroupSection";
 import type { Statistics } from "./model";
 import { SamplePlan } from "./SamplePlan";
@@ -18,8 +18,12 @@ import { TargetSection } from "./TargetSection";
 import "./statistics.css";
 
 export default function StatisticsScreen() {
-  const path = statisticsPath(query.value);
-  const found = useResource((signal) => api.get<Statistics>(path, { signal }), [path], { keep: true });
+  const asked = statisticsQuery(query.value);
+  const found = useResource(
+    (signal) => api.ask("GET /statistics", fromAddress<"GET /statistics">(asked), { signal }),
+    [JSON.stringify(asked)],
+    { keep: true },
+  );
   useEffect(() => {
     loadPlot().catch(() => null); // while the server counts; who draws tells what is wrong
   }, []);

@@ -1,5 +1,6 @@
 /** The filter as the page's address holds it: the server's own names, so that a link tells all. */
 import { navigate } from "../../core/address";
+import type { AddressOf } from "../../core/routes";
 
 export const CORRECTIONS = ["inset", "shift", "none", "regression", "deconvolution"] as const;
 export type Correction = (typeof CORRECTIONS)[number];
@@ -21,16 +22,12 @@ const REPEATED = ["survey", "eye_limit_m", "object_limit_m"] as const;
 export type SingleName = (typeof SINGLE)[number];
 export type RepeatedName = (typeof REPEATED)[number] | "off";
 
-/** The server's path for an address: what only the page knows is left out. */
-export function statisticsPath(query: URLSearchParams): string {
-  const asked = new URLSearchParams();
-  for (const name of REPEATED) for (const value of query.getAll(name)) asked.append(name, value);
-  for (const name of SINGLE) {
-    const value = query.get(name);
-    if (value) asked.set(name, value);
-  }
-  const text = asked.toString();
-  return text ? `/statistics?${text}` : "/statistics";
+/** What the server is asked for an address: what only the page knows is left out. */
+export function statisticsQuery(query: URLSearchParams): AddressOf<"GET /statistics"> {
+  const asked: AddressOf<"GET /statistics"> = {};
+  for (const name of REPEATED) asked[name] = query.getAll(name);
+  for (const name of SINGLE) asked[name] = query.get(name) || undefined;
+  return asked;
 }
 
 /** An address with some values changed; null or an empty list removes one. */

@@ -1,15 +1,17 @@
 import { describe, expect, it } from "vitest";
+import { address } from "../../core/api";
 import { csvOf } from "../../parts/figures/csv";
 import { resolved } from "../../parts/figures/svg";
-import { changed, narrowed, statisticsPath } from "./filters";
+import { changed, narrowed, statisticsQuery } from "./filters";
 
 describe("the address", () => {
   it("goes to the server without what only the page knows", () => {
     const at = new URLSearchParams(
       "survey=1&survey=3&lighting=daytime&off=driver_eye:France:1&eye_limit_m=1.1&x=2",
     );
-    expect(statisticsPath(at)).toBe("/statistics?survey=1&survey=3&eye_limit_m=1.1&lighting=daytime");
-    expect(statisticsPath(new URLSearchParams())).toBe("/statistics");
+    const asked = (query: URLSearchParams) => address("/statistics", statisticsQuery(query));
+    expect(asked(at)).toBe("/statistics?survey=1&survey=3&eye_limit_m=1.1&lighting=daytime");
+    expect(asked(new URLSearchParams())).toBe("/statistics");
   });
 
   it("changes one value and keeps the others", () => {

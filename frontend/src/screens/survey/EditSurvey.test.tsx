@@ -1,8 +1,8 @@
 import { render } from "preact";
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import { api } from "../../core/api";
 import type { Survey } from "../../core/types";
 import { lengthUnit } from "../../core/units";
+import { type Body, FakeServer } from "../../testing/server";
 import { EditSurvey } from "./EditSurvey";
 
 const inset = { inset_m: 0.12, u_inset_m: 0.05, note: "" };
@@ -21,11 +21,11 @@ const box = (label: string): HTMLInputElement => {
 };
 
 async function save(): Promise<Survey["insets"]> {
-  const put = vi.spyOn(api, "put").mockResolvedValue(undefined);
+  const put = vi.fn((_match: unknown, body: Body) => body);
+  new FakeServer().on("PUT", /^\/surveys\/5$/, put);
   document.querySelector("form")?.dispatchEvent(new Event("submit", { bubbles: true, cancelable: true }));
   await vi.waitFor(() => expect(put).toHaveBeenCalled());
-  const sent = put.mock.calls.map(([, body]) => body as Survey);
-  return sent[0]?.insets ?? survey.insets;
+  return put.mock.calls[0]?.[1]["insets"] as Survey["insets"];
 }
 
 beforeEach(() => {
@@ -35,7 +35,7 @@ beforeEach(() => {
 afterEach(() => {
   render(null, document.body);
   lengthUnit.value = "m";
-  vi.restoreAllMocks();
+  vi.unstubAllGlobals();
 });
 
 describe("the insets of a survey", () => {

@@ -28,13 +28,19 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
     return typeof read === "string" ? null : save(read);
   };
   const save = async (read: Record<Target, Inset>) => {
-    await api.put(`/surveys/${survey.id}`, {
-      name,
-      site,
-      description,
-      insets: read,
-      version: survey.version,
-    });
+    await api.write(
+      "PUT /surveys/{survey_id}",
+      { survey_id: survey.id },
+      {
+        body: {
+          name,
+          site,
+          description,
+          insets: read,
+          version: survey.version,
+        },
+      },
+    );
     await refreshSurvey();
     close();
   };

@@ -9,8 +9,11 @@ import "./photographs.css";
 
 /** Pictures of the set-up: added, captioned, put in order; the report shows them in this order. */
 export function Photographs({ surveyId }: { surveyId: number }) {
-  const where = `/surveys/${surveyId}/photographs`;
-  const read = useResource((signal) => api.get<Photograph[]>(where, { signal }), [surveyId]);
+  const where = { survey_id: surveyId };
+  const read = useResource(
+    (signal) => api.ask("GET /surveys/{survey_id}/photographs", where, { signal }),
+    [surveyId],
+  );
   const work = usePhotographs(where, read.data ?? [], read.set, read.reload);
   const mayChange = may("operator");
   if (!read.data) return <Problem error={read.error} />;
@@ -116,7 +119,7 @@ function Card({ one, mayChange, earlier, later, caption, remove }: CardProps) {
 
 /** What can be done with the photographs; every change is sent at once. */
 function usePhotographs(
-  where: string,
+  where: { survey_id: number },
   all: Photograph[],
   set: (change: (now: Photograph[]) => Photograph[]) => void,
   reload: () => Promise<void>,
@@ -136,7 +139,7 @@ function usePhotographs(
     for (const [index, file] of files.entries()) {
       setWaiting(files.length - index);
       try {
-        const added = await api.file<Photograph>(where, file);
+        const added = await api.write("POST /surveys/{survey_id}/photographs", where, { body: file });
         set((now) => [...now, added]);
       } catch (error) {
         problems.push(explain(error));
@@ -150,16 +153,26 @@ function usePhotographs(
     refused,
     add,
     caption: (one: Photograph, text: string) =>
-      run(() => api.put(`/photographs/${one.id}`, { caption: text, version: one.version })),
+      run(() =>
+        api.write(
+          "PUT /photographs/{photograph_id}",
+          { photograph_id: one.id },
+          { body: { caption: text, version: one.version } },
+        ),
+      ),
     move: (from: number, to: number) => {
       const ids = all.map((one) => one.id);
       ids.splice(to, 0, ...ids.splice(from, 1));
-      return run(() => api.put(`${where}/order`, { ids }));
+      return run(() => api.write("PUT /surveys/{survey_id}/photographs/order", where, { body: { ids } }));
     },
     remove: (one: Photograph) =>
       run(async () => {
-        await api.del(`/photographs/${one.id}?version=${one.version}`);
-        const back = () => run(() => api.post(`/photographs/${one.id}/restore`));
+        await api.write("DELETE /photographs/{photograph_id}", {
+          photograph_id: one.id,
+          version: one.version,
+        });
+        const back = () =>
+          run(() => api.write("POST /photographs/{photograph_id}/restore", { photograph_id: one.id }));
         toast(`${one.caption || one.name} was taken out.`, { action: { label: "Undo", run: back } });
       }),
   };

@@ -6,7 +6,7 @@ import type { ScreenProps } from "../../core/places";
 import { useEvery, useResource } from "../../core/resource";
 import { may } from "../../core/session";
 import { survey as openSurvey, refreshSurvey } from "../../core/survey";
-import type { Job, Step, Survey } from "../../core/types";
+import type { Step, Survey } from "../../core/types";
 import { formatCount } from "../../core/units";
 import { entryOfStep } from "../../core/work";
 import { EditSurvey } from "./EditSurvey";
@@ -16,7 +16,7 @@ import "./survey.css";
 /** What is there and what is missing, as the order of work; each step says what to do next. */
 export default function SurveyScreen({ surveyId }: ScreenProps) {
   const [editing, setEditing] = useState(false);
-  const jobs = useResource((signal) => api.get<Job[]>(`/jobs?survey_id=${surveyId}`, { signal }), [surveyId]);
+  const jobs = useResource((signal) => api.ask("GET /jobs", { survey_id: surveyId }, { signal }), [surveyId]);
   const running = (jobs.data ?? []).filter((job) => !isOver(job));
   useEvery(running.length > 0 ? 1500 : 10_000, async () => {
     await jobs.reload();

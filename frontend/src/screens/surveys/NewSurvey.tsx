@@ -2,7 +2,6 @@ import { useState } from "preact/hooks";
 import { FormDialog, TextField } from "../../components";
 import { navigate } from "../../core/address";
 import { api } from "../../core/api";
-import type { Survey } from "../../core/types";
 
 export function NewSurvey({ close }: { close: () => void }) {
   const [name, setName] = useState("");
@@ -14,7 +13,11 @@ export function NewSurvey({ close }: { close: () => void }) {
     return name.trim() ? make() : null;
   };
   const make = async () => {
-    const made = await api.post<Survey>("/surveys", { name: name.trim(), site: site.trim(), description });
+    const made = await api.write(
+      "POST /surveys",
+      {},
+      { body: { name: name.trim(), site: site.trim(), description } },
+    );
     navigate(`/surveys/${made.id}`);
   };
   return (

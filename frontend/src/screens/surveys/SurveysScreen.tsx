@@ -13,8 +13,8 @@ import "./surveys.css";
 
 /** Home: every survey with its progress. While the demonstration survey is being made, its card shows how far it is. */
 export default function SurveysScreen() {
-  const surveys = useResource((signal) => api.get<Survey[]>("/surveys", { signal }), []);
-  const jobs = useResource((signal) => api.get<Job[]>("/jobs", { signal }), []);
+  const surveys = useResource((signal) => api.ask("GET /surveys", {}, { signal }), []);
+  const jobs = useResource((signal) => api.ask("GET /jobs", {}, { signal }), []);
   // newest first: the last try to make the demonstration survey is the one that counts
   const lastDemo = jobs.data?.find((job) => job.kind === "demonstration") ?? null;
   const underWay = lastDemo !== null && !isOver(lastDemo);

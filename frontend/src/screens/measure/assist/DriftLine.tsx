@@ -7,7 +7,7 @@ import { fixed, formatSmall } from "../../../core/units";
 export function DriftLine(props: { surveyId: number; recordingId: number; frame: number }) {
   const { recordingId, frame } = props;
   const drift = useResource<Drift>(
-    (signal) => api.get<Drift>(`/recordings/${recordingId}/drift`, { signal }),
+    (signal) => api.ask("GET /recordings/{recording_id}/drift", { recording_id: recordingId }, { signal }),
     [recordingId],
   ).data;
   const span = drift?.flagged.find((one) => one.first_frame <= frame && frame <= one.last_frame);

@@ -102,10 +102,10 @@ export class Assist implements Tool<ImagePoint> {
     this.letGo();
     this.waiting.value = true;
     try {
-      const answer = await api.post<ContactProposal>(
-        `/recordings/${asked.recordingId}/frames/${asked.frame}/contact`,
-        { pointer: [pointer[0], pointer[1]] },
-        { retry: true },
+      const answer = await api.ask(
+        "POST /recordings/{recording_id}/frames/{n}/contact",
+        { recording_id: asked.recordingId, n: asked.frame },
+        { body: { pointer: [pointer[0], pointer[1]] }, retry: true },
       );
       this.answered.value = { ...asked, answer };
     } catch (error) {

@@ -7,11 +7,6 @@ import { lightingProposed } from "../../../parts/vehicles/passes";
 import type { MeasureModel } from "../model";
 import { listVehicles, removeVehicle, restoreVehicle, vehiclesPort } from "../ports";
 
-interface Sides {
-  earlier: Vehicle;
-  later: Vehicle;
-}
-
 /** The pass of the same recording that begins next. */
 function nextInTime(all: readonly Vehicle[], vehicle: Vehicle): Vehicle | undefined {
   return all
@@ -93,7 +88,11 @@ export async function readAgain(model: MeasureModel): Promise<void> {
 
 async function split(model: MeasureModel, vehicle: Vehicle, frame: number): Promise<Vehicle> {
   const version = await saved(model, vehicle);
-  const { earlier, later } = await api.post<Sides>(`/vehicles/${vehicle.id}/split`, { frame, version });
+  const { earlier, later } = await api.write(
+    "POST /vehicles/{vehicle_id}/split",
+    { vehicle_id: vehicle.id },
+    { body: { frame, version } },
+  );
   put(model, earlier);
   put(model, later);
   return earlier.id === vehicle.id ? later : earlier;
@@ -103,7 +102,7 @@ async function join(model: MeasureModel, one: Vehicle, other: Vehicle): Promise<
   const version = await saved(model, one);
   const other_version = await saved(model, other);
   const body = { other_id: other.id, version, other_version };
-  const kept = await api.post<Vehicle>(`/vehicles/${one.id}/join`, body);
+  const kept = await api.write("POST /vehicles/{vehicle_id}/join", { vehicle_id: one.id }, { body });
   model.vehicles.drop(kept.id === one.id ? other.id : one.id);
   put(model, kept);
   if (model.vehicleId.value !== kept.id) model.open(kept);
