@@ -17,7 +17,7 @@ export class ApiError extends Error {
   }
 }
 
-export interface RequestOptions {
+interface RequestOptions {
   signal?: AbortSignal;
   /** Send again when the connection breaks. On by default for GET, PUT and DELETE, which may be sent twice; switch it on for a
    *  POST only if the server treats a repeated one as the same (a measurement carries its `client_key`). */

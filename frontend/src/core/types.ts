@@ -42,8 +42,6 @@ export type Drift = Schemas["DriftBody"];
 export type DriftCheck = NonNullable<Drift["check"]>;
 export type ContactProposal = Schemas["ContactProposalBody"];
 export type Recording = Schemas["RecordingBody"];
-export type FrameTable = Schemas["FrameRows"];
-export type ReadyFrames = Schemas["ReadyFrames"];
 export type UnfinishedUpload = Schemas["UploadBody"];
 
 export type BoardFinding = Schemas["BoardBody"];
@@ -102,7 +100,6 @@ export type RodMark = Schemas["RodMarkBody"];
 export type SolvedRod = Schemas["SolvedRodBody"];
 export type LineHeight = Schemas["LineHeightBody"];
 export type LineHeightAnswer = Schemas["LineHeightAnswer"];
-export type StripUpload = Schemas["StripUploadBody"];
 export type ScanMethod = NonNullable<Schemas["FindWanted"]["method"]>;
 export type ScanStatistics = Schemas["ScanStatisticsBody"];
 export type ScanSpread = Schemas["ScanSpreadBody"];

@@ -1,5 +1,5 @@
 import { signal } from "@preact/signals";
-import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { beforeEach, describe, expect, it } from "vitest";
 import { History } from "../../core/history";
 import type { LineHeight, LinePose, LinePoses } from "../../core/types";
 import { FakeServer } from "../../testing/server";
@@ -38,8 +38,6 @@ describe("the rod's marks", () => {
   beforeEach(() => {
     new FakeServer().on("POST", /\/line-pose\/preview$/, () => SOLVED);
   });
-
-  afterEach(() => vi.unstubAllGlobals());
 
   it("asks for the distance first, then counts the heights up", () => {
     const { rod } = bench();
