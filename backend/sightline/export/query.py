@@ -60,9 +60,9 @@ def revision_pages(session: Session, survey_id: int) -> Iterator[list[tuple[Meas
     )
     of_survey = select(measurement_series.c.id).where(measurement_series.c.survey_id == survey_id)
     for first, last in _spans(session, of_survey, measurement_series.c.id):
-        rows = session.execute(chosen.where(measurement_series.c.id.between(first, last))).mappings().all()
+        rows = session.execute(chosen.where(measurement_series.c.id.between(first, last))).all()
         found = tuple([measurement_of_row(row) for row in rows])
-        cars = [OfVehicle(**{name: row[name] for name in OfVehicle.__slots__}) for row in rows]
+        cars = [OfVehicle(**{name: getattr(row, name) for name in OfVehicle.__slots__}) for row in rows]
         yield list(zip(flagged(session, found), cars, strict=True))
 
 

@@ -3,7 +3,7 @@
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from sqlalchemy import RowMapping, Select, and_, select
+from sqlalchemy import Row, Select, and_, select
 from sqlalchemy.orm import Session
 
 from sightline.cameras.calibrations.tables import calibrations
@@ -133,16 +133,16 @@ def _with_place() -> Select[Any]:
     )
 
 
-def _current_row(session: Session, series_id: int) -> RowMapping:
+def _current_row(session: Session, series_id: int) -> Row[Any]:
     query = _with_place().where(measurements.c.series_id == series_id, is_current)
-    row = session.execute(query).mappings().one_or_none()
+    row = session.execute(query).one_or_none()
     if row is None:
         raise missing("measurement", series_id)
     return row
 
 
-def _measurement_of(row: RowMapping) -> Measurement:
-    return flagged_by(measurement_of_row(row), row["drift"], row["drift_decision"])
+def _measurement_of(row: Row[Any]) -> Measurement:
+    return flagged_by(measurement_of_row(row), row.drift, row.drift_decision)
 
 
 def measurement_revisions(session: Session, series_id: int) -> tuple[Measurement, ...]:
@@ -184,10 +184,10 @@ def require_measurement_revision(session: Session, series_id: int, revision: int
     Also for a vehicle that was deleted meanwhile: what is written to it, nobody would see.
     """
     row = _current_row(session, series_id)
-    if row["vehicle_deleted_at"] is not None:
-        name = name_of(session, row["deleter_id"])
-        when = f"{row['vehicle_updated_at']:%Y-%m-%d %H:%M:%S} UTC"
-        raise Conflict(f"{name} deleted vehicle {row['vehicle_number']} at {when}; restore it first.")
+    if row.vehicle_deleted_at is not None:
+        name = name_of(session, row.deleter_id)
+        when = f"{row.vehicle_updated_at:%Y-%m-%d %H:%M:%S} UTC"
+        raise Conflict(f"{name} deleted vehicle {row.vehicle_number} at {when}; restore it first.")
     current = _measurement_of(row)
     if current.revision != revision:
         name = current.created_by.name if current.created_by else "The system"
@@ -259,8 +259,8 @@ def _append(
 def _as_stored(session: Session, revision_id: int) -> tuple[Measurement, str]:
     """A revision as the database gives it back, and the hash of its row as a verification computes it."""
     query = _with_place().where(measurements.c.id == revision_id)
-    row = session.execute(query).mappings().one()
-    content = {column.name: row[column.name] for column in columns_of(measurements, "id")}
+    row = session.execute(query).one()
+    content = {column.name: row._mapping[column.name] for column in columns_of(measurements, "id")}
     return _measurement_of(row), row_hash(content)
 
 
