@@ -44,6 +44,9 @@ class ErrorDetail(Out):
 class ErrorBody(Out):
     """Every error of every route; a conflict may carry what is there now."""
 
+    # `current` is left out where nothing is there, and the description says so
+    model_config = ConfigDict(json_schema_serialization_defaults_required=False)
+
     error: ErrorDetail
     current: Any | None = None
 
