@@ -22,7 +22,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 from sightline.infra.database.engine import SessionFactory, make_engine, migrate, reading, session_factory
 from sightline.results import survey_statistics
 from sightline.results.routes import statistics_body
-from sightline.results.survey_statistics import Choices, Filter
+from sightline.results.survey_statistics import Filter, StatisticsOptions
 from tests.bench.seed import seed
 
 GOALS_S = {100_000: 1.0, 1_000_000: 5.0}
@@ -47,7 +47,7 @@ def timed(action: Callable[[], object]) -> tuple[float, float]:
 def answer(factory: SessionFactory, chosen: Filter) -> int:
     """What the route does, from the database to the text that goes out; its length."""
     with reading(factory) as session:
-        found = survey_statistics.survey_statistics(session, chosen, Choices())
+        found = survey_statistics.survey_statistics(session, chosen, StatisticsOptions())
     assert found.counted.measurements > 0
     return len(statistics_body(found, "inset").model_dump_json())
 

@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 import pytest
 
-from sightline.cameras.calibrations.calibrating import Wish, frames_of
+from sightline.cameras.calibrations.calibrating import CalibrationRequest, frames_of
 from sightline.infra.jobs.records import Job
 from tests.support.app import Client, error_of, upload
 from tests.support.boards import COLUMNS, FOCAL_PX, HEIGHT, POSES, ROWS, SQUARE_M, WIDTH, picture_bytes, view
@@ -180,11 +180,11 @@ def test_a_calibration_that_cannot_work_fails_with_a_sentence(
 def test_frames_are_spread_and_bounded() -> None:
     from sightline.errors import BadInput
 
-    wish = Wish(COLUMNS, ROWS, SQUARE_M, "brown", recording_id=1)
+    wish = CalibrationRequest(COLUMNS, ROWS, SQUARE_M, "brown", recording_id=1)
     assert len(frames_of(wish, 10_000)) <= 24
     assert frames_of(wish, 3) == [0, 1, 2]
     with pytest.raises(BadInput, match="every 167th"):
-        frames_of(Wish(COLUMNS, ROWS, SQUARE_M, "brown", recording_id=1, every=1), 10_000)
+        frames_of(CalibrationRequest(COLUMNS, ROWS, SQUARE_M, "brown", recording_id=1, every=1), 10_000)
 
 
 def test_import_and_choice(operator: Client, camera_id: int, survey_id: int) -> None:

@@ -6,7 +6,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sightline.detection.blobs import Box, boxes_of, common, united
+from sightline.detection.blobs import Box, bounding_union, boxes_of, intersection_area
 
 
 @st.composite
@@ -21,15 +21,15 @@ def test_the_shared_area_is_that_of_the_pixels_in_both(one: Box, other: Box) -> 
     canvas = np.zeros((2, 200, 200), bool)
     for layer, box in enumerate((one, other)):
         canvas[layer, int(box.y0) : int(box.y1), int(box.x0) : int(box.x1)] = True
-    assert common(one, other) == common(other, one) == (canvas[0] & canvas[1]).sum()
+    assert intersection_area(one, other) == intersection_area(other, one) == (canvas[0] & canvas[1]).sum()
 
 
 @given(several=st.lists(boxes(), min_size=1, max_size=6))
 def test_the_box_around_all_is_the_smallest_that_holds_each(several: list[Box]) -> None:
-    around = united(several)
-    assert all(common(around, box) == (box.x1 - box.x0) * (box.y1 - box.y0) for box in several)
+    around = bounding_union(several)
+    assert all(intersection_area(around, box) == (box.x1 - box.x0) * (box.y1 - box.y0) for box in several)
     assert around.x0 in {box.x0 for box in several} and around.y1 in {box.y1 for box in several}
-    assert united([around, *several]).x1 == around.x1
+    assert bounding_union([around, *several]).x1 == around.x1
 
 
 @given(x=st.integers(2, 90), y=st.integers(2, 60), width=st.integers(20, 60), height=st.integers(20, 50))

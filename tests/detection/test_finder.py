@@ -7,7 +7,7 @@ import pytest
 
 from sightline.detection.background import densest
 from sightline.detection.classify import FoundPass
-from sightline.detection.finder import PassFinder, reduce
+from sightline.detection.finder import PassFinder, downsample
 from sightline.media.video.passes import PassesCancelled, find_passes
 from sightline.media.video.writer import write_mp4
 from tests.media.street import HEIGHT, WIDTH, Mover, car, street, walker
@@ -18,7 +18,7 @@ RATE_HZ = 30.0
 def found(count: int, movers: list[Mover], **street_options: float) -> tuple[FoundPass, ...]:
     finder = PassFinder((WIDTH, HEIGHT), RATE_HZ)
     for n, gray in enumerate(street(count, movers, **street_options)):  # type: ignore[arg-type]
-        finder.offer(reduce(n, gray))
+        finder.offer(downsample(n, gray))
     return finder.finish()
 
 

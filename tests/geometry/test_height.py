@@ -9,8 +9,8 @@ from sightline.coverage import COVERAGE_95
 from sightline.geometry.arrays import exp_rotation
 from sightline.geometry.gradient import gradient
 from sightline.geometry.height import height_both, measure_height, measure_heights
+from sightline.geometry.ray_intersection import REASONS, intersect_rays
 from sightline.geometry.road_pose import BoardOnRoad, RoadPose
-from sightline.geometry.sight import REASONS, sight
 from tests.geometry.scenes import LENSES, camera_of, pose_of
 from tests.geometry.simulate import Lens, Scene
 
@@ -100,13 +100,13 @@ def moved(pose: RoadPose, index: int, step: float) -> RoadPose:
 
 def test_gradient_equals_differences() -> None:
     pose, clicks, inset = one()
-    seen = sight(pose, clicks[:1], clicks[1:], inset)
+    seen = intersect_rays(pose, clicks[:1], clicks[1:], inset)
     g = gradient(pose, seen)
 
     def height(
         pose: RoadPose = pose, c: np.ndarray = clicks[0], t: np.ndarray = clicks[1], d: float = inset
     ) -> float:
-        return float(sight(pose, c.reshape(1, 2), t.reshape(1, 2), d).height_m[0])
+        return float(intersect_rays(pose, c.reshape(1, 2), t.reshape(1, 2), d).height_m[0])
 
     e = 1e-6
     for axis in range(2):

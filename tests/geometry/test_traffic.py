@@ -17,7 +17,7 @@ from sightline.geometry.inset_trend import (
 )
 from sightline.geometry.insets import bias_m
 from sightline.geometry.multiframe import measure_frames
-from sightline.geometry.spread import mean_and_spread, strays
+from sightline.geometry.spread import mean_and_spread, outliers
 from sightline.geometry.traffic import heading_of_pair, turned
 from tests.geometry.scenes import headings, pose_of
 from tests.geometry.simulate import Lens, Scene
@@ -256,5 +256,5 @@ def test_mean_and_spread_by_hand() -> None:
     apart = mean_and_spread([0.0, 2.0, 4.0], [1e-6] * 3)
     assert apart.between == pytest.approx(2.0) and apart.u_mean == pytest.approx(2 / np.sqrt(3))
     assert mean_and_spread([3.0], [0.5]).u_mean == pytest.approx(0.5)
-    assert strays([1.0, 1.1, 0.9, 9.0]).sum() == 0 and strays([1.0, 1.1, 0.9, 1.0, 9.0]).tolist()[-1]
-    assert not strays([1.0, 1.1, 0.9, 1.0, 9.0], [0.1, 0.1, 0.1, 0.1, 3.0]).any()
+    assert outliers([1.0, 1.1, 0.9, 9.0]).sum() == 0 and outliers([1.0, 1.1, 0.9, 1.0, 9.0]).tolist()[-1]
+    assert not outliers([1.0, 1.1, 0.9, 1.0, 9.0], [0.1, 0.1, 0.1, 0.1, 3.0]).any()

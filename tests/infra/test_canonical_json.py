@@ -15,7 +15,7 @@ from sqlalchemy import Dialect
 from sqlalchemy.dialects import sqlite
 
 from sightline.infra.audit.hashing import LARGEST_INTEGER, canonical_json, content_hash, plain
-from sightline.infra.database.types import Document
+from sightline.infra.database.types import CanonicalJson
 
 pytestmark = pytest.mark.once
 
@@ -71,7 +71,7 @@ def bits(value: Any) -> Any:
 
 @given(VALUES)
 def test_a_document_column_keeps_every_double_to_the_bit(value: Any) -> None:
-    column, dialect = Document(), _sqlite()
+    column, dialect = CanonicalJson(), _sqlite()
     stored = column.process_bind_param(value, dialect)
     assert bits(column.process_result_value(stored, dialect)) == bits(value)
 

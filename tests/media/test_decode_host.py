@@ -19,12 +19,12 @@ import pytest
 
 from sightline.errors import BadInput, Damaged
 from sightline.media.images import png, read_image_bgr
-from sightline.media.video.decode_crashes import Blame, CannotDecode
+from sightline.media.video.decode_crashes import CannotDecode, CrashTracker
 from sightline.media.video.decode_host import DecodeHost
 from sightline.media.video.decode_wire import Limits
 from sightline.media.video.frames import FrameServer
 from sightline.media.video.seeker import RecordingMedia
-from sightline.media.video.window import NotWanted, always
+from sightline.media.video.window import NoLongerWanted, always
 from tests.media.clips import Spec, read_number
 from tests.media.conftest import ROOT, Clip, Ingest, media_of
 from tests.media.faulty_child import AT
@@ -167,7 +167,7 @@ def test_giving_up_reaches_the_child(plain: RecordingMedia, served: FrameServer,
     give_up = threading.Event()
     threading.Timer(0.2, give_up.set).start()
     started = time.monotonic()
-    with pytest.raises(NotWanted):
+    with pytest.raises(NoLongerWanted):
         served.still(slow, AT, wanted=lambda: not give_up.is_set())
     assert time.monotonic() - started < 1.5
     assert read_number(served.bgr(slow, 9)) == 9
@@ -225,7 +225,7 @@ def test_it_ends_when_the_server_is_killed() -> None:
 
 def test_blame_needs_a_recording_alone_or_seen_before() -> None:
     now = [0.0]
-    blame = Blame(Limits(kills=2, aside_s=60), lambda: now[0])
+    blame = CrashTracker(Limits(kills=2, aside_s=60), lambda: now[0])
     assert blame.died({"a", "b"}) == set()
     with blame.turn("b"):
         pass

@@ -17,7 +17,7 @@ from sightline.media.images import read_image_bgr
 from sightline.media.video.caches import DiskCache, MemoryCache
 from sightline.media.video.frames import FrameServer
 from sightline.media.video.seeker import RecordingMedia, Seeker
-from sightline.media.video.window import FRAMES_OF_DECODER, NotWanted, Window, always
+from sightline.media.video.window import FRAMES_OF_DECODER, NoLongerWanted, Window, always
 from tests.media.clips import Spec, read_number
 from tests.media.conftest import Clip, Ingest, media_of
 
@@ -171,7 +171,7 @@ def test_many_threads_get_their_own_frames(clip: Clip, tmp_path: Path, take_in: 
 
 def test_giving_up_on_the_way(media: RecordingMedia, server: FrameServer) -> None:
     answers = iter([True] * 10 + [False] * 1000)
-    with pytest.raises(NotWanted):
+    with pytest.raises(NoLongerWanted):
         server.still(media, 79, wanted=lambda: next(answers))
     assert read_number(server.bgr(media, 79)) == 79
 

@@ -15,7 +15,7 @@ from sightline.media.video import prefetch
 from sightline.media.video.display import Display
 from sightline.media.video.frames import FrameServer
 from sightline.media.video.seeker import RecordingMedia
-from sightline.media.video.window import NotWanted, Wanted, Window
+from sightline.media.video.window import CancelCheck, NoLongerWanted, Window
 
 COUNT = 100
 MEDIA = RecordingMedia(
@@ -39,14 +39,14 @@ class Pictures(Window):
         self.size = 1000
 
     def still(
-        self, media: RecordingMedia, n: int, wanted: Wanted, display: Display, *, ahead: bool = False
+        self, media: RecordingMedia, n: int, wanted: CancelCheck, display: Display, *, ahead: bool = False
     ) -> bytes:
         self.asked.append(n)
         until = time.monotonic() + 20
         while n in self.slow and time.monotonic() < until:
             if not wanted():
                 self.dropped.append(n)
-                raise NotWanted("no longer")
+                raise NoLongerWanted("no longer")
             time.sleep(0.01)
         if n in self.lost:
             raise Damaged("lost")
@@ -135,7 +135,7 @@ def test_what_is_just_being_made_is_waited_for(server: FrameServer, pictures: Pi
     server.still(MEDIA, 12)
     until(lambda: 18 in pictures.asked)
     give_up = time.monotonic() + 0.1
-    with pytest.raises(NotWanted):
+    with pytest.raises(NoLongerWanted):
         server.still(MEDIA, 18, wanted=lambda: time.monotonic() < give_up)
 
 

@@ -130,7 +130,7 @@ def test_figures_per_target_and_person_and_a_sigma_of_ones_own(
     assert mine["pairs"] == 12 and mine["sigma"]["low"] < 0.5 < mine["sigma"]["high"]
     assert mine["may_choose"] and mine["items"] == 12
     assert theirs["pairs"] == 0 and theirs["sigma"]["sd"] is None and "Reviewer" in theirs["sigma"]["reason"]
-    assert mine["leaning_m"] == pytest.approx(-theirs["leaning_m"], abs=0.01)
+    assert mine["operator_bias_m"] == pytest.approx(-theirs["operator_bias_m"], abs=0.01)
     assert operator.put(choice, {"own": True}).status_code == 403
     chosen = reviewer.put(choice, {"own": True}).json()
     assert chosen["sigma_px"] == pytest.approx(mine["sigma"]["sd"], abs=0.001)

@@ -6,7 +6,7 @@ import time
 import pytest
 from starlette.requests import Request
 
-from sightline.infra.web.disconnect import Wanted, while_wanted
+from sightline.infra.web.disconnect import CancelCheck, run_unless_cancelled
 from sightline.vehicles.passes import prefetch
 from tests.support.app import Client
 
@@ -38,7 +38,7 @@ def browser_that_leaves_after(seconds: float) -> Request:
 
 
 def test_work_that_nobody_waits_for_is_told() -> None:
-    def work(wanted: Wanted) -> str:
+    def work(wanted: CancelCheck) -> str:
         until = time.monotonic() + 5
         while time.monotonic() < until:
             if not wanted():
@@ -52,7 +52,7 @@ def test_work_that_nobody_waits_for_is_told() -> None:
 
     left_at = time.monotonic() + 0.2
     leaving = Leaving({"type": "http", "headers": []})
-    assert asyncio.run(while_wanted(leaving, work)) == "gave up"
+    assert asyncio.run(run_unless_cancelled(leaving, work)) == "gave up"
 
 
 def test_an_error_comes_through() -> None:
@@ -60,4 +60,4 @@ def test_an_error_comes_through() -> None:
         raise ValueError("bad")
 
     with pytest.raises(ValueError, match="bad"):
-        asyncio.run(while_wanted(browser_that_leaves_after(9), work))
+        asyncio.run(run_unless_cancelled(browser_that_leaves_after(9), work))

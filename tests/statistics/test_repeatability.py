@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from sightline.statistics.repeatability import Codes, claim, codes_of, gauge, within_cells
+from sightline.statistics.repeatability import Codes, codes_of, gauge, uncertainty_check, within_cells
 
 
 def balanced(items: int, persons: int, repeats: int, seed: int) -> tuple[np.ndarray, Codes, Codes]:
@@ -108,9 +108,9 @@ def test_budgets_are_compared_with_what_repeats_show() -> None:
     item = np.repeat(np.arange(300), 2).astype(np.intp)
     u = rng.uniform(0.003, 0.012, 300).repeat(2)
     common = rng.normal(1.2, 0.3, 300).repeat(2)  # true height, lens, pose: the same for both
-    honest = claim(common + rng.normal(0, 1, 600) * u, u, item)
+    honest = uncertainty_check(common + rng.normal(0, 1, 600) * u, u, item)
     assert honest.low is not None and honest.high is not None and honest.low < 1 < honest.high
     assert honest.freedom == 300
-    worse = claim(common + 1.6 * rng.normal(0, 1, 600) * u, u, item)
+    worse = uncertainty_check(common + 1.6 * rng.normal(0, 1, 600) * u, u, item)
     assert worse.ratio == pytest.approx(1.6, rel=0.1) and worse.low is not None and worse.low > 1
-    assert claim([1.0, 1.1], [0.01, 0.01], codes_of("aa")).reason
+    assert uncertainty_check([1.0, 1.1], [0.01, 0.01], codes_of("aa")).reason

@@ -8,7 +8,7 @@ from sqlalchemy import (
     Text,
 )
 
-from sightline.infra.database.types import Moment, identity, metadata
+from sightline.infra.database.types import UtcDateTime, identity, metadata
 
 cameras = Table(
     "cameras",
@@ -19,6 +19,6 @@ cameras = Table(
     Column("notes", Text, nullable=False),
     # cameras and calibrations point at each other: this one is added last
     Column("current_calibration_id", ForeignKey("calibrations.id", use_alter=True)),
-    Column("created_at", Moment, nullable=False),
+    Column("created_at", UtcDateTime, nullable=False),
     Column("created_by", ForeignKey("people.id")),
 )

@@ -17,8 +17,8 @@ from sightline.coverage import COVERAGE_95
 from sightline.errors import BadInput
 from sightline.geometry.height import Height, measure_heights
 from sightline.geometry.multiframe import measure_frames
+from sightline.geometry.ray_intersection import REASONS
 from sightline.geometry.road_pose import RoadPose
-from sightline.geometry.sight import REASONS
 
 FIRST = ("contact_x_px", "contact_y_px", "target_x_px", "target_y_px")
 _FURTHER = re.compile(r"(?:contact|target)([2-9]|[1-9]\d)_[xy]_px")

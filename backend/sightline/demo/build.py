@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from sightline.cameras.calibrations.calibrating import Seen, document_of, summary_of, view_rows
+from sightline.cameras.calibrations.calibrating import DetectedView, document_of, summary_of, view_rows
 from sightline.cameras.calibrations.images import detection_of
 from sightline.cameras.calibrations.store import add_calibration
 from sightline.cameras.store import add_calibration_image, create_camera
@@ -136,7 +136,7 @@ def _camera(session: Session, survey_id: int, parts: Parts) -> tuple[int, int]:
     return camera.id, made.id
 
 
-def _lab_image(session: Session, camera_id: int, one: LabPicture) -> Seen:
+def _lab_image(session: Session, camera_id: int, one: LabPicture) -> DetectedView:
     seen = one.seen
     image = add_calibration_image(
         session,
@@ -148,7 +148,7 @@ def _lab_image(session: Session, camera_id: int, one: LabPicture) -> Seen:
         actor=None,
         detection=detection_of(seen.corners, LAB_BOARD),
     )
-    return Seen(seen.name, seen.corners, seen.size, image_id=image.id)
+    return DetectedView(seen.name, seen.corners, seen.size, image_id=image.id)
 
 
 def _recording(session: Session, survey_id: int, camera_id: int, video: Video) -> int:

@@ -13,7 +13,7 @@ from pathlib import Path
 from threading import Event, Lock
 from typing import Any
 
-from sightline.cameras.calibrations.calibrating import Seen
+from sightline.cameras.calibrations.calibrating import DetectedView
 from sightline.demo.rendering import SCENES, Image, rendered, scene_named
 from sightline.geometry.board import Board
 from sightline.geometry.calibration import CalibrationResult
@@ -61,7 +61,7 @@ class Video:
 class LabPicture:
     """One lab checkerboard, already in the media store."""
 
-    seen: Seen
+    seen: DetectedView
     media_key: str
 
 
@@ -214,7 +214,7 @@ def _lab_picture(services: Services, index: int) -> LabPicture:
     services.media.put_file(key, path)
     gray = read_image(content, name)
     corners = detect(gray, LAB_BOARD)
-    return LabPicture(Seen(name, corners, (int(gray.shape[1]), int(gray.shape[0]))), key)
+    return LabPicture(DetectedView(name, corners, (int(gray.shape[1]), int(gray.shape[0]))), key)
 
 
 def demonstration_folder(services: Services) -> Path:

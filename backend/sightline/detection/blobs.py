@@ -52,7 +52,7 @@ class Box:
         return (self.x0 + self.x1) / 2, (self.y0 + self.y1) / 2
 
 
-def common(one: Box, other: Box) -> float:
+def intersection_area(one: Box, other: Box) -> float:
     """Area that two boxes share, px^2."""
     across = min(one.x1, other.x1) - max(one.x0, other.x0)
     down = min(one.y1, other.y1) - max(one.y0, other.y0)
@@ -151,7 +151,7 @@ def _stacked(boxes: Sequence[Box]) -> list[Box]:
     for box in boxes:
         for index, below in enumerate(kept):
             if _stands_on(box, below):
-                kept[index] = united([box, below])
+                kept[index] = bounding_union([box, below])
                 break
         else:
             kept.append(box)
@@ -166,7 +166,7 @@ def _stands_on(box: Box, other: Box) -> bool:
     return across >= STACKED_SHARE * box.width and gap <= STACKED_GAP_PX
 
 
-def united(boxes: Sequence[Box]) -> Box:
+def bounding_union(boxes: Sequence[Box]) -> Box:
     """The smallest box around all."""
     left, right = min(boxes, key=lambda box: box.x0), max(boxes, key=lambda box: box.x1)
     ways = {box.way for box in boxes} - {0}

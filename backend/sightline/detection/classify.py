@@ -11,7 +11,7 @@ import numpy as np
 
 from sightline.detection.blobs import Box
 from sightline.detection.stitch import course, enters, leaves
-from sightline.detection.tracks import Sight, Track
+from sightline.detection.tracks import Detection, Track
 
 LEAST_TRAVEL_SHARE = 0.2
 LEAST_AREA_SHARE = 0.012
@@ -72,7 +72,7 @@ def is_vehicle(track: Track, view: View) -> bool:
     if len(seen) < LEAST_SIGHTS:
         return False
     way = course(track, view.size)
-    largest = max(sight.box.area_px for sight in seen)
+    largest = max(detection.box.area_px for detection in seen)
     if abs(way.far_px) < LEAST_TRAVEL_SHARE * view.size[way.axis]:
         return False
     if (
@@ -87,14 +87,16 @@ def is_vehicle(track: Track, view: View) -> bool:
     return way.axis == 1 or _breadth(seen, view) >= NARROWEST
 
 
-def _breadth(seen: list[Sight], view: View) -> float:
+def _breadth(seen: list[Detection], view: View) -> float:
     """Width over height: the middle one of the sights in which all of it is in view, else the largest."""
     whole = [
-        sight.box.width / sight.box.height for sight in seen if sight.clear and is_whole(sight.box, view)
+        detection.box.width / detection.box.height
+        for detection in seen
+        if detection.clear and is_whole(detection.box, view)
     ]
     if len(whole) >= LEAST_SIGHTS:
         return float(np.median(whole))
-    return max(sight.box.width / sight.box.height for sight in seen)
+    return max(detection.box.width / detection.box.height for detection in seen)
 
 
 def score_of(track: Track, whole: bool, view: View) -> float:
@@ -108,7 +110,7 @@ def straightness(track: Track, axis: int) -> float:
 
     Looked at in a few steps, for what is hidden in part makes the middle jump.
     """
-    middles = [sight.box.middle[axis] for sight in _seen(track)]
+    middles = [detection.box.middle[axis] for detection in _seen(track)]
     picked = [middles[i] for i in sorted({round(at) for at in np.linspace(0, len(middles) - 1, STEPS)})]
     went = sum(abs(b - a) for a, b in pairwise(picked))
     return abs(picked[-1] - picked[0]) / went if went else 0.0
@@ -132,27 +134,27 @@ def _margin_px(box: Box, view: View) -> float:
     return min(box.x0, box.y0, view.width - box.x1, view.height - box.y1)
 
 
-def best_sight(track: Track, view: View, sharpness: Sharpness) -> tuple[Sight, bool]:
+def best_detection(track: Track, view: View, sharpness: Sharpness) -> tuple[Detection, bool]:
     """The sight to measure on: whole in view, near where the camera looks square at the road, and sharp.
 
     A vehicle that is never whole is taken where least of it is cut off.
     """
-    seen = [sight for sight in _seen(track) if sight.clear] or _seen(track)
-    whole = [sight for sight in seen if sight.clear and is_whole(sight.box, view)]
-    sharp = {sight.n: sharpness(sight.n, sight.box) for sight in whole or seen}
+    seen = [detection for detection in _seen(track) if detection.clear] or _seen(track)
+    whole = [detection for detection in seen if detection.clear and is_whole(detection.box, view)]
+    sharp = {detection.n: sharpness(detection.n, detection.box) for detection in whole or seen}
     most = max(sharp.values()) or 1.0
 
-    largest = max(sight.box.area_px for sight in whole or seen)
+    largest = max(detection.box.area_px for detection in whole or seen)
 
-    def worth(sight: Sight) -> float:
-        off = abs(sight.box.middle[0] / view.width - view.square_at)
-        shown = sight.box.area_px / largest - max(0.0, 1.0 - _margin_px(sight.box, view) / CLEAR_PX)
-        return SHARP_WEIGHT * sharp[sight.n] / most + SHOWN_WEIGHT * shown - off
+    def worth(detection: Detection) -> float:
+        off = abs(detection.box.middle[0] / view.width - view.square_at)
+        shown = detection.box.area_px / largest - max(0.0, 1.0 - _margin_px(detection.box, view) / CLEAR_PX)
+        return SHARP_WEIGHT * sharp[detection.n] / most + SHOWN_WEIGHT * shown - off
 
     if whole:
         return max(whole, key=worth), True
     return max(seen, key=lambda one: one.box.area_px / largest + worth(one)), False
 
 
-def _seen(track: Track) -> list[Sight]:
-    return [sight for sight in track.sights if sight.seen]
+def _seen(track: Track) -> list[Detection]:
+    return [detection for detection in track.detections if detection.seen]

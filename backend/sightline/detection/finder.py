@@ -17,10 +17,10 @@ from numpy.typing import NDArray
 
 from sightline.detection.background import WINDOW_S, Background, Sampler, Small, foreground, gain_of
 from sightline.detection.blobs import LEAST_AREA_SHARE, Box, boxes_of
-from sightline.detection.classify import FoundPass, View, best_sight, direction_of, is_vehicle, score_of
+from sightline.detection.classify import FoundPass, View, best_detection, direction_of, is_vehicle, score_of
 from sightline.detection.flow import Motion
 from sightline.detection.stitch import stitched
-from sightline.detection.tracks import Sight, Track, Tracker
+from sightline.detection.tracks import Detection, Track, Tracker
 
 WIDTH_PX = 160
 SHARP_PX = 40
@@ -30,7 +30,7 @@ BOXES_KEPT = 7
 
 
 @dataclass(frozen=True, eq=False)
-class Reduced:
+class Downsampled:
     """Frame n, small: luminance (h, w), the mean grey step between neighbours (h', w'), mean luminance."""
 
     n: int
@@ -47,7 +47,7 @@ class _Kept:
     luminance: dict[int, float] = field(default_factory=dict)
 
 
-def reduce(n: int, gray: Small) -> Reduced:
+def downsample(n: int, gray: Small) -> Downsampled:
     """Frame n, small; `gray` is its luminance, (height_px, width_px)."""
     height, width = gray.shape
     w = min(WIDTH_PX, width)
@@ -57,7 +57,7 @@ def reduce(n: int, gray: Small) -> Reduced:
     steps = cv2.absdiff(rows[:, 1:], rows[:, :-1])
     size = (SHARP_PX, max(1, round(SHARP_PX * height / width)))
     sharp = np.asarray(cv2.resize(steps, size, interpolation=cv2.INTER_AREA), np.uint8)
-    return Reduced(n, small, sharp, float(cv2.mean(small)[0]))
+    return Downsampled(n, small, sharp, float(cv2.mean(small)[0]))
 
 
 class PassFinder:
@@ -74,13 +74,13 @@ class PassFinder:
         self._lapse = max(3, round(LAPSE_S * rate_hz))
         self._sampler = Sampler(rate_hz / stride)
         self._tracker = Tracker(self._view.width, self._view.height, rate_hz)
-        self._waiting: deque[Reduced] = deque()
+        self._waiting: deque[Downsampled] = deque()
         self._kept = _Kept()
         self._gain = 1.0
         self._motion = Motion()
         self._before: Small | None = None
 
-    def offer(self, picture: Reduced) -> None:
+    def offer(self, picture: Downsampled) -> None:
         """The next picture."""
         self._sampler.offer(picture.small)
         self._waiting.append(picture)
@@ -114,22 +114,28 @@ class PassFinder:
         return boxes_of(mask, solid, None if flow is None else -flow)
 
     def _found(self, track: Track) -> FoundPass:
-        best, whole = best_sight(track, self._view, self._sharpness)
+        best, whole = best_detection(track, self._view, self._sharpness)
         return FoundPass(
-            first_frame=track.sights[0].n,
-            last_frame=max(sight.n for sight in track.sights if sight.seen),
+            first_frame=track.detections[0].n,
+            last_frame=max(detection.n for detection in track.detections if detection.seen),
             best_frame=best.n,
             direction=direction_of(track, self._view),
             whole=whole,
             score=score_of(track, whole, self._view),
             sharpness=round(self._sharpness(best.n, best.box), 2),
             luminance=round(self._kept.luminance.get(best.n, 0.0), 1),
-            boxes=tuple(self._box(sight) for sight in _some(track.sights, best)),
+            boxes=tuple(self._box(detection) for detection in _some(track.detections, best)),
         )
 
-    def _box(self, sight: Sight) -> tuple[int, float, float, float, float]:
-        k, box = self._view.scale, sight.box
-        return sight.n, round(box.x0 * k, 1), round(box.y0 * k, 1), round(box.x1 * k, 1), round(box.y1 * k, 1)
+    def _box(self, detection: Detection) -> tuple[int, float, float, float, float]:
+        k, box = self._view.scale, detection.box
+        return (
+            detection.n,
+            round(box.x0 * k, 1),
+            round(box.y0 * k, 1),
+            round(box.x1 * k, 1),
+            round(box.y1 * k, 1),
+        )
 
     def _sharpness(self, n: int, box: Box) -> float:
         sharp = self._kept.sharp.get(n)
@@ -143,9 +149,9 @@ class PassFinder:
         return float(part.mean()) if part.size else 0.0
 
 
-def _some(sights: list[Sight], best: Sight) -> Iterator[Sight]:
+def _some(detections: list[Detection], best: Detection) -> Iterator[Detection]:
     """A few sights spread over the track, the best among them."""
-    picked = {round(i) for i in np.linspace(0, len(sights) - 1, BOXES_KEPT)}
-    for index, sight in enumerate(sights):
-        if index in picked or sight is best:
-            yield sight
+    picked = {round(i) for i in np.linspace(0, len(detections) - 1, BOXES_KEPT)}
+    for index, detection in enumerate(detections):
+        if index in picked or detection is best:
+            yield detection

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sightline.detection.blobs import Box, common, united
-from sightline.detection.tracks import Sight, Track
+from sightline.detection.blobs import Box, bounding_union, intersection_area
+from sightline.detection.tracks import Detection, Track
 
 LEAST_SIGHTS = 3
 LEAST_TRAVEL_SHARE = 0.03
@@ -45,7 +45,7 @@ def stitched(tracks: Sequence[Track], size: tuple[int, int], lapse: int) -> list
     """
     moving = [_trimmed(track, size) for track in tracks if _moves(track, size)]
     heads = [track for track in moving if enters(track, size)]
-    rest = sorted((t for t in moving if not enters(t, size)), key=lambda t: t.sights[0].n)
+    rest = sorted((t for t in moving if not enters(t, size)), key=lambda t: t.detections[0].n)
     for piece in rest:
         owner = max(heads, key=lambda head: _likeness(piece, head, size, lapse), default=None)
         if owner is not None and _likeness(piece, owner, size, lapse) > 0:
@@ -61,17 +61,17 @@ def _trimmed(track: Track, size: tuple[int, int]) -> Track:
     if way.axis == 1:
         return track
     right = track.way > 0 if track.way else way.far_px > 0
-    lead = np.array([one.box.x1 if right else size[0] - one.box.x0 for one in track.sights])
-    trail = np.array([one.box.x0 if right else size[0] - one.box.x1 for one in track.sights])
+    lead = np.array([one.box.x1 if right else size[0] - one.box.x0 for one in track.detections])
+    trail = np.array([one.box.x0 if right else size[0] - one.box.x1 for one in track.detections])
     coming = np.where(trail <= BORDER_PX, lead, np.inf)
     going = np.where(lead >= size[0] - BORDER_PX, trail, -np.inf)
     first, last = int(np.argmin(coming)), int(np.argmax(going))
     if not (np.isfinite(coming[first]) and lead[0] > lead[first] + RETREAT_SHARE * size[0]):
         first = 0
     if not (np.isfinite(going[last]) and trail[-1] < trail[last] - RETREAT_SHARE * size[0]):
-        last = len(track.sights) - 1
+        last = len(track.detections) - 1
     if last - first >= LEAST_SIGHTS:
-        track.sights = track.sights[first : last + 1]
+        track.detections = track.detections[first : last + 1]
     return track
 
 
@@ -90,16 +90,20 @@ def _without_doubles(tracks: Sequence[Track], size: tuple[int, int]) -> list[Tra
 def _is_inside(part: Track, whole: Track, size: tuple[int, int]) -> bool:
     if not course(part, size).same_way(course(whole, size)):
         return False
-    there = {sight.n: sight.box for sight in whole.sights if sight.seen}
-    pairs = [(sight.box, there[sight.n]) for sight in part.sights if sight.seen and sight.n in there]
-    if len(pairs) < DOUBLE_SHARE * sum(sight.seen for sight in part.sights):
+    there = {detection.n: detection.box for detection in whole.detections if detection.seen}
+    pairs = [
+        (detection.box, there[detection.n])
+        for detection in part.detections
+        if detection.seen and detection.n in there
+    ]
+    if len(pairs) < DOUBLE_SHARE * sum(detection.seen for detection in part.detections):
         return False
-    inside = [common(one, other) / (one.width * one.height) for one, other in pairs]
+    inside = [intersection_area(one, other) / (one.width * one.height) for one, other in pairs]
     return bool(np.median(inside) >= DOUBLE_SHARE)
 
 
 def _largest(track: Track) -> float:
-    return max(sight.box.area_px for sight in track.sights)
+    return max(detection.box.area_px for detection in track.detections)
 
 
 def _likeness(piece: Track, whole: Track, size: tuple[int, int], lapse: int) -> float:
@@ -111,19 +115,19 @@ def _likeness(piece: Track, whole: Track, size: tuple[int, int], lapse: int) -> 
 def _went_on(piece: Track, whole: Track, size: tuple[int, int], lapse: int) -> float:
     """How soon a track that ended in the middle of the picture went on as one that began there, 0 to 1."""
     way = course(whole, size)
-    apart = piece.sights[0].n - whole.last.n
+    apart = piece.detections[0].n - whole.last.n
     longest = HIDDEN_LAPSES * lapse
     if leaves(whole, size) or not way.same_way(course(piece, size)) or not -lapse < apart <= longest:
         return 0.0
     end = 1 if way.far_px > 0 else 0
-    ahead = _ends(piece.sights[0].box, way.axis)[end] - _ends(whole.last.box, way.axis)[end]
+    ahead = _ends(piece.detections[0].box, way.axis)[end] - _ends(whole.last.box, way.axis)[end]
     far = ahead / size[way.axis] * (1 if way.far_px > 0 else -1)
     return 0.0 if far < -BEHIND_SHARE else max(0.01, 1.0 - abs(apart) / longest)
 
 
 def course(track: Track, size: tuple[int, int]) -> Course:
     """Where it goes: the axis along which its middle goes farther, and how far its edges went."""
-    seen = [sight.box for sight in track.sights if sight.seen]
+    seen = [detection.box for detection in track.detections if detection.seen]
     middles = np.array([box.middle for box in seen])[:: max(1, len(seen) // 8)]
     went = np.abs(np.diff(middles, axis=0)).sum(axis=0) / size
     first, last = seen[0], seen[-1]
@@ -135,14 +139,14 @@ def course(track: Track, size: tuple[int, int]) -> Course:
 def enters(track: Track, size: tuple[int, int]) -> bool:
     """Whether it begins at the border from which it comes."""
     way = course(track, size)
-    low, high = _ends(track.sights[0].box, way.axis)
+    low, high = _ends(track.detections[0].box, way.axis)
     return low <= BORDER_PX if way.far_px > 0 else high >= size[way.axis] - BORDER_PX
 
 
 def leaves(track: Track, size: tuple[int, int]) -> bool:
     """Whether it ends at the border to which it goes."""
     way = course(track, size)
-    low, high = _ends(track.sights[-1].box, way.axis)
+    low, high = _ends(track.detections[-1].box, way.axis)
     return high >= size[way.axis] - BORDER_PX if way.far_px > 0 else low <= BORDER_PX
 
 
@@ -151,7 +155,7 @@ def _ends(box: Box, axis: int) -> tuple[float, float]:
 
 
 def _moves(track: Track, size: tuple[int, int]) -> bool:
-    seen = [sight for sight in track.sights if sight.seen]
+    seen = [detection for detection in track.detections if detection.seen]
     if len(seen) < LEAST_SIGHTS:
         return False
     way = course(track, size)
@@ -163,7 +167,7 @@ def _belongs(piece: Track, whole: Track, size: tuple[int, int], lapse: int) -> f
     way = course(whole, size)
     if not way.same_way(course(piece, size)):
         return 0.0
-    n = max(piece.sights[0].n, whole.sights[0].n)
+    n = max(piece.detections[0].n, whole.detections[0].n)
     here, there = _at(piece, n, way.axis, lapse), _at(whole, n, way.axis, lapse)
     if here is None or there is None:
         return 0.0
@@ -173,12 +177,15 @@ def _belongs(piece: Track, whole: Track, size: tuple[int, int], lapse: int) -> f
 
 
 def _longest(track: Track, axis: int) -> float:
-    return max(high - low for low, high in (_ends(sight.box, axis) for sight in track.sights if sight.seen))
+    return max(
+        high - low
+        for low, high in (_ends(detection.box, axis) for detection in track.detections if detection.seen)
+    )
 
 
 def _at(track: Track, n: int, axis: int, lapse: int) -> tuple[float, float] | None:
     """From where to where it reaches on frame n; where it would, if it was lost shortly before."""
-    earlier = [sight for sight in track.sights if sight.n <= n]
+    earlier = [detection for detection in track.detections if detection.n <= n]
     if not earlier or n - earlier[-1].n > lapse:
         return None
     last, before = earlier[-1], earlier[-min(len(earlier), 4)]
@@ -192,11 +199,11 @@ def _at(track: Track, n: int, axis: int, lapse: int) -> tuple[float, float] | No
 
 
 def _join(whole: Track, piece: Track) -> None:
-    there = {sight.n: sight for sight in whole.sights}
-    for sight in piece.sights:
-        other = there.get(sight.n)
-        if other is None or (sight.seen and not other.seen):
-            there[sight.n] = sight
-        elif sight.seen and sight.box.height >= HIGH_SHARE * other.box.height:
-            there[sight.n] = Sight(sight.n, united([sight.box, other.box]), True)
-    whole.sights = [there[n] for n in sorted(there)]
+    there = {detection.n: detection for detection in whole.detections}
+    for detection in piece.detections:
+        other = there.get(detection.n)
+        if other is None or (detection.seen and not other.seen):
+            there[detection.n] = detection
+        elif detection.seen and detection.box.height >= HIGH_SHARE * other.box.height:
+            there[detection.n] = Detection(detection.n, bounding_union([detection.box, other.box]), True)
+    whole.detections = [there[n] for n in sorted(there)]

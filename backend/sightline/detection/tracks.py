@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from sightline.detection.blobs import Box, common, united
+from sightline.detection.blobs import Box, bounding_union, intersection_area
 
 COAST_S = 0.5
 SMOOTH = 0.5
@@ -16,7 +16,7 @@ WAYS_KEPT = 6
 
 
 @dataclass(frozen=True)
-class Sight:
+class Detection:
     """Where a vehicle is on frame n; `seen` is false where another hides it and its place is guessed, `clear`
     where another hides a part of it.
     """
@@ -31,15 +31,15 @@ class Sight:
 class Track:
     """One thing that moves; its sights in order, and its speed in pixels a frame of each edge."""
 
-    sights: list[Sight] = field(default_factory=list)
+    detections: list[Detection] = field(default_factory=list)
     vx0: float = 0.0
     vx1: float = 0.0
     vy: float = 0.0
     ways: int = 0
 
     @property
-    def last(self) -> Sight:
-        return self.sights[-1]
+    def last(self) -> Detection:
+        return self.detections[-1]
 
     @property
     def way(self) -> int:
@@ -69,14 +69,14 @@ class Track:
         if speed_px is not None:
             v0 = speed_px if 0 in (*box.hidden, *cut) else v0
             v1 = speed_px if 1 in (*box.hidden, *cut) else v1
-        share = SMOOTH if len(self.sights) > 1 else 1.0
+        share = SMOOTH if len(self.detections) > 1 else 1.0
         self.vx0 += share * (v0 - self.vx0)
         self.vx1 += share * (v1 - self.vx1)
         self.vy += share * ((box.middle[1] - old.middle[1]) / step - self.vy)
-        self.sights.append(Sight(n, box, True, clear))
+        self.detections.append(Detection(n, box, True, clear))
 
     def _completed(self, n: int, box: Box) -> Box:
-        if not box.hidden or len(self.sights) < COURSE_SIGHTS:
+        if not box.hidden or len(self.detections) < COURSE_SIGHTS:
             return box
         at = self.predicted(n)
         x0 = min(box.x0, at.x0) if 0 in box.hidden else box.x0
@@ -87,7 +87,7 @@ class Track:
         """Another hides it on frame n; it is taken to go on as it went."""
         drift = (self.vx0 + self.vx1) / 2
         self.vx0 = self.vx1 = drift
-        self.sights.append(Sight(n, box, False))
+        self.detections.append(Detection(n, box, False))
 
 
 class Tracker:
@@ -105,14 +105,14 @@ class Tracker:
         expected = [(track, self._clipped(track.predicted(n))) for track in self._open]
         claims: dict[int, list[tuple[Track, Box]]] = {}
         for track, at in expected:
-            likely = [common(at, box) * (box.way * track.way >= 0) for box in boxes]
+            likely = [intersection_area(at, box) * (box.way * track.way >= 0) for box in boxes]
             best = max(range(len(boxes)), key=likely.__getitem__, default=None)
             if best is not None and likely[best] > 0:
                 claims.setdefault(best, []).append((track, at))
         told: set[int] = set()
         pieces = {i: _pieces(i, boxes, claims) for i in claims}
         for index, claimants in claims.items():
-            whole = united([boxes[index], *(boxes[i] for i in pieces[index])])
+            whole = bounding_union([boxes[index], *(boxes[i] for i in pieces[index])])
             told |= self._share(n, whole, claimants)
         taken = set(claims).union(*pieces.values())
         self._open += [self._begun(n, box) for i, box in enumerate(boxes) if i not in taken]
@@ -121,7 +121,7 @@ class Tracker:
 
     def _begun(self, n: int, box: Box) -> Track:
         speed = self._speed_px(n, box) or 0.0
-        return Track([Sight(n, box, True, not box.hidden)], vx0=speed, vx1=speed, ways=box.way)
+        return Track([Detection(n, box, True, not box.hidden)], vx0=speed, vx1=speed, ways=box.way)
 
     def _speed_px(self, n: int, box: Box) -> float | None:
         return None if box.step_px is None else box.step_px / max(1, n - self._n)
@@ -143,21 +143,23 @@ class Tracker:
             for track, at in moving:
                 track.guess(n, at)
             return {id(track) for track, _ in moving}
-        keeper = max(claimants, key=lambda pair: (round(common(pair[1], box)), len(pair[0].sights)))[0]
+        keeper = max(
+            claimants, key=lambda pair: (round(intersection_area(pair[1], box)), len(pair[0].detections))
+        )[0]
         keeper.see(n, box, self._speed_px(n, box), self._cut(box))
         return {id(keeper)}
 
     def _is_about(self, track: Track, n: int) -> bool:
         """Whether it has a course, and has not left yet."""
-        first, last = track.sights[0].box, track.last.box
+        first, last = track.detections[0].box, track.last.box
         moved = max(abs(last.x0 - first.x0), abs(last.x1 - first.x1))
-        on_its_way = len(track.sights) >= COURSE_SIGHTS and moved >= COURSE_SHARE * self._width
+        on_its_way = len(track.detections) >= COURSE_SIGHTS and moved >= COURSE_SHARE * self._width
         return on_its_way and not self._outside(track.predicted(n))
 
     def _retire(self, n: int, told: set[int]) -> None:
         kept = []
         for track in self._open:
-            silent = n - max((s.n for s in track.sights if s.seen), default=n)
+            silent = n - max((s.n for s in track.detections if s.seen), default=n)
             gone = id(track) not in told and self._outside(track.predicted(n))
             if gone or silent > self._coast:
                 self.finished.append(track)
@@ -176,11 +178,13 @@ class Tracker:
 
 def _pieces(index: int, boxes: Sequence[Box], claims: Mapping[int, Sequence[tuple[Track, Box]]]) -> list[int]:
     """Boxes that nobody claims and that lie where one track is expected: pieces of the same vehicle."""
-    if len(claims[index]) != 1 or len(claims[index][0][0].sights) < 3:
+    if len(claims[index]) != 1 or len(claims[index][0][0].detections) < 3:
         return []
     track, at = claims[index][0]
     free = [i for i in range(len(boxes)) if i not in claims and boxes[i].way * track.way >= 0]
-    return [i for i in free if common(at, boxes[i]) >= PIECE_SHARE * boxes[i].width * boxes[i].height]
+    return [
+        i for i in free if intersection_area(at, boxes[i]) >= PIECE_SHARE * boxes[i].width * boxes[i].height
+    ]
 
 
 def _opposed(tracks: Sequence[Track]) -> bool:

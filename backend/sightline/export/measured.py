@@ -18,7 +18,7 @@ from sightline.export.scans import scans_in
 from sightline.infra.csv_package.files import Files, read_columns, unsafe
 from sightline.results.csv import standards_in
 from sightline.results.measured_columns_query import CATEGORIES, LIGHTING, NONE, TARGETS, VERDICTS, Measured
-from sightline.results.survey_statistics import Choices, Filter, Statistics, filtered, made_of
+from sightline.results.survey_statistics import Filter, Statistics, StatisticsOptions, filtered, made_of
 from sightline.scans.statistics.service import ScanStatistics
 from sightline.statistics.corrections import CORRECTIONS, Correction
 from sightline.statistics.errors import Rounding
@@ -57,10 +57,10 @@ class PackageStatistics:
 
     @property
     def headline(self) -> Statistics:
-        return self.of[Choices().correction, Choices().rounding]
+        return self.of[StatisticsOptions().correction, StatisticsOptions().rounding]
 
 
-def statistics_of(files: Files, choices: Choices = Choices()) -> PackageStatistics:
+def statistics_of(files: Files, choices: StatisticsOptions = StatisticsOptions()) -> PackageStatistics:
     """The statistics of all accepted measurements of a package, from its tables, under every correction."""
     measured, left_out = filtered(measured_of(files), Filter())
     groupings = _groupings(files, measured)
@@ -69,7 +69,7 @@ def statistics_of(files: Files, choices: Choices = Choices()) -> PackageStatisti
     table = standards_in(files)
     found = {}
     for correction, rounding in wanted:
-        chosen = Choices(rounding, correction, choices.u_reference_m, choices.own_standards, table)
+        chosen = StatisticsOptions(rounding, correction, choices.u_reference_m, choices.own_standards, table)
         found[correction, rounding] = made_of(measured, left_out, chosen, groupings, {}, {})
     return PackageStatistics(found, scans_in(files))
 

@@ -9,7 +9,7 @@ from sightline.infra.csv_package.files import Files, read_columns, read_rows
 from sightline.infra.csv_package.files import number as figure_of
 from sightline.infra.csv_package.schema import Cell, Column, Table
 from sightline.scans.records import state_of
-from sightline.scans.statistics.service import GAPS, MOTION, ScanStatistics, Seen, statistics_of_seen
+from sightline.scans.statistics.service import GAPS, MOTION, ScanStatistics, VehicleMotion, statistics_of_seen
 
 Cells = dict[str, Cell]
 FOLDER = "statistics/"
@@ -111,7 +111,7 @@ def scans_in(files: Files) -> ScanStatistics:
     return statistics_of_seen(list(_seen(files)), accepted_only=True)
 
 
-def _seen(files: Files) -> Iterator[Seen]:
+def _seen(files: Files) -> Iterator[VehicleMotion]:
     lighting = dict(read_columns(files, "line_scans.csv", ("id", "lighting")))
     rigs = {
         id_: (float(baseline), float(u))
@@ -121,7 +121,7 @@ def _seen(files: Files) -> Iterator[Seen]:
     }
     for row in read_rows(files, "scan_vehicles.csv"):
         baseline, u_baseline = rigs.get(row["measurement_id"], (1.0, 0.0))
-        yield Seen(
+        yield VehicleMotion(
             vehicle_id=int(row["id"]),
             scan_id=int(row["scan_id"]),
             number=int(row["number"]),

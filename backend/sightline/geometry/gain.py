@@ -9,8 +9,8 @@ from sightline.geometry.arrays import Floats
 from sightline.geometry.camera import project
 from sightline.geometry.height import measure_height
 from sightline.geometry.multiframe import LEAST_TRAVEL_M, measure_frames
+from sightline.geometry.ray_intersection import OK, contact_on_road, intersect_rays
 from sightline.geometry.road_pose import RoadPose
-from sightline.geometry.sight import OK, contact_on_road, sight
 
 
 @dataclass(frozen=True)
@@ -66,7 +66,7 @@ def second_frame_gain(
 
 def _moved(pose: RoadPose, contact: Floats, target: Floats, travel_m: float, inset_m: float) -> Floats:
     """Pixels (2, 2) of contact and target after the travel; NaN where the first frame has no height."""
-    seen = sight(pose, contact, target, inset_m)
+    seen = intersect_rays(pose, contact, target, inset_m)
     if seen.code[0] != OK:
         return np.full((2, 2), np.nan)
     x, y, _ = (float(v[0]) for v in contact_on_road(pose, seen))

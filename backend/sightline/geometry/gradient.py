@@ -12,8 +12,8 @@ import numpy as np
 
 from sightline.geometry import lens
 from sightline.geometry.arrays import Floats
+from sightline.geometry.ray_intersection import RayIntersection
 from sightline.geometry.road_pose import RoadPose
-from sightline.geometry.sight import Sight
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,7 +46,7 @@ def _by_click(
     return px, py
 
 
-def gradient(pose: RoadPose, seen: Sight) -> Gradient:
+def gradient(pose: RoadPose, seen: RayIntersection) -> Gradient:
     """All first derivatives of the N heights in `seen`; garbage where `seen.code` is not 0."""
     r, centre = pose.rotation, pose.centre_m
     c_z = float(centre[2])

@@ -11,8 +11,15 @@ from sightline.coverage import COVERAGE_95
 from sightline.geometry.arrays import Floats
 from sightline.geometry.board_errors import board_covariance, board_parts, unknown_parts
 from sightline.geometry.gradient import Gradient, gradient
+from sightline.geometry.ray_intersection import (
+    BAD_SIGMA,
+    OK,
+    REASONS,
+    RayIntersection,
+    contact_on_road,
+    intersect_rays,
+)
 from sightline.geometry.road_pose import RoadPose
-from sightline.geometry.sight import BAD_SIGMA, OK, REASONS, Sight, contact_on_road, sight
 
 _CHUNK = 8192  # rows at a time: the working set stays in the processor's cache
 _EDGE_FLAG = np.sin(np.deg2rad(10.0))
@@ -128,7 +135,7 @@ def left_out(pose: RoadPose) -> list[str]:
     return out if missing is None else [*out, missing]
 
 
-def _flags(pose: RoadPose, seen: Sight, u_m: float) -> tuple[str, ...]:
+def _flags(pose: RoadPose, seen: RayIntersection, u_m: float) -> tuple[str, ...]:
     out = left_out(pose)
     norm = np.sqrt(seen.target[0] ** 2 + seen.target[1] ** 2 + 1.0)
     if abs(float(seen.w_target_y[0])) < _EDGE_FLAG * float(norm[0]):
@@ -165,7 +172,7 @@ def measure_height(
     values = (sigma_px, inset_m, u_inset_m)
     if not np.isfinite(values).all() or sigma_px < 0 or u_inset_m < 0:
         return not_measurable(REASONS[BAD_SIGMA])
-    seen = sight(pose, contact, target, inset_m)
+    seen = intersect_rays(pose, contact, target, inset_m)
     if seen.code[0] != OK:
         return not_measurable(REASONS[int(seen.code[0])], inset_m, u_inset_m)
     variances = _entries(pose, gradient(pose, seen), sigma_px, u_inset_m)
@@ -243,7 +250,7 @@ def _measure_part(
     out: Floats,
 ) -> None:
     """Fill one chunk of the result arrays in place."""
-    seen = sight(pose, contacts, targets, inset)
+    seen = intersect_rays(pose, contacts, targets, inset)
     code[:] = seen.code
     fine = np.isfinite(sigma) & np.isfinite(inset) & np.isfinite(u_inset) & (sigma >= 0) & (u_inset >= 0)
     code[~fine] = BAD_SIGMA

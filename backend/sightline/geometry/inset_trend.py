@@ -15,9 +15,9 @@ from scipy.optimize import minimize_scalar
 from sightline.geometry.arrays import Bools, Floats
 from sightline.geometry.gradient import gradient
 from sightline.geometry.height import systematic_covariance
+from sightline.geometry.ray_intersection import OK, intersect_rays
 from sightline.geometry.road_pose import RoadPose
-from sightline.geometry.sight import OK, sight
-from sightline.geometry.spread import mean_and_spread, strays
+from sightline.geometry.spread import mean_and_spread, outliers
 
 LEAST_KNOWN = 3
 LEAST_TREND = 10
@@ -78,8 +78,8 @@ def sightings(
     contacts = np.asarray(contacts_px, dtype=np.float64).reshape(-1, 2)
     targets = np.asarray(targets_px, dtype=np.float64).reshape(-1, 2)
     sigma = np.broadcast_to(np.asarray(sigma_px, dtype=np.float64), (len(contacts),))
-    fine = np.asarray(sight(pose, contacts, targets, 0.0).code == OK, dtype=np.bool_)
-    seen = sight(pose, contacts[fine], targets[fine], 0.0)
+    fine = np.asarray(intersect_rays(pose, contacts, targets, 0.0).code == OK, dtype=np.bool_)
+    seen = intersect_rays(pose, contacts[fine], targets[fine], 0.0)
     g = gradient(pose, seen)
     own = sigma[fine] * np.sqrt((g.target**2).sum(axis=0) + (g.contact**2).sum(axis=0))
     shared = g.parameters.T @ systematic_covariance(pose) @ g.parameters
@@ -170,7 +170,7 @@ def _do_not_fit(rows: Sightings, known: Floats, u_known: Floats) -> Bools:
     tried = np.linspace(_LEAST_INSET_M, _MOST_INSET_M, 301)
     sums = [float(np.abs(_misfit(rows, known, u_known, float(one))).sum()) for one in tried]
     misfit = _misfit(rows, known, u_known, float(tried[int(np.argmin(sums))]))
-    return strays(misfit, least=1.0)
+    return outliers(misfit, least=1.0)
 
 
 def inset_from_trend(rows: Sightings) -> InsetEstimate | str:
@@ -240,7 +240,7 @@ def inset_from_solved(solved_m: ArrayLike, u_solved_m: ArrayLike) -> InsetEstima
     u = np.asarray(u_solved_m, dtype=np.float64).ravel()
     if len(values) < LEAST_KNOWN:
         return f"At least {LEAST_KNOWN} vehicles measured on two frames are needed; there are {len(values)}."
-    gone = strays(values, u)
+    gone = outliers(values, u)
     found = mean_and_spread(values[~gone], u[~gone])
     spread = found.between if found.count >= LEAST_FOR_SPREAD else None
     left_out = tuple(int(i) for i in np.flatnonzero(gone))

@@ -18,8 +18,16 @@ from sightline.geometry.arrays import Floats, skew
 from sightline.geometry.board_errors import board_parts
 from sightline.geometry.camera import project_with_jacobians, undistort
 from sightline.geometry.height import BudgetEntry, Height, left_out, not_measurable
+from sightline.geometry.ray_intersection import (
+    BAD_SIGMA,
+    BELOW_ROAD,
+    NO_CROSSING,
+    OK,
+    REASONS,
+    contact_on_road,
+    intersect_rays,
+)
 from sightline.geometry.road_pose import RoadPose
-from sightline.geometry.sight import BAD_SIGMA, BELOW_ROAD, NO_CROSSING, OK, REASONS, contact_on_road, sight
 
 U_HEADING_RAD = float(np.deg2rad(1.0))  # how well a board is set parallel to the traffic (estimate)
 LEAST_TRAVEL_M = 0.15
@@ -95,7 +103,7 @@ def _refusal(pose: RoadPose, contacts: Floats, targets: Floats, sigma_px: float)
         return "Contact and target are needed in at least two frames."
     if not np.isfinite(sigma_px) or sigma_px < 0:
         return REASONS[BAD_SIGMA]
-    codes = sight(pose, contacts, targets, 0.0).code
+    codes = intersect_rays(pose, contacts, targets, 0.0).code
     for frame, code in enumerate(codes, start=1):
         if code not in (OK, BELOW_ROAD, NO_CROSSING):
             return f"Frame {frame} of {len(codes)}: {REASONS[int(code)]}"
@@ -109,7 +117,7 @@ def _start(pose: RoadPose, contacts: Floats, targets: Floats) -> Floats:
     Order: x, y of the first contact, travel of frames 2 to F, heading, then ahead, inset and height of the
     target.
     """
-    x, y, _ = contact_on_road(pose, sight(pose, contacts, targets, 0.0))
+    x, y, _ = contact_on_road(pose, intersect_rays(pose, contacts, targets, 0.0))
     ground = np.stack([x, y], axis=1)
     step = ground[int(np.argmax(np.linalg.norm(ground - ground[0], axis=1)))] - ground[0]
     forward = -1.0 if step[0] < 0 else 1.0

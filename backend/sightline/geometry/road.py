@@ -8,8 +8,7 @@ from numpy.typing import ArrayLike
 
 from sightline.geometry.arrays import Floats
 from sightline.geometry.camera import project, undistort
-from sightline.geometry.road_pose import RoadPose
-from sightline.geometry.sight import (
+from sightline.geometry.ray_intersection import (
     CAMERA_BELOW,
     CONTACT_OUTSIDE,
     CONTACT_RADIUS,
@@ -18,6 +17,7 @@ from sightline.geometry.sight import (
     NOT_FINITE,
     REASONS,
 )
+from sightline.geometry.road_pose import RoadPose
 
 _SAMPLES = 193
 _CLIP_ROUNDS = 12

@@ -42,7 +42,7 @@ def mean_and_spread(values: ArrayLike, u: ArrayLike) -> Spread:
     return Spread(float(w @ x / w.sum()), float(w.sum() ** -0.5), float(np.sqrt(between2)), len(x))
 
 
-def strays(
+def outliers(
     values: ArrayLike, u: ArrayLike = 0.0, *, least: float = 0.0
 ) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
     """Which of N values lie far from the median: beyond four times their own u and the others' scatter, (N,).

@@ -8,10 +8,10 @@ from scipy.stats import t as student
 
 from sightline.geometry.arrays import Bools, Floats, frozen
 from sightline.geometry.camera import undistort
+from sightline.geometry.ray_intersection import MIN_DEPRESSION
 from sightline.geometry.road import road_point
 from sightline.geometry.road_pose import RoadPose
-from sightline.geometry.sight import MIN_DEPRESSION
-from sightline.geometry.spread import mean_and_spread, strays
+from sightline.geometry.spread import mean_and_spread, outliers
 
 LEAST_BASE_M = 1.0  # between two tyre contacts of one vehicle
 MOST_BASE_M = 15.0
@@ -117,7 +117,7 @@ def summary_of_headings(heading_rad: ArrayLike, u_rad: ArrayLike) -> Headings | 
     values, u = np.asarray(heading_rad, dtype=np.float64), np.asarray(u_rad, dtype=np.float64)
     used = np.isfinite(values) & np.isfinite(u)
     if used.any():
-        used[used] = ~strays(values[used], u[used], least=_LEAST_SCALE_RAD)
+        used[used] = ~outliers(values[used], u[used], least=_LEAST_SCALE_RAD)
     if used.sum() < LEAST_VEHICLES:
         return (
             f"Both tyre contacts of at least {LEAST_VEHICLES} vehicles are needed; {used.sum()} can be used."

@@ -14,8 +14,8 @@ from sightline.geometry.camera import project, undistort
 from sightline.geometry.follow import Gray, Step, best_guess, followed, reach_px
 from sightline.geometry.height import measure_height
 from sightline.geometry.multiframe import LEAST_TRAVEL_M, MultiHeight, measure_frames
+from sightline.geometry.ray_intersection import OK, contact_on_road, intersect_rays
 from sightline.geometry.road_pose import RoadPose
-from sightline.geometry.sight import OK, contact_on_road, sight
 
 _FASTEST_MPS = 45.0
 _MOST_GUESSES = 40
@@ -59,7 +59,7 @@ def body_of(
     contact = np.asarray(contact_px, dtype=np.float64).reshape(1, 2)
     target = np.asarray(target_px, dtype=np.float64).reshape(1, 2)
     alone = measure_height(pose, contact[0], target[0], 0.0, inset_m)
-    seen = sight(pose, contact, target, inset_m)
+    seen = intersect_rays(pose, contact, target, inset_m)
     if alone.reason is not None or seen.code[0] != OK:
         return alone.reason or "Contact and target give no height."
     x, y, _ = (float(v[0]) for v in contact_on_road(pose, seen))
@@ -73,7 +73,7 @@ def body_of(
     return Body(np.concatenate([[[x, y, 0.0]], points]))
 
 
-class Chase:
+class BodyTracker:
     """Follows a body through the frames of its pass, one frame after the other, one way in time.
 
     `speed_mps` (along the body's direction, negative against it) is None until the first frame has shown it.

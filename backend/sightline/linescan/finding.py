@@ -40,7 +40,7 @@ TWO_AT_ONCE = (
 
 
 @dataclass(eq=False)
-class Reel:
+class LineBuffer:
     """The last lines of one strip."""
 
     blocks: deque[tuple[int, Pixels]]
@@ -98,7 +98,7 @@ class Finder:
         self.found = 0
         self.reversed = 0
         self.alone = 0
-        self._reels = (Reel(deque()), Reel(deque()))
+        self._buffers = (LineBuffer(deque()), LineBuffer(deque()))
         self._waiting: tuple[deque[Event], deque[Event]] = (deque(), deque())
         self._held: tuple[list[Pixels], list[Pixels]] = ([], [])
 
@@ -145,7 +145,7 @@ class Finder:
                 if len(block) < len(pieces[k]) or pieces[k].base is not None:
                     # a slice would keep the whole piece alive
                     block = block.copy()
-                self._reels[k].add(block)
+                self._buffers[k].add(block)
                 self._waiting[k].extend(self.watchers[k].see(block))
             out += self._paired(False)
             self._forget()
@@ -158,7 +158,7 @@ class Finder:
         return self.block * max(1, round(BEGIN_S / BLOCK_S))
 
     def _forget(self) -> None:
-        for reel, watcher, waiting in zip(self._reels, self.watchers, self._waiting, strict=True):
+        for reel, watcher, waiting in zip(self._buffers, self.watchers, self._waiting, strict=True):
             needed = min([watcher.busy_since, *(event.front for event in waiting)])
             reel.forget(max(int(needed) - 2 * self.margin, reel.stop - self.spans.longest * 5 // 4))
 
@@ -172,7 +172,7 @@ class Finder:
                 (one if one[0].rear < two[0].rear else two).popleft()
                 self.alone += 1
                 continue
-            if not last and min(reel.stop for reel in self._reels) < self._needed_to(one[0], two[0]):
+            if not last and min(reel.stop for reel in self._buffers) < self._needed_to(one[0], two[0]):
                 break
             out.append(self._passage(one.popleft(), two.popleft(), way))
         self._drop_late()
@@ -211,7 +211,7 @@ class Finder:
         if one.still or two.still:
             return STOPPED
         if one.cut or two.cut:
-            ended = min(reel.stop for reel in self._reels) - max(one.rear, two.rear) < 2 * self.margin
+            ended = min(reel.stop for reel in self._buffers) - max(one.rear, two.rear) < 2 * self.margin
             started = min(one.front, two.front) < self.margin
             return CUT if ended or started else TOO_LONG
         if way < 0:
@@ -227,7 +227,7 @@ class Finder:
         self.found += 1
         self.reversed += reason == OTHER_WAY
         cuts = []
-        for event, reel in zip((one, two), self._reels, strict=True):
+        for event, reel in zip((one, two), self._buffers, strict=True):
             stop = int(event.rear) + self.margin + 1
             if reason in (STOPPED, TOO_LONG):
                 stop = min(stop, int(event.front) + self.spans.longest // 4)

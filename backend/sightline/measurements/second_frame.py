@@ -23,7 +23,7 @@ from sightline.geometry.gain import second_frame_gain
 from sightline.geometry.height import measure_height
 from sightline.geometry.road import road_point
 from sightline.geometry.road_pose import RoadPose
-from sightline.geometry.travel import Chase, body_of, further_gain
+from sightline.geometry.travel import BodyTracker, body_of, further_gain
 from sightline.infra.database import Session
 from sightline.infra.services import Services
 from sightline.measurements.click_context_query import click_context
@@ -211,7 +211,7 @@ def follow(
     found: dict[int, float] = {}
     speed: float | None = None
     for way in _ways(n, span):
-        chase, before = Chase(pose, body, pixels, gray, speed), n
+        chase, before = BodyTracker(pose, body, pixels, gray, speed), n
         for frame in way:
             dt_s = float(opened.time_s[frame] - opened.time_s[before])
             travel = None

@@ -17,7 +17,7 @@ from sqlalchemy import (
 
 from sightline.enums import MeasurementStatus, ReviewVerdict, Target
 from sightline.infra.audit.vouched import WrittenOnce, WrittenOnceApart, vouched
-from sightline.infra.database.types import HOLDS, Document, Moment, identity, metadata, one_of
+from sightline.infra.database.types import HOLDS, CanonicalJson, UtcDateTime, enum_check, identity, metadata
 
 # What stays the same over all revisions of one measurement; append-only like them.
 measurement_series = Table(
@@ -63,19 +63,19 @@ measurements = Table(
     Column("distance_m", Float),
     Column("status", String(20), nullable=False),
     Column("reason", Text),
-    Column("flags", Document, nullable=False),
-    Column("budget", Document, nullable=False),
+    Column("flags", CanonicalJson, nullable=False),
+    Column("budget", CanonicalJson, nullable=False),
     Column("code_version", String(60), nullable=False),
     # the same two points in further frames: then the inset is solved for
-    Column("more_frames", Document, nullable=False, server_default="[]"),
+    Column("more_frames", CanonicalJson, nullable=False, server_default="[]"),
     Column("solved_inset_m", Float),
     Column("u_solved_inset_m", Float),
     Column("withdrawn", Boolean, nullable=False),
-    Column("created_at", Moment, nullable=False),
+    Column("created_at", UtcDateTime, nullable=False),
     Column("created_by", ForeignKey("people.id")),
     UniqueConstraint("series_id", "revision"),
-    one_of("target", Target),
-    one_of("status", MeasurementStatus),
+    enum_check("target", Target),
+    enum_check("status", MeasurementStatus),
     CheckConstraint("revision >= 1", name="revision_counts"),
     CheckConstraint("sigma_px > 0", name="sigma_positive"),
     CheckConstraint(
@@ -95,7 +95,7 @@ click_sigmas = Table(
     Column("person_id", ForeignKey("people.id"), nullable=False),
     Column("sigma_px", Float),
     Column("pairs", Integer, nullable=False),
-    Column("created_at", Moment, nullable=False),
+    Column("created_at", UtcDateTime, nullable=False),
     Column("created_by", ForeignKey("people.id")),
     CheckConstraint("sigma_px > 0", name="sigma_positive"),
     info=vouched(WrittenOnce("click_sigma", "click sigma")),
@@ -112,9 +112,9 @@ reviews = Table(
     Column("result_revision", Integer, nullable=False),
     Column("verdict", String(20), nullable=False),
     Column("reason", Text),
-    Column("created_at", Moment, nullable=False),
+    Column("created_at", UtcDateTime, nullable=False),
     Column("created_by", ForeignKey("people.id")),
-    one_of("verdict", ReviewVerdict),
+    enum_check("verdict", ReviewVerdict),
     CheckConstraint("verdict <> 'rejected' OR reason IS NOT NULL", name="rejected_has_reason"),
     info=vouched(WrittenOnce("review", "review")),
 )
@@ -140,7 +140,7 @@ wheel_pairs = Table(
     Column("second_x_px", Float, nullable=False),
     Column("second_y_px", Float, nullable=False),
     Column("withdrawn", Boolean, nullable=False),
-    Column("created_at", Moment, nullable=False),
+    Column("created_at", UtcDateTime, nullable=False),
     Column("created_by", ForeignKey("people.id")),
     info=vouched(WrittenOnce("wheel_pair", "pair of tyre contacts")),
 )

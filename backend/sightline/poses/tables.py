@@ -11,7 +11,7 @@ from sqlalchemy import (
 )
 
 from sightline.infra.audit.vouched import WrittenOnce, vouched
-from sightline.infra.database.types import Document, Moment, identity, metadata
+from sightline.infra.database.types import CanonicalJson, UtcDateTime, identity, metadata
 
 road_poses = Table(
     "road_poses",
@@ -25,14 +25,14 @@ road_poses = Table(
     Column("rms_px", Float),
     Column("distance_m", Float),
     Column("summary", Text, nullable=False),
-    Column("document", Document, nullable=False),
-    Column("warnings", Document, nullable=False),
-    Column("expected", Document, nullable=False),
-    Column("overlay", Document, nullable=False),
+    Column("document", CanonicalJson, nullable=False),
+    Column("warnings", CanonicalJson, nullable=False),
+    Column("expected", CanonicalJson, nullable=False),
+    Column("overlay", CanonicalJson, nullable=False),
     # a pose turned about the road's normal after the traffic's own direction
     Column("turned_from", ForeignKey("road_poses.id")),
     Column("turned_by_rad", Float),
-    Column("created_at", Moment, nullable=False),
+    Column("created_at", UtcDateTime, nullable=False),
     Column("created_by", ForeignKey("people.id")),
     CheckConstraint("first_frame >= 0 AND last_frame >= first_frame", name="span_forward"),
     info=vouched(WrittenOnce("pose", "road pose")),

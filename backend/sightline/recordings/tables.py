@@ -14,7 +14,7 @@ from sqlalchemy import (
 )
 
 from sightline.enums import Lighting, RecordingState
-from sightline.infra.database.types import Document, Moment, identity, metadata, one_of
+from sightline.infra.database.types import CanonicalJson, UtcDateTime, enum_check, identity, metadata
 
 recordings = Table(
     "recordings",
@@ -34,23 +34,23 @@ recordings = Table(
     Column("codec", String(60)),
     Column("container", String(60)),
     Column("vfr", Boolean, nullable=False),
-    Column("notes", Document, nullable=False),
-    Column("report", Document, nullable=False),
-    Column("thumbs", Document, nullable=False),
+    Column("notes", CanonicalJson, nullable=False),
+    Column("report", CanonicalJson, nullable=False),
+    Column("thumbs", CanonicalJson, nullable=False),
     Column("camera_id", ForeignKey("cameras.id")),
     # a pose is made from a recording and serves recordings: this one is added last
     Column("pose_id", ForeignKey("road_poses.id", use_alter=True)),
     Column("lighting", String(20)),
     Column("lighting_proposed", String(20)),
     # whether the camera moved since its pose was taken, and what a person decided about it
-    Column("drift", Document),
-    Column("drift_decision", Document),
-    Column("created_at", Moment, nullable=False),
+    Column("drift", CanonicalJson),
+    Column("drift_decision", CanonicalJson),
+    Column("created_at", UtcDateTime, nullable=False),
     Column("created_by", ForeignKey("people.id")),
-    Column("deleted_at", Moment),
-    one_of("state", RecordingState),
-    one_of("lighting", Lighting),
-    one_of("lighting_proposed", Lighting),
+    Column("deleted_at", UtcDateTime),
+    enum_check("state", RecordingState),
+    enum_check("lighting", Lighting),
+    enum_check("lighting_proposed", Lighting),
     CheckConstraint("state <> 'ready' OR frame_count IS NOT NULL", name="ready_has_frames"),
     CheckConstraint("state <> 'failed' OR error IS NOT NULL", name="failed_has_error"),
 )

@@ -13,11 +13,11 @@ from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
 from sightline.results import standards_store
 from sightline.results.bodies import SampleSizeBody, StandardsBody, StandardsIn, StatisticsBody
 from sightline.results.survey_statistics import (
-    Choices,
     Filter,
     Shown,
     State,
     Statistics,
+    StatisticsOptions,
     standards_of,
     survey_statistics,
 )
@@ -73,7 +73,7 @@ def statistics_of_measurements(
         state=state,
         target=target,
     )
-    choices = Choices(rounding, correction, u_reference_m, own)
+    choices = StatisticsOptions(rounding, correction, u_reference_m, own)
     return statistics_body(survey_statistics(session, chosen, choices), correction)
 
 

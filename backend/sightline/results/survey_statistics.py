@@ -1,10 +1,10 @@
 """Statistics of stored measurements: a filter, the columns that it leaves, and what is shown of them.
 
-`statistics(session, Filter, Choices)` is the one way in: page, report and package all show its answer.
-`Filter((survey_id,))` with the usual `Choices()` gives a survey's accepted measurements, read against the
+`statistics(session, Filter, StatisticsOptions)` is the one way in: page, report and package all show its answer.
+`Filter((survey_id,))` with the usual `StatisticsOptions()` gives a survey's accepted measurements, read against the
 survey's own table of standards (`storage.standards`).
 `made_of` makes the same of columns that come from elsewhere, such as the rows of a package: what the database
-would tell is then given, `Choices.standards` included.
+would tell is then given, `StatisticsOptions.standards` included.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ class Filter:
 
 
 @dataclass(frozen=True)
-class Choices:
+class StatisticsOptions:
     """How figures are made: rounding of the error table, correction, u of a height without one of its own,
     limits of the reader's own beside the standards', and the standards; None: those of the surveys.
     """
@@ -88,7 +88,7 @@ class Choices:
 
 
 @dataclass(frozen=True)
-class Counted:
+class SampleCounts:
     """What the filter left, and what it left out by review state."""
 
     measurements: int
@@ -101,7 +101,7 @@ class Counted:
 class Statistics:
     """Everything a statistics page shows; each target's shares are in the order of its `standards_of`."""
 
-    counted: Counted
+    counted: SampleCounts
     standards: tuple[Standard, ...]
     errors: Errors
     targets: dict[Shown, Target]
@@ -109,7 +109,9 @@ class Statistics:
     operators: dict[int, str]
 
 
-def survey_statistics(session: Session, chosen: Filter, choices: Choices = Choices()) -> Statistics:
+def survey_statistics(
+    session: Session, chosen: Filter, choices: StatisticsOptions = StatisticsOptions()
+) -> Statistics:
     """Error table, figures and distributions of the measurements that a filter leaves.
 
     Raises NotFound for a survey that is not there, BadInput for days in the wrong order.
@@ -119,7 +121,7 @@ def survey_statistics(session: Session, chosen: Filter, choices: Choices = Choic
 
 # The keys of what is kept hold the audit chain's last hash, so that any write makes it old.
 @cached(LRUCache(16), key=lambda _session, *rest: rest, lock=Lock())
-def _made(session: Session, last_hash: str, chosen: Filter, choices: Choices) -> Statistics:
+def _made(session: Session, last_hash: str, chosen: Filter, choices: StatisticsOptions) -> Statistics:
     places = survey_names(session)
     _refuse(chosen, places)
     days = chosen.first_day is not None or chosen.last_day is not None
@@ -182,7 +184,7 @@ def _of_target(measured: Measured, target: Shown | None) -> NDArray[np.bool_]:
 def made_of(
     measured: Measured,
     left_out: dict[str, int],
-    choices: Choices,
+    choices: StatisticsOptions,
     groupings: Mapping[str, Grouping],
     named_surveys: dict[int, str],
     operators: dict[int, str],
@@ -204,7 +206,7 @@ def made_of(
             {grouping: one.where(rows) for grouping, one in groupings.items()},
         )
     vehicles = measured.vehicle_id[_of_target(measured, only)]
-    counted = Counted(len(vehicles), len(_distinct(vehicles)), len(roofs.reference_m), left_out)
+    counted = SampleCounts(len(vehicles), len(_distinct(vehicles)), len(roofs.reference_m), left_out)
     errors = errors_of(roofs, choices.correction, choices.rounding)
     return Statistics(
         counted=counted,

@@ -10,7 +10,7 @@ from sqlalchemy import (
 )
 
 from sightline.infra.audit.vouched import CarriesHead, vouched
-from sightline.infra.database.types import Moment, identity, metadata
+from sightline.infra.database.types import UtcDateTime, identity, metadata
 
 exports = Table(
     "exports",
@@ -23,7 +23,7 @@ exports = Table(
     # the chain as it stood when the package was made: proof against a cut tail
     Column("audit_count", Integer, nullable=False),
     Column("audit_head", String(64), nullable=False),
-    Column("created_at", Moment, nullable=False),
+    Column("created_at", UtcDateTime, nullable=False),
     Column("created_by", ForeignKey("people.id")),
     info=vouched(CarriesHead("export")),
 )

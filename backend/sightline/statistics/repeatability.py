@@ -187,7 +187,7 @@ def _pairs_of(item: Codes, person: Codes) -> Codes:
 
 
 @dataclass(frozen=True)
-class Claim:
+class UncertaintyCheck:
     """Observed scatter of repeats over the scatter that their budgets claim, with its 95 % interval.
 
     claimed, observed: root mean squares, in the unit of the values.
@@ -202,7 +202,7 @@ class Claim:
     reason: str | None = None
 
 
-def claim(values: ArrayLike, u_clicks: ArrayLike, items: Codes) -> Claim:
+def uncertainty_check(values: ArrayLike, u_clicks: ArrayLike, items: Codes) -> UncertaintyCheck:
     """Whether values (N,) of `items` scatter as their click parts `u_clicks` (N,) say (chi-square ratio).
 
     Only the clicks belong in `u_clicks`: lens, pose, board and inset are the same for all values of an item
@@ -214,7 +214,7 @@ def claim(values: ArrayLike, u_clicks: ArrayLike, items: Codes) -> Claim:
     freedom = len(y) - len(np.unique(items))
     if freedom < LEAST_FREEDOM:
         few = f"Too few repeats to compare: {freedom}, at least {LEAST_FREEDOM} are needed."
-        return Claim(
+        return UncertaintyCheck(
             ratio=None, low=None, high=None, claimed=None, observed=None, freedom=freedom, reason=few
         )
     _, item = np.unique(items, return_inverse=True)
@@ -225,7 +225,7 @@ def claim(values: ArrayLike, u_clicks: ArrayLike, items: Codes) -> Claim:
     assert found.sd is not None
     often = np.bincount(item)[item] > 1
     claimed = float(np.sqrt(np.mean(np.square(u[often]))))
-    return Claim(
+    return UncertaintyCheck(
         ratio=found.sd,
         low=found.low,
         high=found.high,

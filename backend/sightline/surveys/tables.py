@@ -11,7 +11,7 @@ from sqlalchemy import (
     Text,
 )
 
-from sightline.infra.database.types import Document, Moment, identity, metadata
+from sightline.infra.database.types import CanonicalJson, UtcDateTime, identity, metadata
 
 surveys = Table(
     "surveys",
@@ -21,11 +21,11 @@ surveys = Table(
     Column("site", String(200), nullable=False),
     Column("description", Text, nullable=False),
     Column("is_demo", Boolean, nullable=False),
-    Column("insets", Document, nullable=False),
+    Column("insets", CanonicalJson, nullable=False),
     Column("version", Integer, nullable=False),
-    Column("created_at", Moment, nullable=False),
+    Column("created_at", UtcDateTime, nullable=False),
     Column("created_by", ForeignKey("people.id")),
-    Column("updated_at", Moment, nullable=False),
+    Column("updated_at", UtcDateTime, nullable=False),
     Column("updated_by", ForeignKey("people.id")),
     CheckConstraint("version >= 1", name="version_counts"),
 )

@@ -8,7 +8,7 @@ from sightline.vehicles.records import Vehicle, VehicleChanges
 from sightline.vehicles.store import get_vehicle, update_vehicle
 
 
-class Overtaken(Conflict):
+class StaleVersion(Conflict):
     """Somebody changed the record in between; `current` is what it holds now (the answer carries it)."""
 
     def __init__(self, message: str, current: object) -> None:
@@ -19,8 +19,8 @@ class Overtaken(Conflict):
 def change_vehicle(
     session: Session, vehicle_id: int, changes: VehicleChanges, *, version: int, actor: int
 ) -> Vehicle:
-    """Change the fields given. Raises Overtaken, with the record as it is now, for an old version."""
+    """Change the fields given. Raises StaleVersion, with the record as it is now, for an old version."""
     try:
         return update_vehicle(session, vehicle_id, changes, version=version, actor=actor)
     except Conflict as error:
-        raise Overtaken(error.message, get_vehicle(session, vehicle_id)) from error
+        raise StaleVersion(error.message, get_vehicle(session, vehicle_id)) from error

@@ -14,7 +14,7 @@ from sqlalchemy import (
 
 from sightline.enums import Category, Direction, Lighting, VehicleOrigin
 from sightline.infra.audit.vouched import ChangedByEvents, vouched
-from sightline.infra.database.types import Document, Moment, identity, metadata, one_of
+from sightline.infra.database.types import CanonicalJson, UtcDateTime, enum_check, identity, metadata
 
 vehicles = Table(
     "vehicles",
@@ -38,18 +38,18 @@ vehicles = Table(
     # found by the job that looks for passes, or marked by a person; where it goes in the picture
     Column("origin", String(20), nullable=False, server_default="person"),
     Column("direction", String(20)),
-    Column("detection", Document),
+    Column("detection", CanonicalJson),
     Column("version", Integer, nullable=False),
-    Column("created_at", Moment, nullable=False),
+    Column("created_at", UtcDateTime, nullable=False),
     Column("created_by", ForeignKey("people.id")),
-    Column("updated_at", Moment, nullable=False),
+    Column("updated_at", UtcDateTime, nullable=False),
     Column("updated_by", ForeignKey("people.id")),
-    Column("deleted_at", Moment),
+    Column("deleted_at", UtcDateTime),
     UniqueConstraint("survey_id", "number"),
-    one_of("category", Category),
-    one_of("lighting", Lighting),
-    one_of("origin", VehicleOrigin),
-    one_of("direction", Direction),
+    enum_check("category", Category),
+    enum_check("lighting", Lighting),
+    enum_check("origin", VehicleOrigin),
+    enum_check("direction", Direction),
     CheckConstraint("first_frame >= 0 AND last_frame >= first_frame", name="span_forward"),
     CheckConstraint("version >= 1", name="version_counts"),
     info=vouched(ChangedByEvents("vehicle", "vehicle")),

@@ -4,7 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from sightline.results.survey_statistics import SHOWN, Choices, Counted, Statistics, standards_of
+from sightline.results.survey_statistics import (
+    SHOWN,
+    SampleCounts,
+    Statistics,
+    StatisticsOptions,
+    standards_of,
+)
 from sightline.statistics.standards import STANDARDS
 from sightline.statistics.summary import Grouping, Roofs, errors_of, target_of
 
@@ -19,7 +25,7 @@ MEAN_SD = {
 def statistics(
     n: int = 400,
     low_light: float = 0.35,
-    choices: Choices = Choices(),
+    choices: StatisticsOptions = StatisticsOptions(),
     absent: tuple[str, ...] = ("headlight",),
     site: Grouping | None = None,
 ) -> Statistics:
@@ -46,5 +52,5 @@ def statistics(
         raw = height + (1.5 - height) * 0.13
         targets[name] = target_of(height, raw, roofs, choices.correction, limits, groupings)
     errors = errors_of(roofs, choices.correction, choices.rounding)
-    counted = Counted(3 * n, n, n, {"rejected": 7, "to_review": 21} if n else {})
+    counted = SampleCounts(3 * n, n, n, {"rejected": 7, "to_review": 21} if n else {})
     return Statistics(counted, standards, errors, targets, {1: "A survey"}, {1: "An operator"})

@@ -17,7 +17,7 @@ from sightline.export.report.facts import (
 )
 from sightline.export.report.units import Unit
 from sightline.geometry.insets import DEFAULT_INSETS
-from sightline.results.survey_statistics import Choices, Statistics
+from sightline.results.survey_statistics import Statistics, StatisticsOptions
 from sightline.surveys.photographs.records import PhotographFile
 
 _LENS = (
@@ -40,7 +40,7 @@ def facts(
     photos: tuple[PhotographFile, ...] = (),
     exclusions: int = 9,
     unit: Unit = "m",
-    choices: Choices = Choices(),
+    choices: StatisticsOptions = StatisticsOptions(),
 ) -> ReportFacts:
     """A survey with two recordings, one camera, two poses."""
     return ReportFacts(

@@ -14,7 +14,7 @@ from sightline.export.report.canvas import FULL, HALF, Drawing, svg
 from sightline.export.report.figures import drawings, figures
 from sightline.export.report.marks import MAIN
 from sightline.export.report.units import fixed, limit
-from sightline.results.survey_statistics import Choices
+from sightline.results.survey_statistics import StatisticsOptions
 from sightline.statistics.distributions import ecdf, sorted_values
 from sightline.statistics.standards import Standard
 from sightline.statistics.summary import Grouping
@@ -88,7 +88,7 @@ def test_names_with_signs_are_drawn_as_they_are() -> None:
     names = ("A $x^2$ & <b>", "A x^2 & <b>")
     own = (Standard("Own $limit$", "driver_eye", 1.1, "me"),)
     group = Grouping(np.arange(40) % 2, names)
-    found = drawings(statistics(40, choices=Choices(own_standards=own), site=group, absent=EYES))
+    found = drawings(statistics(40, choices=StatisticsOptions(own_standards=own), site=group, absent=EYES))
     by_site = found["driver_eye-by-site"]
     assert isinstance(by_site, Drawing) and "Own $limit$ 1.10" in by_site.caption
     ElementTree.fromstring(by_site.svg)

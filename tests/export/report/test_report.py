@@ -21,7 +21,7 @@ from PIL import Image
 from sightline.export.report.facts import Exclusion, ReportFacts
 from sightline.export.report.photos import as_svg
 from sightline.export.report.report import report, sources
-from sightline.results.survey_statistics import Choices
+from sightline.results.survey_statistics import StatisticsOptions
 from sightline.surveys.photographs.records import PhotographFile
 from tests.export.report.pdf_text import words
 from tests.export.report.sample import statistics
@@ -108,7 +108,7 @@ def test_the_same_facts_give_the_same_bytes_in_another_process() -> None:
 def test_names_come_out_as_text(name: str) -> None:
     shown = name.replace("\t", " ").replace("\x00", " ").replace("\x1f", " ").replace("\ud800", "\ufffd")
     shown = shown.replace("\u202e", "").replace("\u202c", "")
-    few = ReportFacts(name, name, statistics(0), Choices(), description=name)
+    few = ReportFacts(name, name, statistics(0), StatisticsOptions(), description=name)
     odd = replace(few, exclusions=(Exclusion(1, name, "roof", name, name),), audit_head="ab" * 32)
     made = report(odd)
     said = flat(words(made))
@@ -133,7 +133,7 @@ def _called(name: str) -> ReportFacts:
 
 def test_other_scripts_are_set_from_the_fonts_at_hand() -> None:
     name = "سلام שלום Ολυμπία Москва 😀"
-    made = report(ReportFacts(name, "", statistics(0), Choices()))
+    made = report(ReportFacts(name, "", statistics(0), StatisticsOptions()))
     said = words(made)
     assert all(word in said for word in ("Ολυμπία", "Москва", "😀"))
     assert "שלום"[::-1] in said  # glyphs are written from left to right
@@ -141,16 +141,16 @@ def test_other_scripts_are_set_from_the_fonts_at_hand() -> None:
 
 
 def test_signs_that_no_font_has_are_no_boxes_but_a_mark_that_is_explained() -> None:
-    made = report(ReportFacts("東京 Road", "도로", statistics(0), Choices()))
+    made = report(ReportFacts("東京 Road", "도로", statistics(0), StatisticsOptions()))
     said = flat(words(made))
     assert flat("[…]† Road") in said and "東" not in said
     assert flat("characters of a script that this report’s fonts lack") in said
     assert b"<pdfaid:part>2</pdfaid:part>" in made
-    assert "†" not in flat(words(report(ReportFacts("Åsgatan", "", statistics(0), Choices()))))
+    assert "†" not in flat(words(report(ReportFacts("Åsgatan", "", statistics(0), StatisticsOptions()))))
 
 
 def test_an_empty_survey_has_a_report_that_says_so() -> None:
-    said = flat(words(report(ReportFacts("", "", statistics(0), Choices()))))
+    said = flat(words(report(ReportFacts("", "", statistics(0), StatisticsOptions()))))
     for expected in (
         "No height of an eye, a taillight or a headlight counts yet.",
         "No measurement rests on a calibration yet.",
@@ -177,7 +177,7 @@ def test_a_long_table_repeats_its_head_and_no_word_leaves_the_page() -> None:
     left_out = tuple(
         Exclusion(k, LONG if k % 9 == 0 else "a van", "roof", "rejected", LONG) for k in range(70)
     )
-    few = ReportFacts(LONG, LONG, statistics(0), Choices(), description=LONG, exclusions=left_out)
+    few = ReportFacts(LONG, LONG, statistics(0), StatisticsOptions(), description=LONG, exclusions=left_out)
     long = replace(few, exclusions_total=900)
     said = words(report(long))
     assert said.count("\nReason\n") >= 3
@@ -213,7 +213,7 @@ def test_a_photograph_stands_in_the_report_and_a_broken_one_is_named() -> None:
     out = io.BytesIO()
     Image.new("RGB", (300, 200), "grey").save(out, "PNG")
     photos = (PhotographFile("From the verge", out.getvalue()), PhotographFile("Torn", out.getvalue()[:90]))
-    made = report(replace(ReportFacts("A", "", statistics(0), Choices()), photos=photos))
+    made = report(replace(ReportFacts("A", "", statistics(0), StatisticsOptions()), photos=photos))
     said = flat(words(made))
     assert flat("Figure 1 From the verge") in said
     assert flat("The photograph “Torn” cannot be read as PNG or JPEG.") in said

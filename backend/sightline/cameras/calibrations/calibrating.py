@@ -34,7 +34,7 @@ MOST_IMPORT_BYTES = 2_000_000
 
 
 @dataclass(frozen=True)
-class Wish:
+class CalibrationRequest:
     """What to calibrate from: the camera's images, or every n-th frame of a span of a recording."""
 
     columns: int
@@ -57,7 +57,7 @@ class Wish:
 
 
 @dataclass(frozen=True, eq=False)
-class Seen:
+class DetectedView:
     """One picture that was looked at, with where it comes from."""
 
     name: str
@@ -77,7 +77,7 @@ def under_way(session: Session, camera_id: int) -> Job | None:
     return None
 
 
-def frames_of(wish: Wish, frame_count: int) -> list[int]:
+def frames_of(wish: CalibrationRequest, frame_count: int) -> list[int]:
     """The frames to look at. Raises BadInput for a span outside the recording or too many frames."""
     first = wish.first_frame or 0
     last = frame_count - 1 if wish.last_frame is None else wish.last_frame
@@ -128,7 +128,7 @@ def stored_corners(image: CalibrationImage, board: Board) -> Corners:
     )
 
 
-def unique_names(seen: Sequence[Seen]) -> list[Seen]:
+def unique_names(seen: Sequence[DetectedView]) -> list[DetectedView]:
     """The same pictures; a name that was there before gets a number: results are told apart by name."""
     taken: set[str] = set()
     named = []
@@ -142,7 +142,7 @@ def unique_names(seen: Sequence[Seen]) -> list[Seen]:
     return named
 
 
-def view_rows(seen: Sequence[Seen], result: CalibrationResult) -> list[JsonObject]:
+def view_rows(seen: Sequence[DetectedView], result: CalibrationResult) -> list[JsonObject]:
     """What is stored of each picture: used or why not, corners and residuals, row by row."""
     verdicts = {view.file: view for view in result.camera.views}
     rows: list[JsonObject] = []

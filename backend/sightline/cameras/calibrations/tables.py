@@ -14,7 +14,7 @@ from sqlalchemy import (
 
 from sightline.enums import CalibrationSource
 from sightline.infra.audit.vouched import WrittenOnce, vouched
-from sightline.infra.database.types import Document, Moment, identity, metadata, one_of
+from sightline.infra.database.types import CanonicalJson, UtcDateTime, enum_check, identity, metadata
 
 calibration_images = Table(
     "calibration_images",
@@ -27,14 +27,14 @@ calibration_images = Table(
     Column("height_px", Integer, nullable=False),
     Column("found", Boolean, nullable=False),
     Column("reason", Text),
-    Column("corners_px", Document, nullable=False),
+    Column("corners_px", CanonicalJson, nullable=False),
     Column("columns", Integer, nullable=False),
     Column("rows", Integer, nullable=False),
     Column("sharpness", Float),
-    Column("ids", Document),
+    Column("ids", CanonicalJson),
     Column("dictionary", String(40)),
     Column("marker_share", Float),
-    Column("created_at", Moment, nullable=False),
+    Column("created_at", UtcDateTime, nullable=False),
     Column("created_by", ForeignKey("people.id")),
     CheckConstraint("found OR reason IS NOT NULL", name="missed_has_reason"),
 )
@@ -47,14 +47,14 @@ calibrations = Table(
     Column("camera_id", ForeignKey("cameras.id"), nullable=False, index=True),
     Column("source", String(20), nullable=False),
     Column("recording_id", ForeignKey("recordings.id")),
-    Column("document", Document, nullable=False),
+    Column("document", CanonicalJson, nullable=False),
     Column("trusted", Boolean, nullable=False),
-    Column("warnings", Document, nullable=False),
-    Column("coverage", Document, nullable=False),
-    Column("views", Document, nullable=False),
+    Column("warnings", CanonicalJson, nullable=False),
+    Column("coverage", CanonicalJson, nullable=False),
+    Column("views", CanonicalJson, nullable=False),
     Column("summary", Text, nullable=False),
-    Column("created_at", Moment, nullable=False),
+    Column("created_at", UtcDateTime, nullable=False),
     Column("created_by", ForeignKey("people.id")),
-    one_of("source", CalibrationSource),
+    enum_check("source", CalibrationSource),
     info=vouched(WrittenOnce("calibration", "calibration")),
 )

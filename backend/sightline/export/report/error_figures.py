@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 
 from sightline.export.report import labels, marks
 from sightline.export.report.canvas import HALF, INK, MUTED, Drawing, svg
-from sightline.export.report.marks import MAIN, SECOND, THIRD, Pen
+from sightline.export.report.marks import MAIN, SECOND, THIRD, LineStyle
 from sightline.export.report.units import HEIGHT, SMALL, Unit, count, fixed
 from sightline.export.report.words import GROUPS, heading
 from sightline.statistics.agreement import Trend
@@ -18,7 +18,7 @@ from sightline.statistics.distributions import Ecdf
 from sightline.statistics.errors import WHOLE_CM
 from sightline.statistics.summary import Errors
 
-_PENS: dict[str, Pen] = {"daytime": MAIN, "low_light": SECOND, "overall": THIRD}
+_PENS: dict[str, LineStyle] = {"daytime": MAIN, "low_light": SECOND, "overall": THIRD}
 _DOTS: tuple[tuple[str, dict[str, Any]], ...] = (
     ("daytime", {"marker": "o", "facecolors": "none", "edgecolors": INK}),
     ("low light", {"marker": "^", "facecolors": MUTED, "edgecolors": "none"}),
@@ -28,14 +28,14 @@ _SHARES = "Share of vehicles (%)"
 _MANY = 300  # points
 
 
-class Counted(Protocol):
+class SampleCounts(Protocol):
     """A part that knows how many vehicles it is of."""
 
     @property
     def n(self) -> int: ...
 
 
-Part = TypeVar("Part", bound=Counted)
+Part = TypeVar("Part", bound=SampleCounts)
 
 
 def error_figures(errors: Errors, unit: Unit) -> dict[str, Drawing | str]:
@@ -48,7 +48,7 @@ def error_figures(errors: Errors, unit: Unit) -> dict[str, Drawing | str]:
     }
 
 
-def _drawn(parts: Mapping[str, Part | str | None]) -> list[tuple[str, Part, Pen]]:
+def _drawn(parts: Mapping[str, Part | str | None]) -> list[tuple[str, Part, LineStyle]]:
     """The groups that have something to draw; one that is the same as "overall" is drawn once."""
     there = {
         name: part for name in GROUPS if (part := parts.get(name)) is not None and not isinstance(part, str)
@@ -61,7 +61,7 @@ def _drawn(parts: Mapping[str, Part | str | None]) -> list[tuple[str, Part, Pen]
     return [(name, part, _PENS[name]) for name, part in there.items()]
 
 
-def _word(name: str, part: Counted) -> str:
+def _word(name: str, part: SampleCounts) -> str:
     return f"{GROUPS[name]}, n = {count(part.n)}"
 
 
@@ -73,8 +73,8 @@ def _cumulative(
         return "No vehicle has a reference height, so there is no error to draw."
 
     def draw(axes: Axes) -> None:
-        for name, part, pen in drawn:
-            marks.steps(axes, part, pen, factor, _word(name, part))
+        for name, part, style in drawn:
+            marks.steps(axes, part, style, factor, _word(name, part))
         axes.set(xlabel=axis, ylabel=_SHARES, ylim=(0, 100.8))
         axes.set_xlim(0, None)
         axes.legend(loc="lower right")
@@ -113,7 +113,10 @@ def _density(errors: Errors, unit: Unit) -> Drawing | str:
 
     def draw(axes: Axes) -> None:
         axes.axvline(0.0, color=MUTED, linewidth=0.6)
-        named = [marks.hump(axes, part, pen, small.factor, _word(name, part)) for name, part, pen in drawn]
+        named = [
+            marks.density_curve(axes, part, style, small.factor, _word(name, part))
+            for name, part, style in drawn
+        ]
         axes.set(xlabel=f"Measured minus reference ({small.sign})", ylabel=f"Density (per {small.sign})")
         axes.set_ylim(0, None)
         axes.margins(x=0.01)

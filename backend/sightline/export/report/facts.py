@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from datetime import date, datetime
 
 from sightline.export.report.units import Unit
-from sightline.results.survey_statistics import Choices, Statistics
+from sightline.results.survey_statistics import Statistics, StatisticsOptions
 from sightline.scans.statistics.service import ScanStatistics
 from sightline.surveys.photographs.records import PhotographFile
 
@@ -171,7 +171,7 @@ class ReportFacts:
     survey: str
     site: str
     statistics: Statistics
-    choices: Choices
+    choices: StatisticsOptions
     description: str = ""
     as_of: datetime | None = None
     first_day: date | None = None

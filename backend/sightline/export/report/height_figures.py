@@ -132,7 +132,7 @@ def _density(name: str, target: Target, limits: Sequence[Limit], unit: Unit) -> 
         return found
 
     def draw(axes: Axes) -> None:
-        marks.hump(axes, found, MAIN, scale.factor)
+        marks.density_curve(axes, found, MAIN, scale.factor)
         axes.set(xlabel=f"Height of the {word} ({scale.sign})", ylabel=f"Density (per {scale.sign})")
         axes.margins(x=0.01)
         axes.set_ylim(0, 1.04 * float(found.high.max()) / scale.factor)

@@ -20,7 +20,7 @@ _TEXT_MM = 2.7  # what an upright word needs beside the next
 
 
 @dataclass(frozen=True)
-class Pen:
+class LineStyle:
     """How a curve looks. `band`: whether its interval is drawn."""
 
     dash: tuple[float, ...] = ()
@@ -34,10 +34,10 @@ class Pen:
         return {"color": self.colour, "linewidth": self.width_pt, "linestyle": style}
 
 
-MAIN = Pen()
-SECOND = Pen(dash=(5, 2))
-THIRD = Pen(dash=(1, 1.4), colour=MUTED, width_pt=1.1, band=False)
-RAW = Pen(dash=(5, 2), colour=MUTED, width_pt=1.1, band=False)
+MAIN = LineStyle()
+SECOND = LineStyle(dash=(5, 2))
+THIRD = LineStyle(dash=(1, 1.4), colour=MUTED, width_pt=1.1, band=False)
+RAW = LineStyle(dash=(5, 2), colour=MUTED, width_pt=1.1, band=False)
 
 
 @dataclass(frozen=True)
@@ -49,24 +49,24 @@ class Limit:
     share: float | None = None
 
 
-def steps(axes: Axes, ecdf: Ecdf, pen: Pen, factor: float, word: str = "") -> Named:
+def steps(axes: Axes, ecdf: Ecdf, style: LineStyle, factor: float, word: str = "") -> Named:
     """A cumulative distribution as steps in per cent, with its band."""
     x = factor * np.concatenate([ecdf.value[:1], ecdf.value])
     y = 100.0 * np.concatenate([[0.0], ecdf.share])
-    if pen.band:
+    if style.band:
         low, high = 100.0 * ecdf.low, 100.0 * ecdf.high
         axes.fill_between(x[1:], low, high, step="post", color=INK, alpha=0.11, linewidth=0)
-    axes.step(x, y, where="post", label=word, **pen.line())
+    axes.step(x, y, where="post", label=word, **style.line())
     return Named(np.repeat(x, 2)[1:], np.repeat(y, 2)[:-1], word)
 
 
-def hump(axes: Axes, density: Density, pen: Pen, factor: float, word: str = "") -> Named:
+def density_curve(axes: Axes, density: Density, style: LineStyle, factor: float, word: str = "") -> Named:
     """A density with its band, per unit of the axis."""
     x, y = factor * density.value, density.density / factor
-    if pen.band:
+    if style.band:
         low, high = density.low / factor, density.high / factor
         axes.fill_between(x, low, high, color=INK, alpha=0.11, linewidth=0)
-    axes.plot(x, y, label=word, **pen.line())
+    axes.plot(x, y, label=word, **style.line())
     return Named(x, y, word)
 
 

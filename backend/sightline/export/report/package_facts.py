@@ -33,7 +33,7 @@ from sightline.infra.csv_package.files import (
     whole,
 )
 from sightline.infra.csv_package.schema import Written
-from sightline.results.survey_statistics import Choices
+from sightline.results.survey_statistics import StatisticsOptions
 from sightline.surveys.photographs.csv import photos_in
 
 MOST_EXCLUSIONS = 300
@@ -54,7 +54,7 @@ def report_facts(files: Files, made: PackageStatistics, written: Mapping[str, Wr
         survey=str(survey.get("name", "")),
         site=str(survey.get("site", "")),
         statistics=found,
-        choices=Choices(),
+        choices=StatisticsOptions(),
         description=str(survey.get("description", "")),
         as_of=head.moment,
         first_day=used.first_day,

@@ -22,7 +22,7 @@ from sqlalchemy import Float, Integer, Select, SelectBase, func, literal, select
 from sqlalchemy.orm import Session
 from sqlalchemy.types import TypeEngine
 
-from sightline.infra.database.types import Moment
+from sightline.infra.database.types import UtcDateTime
 
 log = logging.getLogger(__name__)
 
@@ -132,7 +132,7 @@ def _zeros(query: Select[Any]) -> SelectBase:
 
 
 def _kind(of: TypeEngine[Any]) -> pa.DataType:
-    if isinstance(of, Moment):
+    if isinstance(of, UtcDateTime):
         return pa.timestamp("us", tz="UTC")
     if isinstance(of, Float):
         return pa.float64()

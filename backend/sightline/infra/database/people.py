@@ -13,7 +13,7 @@ from sqlalchemy import (
 )
 
 from sightline.enums import Role
-from sightline.infra.database.types import Moment, identity, metadata, one_of
+from sightline.infra.database.types import UtcDateTime, enum_check, identity, metadata
 
 people = Table(
     "people",
@@ -25,10 +25,10 @@ people = Table(
     Column("active", Boolean, nullable=False, server_default=true()),
     Column("password_hash", Text),
     Column("session_key", Integer, nullable=False, server_default="1"),
-    Column("created_at", Moment, nullable=False),
-    Column("last_seen_at", Moment),
+    Column("created_at", UtcDateTime, nullable=False),
+    Column("last_seen_at", UtcDateTime),
     UniqueConstraint("email"),
-    one_of("role", Role),
+    enum_check("role", Role),
 )
 
 
@@ -38,8 +38,8 @@ sign_in_links = Table(
     identity(),
     Column("person_id", ForeignKey("people.id"), nullable=False, index=True),
     Column("token_hash", String(64), nullable=False),
-    Column("created_at", Moment, nullable=False),
-    Column("expires_at", Moment, nullable=False),
-    Column("used_at", Moment),
+    Column("created_at", UtcDateTime, nullable=False),
+    Column("expires_at", UtcDateTime, nullable=False),
+    Column("used_at", UtcDateTime),
     UniqueConstraint("token_hash"),
 )

@@ -44,7 +44,7 @@ def document_text(value: Any) -> str:
     return json.dumps(value, sort_keys=True, separators=(",", ":"), ensure_ascii=False, allow_nan=False)
 
 
-class Moment(TypeDecorator[datetime]):
+class UtcDateTime(TypeDecorator[datetime]):
     """An aware UTC datetime; SQLite, which knows no zones, stores it as UTC."""
 
     impl = DateTime
@@ -67,7 +67,7 @@ class Moment(TypeDecorator[datetime]):
         return value.replace(tzinfo=UTC) if value.tzinfo is None else value.astimezone(UTC)
 
 
-class Document(TypeDecorator[Any]):
+class CanonicalJson(TypeDecorator[Any]):
     """A JSON value kept as text, so that what is read is to the bit what was written."""
 
     impl = Text
@@ -85,7 +85,7 @@ def identity() -> Column[int]:
     return Column("id", Integer, primary_key=True)
 
 
-def one_of(column: str, words: Any) -> CheckConstraint:
+def enum_check(column: str, words: Any) -> CheckConstraint:
     """A check that a text column holds one of a Literal's words (or nothing, where it may be empty)."""
     listed = ", ".join(f"'{word}'" for word in get_args(words))
     return CheckConstraint(f"{column} IN ({listed})", name=f"{column}_known")

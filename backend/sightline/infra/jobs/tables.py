@@ -15,7 +15,7 @@ from sqlalchemy import (
 )
 
 from sightline.enums import JobState
-from sightline.infra.database.types import Document, Moment, identity, metadata, one_of
+from sightline.infra.database.types import CanonicalJson, UtcDateTime, enum_check, identity, metadata
 
 jobs = Table(
     "jobs",
@@ -23,22 +23,22 @@ jobs = Table(
     identity(),
     Column("kind", String(60), nullable=False),
     Column("state", String(20), nullable=False),
-    Column("payload", Document, nullable=False),
+    Column("payload", CanonicalJson, nullable=False),
     Column("progress", Float, nullable=False),
     Column("message", Text, nullable=False),
     Column("error", Text),
-    Column("result", Document),
+    Column("result", CanonicalJson),
     Column("survey_id", ForeignKey("surveys.id"), index=True),
     Column("recording_id", ForeignKey("recordings.id"), index=True),
     Column("scan_id", Integer, ForeignKey("scans.id", use_alter=True), index=True),
     Column("attempts", Integer, nullable=False),
     Column("worker", String(200)),
     Column("cancel_requested", Boolean, nullable=False, server_default=false()),
-    Column("created_at", Moment, nullable=False),
+    Column("created_at", UtcDateTime, nullable=False),
     Column("created_by", ForeignKey("people.id")),
-    Column("started_at", Moment),
-    Column("finished_at", Moment),
-    one_of("state", JobState),
+    Column("started_at", UtcDateTime),
+    Column("finished_at", UtcDateTime),
+    enum_check("state", JobState),
     CheckConstraint("progress >= 0 AND progress <= 1", name="progress_fraction"),
     CheckConstraint("state <> 'failed' OR error IS NOT NULL", name="failed_has_error"),
     CheckConstraint("state <> 'running' OR worker IS NOT NULL", name="running_has_worker"),

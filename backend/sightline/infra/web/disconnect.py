@@ -11,10 +11,10 @@ from starlette.concurrency import run_in_threadpool
 
 LOOK_S = 0.05
 Result = TypeVar("Result")
-Wanted = Callable[[], bool]
+CancelCheck = Callable[[], bool]
 
 
-async def while_wanted(request: Request, work: Callable[[Wanted], Result]) -> Result:
+async def run_unless_cancelled(request: Request, work: Callable[[CancelCheck], Result]) -> Result:
     """Do `work` in a thread; the function that it is given says whether the browser still waits."""
     gone = threading.Event()
 

@@ -42,7 +42,7 @@ SECURITY_HEADERS = {
 }
 
 
-def foreign(headers: Headers) -> str | None:
+def cross_site_reason(headers: Headers) -> str | None:
     """Why an unsafe request may come from another site; None when it does not.
 
     A page of another site cannot set our header without a preflight that we never grant; browsers that say
@@ -104,7 +104,7 @@ class Guard:
 
         if scope["method"] not in SAFE_METHODS and scope["path"].startswith("/api"):
             headers = Headers(scope=scope)
-            reason = foreign(headers)
+            reason = cross_site_reason(headers)
             if reason is not None:
                 await answer(403, "cross_site", reason)(scope, receive, send_with_headers)
                 return

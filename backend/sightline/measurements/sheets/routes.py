@@ -13,7 +13,7 @@ from sightline.surveys.store import get_survey
 from sightline.vehicles import service, store
 from sightline.vehicles.bodies import ChangedVehicle, NewVehicle, VehicleFields
 from sightline.vehicles.records import VehicleChanges
-from sightline.vehicles.service import Overtaken
+from sightline.vehicles.service import StaleVersion
 
 router = APIRouter()
 
@@ -63,7 +63,7 @@ def change_vehicle(vehicle_id: PathId, body: ChangedVehicle, who: Operator, sess
     """Change a record. If somebody was quicker, the conflict says who and when and carries the record."""
     try:
         service.change_vehicle(session, vehicle_id, changes_of(body), version=body.version, actor=who.id)
-    except Overtaken as error:
+    except StaleVersion as error:
         error.current = sheet_body(session, vehicle_id).model_dump(mode="json")
         raise
     return sheet_body(session, vehicle_id)

@@ -19,7 +19,7 @@ class CannotDecode(BadInput):
     code = "cannot_decode"
 
 
-class Blame:
+class CrashTracker:
     """Counts what each recording did. Thread-safe.
 
     When several recordings were being decoded as the process ended, none is blamed: from then on each of them
@@ -47,12 +47,12 @@ class Blame:
     def died(self, decoding: Set[str]) -> Set[str]:
         """The process ended while these were being decoded: the guilty ones, perhaps none."""
         with self._lock:
-            guilty = decoding & self._suspects if len(decoding) > 1 else decoding
-            if guilty:
-                for recording in guilty:
+            culprits = decoding & self._suspects if len(decoding) > 1 else decoding
+            if culprits:
+                for recording in culprits:
                     self._kills.setdefault(recording, []).append(self._clock())
             self._suspects |= decoding
-            return guilty
+            return culprits
 
     @contextmanager
     def turn(self, recording: str) -> Iterator[None]:

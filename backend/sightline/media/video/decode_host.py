@@ -30,12 +30,12 @@ from numpy.typing import NDArray
 
 from sightline.errors import SightlineError
 from sightline.media.video.decode_child import TOO_MUCH_MEMORY
-from sightline.media.video.decode_crashes import Blame, CannotDecode, sentence
+from sightline.media.video.decode_crashes import CannotDecode, CrashTracker, sentence
 from sightline.media.video.decode_wire import Header, Limits, Link, error_of, packed
 from sightline.media.video.display import Display
 from sightline.media.video.picture import Bgr, Gray
 from sightline.media.video.seeker import RecordingMedia
-from sightline.media.video.window import NotWanted, Rectangle, Wanted, always
+from sightline.media.video.window import CancelCheck, NoLongerWanted, Rectangle, always
 
 log = logging.getLogger("sightline.decode")
 
@@ -51,9 +51,9 @@ Reply = tuple[Header, bytes]
 class _Died(Exception):
     """The child ended in the middle; `guilty` are the recordings that are blamed for it."""
 
-    def __init__(self, why: str, guilty: Set[str]) -> None:
+    def __init__(self, why: str, culprits: Set[str]) -> None:
         super().__init__(why)
-        self.why, self.guilty = why, guilty
+        self.why, self.culprits = why, culprits
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,7 +84,7 @@ class _Call:
 class _Child:
     """One run of the decoding process. The first thread that finds it dead starts the next one."""
 
-    def __init__(self, entry: str, window_bytes: int, limits: Limits, blame: Blame) -> None:
+    def __init__(self, entry: str, window_bytes: int, limits: Limits, blame: CrashTracker) -> None:
         ours, theirs = socket.socketpair()
         arguments = [str(theirs.fileno()), str(window_bytes), str(limits.memory_bytes)]
         with theirs:
@@ -95,7 +95,7 @@ class _Child:
                 env=_environment(),
             )
         self._link = Link(Connection(ours.detach()))
-        self._limits, self._blame = limits, blame
+        self._limits, self._crashes = limits, blame
         self._known: OrderedDict[str, None] = OrderedDict()
         self._calls: dict[int, _Call] = {}
         self._heard: dict[str, float] = {}
@@ -111,8 +111,8 @@ class _Child:
     def is_over(self) -> bool:
         return self._end is not None
 
-    def ask(self, call_id: int, question: Question, wanted: Wanted) -> Reply:
-        """Send a question and wait. Raises what the child raised, NotWanted, or _Died."""
+    def ask(self, call_id: int, question: Question, wanted: CancelCheck) -> Reply:
+        """Send a question and wait. Raises what the child raised, NoLongerWanted, or _Died."""
         call = _Call(question.recording)
         with self._lock:
             if self._end is not None:
@@ -209,7 +209,7 @@ class _Child:
             blamed = self._ready and not self._is_closed
             decoding = frozenset(call.recording for call in calls) if blamed else frozenset()
             why = self._why or _why(status, self._limits)
-            self._end = _Died(why, self._blame.died(decoding))
+            self._end = _Died(why, self._crashes.died(decoding))
             self._link.close()
         if calls and not self._is_closed:
             log.warning("the decoding process %s (status %s) and is started anew", why, status)
@@ -227,30 +227,30 @@ class DecodeHost:
         self._limits = limits or Limits()
         self._window_bytes = window_bytes
         self._entry = entry
-        self._blame = Blame(self._limits)
+        self._crashes = CrashTracker(self._limits)
         self._numbers = itertools.count(1)
         self._lock = threading.Lock()
         self._child: _Child | None = None
 
     def still(
-        self, media: RecordingMedia, n: int, wanted: Wanted, display: Display, *, ahead: bool = False
+        self, media: RecordingMedia, n: int, wanted: CancelCheck, display: Display, *, ahead: bool = False
     ) -> bytes:
         """Frame n as JPEG."""
         return self._ask({"do": "still", "n": n, "display": display, "ahead": ahead}, media, wanted)[1]
 
     def crop_png(
-        self, media: RecordingMedia, n: int, rectangle: Rectangle, wanted: Wanted, display: Display
+        self, media: RecordingMedia, n: int, rectangle: Rectangle, wanted: CancelCheck, display: Display
     ) -> bytes:
         """A rectangle of frame n, lossless."""
         header = {"do": "crop", "n": n, "rectangle": rectangle, "display": display}
         return self._ask(header, media, wanted)[1]
 
-    def bgr(self, media: RecordingMedia, n: int, wanted: Wanted) -> Bgr:
+    def bgr(self, media: RecordingMedia, n: int, wanted: CancelCheck) -> Bgr:
         """Frame n, (height_px, width_px, 3) BGR."""
         header, body = self._ask({"do": "bgr", "n": n}, media, wanted)
         return np.frombuffer(body, np.uint8).reshape(header["shape"]).copy()
 
-    def gray(self, media: RecordingMedia, n: int, wanted: Wanted) -> Gray:
+    def gray(self, media: RecordingMedia, n: int, wanted: CancelCheck) -> Gray:
         """Frame n, (height_px, width_px) luminance."""
         header, body = self._ask({"do": "gray", "n": n}, media, wanted)
         return np.frombuffer(body, np.uint8).reshape(header["shape"]).copy()
@@ -292,26 +292,26 @@ class DecodeHost:
         if child is not None:
             child.end()
 
-    def _ask(self, header: Header, media: RecordingMedia, wanted: Wanted) -> Reply:
+    def _ask(self, header: Header, media: RecordingMedia, wanted: CancelCheck) -> Reply:
         return self._answer(Question(header, media.identity, media), wanted)
 
-    def _answer(self, question: Question, wanted: Wanted) -> Reply:
+    def _answer(self, question: Question, wanted: CancelCheck) -> Reply:
         for _ in range(TRIES):
-            self._blame.check(question.recording)
+            self._crashes.check(question.recording)
             if not wanted():
-                raise NotWanted("This frame was no longer wanted.")
+                raise NoLongerWanted("This frame was no longer wanted.")
             try:
-                with self._blame.turn(question.recording):
+                with self._crashes.turn(question.recording):
                     return self._running().ask(next(self._numbers), question, wanted)
             except _Died as died:
-                if question.recording in died.guilty:
+                if question.recording in died.culprits:
                     raise question.refusal(died.why) from died
         raise SightlineError("The decoder ended again and again; look at the memory of this machine.")
 
     def _running(self) -> _Child:
         with self._lock:
             if self._child is None or self._child.is_over:
-                self._child = _Child(self._entry, self._window_bytes, self._limits, self._blame)
+                self._child = _Child(self._entry, self._window_bytes, self._limits, self._crashes)
             return self._child
 
 

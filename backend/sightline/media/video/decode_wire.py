@@ -17,12 +17,12 @@ import numpy as np
 
 from sightline.errors import BadInput, Damaged, NotFound, SightlineError
 from sightline.media.video.seeker import RecordingMedia
-from sightline.media.video.window import NotWanted
+from sightline.media.video.window import NoLongerWanted
 
 Header = dict[str, Any]
 _LENGTH = struct.Struct("<I")
 _ERRORS: dict[str, type[SightlineError]] = {
-    kind.__name__: kind for kind in (BadInput, Damaged, NotFound, NotWanted, SightlineError)
+    kind.__name__: kind for kind in (BadInput, Damaged, NotFound, NoLongerWanted, SightlineError)
 }
 
 

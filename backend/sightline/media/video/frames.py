@@ -10,13 +10,13 @@ from sightline.errors import BadInput, NotFound
 from sightline.media.video.caches import DiskCache, MemoryCache
 from sightline.media.video.display import Display
 from sightline.media.video.picture import Bgr, Gray
-from sightline.media.video.prefetch import Onward
+from sightline.media.video.prefetch import Prefetcher
 from sightline.media.video.seeker import RecordingMedia
-from sightline.media.video.window import NotWanted, Pictures, Wanted, Window, always
+from sightline.media.video.window import CancelCheck, NoLongerWanted, Pictures, Window, always
 
 MOST_CROP_PX = 4096 * 4096
 MOST_CROP_SCALE = 16
-__all__ = ["FrameServer", "NotWanted", "RecordingMedia"]
+__all__ = ["FrameServer", "NoLongerWanted", "RecordingMedia"]
 
 
 class FrameServer:
@@ -25,7 +25,7 @@ class FrameServer:
     Frames come from `pictures`: a decoder in this process unless another is given, which then also makes the
     next ones before they are asked for. Memory holds frames (three quarters, where they are decoded) and
     JPEGs (a quarter, here); the disk holds JPEGs. Thread-safe. `wanted` (asked between frames) lets a caller
-    give up: the answer is then NotWanted.
+    give up: the answer is then NoLongerWanted.
 
     All methods raise NotFound for an n outside the table, Damaged if the file does not give the frame whose
     checksum is in the table, or is missing.
@@ -43,32 +43,32 @@ class FrameServer:
         self._pictures = pictures or Window(memory_bytes * 3 // 4, max_open=max_open)
         self._jpegs: MemoryCache[bytes] = MemoryCache(memory_bytes // 4, len)
         self._disk = DiskCache(cache_dir / "stills", disk_bytes)
-        self._onward = Onward(self._jpegs, pictures, _key) if pictures else None
+        self._prefetcher = Prefetcher(self._jpegs, pictures, _key) if pictures else None
 
     def still(
-        self, media: RecordingMedia, n: int, wanted: Wanted = always, display: Display = "plain"
+        self, media: RecordingMedia, n: int, wanted: CancelCheck = always, display: Display = "plain"
     ) -> bytes:
         """Frame n as JPEG, quality 95, upright with square pixels, its colour sampled as in the recording;
         "bright": to look at only.
         """
         _check(media, n)
         key = _key(media, n, display)
-        data = self._jpegs.get(key) or self._onward_gives(key, wanted)
+        data = self._jpegs.get(key) or self._prefetched(key, wanted)
         if data is None:
             data = self._disk.get(key)
             if data is None:
-                with self._onward.first() if self._onward else nullcontext():
+                with self._prefetcher.first() if self._prefetcher else nullcontext():
                     data = self._pictures.still(media, n, wanted, display)
                 self._disk.put(key, data)
             self._jpegs.put(key, data)
-        if self._onward and display == "plain":
-            self._onward.asked(media, n, len(data))
+        if self._prefetcher and display == "plain":
+            self._prefetcher.asked(media, n, len(data))
         return data
 
-    def _onward_gives(self, key: str, wanted: Wanted) -> bytes | None:
-        return self._onward.coming(key, wanted) if self._onward else None
+    def _prefetched(self, key: str, wanted: CancelCheck) -> bytes | None:
+        return self._prefetcher.coming(key, wanted) if self._prefetcher else None
 
-    def prepare(self, media: RecordingMedia, n: int, wanted: Wanted = always) -> int:
+    def prepare(self, media: RecordingMedia, n: int, wanted: CancelCheck = always) -> int:
         """Have frame n ready on disk before somebody asks; its size there in bytes."""
         _check(media, n)
         key = _key(media, n, "plain")
@@ -79,12 +79,12 @@ class FrameServer:
         self._disk.put(key, data)
         return len(data)
 
-    def bgr(self, media: RecordingMedia, n: int, wanted: Wanted = always) -> Bgr:
+    def bgr(self, media: RecordingMedia, n: int, wanted: CancelCheck = always) -> Bgr:
         """Frame n, (height_px, width_px, 3) BGR."""
         _check(media, n)
         return self._pictures.bgr(media, n, wanted)
 
-    def gray(self, media: RecordingMedia, n: int, wanted: Wanted = always) -> Gray:
+    def gray(self, media: RecordingMedia, n: int, wanted: CancelCheck = always) -> Gray:
         """Frame n, (height_px, width_px) luminance."""
         _check(media, n)
         return self._pictures.gray(media, n, wanted)
@@ -99,7 +99,7 @@ class FrameServer:
         h: int,
         scale: int = 1,
         display: Display = "plain",
-        wanted: Wanted = always,
+        wanted: CancelCheck = always,
     ) -> bytes:
         """The rectangle of w x h pixels whose top-left pixel is (x, y), lossless; each pixel `scale`
         times as large.
@@ -142,8 +142,8 @@ class FrameServer:
 
     def close(self) -> None:
         """Close all decoders; caches stay. The server opens them again when asked."""
-        if self._onward:
-            self._onward.close()
+        if self._prefetcher:
+            self._prefetcher.close()
         self._pictures.close()
 
 

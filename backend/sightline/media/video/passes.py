@@ -7,7 +7,7 @@ from contextlib import closing
 from pathlib import Path
 
 from sightline.detection.classify import FoundPass
-from sightline.detection.finder import PassFinder, reduce
+from sightline.detection.finder import PassFinder, downsample
 from sightline.errors import BadInput
 from sightline.media.cancelling import Cancelled
 from sightline.media.video.decode import Damage, decoded, open_container, same_size, video_stream
@@ -61,7 +61,7 @@ def find_passes(
                 continue
             gray = upright_gray(frame, layout)
             finder = finder or PassFinder((gray.shape[1], gray.shape[0]), rate, stride, square_at)
-            finder.offer(reduce(n, gray))
+            finder.offer(downsample(n, gray))
             if n % 30 == 0 and damage.position is not None:
                 on_progress(min(0.99, damage.position / size))
     if finder is None:

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from sightline.errors import SightlineError
 from sightline.media.video.caches import MemoryCache
 from sightline.media.video.seeker import RecordingMedia
-from sightline.media.video.window import NotWanted, Pictures, Wanted
+from sightline.media.video.window import CancelCheck, NoLongerWanted, Pictures
 
 log = logging.getLogger("sightline.decode")
 
@@ -43,7 +43,7 @@ class _Item:
     dropped: bool = False
 
 
-class Onward:
+class Prefetcher:
     """Fills a cache of JPEGs, nearest in the direction of travel first: one thread decodes, one encodes.
 
     Thread-safe. Its threads pause while somebody waits for a frame that is not here, and end after a while
@@ -77,7 +77,7 @@ class Onward:
                 threading.Thread(target=self._run, name="stills-onward", daemon=True).start()
             self._change.notify_all()
 
-    def coming(self, key: str, wanted: Wanted) -> bytes | None:
+    def coming(self, key: str, wanted: CancelCheck) -> bytes | None:
         """The still if it is just being made, as soon as it is; None if it is not or came to nothing."""
         with self._change:
             item = self._coming.get(key)
@@ -156,7 +156,7 @@ class Onward:
                 self._coming[item.key] = item
             try:
                 self._make(item)
-            except NotWanted:
+            except NoLongerWanted:
                 pass
             except SightlineError as error:
                 self._give_up(item, error.message)

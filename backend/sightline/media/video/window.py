@@ -22,7 +22,7 @@ JPEG_QUALITY = 95
 # What an open decoder holds beside the window: reference frames and those of its threads, 16 as measured.
 FRAMES_OF_DECODER = 20
 OPEN_BYTES = 1_000_000_000
-Wanted = Callable[[], bool]
+CancelCheck = Callable[[], bool]
 Rectangle = tuple[int, int, int, int, int]
 
 
@@ -30,7 +30,7 @@ def always() -> bool:
     return True
 
 
-class NotWanted(NotFound):
+class NoLongerWanted(NotFound):
     """The asker went away while the frame was being looked for."""
 
     code = "not_wanted"
@@ -40,20 +40,20 @@ class Pictures(Protocol):
     """Where pictures of frame n come from: a decoder in this process, or one in a child.
 
     All raise Damaged if the file does not give the frame whose checksum is in the table, or is missing;
-    NotWanted once `wanted` (asked between frames) says no. A Rectangle is x, y, w, h in px and the scale.
+    NoLongerWanted once `wanted` (asked between frames) says no. A Rectangle: x, y, w, h in px and the scale.
     """
 
     def still(
-        self, media: RecordingMedia, n: int, wanted: Wanted, display: Display, *, ahead: bool = False
+        self, media: RecordingMedia, n: int, wanted: CancelCheck, display: Display, *, ahead: bool = False
     ) -> bytes: ...
 
     def crop_png(
-        self, media: RecordingMedia, n: int, rectangle: Rectangle, wanted: Wanted, display: Display
+        self, media: RecordingMedia, n: int, rectangle: Rectangle, wanted: CancelCheck, display: Display
     ) -> bytes: ...
 
-    def bgr(self, media: RecordingMedia, n: int, wanted: Wanted) -> Bgr: ...
+    def bgr(self, media: RecordingMedia, n: int, wanted: CancelCheck) -> Bgr: ...
 
-    def gray(self, media: RecordingMedia, n: int, wanted: Wanted) -> Gray: ...
+    def gray(self, media: RecordingMedia, n: int, wanted: CancelCheck) -> Gray: ...
 
     def image(
         self, data: bytes, name: str, *, colour: bool, most_px: int | None = None
@@ -69,7 +69,7 @@ class Pictures(Protocol):
     def close(self) -> None: ...
 
 
-class _Desk:
+class _OpenDecoder:
     """One open recording: its seeker, and the lock that lets one thread at a time use it."""
 
     def __init__(self, seeker: Seeker) -> None:
@@ -92,21 +92,21 @@ class Window:
         self._frames: MemoryCache[Decoded] = MemoryCache(memory_bytes, _bytes_of)
         self._max_open = max_open
         self._open_bytes = open_bytes
-        self._desks: OrderedDict[str, _Desk] = OrderedDict()
+        self._desks: OrderedDict[str, _OpenDecoder] = OrderedDict()
         self._lock = threading.Lock()
         self._ahead: Window | None = None
 
     def still(
-        self, media: RecordingMedia, n: int, wanted: Wanted, display: Display, *, ahead: bool = False
+        self, media: RecordingMedia, n: int, wanted: CancelCheck, display: Display, *, ahead: bool = False
     ) -> bytes:
         """Frame n as JPEG, quality 95, colour sampled as in the recording; "bright": to look at only."""
-        where = self._lane() if ahead and n not in self.warm(media) else self
+        where = self._prefetch_window() if ahead and n not in self.warm(media) else self
         frame, layout = where._decoded(media, n, wanted)
         picture = shown_as(upright(frame, layout), display)
         return jpeg(picture, JPEG_QUALITY, half_chroma=has_half_chroma(frame, layout))
 
     def crop_png(
-        self, media: RecordingMedia, n: int, rectangle: Rectangle, wanted: Wanted, display: Display
+        self, media: RecordingMedia, n: int, rectangle: Rectangle, wanted: CancelCheck, display: Display
     ) -> bytes:
         """A rectangle of frame n, lossless; black where it reaches out of the picture."""
         *place, scale = rectangle
@@ -115,11 +115,11 @@ class Window:
             crop = np.repeat(np.repeat(crop, scale, axis=0), scale, axis=1)
         return png(crop)
 
-    def bgr(self, media: RecordingMedia, n: int, wanted: Wanted) -> Bgr:
+    def bgr(self, media: RecordingMedia, n: int, wanted: CancelCheck) -> Bgr:
         """Frame n, (height_px, width_px, 3) BGR."""
         return upright(*self._decoded(media, n, wanted))
 
-    def gray(self, media: RecordingMedia, n: int, wanted: Wanted) -> Gray:
+    def gray(self, media: RecordingMedia, n: int, wanted: CancelCheck) -> Gray:
         """Frame n, (height_px, width_px) luminance."""
         return upright_gray(*self._decoded(media, n, wanted))
 
@@ -155,13 +155,13 @@ class Window:
         if ahead is not None:
             ahead.close()
 
-    def _lane(self) -> Window:
+    def _prefetch_window(self) -> Window:
         with self._lock:
             if self._ahead is None:
                 self._ahead = Window(self._frames.most_bytes // 8, max_open=1)
             return self._ahead
 
-    def _decoded(self, media: RecordingMedia, n: int, wanted: Wanted) -> Decoded:
+    def _decoded(self, media: RecordingMedia, n: int, wanted: CancelCheck) -> Decoded:
         identity = media.identity
         key = (identity, n, int(media.crc[n]))
         while True:
@@ -175,7 +175,9 @@ class Window:
                 found = self._frames.get(key)
                 return found or self._seek(desk, media, identity, n, wanted)
 
-    def _seek(self, desk: _Desk, media: RecordingMedia, identity: str, n: int, wanted: Wanted) -> Decoded:
+    def _seek(
+        self, desk: _OpenDecoder, media: RecordingMedia, identity: str, n: int, wanted: CancelCheck
+    ) -> Decoded:
         """Under the desk's lock: let the seeker find frame n; all it passes on the way goes to the cache.
 
         Who steps back out of the window wants all the frames before n next; after a jump a few of them do.
@@ -190,12 +192,12 @@ class Window:
         is_step_back = any((identity, m, int(media.crc[m])) in self._frames for m in after)
         found = desk.seeker.find(n, wanted, jump=not is_step_back)
         if found is None:
-            raise NotWanted(f"Frame {n} was no longer wanted.")
+            raise NoLongerWanted(f"Frame {n} was no longer wanted.")
         return found
 
-    def _desk(self, media: RecordingMedia, identity: str) -> _Desk:
+    def _desk(self, media: RecordingMedia, identity: str) -> _OpenDecoder:
         with self._lock:
-            desk = self._desks.pop(identity, None) or _Desk(Seeker(media))
+            desk = self._desks.pop(identity, None) or _OpenDecoder(Seeker(media))
             self._desks[identity] = desk
             over = []
             while len(self._desks) > 1 and self._is_too_much():
@@ -209,7 +211,7 @@ class Window:
         return len(self._desks) > self._max_open or held > self._open_bytes
 
 
-def _shut(desk: _Desk) -> None:
+def _shut(desk: _OpenDecoder) -> None:
     with desk.lock:
         desk.closed = True
         desk.seeker.close()

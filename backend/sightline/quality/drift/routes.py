@@ -15,7 +15,7 @@ from sightline.recordings.store import decide_drift, get_recording, take_back_dr
 router = APIRouter()
 
 
-class LookBody(Out):
+class DriftSample(Out):
     """One frame against the pose's: a motion in pixels with what it is worth in height, or a reason."""
 
     frame: int
@@ -31,7 +31,7 @@ class LookBody(Out):
     reason: str | None = None
 
 
-class BumpBody(Out):
+class DriftStep(Out):
     after: int = Field(description="The last frame before it.")
     frame: int
     time_s: float
@@ -74,8 +74,8 @@ class CheckBody(Out):
     floor_m: float | None
     target_m: float
     distance_m: float | None
-    looks: list[LookBody]
-    bumps: list[BumpBody]
+    looks: list[DriftSample]
+    bumps: list[DriftStep]
     spans: list[SpanBody]
     checked_at: str
     code_version: str

@@ -50,7 +50,7 @@ class ClaimBody(Out):
 class OfTargetBody(Out):
     target: Target | None = Field(description="None: all targets together.")
     gauge: GaugeBody
-    claim: ClaimBody
+    uncertainty_check: ClaimBody
     another_frame: SpreadBody = Field(description="The same person on another frame of the pass, m.")
 
 
@@ -68,7 +68,9 @@ class OfPersonBody(Out):
     contact: SpreadBody = Field(description="Each coordinate, px.")
     point: SpreadBody = Field(description="Each coordinate, px.")
     sigma: SpreadBody = Field(description="Contact and target together, each coordinate, px.")
-    leaning_m: float | None = Field(description="Their heights minus the others' of the same items, mean.")
+    operator_bias_m: float | None = Field(
+        description="Their heights minus the others' of the same items, mean."
+    )
     items: int = Field(description="Items that they and others clicked.")
     chosen: ClickSigmaBody | None
     may_choose: bool

@@ -21,14 +21,14 @@ from sightline.quality.repeats.clicks import Click, alone, clicks_of_survey
 from sightline.quality.repeats.query import Blind, measurements_to_click_again, repeats_of_measurement
 from sightline.statistics.repeatability import (
     LEAST_FREEDOM,
-    Claim,
     Gauge,
     Spread,
-    claim,
+    UncertaintyCheck,
     codes_of,
     gauge,
     no_spread,
     spread_of,
+    uncertainty_check,
     within_cells,
 )
 
@@ -48,7 +48,7 @@ class OfTarget:
 
     target: Target | None
     gauge: Gauge
-    claim: Claim
+    uncertainty_check: UncertaintyCheck
     another_frame: Spread
 
 
@@ -57,7 +57,7 @@ class OfPerson:
     """Figures of one person: heights (m) and clicks (px) of their own repeats; their leaning against others.
 
     pairs: how often they clicked again what they had clicked themselves; sigma: contact and target together,
-    each coordinate; leaning_m: mean of their heights minus the others' of the same `items`, None below 5.
+    each coordinate; operator_bias_m: their heights minus the others' of the same `items`, mean, None below 5.
     """
 
     person: Who
@@ -66,7 +66,7 @@ class OfPerson:
     contact: Spread
     point: Spread
     sigma: Spread
-    leaning_m: float | None
+    operator_bias_m: float | None
     items: int
     chosen: ClickSigma | None
     may_choose: bool
@@ -178,7 +178,7 @@ def _of_target(clicks: Sequence[Click], target: Target | None) -> OfTarget:
     persons = codes_of([(one.person.id, one.target) for one in usable])
     u_clicks = [one.u_clicks_m for one in usable]
     found = gauge(_floats(heights), items, persons)
-    claimed = claim(_floats(heights), _floats(u_clicks), items)
+    claimed = uncertainty_check(_floats(heights), _floats(u_clicks), items)
     return OfTarget(target, found, claimed, _another_frame(usable))
 
 
@@ -226,7 +226,7 @@ def _of_person(clicks: Sequence[Click], person: Who, chosen: ClickSigma | None) 
     contact, point, sigma = (
         spread_of(*one, few) if enough else no_spread(few, one[1]) for one in (contacts, points, both)
     )
-    leaning = list(_leaning(clicks, person))
+    biases = list(_operator_bias(clicks, person))
     return OfPerson(
         person=person,
         pairs=pairs,
@@ -234,8 +234,8 @@ def _of_person(clicks: Sequence[Click], person: Who, chosen: ClickSigma | None) 
         contact=contact,
         point=point,
         sigma=sigma,
-        leaning_m=sum(leaning) / len(leaning) if len(leaning) >= LEAST_FREEDOM else None,
-        items=len(leaning),
+        operator_bias_m=sum(biases) / len(biases) if len(biases) >= LEAST_FREEDOM else None,
+        items=len(biases),
         chosen=chosen,
         may_choose=pairs >= LEAST_PAIRS and bool(sigma.sd),
     )
@@ -261,7 +261,7 @@ def _wheel(wheels: list[tuple[object, Point]], at: object, contact: Point) -> in
     return len(wheels) - 1
 
 
-def _leaning(clicks: Sequence[Click], person: Who) -> Iterator[float]:
+def _operator_bias(clicks: Sequence[Click], person: Who) -> Iterator[float]:
     """Mean height of the person minus that of the others, of each item that both clicked."""
     for _, found in _by(clicks, lambda one: one.item):
         own = [one.height_m for one in found if one.person.id == person.id and one.height_m is not None]

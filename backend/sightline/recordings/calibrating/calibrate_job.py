@@ -7,8 +7,8 @@ from typing import Any
 from sightline.cameras.calibrations import images as calibration_images
 from sightline.cameras.calibrations.calibrating import (
     CALIBRATE,
-    Seen,
-    Wish,
+    CalibrationRequest,
+    DetectedView,
     document_of,
     frames_of,
     made_for,
@@ -35,7 +35,7 @@ from sightline.recordings.store import get_recording
 LOOKING, FITTING = 0.85, 0.9
 
 
-def start(services: Services, camera_id: int, wish: Wish, actor: int) -> Job:
+def start(services: Services, camera_id: int, wish: CalibrationRequest, actor: int) -> Job:
     """Queue a calibration. Raises NotFound, BadInput for what cannot work from the outset."""
     require_board(wish.board)
     with services.writing() as session:
@@ -70,7 +70,7 @@ def run_calibration(context: JobContext) -> Finish:
     asked = dict(context.payload)
     camera_id = int(asked.pop("camera_id"))
     context.progress(0.0, "Looking for the board.")
-    wish = Wish(**asked)
+    wish = CalibrationRequest(**asked)
     with services.reading() as session:
         camera = get_camera(session, camera_id)
     seen = (
@@ -106,7 +106,9 @@ def run_calibration(context: JobContext) -> Finish:
     return finish
 
 
-def _from_images(context: JobContext, services: Services, camera_id: int, wish: Wish) -> list[Seen]:
+def _from_images(
+    context: JobContext, services: Services, camera_id: int, wish: CalibrationRequest
+) -> list[DetectedView]:
     with services.reading() as session:
         images = list_calibration_images(session, camera_id)
     seen = []
@@ -116,16 +118,16 @@ def _from_images(context: JobContext, services: Services, camera_id: int, wish: 
     return seen
 
 
-def _seen_image(services: Services, image: CalibrationImage, board: Board) -> Seen:
+def _seen_image(services: Services, image: CalibrationImage, board: Board) -> DetectedView:
     """The stored detection where it was made for this board, else a fresh one."""
     if image.found and made_for(image, board):
         corners = stored_corners(image, board)
     else:
         corners = detect(calibration_images.gray_of(services, image), board)
-    return Seen(image.name, corners, (image.width_px, image.height_px), image_id=image.id)
+    return DetectedView(image.name, corners, (image.width_px, image.height_px), image_id=image.id)
 
 
-def _from_recording(context: JobContext, services: Services, wish: Wish) -> list[Seen]:
+def _from_recording(context: JobContext, services: Services, wish: CalibrationRequest) -> list[DetectedView]:
     assert wish.recording_id is not None
     opened = stills_of(services).open(wish.recording_id)
     frames = frames_of(wish, len(opened.media))
@@ -134,5 +136,7 @@ def _from_recording(context: JobContext, services: Services, wish: Wish) -> list
         context.progress(LOOKING * index / len(frames), f"Looking for the board in frame {n}.")
         gray = stills_of(services).gray(wish.recording_id, n)
         size = (int(gray.shape[1]), int(gray.shape[0]))
-        seen.append(Seen(f"{opened.recording.name} frame {n}", detect(gray, wish.board), size, frame=n))
+        seen.append(
+            DetectedView(f"{opened.recording.name} frame {n}", detect(gray, wish.board), size, frame=n)
+        )
     return seen

@@ -7,7 +7,7 @@ from fastapi import APIRouter, Query, Request, Response
 
 from sightline.infra.web.bodies import Out
 from sightline.infra.web.deps import PathFrame, PathId, Viewer, Wired
-from sightline.infra.web.disconnect import Wanted, while_wanted
+from sightline.infra.web.disconnect import CancelCheck, run_unless_cancelled
 from sightline.infra.web.pictures import JPEG, PNG, is_held, jpeg_once, picture_response, unchanged
 from sightline.recordings.frames.stills import Still, stills_of
 from sightline.recordings.ingest_job import thumbnail
@@ -75,7 +75,7 @@ async def still(
 ) -> Response:
     """Frame n as JPEG; `?v=` its checksum makes the address as immutable as the picture."""
 
-    def work(wanted: Wanted) -> Response:
+    def work(wanted: CancelCheck) -> Response:
         kind = "" if display == "plain" else f"-{display}"
         etag = f'"{stills_of(services).crc(recording_id, n):08x}{kind}"'
         stills_of(services).announce_request(recording_id, n)
@@ -83,7 +83,7 @@ async def still(
             return unchanged(etag)
         return picture(stills_of(services).still(recording_id, n, display, wanted), "image/jpeg", etag)
 
-    return await while_wanted(request, work)
+    return await run_unless_cancelled(request, work)
 
 
 @router.get("/recordings/{recording_id}/frames/{n}/crop.png", response_class=Response, responses=PNG)
@@ -101,7 +101,7 @@ async def crop(
 ) -> Response:
     """A rectangle of frame n, lossless; black where it reaches out of the picture."""
 
-    def work(wanted: Wanted) -> Response:
+    def work(wanted: CancelCheck) -> Response:
         kind = "" if display == "plain" else f"-{display}"
         etag = f'"{stills_of(services).crc(recording_id, n):08x}-{x}.{y}.{w}.{h}{kind}"'
         if is_held(request, etag):
@@ -111,7 +111,7 @@ async def crop(
             stills_of(services).crop(recording_id, n, rectangle, display, wanted), "image/png", etag
         )
 
-    return await while_wanted(request, work)
+    return await run_unless_cancelled(request, work)
 
 
 @router.get("/recordings/{recording_id}/thumbs/{frame}.jpg", response_class=Response, responses=JPEG)

@@ -16,7 +16,7 @@ from sightline.media.store.local import MediaStore
 from sightline.media.video.display import Display
 from sightline.media.video.frames import FrameServer
 from sightline.media.video.seeker import RecordingMedia
-from sightline.media.video.window import Wanted, always
+from sightline.media.video.window import CancelCheck, always
 from sightline.recordings.frames.store import get_frame_table
 from sightline.recordings.records import Recording
 from sightline.recordings.store import get_recording
@@ -76,8 +76,10 @@ class Stills:
         if self.on_request is not None:
             self.on_request(recording_id, n)
 
-    def still(self, recording_id: int, n: int, display: Display = "plain", wanted: Wanted = always) -> Still:
-        """Frame n as JPEG, upright; "bright" is to look at only. NotWanted once `wanted` says no."""
+    def still(
+        self, recording_id: int, n: int, display: Display = "plain", wanted: CancelCheck = always
+    ) -> Still:
+        """Frame n as JPEG, upright; "bright" is to look at only. NoLongerWanted once `wanted` says no."""
         opened = self._with_frame(recording_id, n)
         content = self._server.still(opened.media, n, wanted, display)
         return Still(content, n, int(opened.media.pts[n]), int(opened.media.crc[n]))
@@ -88,7 +90,7 @@ class Stills:
         n: int,
         rectangle: tuple[int, int, int, int],
         display: Display = "plain",
-        wanted: Wanted = always,
+        wanted: CancelCheck = always,
     ) -> Still:
         """A rectangle (x, y, w, h) of frame n as PNG; black where it reaches out of the picture."""
         opened = self._with_frame(recording_id, n)

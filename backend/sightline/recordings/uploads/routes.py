@@ -28,12 +28,12 @@ PIECE_BYTES = 1 << 20
 CONTENT_TYPE = "application/offset+octet-stream"
 
 
-class OtherVersion(SightlineError):
+class UnsupportedTusVersion(SightlineError):
     status = 412
     code = "tus_version"
 
 
-class OtherContent(SightlineError):
+class UnsupportedMediaType(SightlineError):
     status = 415
     code = "content_type"
 
@@ -48,13 +48,13 @@ class UploadBody(Out):
     created_at: datetime
 
 
-def speaks_tus(tus_resumable: Annotated[str | None, Header()] = None) -> None:
+def require_tus_version(tus_resumable: Annotated[str | None, Header()] = None) -> None:
     """Refuse another version of the protocol, as it asks."""
     if tus_resumable != VERSION:
-        raise OtherVersion(f"Uploads speak tus {VERSION}; send the header Tus-Resumable: {VERSION}.")
+        raise UnsupportedTusVersion(f"Uploads speak tus {VERSION}; send the header Tus-Resumable: {VERSION}.")
 
 
-SPEAKS = Depends(speaks_tus)
+SPEAKS = Depends(require_tus_version)
 
 
 @router.options("/uploads", status_code=204, dependencies=[OPEN])
@@ -126,7 +126,7 @@ async def continue_upload(
 ) -> Response:
     """Bytes behind `Upload-Offset`. The request that brings the last one answers `Sightline-Recording`."""
     if request.headers.get("content-type") != CONTENT_TYPE:
-        raise OtherContent(f"The bytes of an upload come as {CONTENT_TYPE}; send that Content-Type.")
+        raise UnsupportedMediaType(f"The bytes of an upload come as {CONTENT_TYPE}; send that Content-Type.")
     upload = await anyio.to_thread.run_sync(_upload, services, upload_id)
     pieces = _pieces(request)
 

@@ -10,7 +10,7 @@ from sqlalchemy import (
 )
 
 from sightline.enums import UploadPurpose
-from sightline.infra.database.types import Moment, identity, metadata, one_of
+from sightline.infra.database.types import UtcDateTime, enum_check, identity, metadata
 
 uploads = Table(
     "uploads",
@@ -21,12 +21,12 @@ uploads = Table(
     Column("size_bytes", BigInteger, nullable=False),
     Column("media_key", String(400), nullable=False),
     Column("recording_id", ForeignKey("recordings.id")),
-    Column("created_at", Moment, nullable=False),
+    Column("created_at", UtcDateTime, nullable=False),
     Column("created_by", ForeignKey("people.id")),
-    Column("finished_at", Moment),
+    Column("finished_at", UtcDateTime),
     # a video becomes a recording; a strip waits, with its content's hash, for the scan that it belongs to
     Column("purpose", String(20), nullable=False, server_default="video"),
     Column("sha256", String(64)),
     Column("scan_id", Integer, ForeignKey("scans.id", use_alter=True)),
-    one_of("purpose", UploadPurpose),
+    enum_check("purpose", UploadPurpose),
 )

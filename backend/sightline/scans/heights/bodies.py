@@ -11,7 +11,7 @@ from sightline.infra.web.quantities import BudgetEntryBody, InsetM, SigmaPx, UIn
 from sightline.scans.bodies import DistanceM, Line
 
 Row = Annotated[Finite, Field(ge=-1, le=1e6, description="Row of strip 1, fractional, from the top.")]
-Seen = Annotated[int, Field(ge=0, le=2**31 - 1, description="The revision that you saw; 0: none.")]
+SeenRevision = Annotated[int, Field(ge=0, le=2**31 - 1, description="The revision that you saw; 0: none.")]
 MOST_MARKS = 200
 
 
@@ -36,7 +36,7 @@ class RodIn(In):
 class NewLinePose(RodIn):
     """The calibration to store, which supersedes the one that was seen."""
 
-    revision: Seen
+    revision: SeenRevision
 
 
 class SolvedRodBody(Out):
@@ -103,7 +103,7 @@ class NewLineHeight(LineClicks):
 
     target_line: Line
     target_row_px: Row
-    revision: Seen
+    revision: SeenRevision
 
 
 class LineRungBody(Out):

@@ -20,7 +20,7 @@ from sightline.scans.heights.bodies import (
     NewLineHeight,
     NewLinePose,
     RodIn,
-    Seen,
+    SeenRevision,
     SolvedRodBody,
 )
 from sightline.scans.heights.poses import Mark, Rod, SolvedRod
@@ -107,7 +107,7 @@ def withdraw_line_height(
     who: Operator,
     session: Writing,
     target: Annotated[Target, Query()],
-    revision: Annotated[Seen, Query()],
+    revision: Annotated[SeenRevision, Query()],
 ) -> LineHeightBody:
     """Take a height back; nothing of it is erased."""
     made = store.withdraw_line_height(session, vehicle_id, target, seen_revision=revision, actor=who.id)

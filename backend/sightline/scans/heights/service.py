@@ -58,7 +58,7 @@ class Clicked:
 
 
 @dataclass(frozen=True)
-class Looked:
+class HeightPreview:
     """A height not stored yet, with the ladder of (height m, row) above the contact, `inset_m` behind it."""
 
     found: LineHeight
@@ -71,7 +71,7 @@ class Looked:
         return expanded(self.found.u_distance_m)
 
 
-def preview_line_height(session: Session, scan_id: int, clicked: Clicked) -> Looked:
+def preview_line_height(session: Session, scan_id: int, clicked: Clicked) -> HeightPreview:
     """The height that these clicks would be stored with. Raises NotFound, BadInput without a calibration."""
     scan = get_scan(session, scan_id)
     pose = pose_of(_pose(session, scan_id).values)
@@ -80,7 +80,7 @@ def preview_line_height(session: Session, scan_id: int, clicked: Clicked) -> Loo
     rungs = ladder(pose, distance_m + clicks.inset_m, scan.rows_px or 0) if distance_m is not None else ()
     only_contact = clicked.point is None and distance_m is not None
     found = LineHeight("not_measurable", None, distance_m) if only_contact else answer(pose, clicks)
-    return Looked(found, clicks.inset_m, clicks.u_inset_m, rungs)
+    return HeightPreview(found, clicks.inset_m, clicks.u_inset_m, rungs)
 
 
 def store_line_height(

@@ -15,7 +15,7 @@ from sqlalchemy import (
 
 from sightline.enums import MeasurementStatus, Target
 from sightline.infra.audit.vouched import WrittenOnce, vouched
-from sightline.infra.database.types import Document, Moment, identity, metadata, one_of
+from sightline.infra.database.types import CanonicalJson, UtcDateTime, enum_check, identity, metadata
 
 # One row a calibration of a scan's camera 1 with the rod; the newest of a scan counts. Written once.
 line_poses = Table(
@@ -26,17 +26,17 @@ line_poses = Table(
     Column("scan_id", ForeignKey("scans.id"), nullable=False),
     Column("revision", Integer, nullable=False),
     # {distance_m, height_m, row_px, line} each
-    Column("marks", Document, nullable=False),
+    Column("marks", CanonicalJson, nullable=False),
     Column("sigma_px", Float),
     Column("u_distance_m", Float, nullable=False),
     Column("u_lean_rad", Float, nullable=False),
     # {parameters, covariance, row_span}
-    Column("pose", Document, nullable=False),
+    Column("pose", CanonicalJson, nullable=False),
     Column("camera_height_m", Float, nullable=False),
     Column("u_camera_height_m", Float, nullable=False),
     Column("rms_px", Float, nullable=False),
     Column("code_version", String(60), nullable=False),
-    Column("created_at", Moment, nullable=False),
+    Column("created_at", UtcDateTime, nullable=False),
     Column("created_by", ForeignKey("people.id")),
     UniqueConstraint("scan_id", "revision"),
     CheckConstraint("revision >= 1", name="revision_counts"),
@@ -67,15 +67,15 @@ line_heights = Table(
     Column("u_height_m", Float),
     Column("status", String(20), nullable=False),
     Column("reason", Text),
-    Column("budget", Document, nullable=False),
-    Column("warnings", Document, nullable=False),
+    Column("budget", CanonicalJson, nullable=False),
+    Column("warnings", CanonicalJson, nullable=False),
     Column("withdrawn", Boolean, nullable=False),
     Column("code_version", String(60), nullable=False),
-    Column("created_at", Moment, nullable=False),
+    Column("created_at", UtcDateTime, nullable=False),
     Column("created_by", ForeignKey("people.id")),
     UniqueConstraint("vehicle_id", "target", "revision"),
-    one_of("target", Target),
-    one_of("status", MeasurementStatus),
+    enum_check("target", Target),
+    enum_check("status", MeasurementStatus),
     CheckConstraint("revision >= 1", name="revision_counts"),
     CheckConstraint(
         "(status = 'ok' AND height_m IS NOT NULL) OR (status <> 'ok' AND reason IS NOT NULL)",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sightline.infra.database import Session
 from sightline.scans.records import Scan
-from sightline.scans.statistics.service import GAPS, MOTION, ScanStatistics, Seen, statistics_of_seen
+from sightline.scans.statistics.service import GAPS, MOTION, ScanStatistics, VehicleMotion, statistics_of_seen
 from sightline.scans.store import list_scans
 from sightline.scans.vehicles.listing import ShownVehicle, shown
 from sightline.scans.vehicles.store import list_scan_vehicles
@@ -20,12 +20,12 @@ def scan_statistics(session: Session, survey_id: int, *, accepted_only: bool) ->
     return statistics_of_seen(found, accepted_only=accepted_only)
 
 
-def _seen(scan: Scan, one: ShownVehicle) -> Seen:
+def _seen(scan: Scan, one: ShownVehicle) -> VehicleMotion:
     vehicle = one.vehicle
     values = None if vehicle.measurement is None else vehicle.measurement.values
     rig = values.rig if values else {"baseline_m": 1.0, "u_baseline_m": 0.0}
     gap = {name: getattr(one.gap, name) for name in GAPS} if one.gap else {}
-    return Seen(
+    return VehicleMotion(
         vehicle_id=vehicle.id,
         scan_id=vehicle.scan_id,
         number=vehicle.number,

@@ -40,7 +40,7 @@ QUANTITIES = {"speed": "m/s", "length": "m", "time_gap": "s", "distance_gap": "m
 
 
 @dataclass(frozen=True)
-class Seen:
+class VehicleMotion:
     """A vehicle as the statistics see it: its standing motion, the gap before it, what is known of it.
 
     `state`: to_review, accepted, rejected, not_measurable; `measured`: it has a motion. `rig_*`: the baseline
@@ -105,7 +105,7 @@ class ScanStatistics:
     table: tuple[Row, ...]
 
 
-def statistics_of_seen(found: Sequence[Seen], *, accepted_only: bool) -> ScanStatistics:
+def statistics_of_seen(found: Sequence[VehicleMotion], *, accepted_only: bool) -> ScanStatistics:
     """Statistics of these vehicles; rejected ones never count, unreviewed ones where asked for.
 
     A gap counts where the vehicle behind it does.
@@ -138,7 +138,7 @@ _NAMED = {
 }
 
 
-def _counts(one: Seen, accepted_only: bool) -> bool:
+def _counts(one: VehicleMotion, accepted_only: bool) -> bool:
     return one.measured and one.state in (("accepted",) if accepted_only else ("accepted", "to_review"))
 
 
@@ -168,7 +168,7 @@ class _Pair:
     lighting: str
 
 
-def _pairs(chosen: Iterable[Seen], name: str) -> list[_Pair]:
+def _pairs(chosen: Iterable[VehicleMotion], name: str) -> list[_Pair]:
     """Vehicles that have both; the measured one's uncertainty without the baseline's, which is common."""
     out = []
     for one in chosen:
@@ -180,13 +180,13 @@ def _pairs(chosen: Iterable[Seen], name: str) -> list[_Pair]:
     return out
 
 
-def _errors(chosen: Sequence[Seen], name: str) -> dict[str, ErrorGroup]:
+def _errors(chosen: Sequence[VehicleMotion], name: str) -> dict[str, ErrorGroup]:
     pairs = _pairs(chosen, name)
     measured, true = [one.measured_m for one in pairs], [one.true_m for one in pairs]
     return error_table(measured, true, [one.lighting for one in pairs], "none")
 
 
-def _ratio(chosen: Sequence[Seen], name: str) -> Estimate:
+def _ratio(chosen: Sequence[VehicleMotion], name: str) -> Estimate:
     """Measured over true, which tells of a wrong baseline."""
     pairs = _pairs(chosen, name)
     return baseline_ratio(
@@ -197,7 +197,7 @@ def _ratio(chosen: Sequence[Seen], name: str) -> Estimate:
     )
 
 
-def _row(one: Seen) -> Row:
+def _row(one: VehicleMotion) -> Row:
     motion = ("speed_mps", "acceleration_mps2", "length_m", "fit_error_percent")
     return Row(
         vehicle_id=one.vehicle_id,

@@ -11,7 +11,7 @@ from sqlalchemy import (
 )
 
 from sightline.enums import Category
-from sightline.infra.database.types import identity, metadata, one_of
+from sightline.infra.database.types import enum_check, identity, metadata
 
 catalogue = Table(
     "catalogue",
@@ -28,7 +28,7 @@ catalogue = Table(
     Column("wheelbase_m", Float),
     Column("source", Text, nullable=False),
     Column("search_text", Text, nullable=False),
-    one_of("category", Category),
+    enum_check("category", Category),
 )
 
 

@@ -13,7 +13,7 @@ from sightline.errors import SightlineError
 from sightline.infra.database.engine import SessionFactory, reading
 from sightline.infra.services import Services
 from sightline.media.video.frames import FrameServer
-from sightline.media.video.window import NotWanted
+from sightline.media.video.window import NoLongerWanted
 from sightline.recordings.frames.stills import OpenRecording, Stills, stills_of
 from sightline.vehicles.store import list_vehicles_of_recording
 
@@ -97,7 +97,7 @@ class PassPrefetcher:
                 break
             try:
                 room -= self._server.prepare(opened.media, frame, lambda: self._undisturbed(since))
-            except NotWanted:
+            except NoLongerWanted:
                 return False
         return True
 

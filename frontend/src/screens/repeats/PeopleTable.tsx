@@ -51,7 +51,7 @@ export function PeopleTable({ people, busy, choose }: Props) {
                   </>
                 )}
                 <td>
-                  {one.leaning_m === null ? "–" : leaningWords(one.leaning_m)}
+                  {one.operator_bias_m === null ? "–" : biasWords(one.operator_bias_m)}
                   <p class="small muted nowrap">{plural(one.items, "item")}</p>
                 </td>
                 <td>
@@ -66,8 +66,8 @@ export function PeopleTable({ people, busy, choose }: Props) {
   );
 }
 
-function leaningWords(leaning_m: number): string {
-  return `${leaning_m > 0 ? "+" : ""}${formatSmall(leaning_m)}`;
+function biasWords(operator_bias_m: number): string {
+  return `${operator_bias_m > 0 ? "+" : ""}${formatSmall(operator_bias_m)}`;
 }
 
 function Sigma({ one, busy, choose }: { one: PersonRepeats } & Pick<Props, "busy" | "choose">) {

@@ -65,7 +65,7 @@ MIN_EDGE = np.sin(np.deg2rad(1.0))  # closer to edge-on, a pixel is worth metres
 
 
 @dataclass(frozen=True, eq=False)
-class Sight:
+class RayIntersection:
     """Everything about N click pairs that height and gradient need. Arrays (N,); `code` 0 where a height
     exists.
     """
@@ -87,7 +87,9 @@ def _component(rotation: Floats, axis: int, x: Floats, y: Floats) -> Floats:
     return float(r[0]) * x + float(r[1]) * y + float(r[2])
 
 
-def sight(pose: RoadPose, contacts_px: Floats, targets_px: Floats, inset_m: Floats | float) -> Sight:
+def intersect_rays(
+    pose: RoadPose, contacts_px: Floats, targets_px: Floats, inset_m: Floats | float
+) -> RayIntersection:
     """Solve N click pairs; contacts_px, targets_px (N, 2), inset_m a number or (N,)."""
     camera, rotation = pose.camera, pose.rotation
     cx, cy, c_ok = undistort_xy(camera, contacts_px[:, 0], contacts_px[:, 1])
@@ -116,7 +118,7 @@ def sight(pose: RoadPose, contacts_px: Floats, targets_px: Floats, inset_m: Floa
     # a sum is finite only where every part of it is
     total = contacts_px[:, 0] + contacts_px[:, 1] + targets_px[:, 0] + targets_px[:, 1]
     code[~np.isfinite(total)] = NOT_FINITE
-    return Sight(
+    return RayIntersection(
         code=code,
         contact=(cx, cy),
         target=(tx, ty),
@@ -129,7 +131,7 @@ def sight(pose: RoadPose, contacts_px: Floats, targets_px: Floats, inset_m: Floa
     )
 
 
-def contact_on_road(pose: RoadPose, seen: Sight) -> tuple[Floats, Floats, Floats]:
+def contact_on_road(pose: RoadPose, seen: RayIntersection) -> tuple[Floats, Floats, Floats]:
     """X and Y of the contact points on the road and their distance from the camera's centre, (N,) each.
 
     The contact ray meets the road plane where C_z + lambda w_z = 0 (the paper's p_l, which has no number
