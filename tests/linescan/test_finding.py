@@ -149,7 +149,7 @@ def test_memory_stays_bounded_while_the_road_is_empty():
     road = np.full((5000, 64), 90, np.uint8) + np.arange(64, dtype=np.uint8)
     for _ in range(12):
         finder.push(road, road)
-    assert all(sum(len(block) for _, block in reel.blocks) < 2500 for reel in finder._reels)
+    assert all(sum(len(block) for _, block in reel.blocks) < 2500 for reel in finder._buffers)
 
 
 def test_strips_that_differ_are_refused_in_words():
@@ -206,7 +206,7 @@ def test_something_restless_that_stays_in_view_does_not_fill_the_memory(dtype, m
         lines = road + rng.normal(0, 2, (1000, 64)) + (number > 8) * (60 + 40 * wave)
         pushed = (scale * lines).astype(dtype)
         out += finder.push(pushed, pushed.copy())
-        most = max(most, sum(block.nbytes for lines in finder._reels for _, block in lines.blocks))
+        most = max(most, sum(block.nbytes for lines in finder._buffers for _, block in lines.blocks))
     assert [passage.reason for passage in out[:1]] == [TOO_LONG]
     # a quarter over, and the block that has just come, of each strip
     assert 1 << 20 < most < 2 * (1.25 * (1 << 20) + 2 * pushed.nbytes)

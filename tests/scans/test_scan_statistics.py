@@ -2,14 +2,14 @@
 
 import pytest
 
-from sightline.scans.statistics.service import Seen, statistics_of_seen
+from sightline.scans.statistics.service import VehicleMotion, statistics_of_seen
 
 pytestmark = pytest.mark.once
 
 
-def seen(number: int, state: str = "accepted", **values: float) -> Seen:
+def seen(number: int, state: str = "accepted", **values: float) -> VehicleMotion:
     """A measured vehicle of 4 m, by default."""
-    return Seen(
+    return VehicleMotion(
         vehicle_id=number,
         scan_id=1,
         number=number,

@@ -43,7 +43,7 @@ export function TargetTable({ found }: { found: Repeats }) {
 }
 
 function Row({ one }: { one: TargetRepeats }) {
-  const { gauge, claim } = one;
+  const { gauge, uncertainty_check: claim } = one;
   const leaning = gauge.interaction_p !== null && gauge.interaction_p < 0.05;
   return (
     <tr>

@@ -16,7 +16,7 @@ export function pixelWords(one: RepeatSpread): { value: string; interval: string
 }
 
 /** What the interval of observed over claimed says: 1 is "as claimed". */
-export function claimVerdict(claim: TargetRepeats["claim"]): string {
+export function claimVerdict(claim: TargetRepeats["uncertainty_check"]): string {
   if (claim.low === null || claim.high === null) return claim.reason ?? "–";
   if (claim.low > 1) return "more than claimed";
   return claim.high < 1 ? "less than claimed" : "as claimed";
