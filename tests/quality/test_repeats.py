@@ -123,7 +123,7 @@ def test_figures_per_target_and_person_and_a_sigma_of_ones_own(
     gauge = roof["gauge"]
     assert (gauge["n"], gauge["items"], gauge["persons"]) == (36, 12, 2)
     # 0.5 px clicks on a budget of 1 px: about half of what is claimed.
-    assert roof["uncertainty_check"]["low"] < 0.5 < roof["claim"]["high"] < 1
+    assert roof["uncertainty_check"]["low"] < 0.5 < roof["uncertainty_check"]["high"] < 1
     assert gauge["repeatability"]["low"] < roof["uncertainty_check"]["claimed"] / 2 < gauge["repeatability"]["high"]
     by_name = {one["person"]["name"]: one for one in found["people"]}
     mine, theirs = by_name["Operator"], by_name["Reviewer"]
