@@ -4,8 +4,11 @@ import ast
 import re
 import subprocess
 from pathlib import Path
+from typing import get_args
 
 import pytest
+
+from sightline import enums
 
 ROOT = Path(__file__).resolve().parents[1]
 
@@ -148,3 +151,69 @@ def test_no_record_is_filled_by_position() -> None:
 
 def _module(path: Path, root: Path) -> str:
     return ".".join(path.relative_to(root).with_suffix("").parts)
+
+
+WORD_LISTS = {
+    name: frozenset(words)
+    for name, alias in vars(enums).items()
+    if len(words := get_args(alias)) > 1 and all(isinstance(word, str) for word in words)
+}
+
+
+def _words_of(node: ast.AST) -> frozenset[str]:
+    """The words of a display, or of a dictionary's keys, that holds nothing else."""
+    parts = node.keys if isinstance(node, ast.Dict) else getattr(node, "elts", [])
+    words = [part.value for part in parts if isinstance(part, ast.Constant) and isinstance(part.value, str)]
+    return frozenset(words) if len(words) == len(parts) else frozenset()
+
+
+def retyped_lists(source: str) -> list[str]:
+    """Where a module writes down one of the lists of `enums.py`, or a list of words as a type of its own.
+
+    A dictionary that says whose keys it has (`dict[Target, ...]`) declares nothing: mypy holds its keys.
+    """
+    found = []
+    tree = ast.parse(source)
+    tables = {
+        node.value: ast.unparse(node.annotation) for node in ast.walk(tree) if isinstance(node, ast.AnnAssign)
+    }
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Subscript) and ast.unparse(node.value) == "Literal":
+            words = _words_of(node.slice)
+            if len(words) > 1 and any(word == word.lower() for word in words):  # capitals are PyAV's
+                found.append(f"{node.lineno} Literal")
+        elif isinstance(node, ast.Tuple | ast.List | ast.Set | ast.Dict):
+            names = [name for name, words in WORD_LISTS.items() if words == _words_of(node)]
+            if names and not any(tables.get(node, "").startswith(f"dict[{name}, ") for name in names):
+                found.append(f"{node.lineno} {names[0]}")
+    return found
+
+
+def test_lists_of_words_are_declared_in_enums_alone() -> None:
+    assert len(WORD_LISTS) > 30
+    modules = [path for path in tracked("backend/*.py") if path.name != "enums.py"]
+    assert len(modules) > 300
+    assert [f"{path.name}:{line}" for path in modules for line in retyped_lists(path.read_text())] == []
+
+
+@pytest.mark.parametrize(
+    "planted",
+    [
+        'Status = Literal["ok", "not_measurable"]',
+        'own: Literal["here", "there"]',
+        'choice = click.Choice(["direct", "paper"])',
+        'enum = ("found", "person")',
+        'if word in {"low_light", "daytime"}: pass',
+        '_RANK = {"viewer": 0, "operator": 1, "reviewer": 2, "admin": 3}',
+        '_RANK: dict[str, int] = {"viewer": 0, "operator": 1, "reviewer": 2, "admin": 3}',
+    ],
+)
+def test_a_planted_list_of_words_is_found(planted: str) -> None:
+    assert retyped_lists(planted)
+
+
+def test_a_table_by_the_words_of_a_list_is_not_a_second_list() -> None:
+    assert (
+        retyped_lists('RANK: dict[Role, int] = {"viewer": 0, "operator": 1, "reviewer": 2, "admin": 3}') == []
+    )
+    assert retyped_lists('NEEDED: tuple[Target, ...] = ("roof", "taillight")') == []

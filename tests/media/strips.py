@@ -12,7 +12,8 @@ import numpy as np
 import tifffile
 from numpy.typing import NDArray
 
-from sightline.media.strips.reader import TimeAxis, open_strip
+from sightline.enums import TimeAxis
+from sightline.media.strips.reader import open_strip
 from sightline.media.strips.sheet import Pixels
 
 

@@ -10,9 +10,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from sightline.enums import Display
 from sightline.errors import Damaged
 from sightline.media.video import prefetch
-from sightline.media.video.display import Display
 from sightline.media.video.frames import FrameServer
 from sightline.media.video.seeker import RecordingMedia
 from sightline.media.video.window import CancelCheck, NoLongerWanted, Window

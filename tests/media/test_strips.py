@@ -9,10 +9,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from sightline.enums import TimeAxis
 from sightline.errors import BadInput
 from sightline.media.strips import sheet
 from sightline.media.strips.notes import Dropped, column_of, lost_lines
-from sightline.media.strips.reader import TimeAxis, check_pair, open_strip
+from sightline.media.strips.reader import check_pair, open_strip
 from tests.media.strips import as_picture, pattern, png, read, tiff
 
 PACKINGS: tuple[dict[str, Any], ...] = (

@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 import tifffile
 
+from sightline.enums import TimeAxis
 from sightline.errors import BadInput
-from sightline.media.strips.reader import TimeAxis
 from tests.media.strips import chunk, pattern, png, png_header, read, tiff
 
 STRIP = pattern(600, 40)

@@ -5,7 +5,7 @@ from typing import Annotated
 from fastapi import Query
 from pydantic import Field
 
-from sightline.cameras.boards import BoardKind
+from sightline.enums import BoardKind
 from sightline.infra.web.bodies import Finite, In
 
 Dictionary = Annotated[

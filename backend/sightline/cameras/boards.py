@@ -1,12 +1,9 @@
 """The board as a person tells it: its kind, its inner corners, its square and its markers."""
 
-from typing import Literal
-
+from sightline.enums import BoardKind
 from sightline.errors import BadInput
 from sightline.geometry.board import Board
 from sightline.geometry.charuco import charuco_of
-
-BoardKind = Literal["checkerboard", "charuco"]
 
 # Only counts and proportions matter to detection; the side of a square is asked for when calibrating.
 ANY_SQUARE_M = 0.1

@@ -7,10 +7,11 @@ import io
 import json
 import math
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, get_args
 
 import click
 
+from sightline.enums import Rounding
 from sightline.errors import BadInput
 
 if TYPE_CHECKING:
@@ -22,14 +23,14 @@ FEET = 1 / 0.3048
 
 @click.command()
 @click.argument("heights", type=click.Path(path_type=Path))
-@click.option("--round", "rounding", type=click.Choice(["cm", "none"]), default="cm", show_default=True)
+@click.option("--round", "rounding", type=click.Choice(get_args(Rounding)), default="cm", show_default=True)
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
-def errors(heights: Path, rounding: str, as_json: bool) -> None:
+def errors(heights: Path, rounding: Rounding, as_json: bool) -> None:
     """Error table of HEIGHTS (a heights.csv) against its reference heights, by lighting and overall."""
     from sightline.statistics.errors import error_table
 
     measured, reference, lighting, left_out = read_heights(heights)
-    table = error_table(measured, reference, lighting, "cm" if rounding == "cm" else "none")
+    table = error_table(measured, reference, lighting, rounding)
     if as_json:
         groups = {name: group_json(group) for name, group in table.items()}
         click.echo(json.dumps({"rounding": rounding, "groups": groups}))

@@ -4,7 +4,7 @@ import json
 import re
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 import click
 import numpy as np
@@ -12,6 +12,7 @@ from click.core import ParameterSource
 
 from sightline.commands.files import read_json, read_text, write_json, write_whole
 from sightline.coverage import expanded
+from sightline.enums import BoardSide, LensModel
 from sightline.errors import BadInput
 from sightline.geometry.board import Board, require_board
 from sightline.geometry.calibration_checks import CheckedCalibration, calibrate_and_check
@@ -84,7 +85,7 @@ def read_pose_file(path: Path) -> RoadPose:
 @_SQUARE
 @_CHARUCO
 @_MARKER
-@click.option("--model", type=click.Choice(["brown", "fisheye"]), default="brown", show_default=True)
+@click.option("--model", type=click.Choice(get_args(LensModel)), default="brown", show_default=True)
 @click.option("--bent-board", is_flag=True, help="The board may not be flat: solve for its shape too.")
 @click.option("-o", "--output", type=_PATH, required=True, help="The camera.json to write.")
 @_JSON
@@ -142,7 +143,7 @@ def _calibration_text(checked: CheckedCalibration, output: Path) -> str:
 @click.command("import-camera")
 @click.argument("file", type=_PATH)
 @click.option("-o", "--output", type=_PATH, required=True, help="The camera.json to write.")
-@click.option("--model", type=click.Choice(["brown", "fisheye"]), help="Where the file does not say.")
+@click.option("--model", type=click.Choice(get_args(LensModel)), help="Where the file does not say.")
 @click.option("--size", "size_text", metavar="WxH", help="The pictures' size, where the file does not say.")
 @click.option("--which", help="The camera to take from a file of several.")
 @_JSON
@@ -182,7 +183,7 @@ def parse_size(text: str | None) -> tuple[int, int] | None:
 @click.option(
     "--reference-height", type=float, required=True, help="Height of the reference row of corners, metres."
 )
-@click.option("--reference", type=click.Choice(["top", "bottom"]), default="top", show_default=True)
+@click.option("--reference", type=click.Choice(get_args(BoardSide)), default="top", show_default=True)
 @click.option(
     "--u-reference-height", type=float, default=DEFAULT_U_HEIGHT_M, show_default=True, help="Metres."
 )

@@ -9,23 +9,23 @@ from collections.abc import Iterator
 from contextlib import closing
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, get_args
 
 import click
 
 from sightline.commands.clicks import harmless, metres
 from sightline.commands.files import write_whole
 from sightline.commands.options import json_option
+from sightline.enums import ScanMethod, TimeAxis
 from sightline.errors import BadInput
 from sightline.linescan import faults
-from sightline.linescan.direct import measure_direct
 from sightline.linescan.finding import Finder
 from sightline.linescan.gaps import gaps
-from sightline.linescan.paper import measure_paper
-from sightline.linescan.parts import Crossings, Gap, Method, Motion, Passage, Rig
+from sightline.linescan.methods import MEASURE
+from sightline.linescan.parts import Crossings, Gap, Motion, Passage, Rig
 from sightline.linescan.rig import BASELINE_M, LINE_RATE_HZ, U_BASELINE_M, U_LINE_RATE_RATIO
 from sightline.media.strips.notes import column_of, lost_lines
-from sightline.media.strips.reader import Strip, TimeAxis, check_pair, open_strip
+from sightline.media.strips.reader import Strip, check_pair, open_strip
 
 COLUMNS = (
     "id",
@@ -45,7 +45,6 @@ COLUMNS = (
     "status",
     "reason",
 )
-_MEASURE = {"direct": measure_direct, "paper": measure_paper}
 
 
 @dataclass(frozen=True)
@@ -65,8 +64,8 @@ class Vehicle:
 @click.option("--line-rate", type=float, required=True, help="Lines a second of either camera, Hz.")
 @click.option("--u-baseline", type=float, default=0.0, help="Standard uncertainty of the baseline, metres.")
 @click.option("--u-line-rate", type=float, default=0.0, help="Of the line rate, as a share (1e-4 is 0.01 %).")
-@click.option("--time-axis", type=click.Choice(["width", "height"]), default="width", show_default=True)
-@click.option("--method", type=click.Choice(["direct", "paper"]), default="direct", show_default=True)
+@click.option("--time-axis", type=click.Choice(get_args(TimeAxis)), default="width", show_default=True)
+@click.option("--method", type=click.Choice(get_args(ScanMethod)), default="direct", show_default=True)
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="vehicles.csv; else it is printed.")
 @json_option
 def linescan(
@@ -76,8 +75,8 @@ def linescan(
     line_rate: float,
     u_baseline: float,
     u_line_rate: float,
-    time_axis: Literal["width", "height"],
-    method: Literal["direct", "paper"],
+    time_axis: TimeAxis,
+    method: ScanMethod,
     output: Path | None,
     as_json: bool,
 ) -> None:
@@ -161,11 +160,11 @@ def _rate_notes(strips: tuple[Strip, Strip], rig: Rig) -> list[str]:
     ]
 
 
-def _vehicles(one: Strip, two: Strip, finder: Finder, method: Method) -> Iterator[Vehicle]:
+def _vehicles(one: Strip, two: Strip, finder: Finder, method: ScanMethod) -> Iterator[Vehicle]:
     """Every vehicle in order, with its gap to the one before; only one pair is held at a time."""
     before: tuple[Crossings, Motion] | None = None
     for number, passage in enumerate(_passages(one, two, finder), 1):
-        motion = replace(_MEASURE[method](_without_losses(passage, one, two), finder.rig), profile=None)
+        motion = replace(MEASURE[method](_without_losses(passage, one, two), finder.rig), profile=None)
         this = (passage.crossings, motion)
         gap = gaps([before, this] if before else [this], finder.rig)[-1]
         yield Vehicle(number, _columns(passage.crossings, one, two), motion, gap)

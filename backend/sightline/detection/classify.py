@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Literal
 
 import numpy as np
 
 from sightline.detection.blobs import Box
 from sightline.detection.stitch import course, enters, leaves
 from sightline.detection.tracks import Detection, Track
+from sightline.enums import Direction
 
 LEAST_TRAVEL_SHARE = 0.2
 LEAST_AREA_SHARE = 0.012
@@ -26,7 +26,6 @@ SHOWN_WEIGHT = 0.3
 CLEAR_PX = 4.0
 STEPS = 8
 
-Direction = Literal["right", "left"]
 Sharpness = Callable[[int, Box], float]
 
 

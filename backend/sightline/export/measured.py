@@ -14,14 +14,14 @@ from datetime import date
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.enums import Correction, Rounding
 from sightline.export.scans import scans_in
 from sightline.infra.csv_package.files import Files, read_columns, unsafe
 from sightline.results.csv import standards_in
 from sightline.results.measured_columns_query import CATEGORIES, LIGHTING, NONE, TARGETS, VERDICTS, Measured
 from sightline.results.survey_statistics import Filter, Statistics, StatisticsOptions, filtered, made_of
 from sightline.scans.statistics.service import ScanStatistics
-from sightline.statistics.corrections import CORRECTIONS, Correction
-from sightline.statistics.errors import Rounding
+from sightline.statistics.corrections import CORRECTIONS
 from sightline.statistics.summary import Grouping
 
 _EPOCH = date(1970, 1, 1).toordinal()

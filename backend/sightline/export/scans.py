@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import get_args
 
+from sightline.enums import KnownLength
 from sightline.infra.csv_package.columns import number
 from sightline.infra.csv_package.files import Files, read_columns, read_rows
 from sightline.infra.csv_package.files import number as figure_of
@@ -21,7 +23,7 @@ _QUANTITY = Column(
     required=True,
     enum=("speed", "length", "time_gap", "distance_gap", "headway"),
 )
-_SIZE = Column("size", "string", "which size of a vehicle", required=True, enum=("length", "wheelbase"))
+_SIZE = Column("size", "string", "which size of a vehicle", required=True, enum=get_args(KnownLength))
 _UNIT = Column("unit", "string", "unit of the figures of this row", required=True)
 _N = Column("n", "integer", "how many vehicles it rests on", required=True, minimum=0)
 _REASON = Column("reason", "string", "why a figure or its interval is missing")

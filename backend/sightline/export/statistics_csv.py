@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain
-from typing import Any
+from typing import Any, get_args
 
+from sightline.enums import Correction, Rounding, StatisticsTarget
 from sightline.export import scans
 from sightline.export.measured import PackageStatistics
 from sightline.infra.csv_package.columns import metres, number
 from sightline.infra.csv_package.schema import Cell, Column, Row, Table
-from sightline.results.survey_statistics import Shown, Statistics, standards_of
-from sightline.statistics.corrections import Correction
+from sightline.results.survey_statistics import Statistics, standards_of
 from sightline.statistics.distributions import Ecdf
 from sightline.statistics.summary import Distribution, Errors
 
@@ -30,7 +30,7 @@ _ROUNDING = Column(
     "string",
     "cm: both heights to whole centimetres as the paper does; none: not rounded",
     required=True,
-    enum=("cm", "none"),
+    enum=get_args(Rounding),
 )
 _CORRECTION = Column(
     "correction",
@@ -227,7 +227,7 @@ def statistics_rows(found: PackageStatistics) -> dict[str, Iterator[Cells]]:
     errors = [
         ({"heights": heights, "rounding": rounding}, found.of[correction, rounding].errors)
         for heights, correction in _ERRORS_OF
-        for rounding in ("cm", "none")
+        for rounding in get_args(Rounding)
     ]
     heights = [(correction, one) for (correction, rounding), one in found.of.items() if rounding == "cm"]
     return {
@@ -315,7 +315,9 @@ def _correction_rows(correction: Correction, found: Statistics) -> Iterator[Cell
         yield {**row, "mean_m": left.mean_m, "sd_m": left.sd_m, **said}
 
 
-def _distributions(correction: Correction, found: Statistics) -> Iterator[tuple[Shown, Cells, Distribution]]:
+def _distributions(
+    correction: Correction, found: Statistics
+) -> Iterator[tuple[StatisticsTarget, Cells, Distribution]]:
     """Each target's heights under a correction, and under the headline's by group, with what names them."""
     for target, one in found.targets.items():
         key: Cells = {"target": target, "correction": correction}

@@ -12,10 +12,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.enums import BoardSide
 from sightline.errors import BadInput
 from sightline.geometry.arrays import Floats
 from sightline.geometry.charuco import Charuco, require_charuco
-from sightline.geometry.road_pose import Side
 
 MAX_ROLL_RAD = np.deg2rad(62.0)  # a board given as columns x rows is believed up to this roll of the camera
 
@@ -63,7 +63,7 @@ def board_points(board: Board) -> Floats:
     return np.asarray(flat * board.square_m, dtype=np.float64)
 
 
-def road_points(board: Board, side: Side, height_m: float) -> Floats:
+def road_points(board: Board, side: BoardSide, height_m: float) -> Floats:
     """Corners (rows * columns, 3) in the road frame, of a board that stands square on the road.
 
     X to the right, Y = 0, Z the height above the road: the reference row (top or bottom inner corners) lies

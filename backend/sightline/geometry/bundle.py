@@ -10,9 +10,9 @@ from dataclasses import replace
 
 import numpy as np
 
+from sightline.enums import LensModel
 from sightline.geometry.arrays import Floats, exp_rotation
 from sightline.geometry.camera import Camera
-from sightline.geometry.lens import Model
 from sightline.geometry.planar import PlanarPose, linearise, planar_roots
 
 _ROUNDS = 80
@@ -137,7 +137,7 @@ def _turned(
 
 
 def from_scratch(
-    size: tuple[int, int], model: Model, objects: Sequence[Floats], seen: Sequence[Floats]
+    size: tuple[int, int], model: LensModel, objects: Sequence[Floats], seen: Sequence[Floats]
 ) -> tuple[Camera, tuple[PlanarPose, ...]] | None:
     """The best of several starts without distortion, refined; None where none puts every board before the
     camera.

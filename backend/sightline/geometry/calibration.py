@@ -8,6 +8,7 @@ from typing import Any
 import cv2
 import numpy as np
 
+from sightline.enums import LensModel
 from sightline.errors import BadInput
 from sightline.geometry.arrays import Floats, exp_rotation, frozen
 from sightline.geometry.board import Board, board_points, require_board
@@ -15,7 +16,6 @@ from sightline.geometry.board_shape import BoardShape, shape_basis
 from sightline.geometry.bundle import from_scratch, refine_all, refine_bent
 from sightline.geometry.camera import Camera, View
 from sightline.geometry.corners import Corners, spacing_px
-from sightline.geometry.lens import Model
 from sightline.geometry.planar import PlanarPose, linearise, planar_roots
 from sightline.geometry.reshoot import reshoot_advice
 from sightline.geometry.verdict import Evidence, calibration_warnings
@@ -73,7 +73,7 @@ class _Fit:
 
 
 def calibrate(
-    views: Sequence[NamedCorners], board: Board, model: Model = "brown", bent_board: bool = False
+    views: Sequence[NamedCorners], board: Board, model: LensModel = "brown", bent_board: bool = False
 ) -> CalibrationResult:
     """Calibrate from `(file, corners, (width, height))` per picture.
 
@@ -130,7 +130,11 @@ def calibrate(
 
 
 def fitted_lens(
-    used: Sequence[NamedCorners], board: Board, model: Model, bent_board: bool, start: Camera | None = None
+    used: Sequence[NamedCorners],
+    board: Board,
+    model: LensModel,
+    bent_board: bool,
+    start: Camera | None = None,
 ) -> tuple[Camera, BoardShape | None]:
     """The lens alone, with its covariance and the board's shape if it is asked for. Raises BadInput.
 
@@ -189,7 +193,7 @@ def _too_few(used: int, given: int, skipped: dict[str, View], least: int) -> str
     )
 
 
-def _fit(used: Sequence[NamedCorners], board: Board, size: tuple[int, int], model: Model) -> _Fit:
+def _fit(used: Sequence[NamedCorners], board: Board, size: tuple[int, int], model: LensModel) -> _Fit:
     """Fit one lens model; BadInput where no start leads to a minimum."""
     objects = [board_points(replace(c.board_as_seen, square_m=board.square_m))[c.which] for _, c, _ in used]
     seen = [c.points_px.reshape(-1, 2) for _, c, _ in used]
@@ -224,7 +228,7 @@ def _from_start(used: Sequence[NamedCorners], board: Board, start: Camera) -> _F
 
 
 def _with_opencv(
-    objects: list[Floats], seen: list[Floats], size: tuple[int, int], model: Model
+    objects: list[Floats], seen: list[Floats], size: tuple[int, int], model: LensModel
 ) -> _Fit | None:
     """OpenCV's solution, or None where it fails or ends in nonsense."""
     try:
@@ -264,7 +268,7 @@ def _fisheye(objects: list[Floats], seen: list[Floats], size: tuple[int, int]) -
 
 
 def _try_other(
-    used: Sequence[NamedCorners], board: Board, size: tuple[int, int], model: Model, bent_board: bool
+    used: Sequence[NamedCorners], board: Board, size: tuple[int, int], model: LensModel, bent_board: bool
 ) -> _Fit | None:
     """The other lens model on the same views, to judge the choice; None where it cannot be fitted."""
     try:

@@ -4,11 +4,11 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
+from sightline.enums import LensModel
 from sightline.geometry.board import Board
 from sightline.geometry.calibration import BoardFlatness, CalibrationResult, NamedCorners, calibrate
 from sightline.geometry.crossvalidation import CrossValidation, cross_validate, cross_validation_warnings
 from sightline.geometry.height_effect import HeightDifference, height_differences
-from sightline.geometry.lens import Model
 
 _BENT_RATIO = 0.9  # a bent board is believed where its shape takes a tenth of the residual
 
@@ -35,7 +35,7 @@ class CheckedCalibration:
 
 
 def calibrate_and_check(
-    views: Sequence[NamedCorners], board: Board, model: Model = "brown", bent_board: bool = False
+    views: Sequence[NamedCorners], board: Board, model: LensModel = "brown", bent_board: bool = False
 ) -> CheckedCalibration:
     """As `calibration.calibrate`, with the checks; a second of work for 60 views. Raises BadInput."""
     result = calibrate(views, board, model, bent_board)

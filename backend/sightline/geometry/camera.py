@@ -6,10 +6,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
+from sightline.enums import LensModel
 from sightline.errors import BadInput
 from sightline.geometry import lens
 from sightline.geometry.arrays import Bools, Floats, frozen, points
-from sightline.geometry.lens import Model
 from sightline.geometry.lens_limit import LensLimit, lens_limit
 
 _SETTLED = 1e-7  # a last Newton step this short leaves an error of its square: 2e-11 px at f = 2000 px
@@ -44,7 +44,7 @@ class Camera:
     name: str
     width_px: int
     height_px: int
-    model: Model
+    model: LensModel
     fx_px: float
     fy_px: float
     cx_px: float

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sightline.enums import LensModel
 from sightline.errors import BadInput
 from sightline.geometry.board import Board, board_points
 from sightline.geometry.board_shape import BoardShape
@@ -22,7 +23,6 @@ from sightline.geometry.calibration import (
 )
 from sightline.geometry.camera import Camera
 from sightline.geometry.height_effect import HeightDifference, height_differences
-from sightline.geometry.lens import Model
 from sightline.geometry.planar import planar_roots, refine
 
 EXCEEDS = 2.5  # times the standard uncertainty that the covariances give it; noise alone: one set in 80
@@ -51,7 +51,7 @@ class CrossValidation:
 
 
 def cross_validate(
-    views: Sequence[NamedCorners], board: Board, model: Model = "brown", bent_board: bool = False
+    views: Sequence[NamedCorners], board: Board, model: LensModel = "brown", bent_board: bool = False
 ) -> CrossValidation | str:
     """Calibrate from every other usable view, twice, and compare; or the reason why that cannot be done.
 

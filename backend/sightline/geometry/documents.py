@@ -2,27 +2,26 @@
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import Any, cast
+from typing import Any, cast, get_args
 
 import numpy as np
 
+from sightline.enums import BoardSide, LensModel
 from sightline.errors import BadInput
 from sightline.geometry.arrays import Floats, is_covariance
 from sightline.geometry.board_errors import BOWS
 from sightline.geometry.camera import Camera, View
-from sightline.geometry.lens import Model
 from sightline.geometry.road_pose import (
     DEFAULT_U_HEIGHT_M,
     DEFAULT_U_LEAN_RAD,
     POSE_NAMES,
     BoardOnRoad,
     RoadPose,
-    Side,
 )
 
 CAMERA_FORMAT = "sightline-camera-1"
 POSE_FORMAT = "sightline-pose-1"
-_LENGTHS: dict[Model, tuple[int, ...]] = {"brown": (4, 5, 8), "fisheye": (4,)}
+_LENGTHS: dict[LensModel, tuple[int, ...]] = {"brown": (4, 5, 8), "fisheye": (4,)}
 
 
 def _rows(matrix: Floats | None) -> list[list[float]] | None:
@@ -165,7 +164,7 @@ def camera_from_dict(data: object, what: str = "camera.json") -> Camera:
     """Read `camera.json`. `what` is the name used in refusals. Raises BadInput naming the key."""
     read = _Reader(data, what)
     read.text("format", (CAMERA_FORMAT,))
-    model = cast(Model, read.text("model", ("brown", "fisheye")))
+    model = cast(LensModel, read.text("model", get_args(LensModel)))
     distortion = read.array("distortion")
     if distortion.size == 0:
         distortion = np.zeros(5 if model == "brown" else 4)
@@ -205,7 +204,7 @@ def _board(data: object, what: str) -> BoardOnRoad | None:
         columns=read.whole("columns", 2),
         rows=read.whole("rows", 2),
         square_m=read.number("square_m", positive=True),
-        reference=cast(Side, read.text("reference", ("top", "bottom"))),
+        reference=cast(BoardSide, read.text("reference", get_args(BoardSide))),
         reference_height_m=read.number("reference_height_m"),
         u_reference_height_m=read.not_negative("u_reference_height_m", DEFAULT_U_HEIGHT_M),
         u_lean_rad=read.not_negative("u_lean_rad", DEFAULT_U_LEAN_RAD),

@@ -2,12 +2,12 @@
 
 from dataclasses import dataclass, field
 from math import sqrt
-from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from sightline.coverage import COVERAGE_95
+from sightline.enums import MeasurementStatus
 from sightline.geometry.arrays import Floats
 from sightline.geometry.board_errors import board_covariance, board_parts, unknown_parts
 from sightline.geometry.gradient import Gradient, gradient
@@ -23,8 +23,6 @@ from sightline.geometry.road_pose import RoadPose
 
 _CHUNK = 8192  # rows at a time: the working set stays in the processor's cache
 _EDGE_FLAG = np.sin(np.deg2rad(10.0))
-
-Status = Literal["ok", "not_measurable"]
 
 
 @dataclass(frozen=True)
@@ -43,7 +41,7 @@ class Height:
     distance_m: from the camera's centre to it.
     """
 
-    status: Status
+    status: MeasurementStatus
     reason: str | None
     height_m: float | None
     u_height_m: float | None

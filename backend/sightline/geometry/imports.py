@@ -13,11 +13,11 @@ from typing import Any
 import numpy as np
 import yaml
 
+from sightline.enums import LensModel
 from sightline.errors import BadInput
 from sightline.geometry.arrays import Floats
 from sightline.geometry.camera import Camera
 from sightline.geometry.documents import CAMERA_FORMAT, camera_from_dict
-from sightline.geometry.lens import Model
 
 _MATRIX_KEYS = ("camera_matrix", "cameramatrix", "k", "intrinsic_matrix", "intrinsics", "mtx", "m1", "k1")
 _LENS_KEYS = (
@@ -45,7 +45,7 @@ class _Found:
 
     matrix: Floats  # fx fy cx cy
     lens: Floats
-    model: Model | None
+    model: LensModel | None
     size: tuple[int, int] | None
     name: str
     rms_px: float | None = None
@@ -72,7 +72,7 @@ _Loader.add_constructor("tag:yaml.org,2002:opencv-matrix", _matrix_node)
 def read_camera(
     text: str,
     file_name: str,
-    model: Model | None = None,
+    model: LensModel | None = None,
     size: tuple[int, int] | None = None,
     which: str | None = None,
 ) -> Imported:
@@ -154,7 +154,7 @@ def _size(data: Mapping[str, Any], file_name: str) -> tuple[int, int] | None:
     return int(values[0]), int(values[1])
 
 
-def _model_word(word: Any, file_name: str) -> Model | None:
+def _model_word(word: Any, file_name: str) -> LensModel | None:
     if word is None or str(word).strip() == "":
         return None
     text = str(word).strip().lower()
@@ -218,7 +218,7 @@ def _kalibr(data: Mapping[str, Any], file_name: str, which: str | None, notes: l
         raise BadInput(f"{file_name}: intrinsics must be four numbers, fu fv pu pv.")
     word = str(one.get("distortion_model") or "none")
     lens = _numbers(one.get("distortion_coeffs") or [], "distortion_coeffs", file_name)
-    model: Model | None = "brown" if word == "none" else _model_word(word, file_name)
+    model: LensModel | None = "brown" if word == "none" else _model_word(word, file_name)
     lens = np.zeros(5) if word == "none" else lens
     return _Found(intrinsics, lens, model, _size(one, file_name), name)
 
@@ -241,7 +241,7 @@ def _mrcal(data: Mapping[str, Any], file_name: str) -> _Found:
 
 
 def _checked(
-    found: _Found, file_name: str, model: Model | None, size: tuple[int, int] | None, notes: list[str]
+    found: _Found, file_name: str, model: LensModel | None, size: tuple[int, int] | None, notes: list[str]
 ) -> Camera:
     fx, fy, cx, cy = (float(v) for v in found.matrix)
     size = found.size or size
@@ -272,7 +272,7 @@ def _checked(
     )
 
 
-def _guess(lens: Floats, file_name: str, notes: list[str]) -> Model:
+def _guess(lens: Floats, file_name: str, notes: list[str]) -> LensModel:
     """Four coefficients may be k1 k2 p1 p2 or a fisheye's k1..k4; more are Brown's."""
     if len(lens) != 4 or not lens.any():
         return "brown"
@@ -285,7 +285,7 @@ def _guess(lens: Floats, file_name: str, notes: list[str]) -> Model:
     return "fisheye" if fisheye else "brown"
 
 
-def _trimmed(lens: Floats, model: Model, file_name: str) -> Floats:
+def _trimmed(lens: Floats, model: LensModel, file_name: str) -> Floats:
     if model == "fisheye":
         if len(lens) != 4:
             raise BadInput(f"{file_name}: a fisheye model needs four coefficients, the file has {len(lens)}.")

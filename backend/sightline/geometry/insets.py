@@ -8,9 +8,10 @@ inset).
 import numpy as np
 from numpy.typing import ArrayLike
 
+from sightline.enums import Target
 from sightline.geometry.arrays import Floats
 
-DEFAULT_INSETS: dict[str, tuple[float, float, str]] = {
+DEFAULT_INSETS: dict[Target, tuple[float, float, str]] = {
     "driver_eye": (
         0.45,
         0.10,

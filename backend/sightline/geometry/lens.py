@@ -8,13 +8,11 @@ fisheye  Kannala and Brandt 2006: theta_d = theta (1 + k1 theta^2 + ... + k4 the
 """
 
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 
+from sightline.enums import LensModel
 from sightline.geometry.arrays import Floats
-
-Model = Literal["brown", "fisheye"]
 
 BROWN_NAMES = ("k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6")
 FISHEYE_NAMES = ("k1", "k2", "k3", "k4")
@@ -35,7 +33,7 @@ class Distorted:
         return self.dx_dx * self.dy_dy - self.dx_dy * self.dx_dy
 
 
-def names(model: Model, count: int) -> tuple[str, ...]:
+def names(model: LensModel, count: int) -> tuple[str, ...]:
     """Names of the first `count` distortion coefficients."""
     return (BROWN_NAMES if model == "brown" else FISHEYE_NAMES)[:count]
 
@@ -71,12 +69,12 @@ def _fisheye_gain(k: Floats, r2: Floats) -> tuple[Floats, Floats]:
     return np.where(near, 1.0 + (k1 - 1.0 / 3.0) * r2, gain), np.where(near, k1 - 1.0 / 3.0, d_gain)
 
 
-def radial_gain(model: Model, k: Floats, r2: Floats) -> tuple[Floats, Floats]:
+def radial_gain(model: LensModel, k: Floats, r2: Floats) -> tuple[Floats, Floats]:
     """Gain g and dg/d(r^2) of the radial part: a point at radius r goes to radius r g(r^2)."""
     return _brown_gain(k, r2) if model == "brown" else _fisheye_gain(k, r2)
 
 
-def distort(model: Model, k: Floats, x: Floats, y: Floats) -> Distorted:
+def distort(model: LensModel, k: Floats, x: Floats, y: Floats) -> Distorted:
     """Distort normalised points; x, y of any one shape. Source: see the module."""
     xx, yy, xy = x * x, y * y, x * y
     r2 = xx + yy
@@ -94,7 +92,7 @@ def distort(model: Model, k: Floats, x: Floats, y: Floats) -> Distorted:
     )
 
 
-def by_coefficients(model: Model, k: Floats, x: Floats, y: Floats) -> tuple[Floats, Floats]:
+def by_coefficients(model: LensModel, k: Floats, x: Floats, y: Floats) -> tuple[Floats, Floats]:
     """Derivatives of the distorted x and y by each coefficient: two arrays (n, N)."""
     r2 = x * x + y * y
     if model == "fisheye":

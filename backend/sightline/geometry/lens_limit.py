@@ -8,8 +8,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sightline.enums import LensModel
 from sightline.geometry.arrays import Floats, frozen
-from sightline.geometry.lens import Model, distort, radial_gain
+from sightline.geometry.lens import distort, radial_gain
 
 _FARTHEST = 11.43  # tan 85 degrees: further off the axis, x/z is no sensible coordinate
 _RADII = 512
@@ -25,7 +26,7 @@ class LensLimit:
     table_gain: Floats  # r / r_distorted at r_distorted = i * table_step
 
 
-def _first_fold(model: Model, k: Floats, radii: Floats) -> int:
+def _first_fold(model: LensModel, k: Floats, radii: Floats) -> int:
     """Index of the first of `radii` at which the mapping folds in any direction (len(radii) if none)."""
     angles = np.linspace(0.0, 2.0 * np.pi, _ANGLES, endpoint=False)
     x, y = np.outer(radii, np.cos(angles)), np.outer(radii, np.sin(angles))
@@ -37,7 +38,7 @@ def _first_fold(model: Model, k: Floats, radii: Floats) -> int:
     return int(np.argmax(bad)) if bad.any() else len(radii)
 
 
-def lens_limit(model: Model, k: Floats, picture_radius: float) -> LensLimit:
+def lens_limit(model: LensModel, k: Floats, picture_radius: float) -> LensLimit:
     """The largest monotone radius of a lens.
 
     model, k: the lens; picture_radius: distorted normalised radius of the picture's farthest corner (the
@@ -55,7 +56,7 @@ def lens_limit(model: Model, k: Floats, picture_radius: float) -> LensLimit:
     return LensLimit(low, *_table(model, k, low, picture_radius))
 
 
-def _table(model: Model, k: Floats, limit: float, picture_radius: float) -> tuple[float, Floats]:
+def _table(model: LensModel, k: Floats, limit: float, picture_radius: float) -> tuple[float, Floats]:
     # radii spaced densely near the end, where the distorted radius hardly moves
     r = (
         limit * np.sin(np.linspace(0.0, np.pi / 2, 8192))

@@ -7,16 +7,15 @@ from the camera, Z up, origin on the road below the board's reference corner.
 
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Literal
 
 import numpy as np
 
+from sightline.enums import BoardSide
 from sightline.geometry.arrays import Floats, frozen
 from sightline.geometry.camera import Camera
 
 POSE_NAMES = ("rx", "ry", "rz", "tx", "ty", "tz")
 
-Side = Literal["top", "bottom"]
 
 DEFAULT_U_HEIGHT_M = 0.003  # a tape read to a few millimetres (estimate)
 DEFAULT_U_LEAN_RAD = 0.005  # a board set up with a spirit level, about 0.3 degrees (estimate)
@@ -30,7 +29,7 @@ class Reference:
     off by. `u_square_m` None stands for `DEFAULT_U_SQUARE` of the square's side.
     """
 
-    side: Side
+    side: BoardSide
     height_m: float
     u_height_m: float = DEFAULT_U_HEIGHT_M
     u_lean_rad: float = DEFAULT_U_LEAN_RAD
@@ -48,7 +47,7 @@ class BoardOnRoad:
     columns: int
     rows: int
     square_m: float
-    reference: Side
+    reference: BoardSide
     reference_height_m: float
     u_reference_height_m: float
     u_lean_rad: float

@@ -6,11 +6,11 @@ main mode; the pose is that of `line_pose`.
 """
 
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 
 from sightline.coverage import COVERAGE_95
+from sightline.enums import MeasurementStatus
 from sightline.linescan.line_pose import LinePose
 
 STEP_M, MOST_LADDER_M = 0.5, 5.0
@@ -28,7 +28,7 @@ class Contribution:
 class LineHeight:
     """Distance and height with standard uncertainties in m; or the reason why there are none."""
 
-    status: Literal["ok", "not_measurable"]
+    status: MeasurementStatus
     reason: str | None = None
     distance_m: float | None = None
     u_distance_m: float | None = None

@@ -7,12 +7,12 @@ the one the vehicle reaches first. Speed and acceleration are those when the fro
 """
 
 from dataclasses import dataclass, field
-from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-Method = Literal["direct", "paper"]
+from sightline.enums import MeasurementStatus, ScanMethod
+
 Pixels = NDArray[np.uint8] | NDArray[np.uint16]
 
 
@@ -96,9 +96,9 @@ class Profile:
 class Motion:
     """A vehicle's motion, or the reason why there is none (then every number is None)."""
 
-    method: Method
+    method: ScanMethod
     crossings: Crossings
-    status: Literal["ok", "not_measurable"]
+    status: MeasurementStatus
     reason: str | None = None
     speed_mps: float | None = None
     u_speed_mps: float | None = None

@@ -1,7 +1,7 @@
 """What measurements take and answer."""
 
 from datetime import datetime
-from typing import Annotated, Literal
+from typing import Annotated
 from uuid import UUID
 
 from pydantic import AliasChoices, AliasPath, Field
@@ -9,6 +9,7 @@ from pydantic import AliasChoices, AliasPath, Field
 from sightline.enums import (
     MeasurementStatus,
     Target,
+    TravelSource,
     Verdict,
 )
 from sightline.infra.web.bodies import FrameNumber, Id, In, Out, Point, WhoBody
@@ -132,7 +133,7 @@ class SecondFrameAnswer(Out):
     ok: bool
     reason: str | None
     frame: int | None
-    source: Literal["followed", "measured", "assumed"] | None
+    source: TravelSource | None
     words: str
     u_now_m: float | None
     U95_now_m: float | None

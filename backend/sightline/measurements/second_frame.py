@@ -10,13 +10,12 @@ from __future__ import annotations
 import time
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 import numpy.typing as npt
 
 from sightline.coverage import COVERAGE_95
-from sightline.enums import Point
+from sightline.enums import Point, TravelSource
 from sightline.errors import BadInput
 from sightline.geometry.follow import textured
 from sightline.geometry.gain import second_frame_gain
@@ -32,8 +31,6 @@ from sightline.measurements.records import Clicks, Measurement, VehicleSheet
 from sightline.measurements.service import clicks_in_context, pose_in_force
 from sightline.measurements.sheets.query import get_sheet
 from sightline.recordings.frames.stills import OpenRecording, stills_of
-
-Source = Literal["followed", "measured", "assumed"]
 
 # Following is for a proposal that is waited for: what is not seen by then goes on at the speed found.
 PATIENCE_S = 0.25
@@ -67,7 +64,7 @@ class Proposal:
     ok: bool
     reason: str | None = None
     frame: int | None = None
-    source: Source | None = None
+    source: TravelSource | None = None
     words: str = ""
     u_now_m: float | None
     U95_now_m: float | None
@@ -82,7 +79,7 @@ class Travels:
     """How far the vehicle has come, m, on frames of its pass; `kmh` where the speed is assumed."""
 
     by_frame: dict[int, float]
-    source: Source
+    source: TravelSource
     kmh: float | None = None
 
 
@@ -312,7 +309,7 @@ def _spot(pose: RoadPose, clicks: Clicks, frame: int, travel_m: float, kmh: floa
     )
 
 
-def _chosen(u_now: float, source: Source, spots: list[Spot], more_frames: bool) -> Proposal:
+def _chosen(u_now: float, source: TravelSource, spots: list[Spot], more_frames: bool) -> Proposal:
     """The best of the frames, and in words what it rests on."""
     if not more_frames:
         return refused("The pass has no other frame; widen it by its first or last frame.", u_now)
@@ -342,7 +339,7 @@ def _chosen(u_now: float, source: Source, spots: list[Spot], more_frames: bool) 
     )
 
 
-_WORDS: dict[Source, str] = {
+_WORDS: dict[TravelSource, str] = {
     "followed": "The vehicle was followed through its pass.",
     "measured": "Its speed is that of the points clicked on two frames.",
     "assumed": "The vehicle could not be followed; its speed is an assumption, so look for it.",

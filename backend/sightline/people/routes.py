@@ -1,11 +1,12 @@
 """Accounts, for admins."""
 
 from datetime import datetime
-from typing import Annotated, Literal
+from typing import Annotated
 
 from fastapi import APIRouter, Request
 from pydantic import Field
 
+from sightline.enums import Role
 from sightline.infra.web.bodies import In, Name, Out
 from sightline.infra.web.deps import Admin, PathId, Reading, Wired
 from sightline.people import store
@@ -13,14 +14,12 @@ from sightline.people.service import link_path
 
 router = APIRouter()
 
-RoleName = Literal["admin", "operator", "reviewer", "viewer"]
-
 
 class PersonBody(Out):
     id: int
     name: str
     email: str
-    role: RoleName
+    role: Role
     active: bool
     created_at: datetime
     last_seen_at: datetime | None
@@ -30,12 +29,12 @@ class PersonBody(Out):
 class NewPerson(In):
     name: Name
     email: Annotated[str, Field(min_length=3, max_length=320)]
-    role: RoleName
+    role: Role
 
 
 class PersonChange(In):
     name: Name
-    role: RoleName
+    role: Role
     active: bool
 
 

@@ -1,13 +1,13 @@
 """What road poses take and answer."""
 
 from datetime import datetime
-from typing import Annotated, Literal
+from typing import Annotated
 
 from pydantic import Field
 
 from sightline.cameras.board_bodies import Markers, SquareM
 from sightline.cameras.calibrations.bodies import CameraDocument
-from sightline.enums import Point
+from sightline.enums import BoardSide, Point
 from sightline.geometry.road_pose import BoardOnRoad
 from sightline.infra.web.bodies import Finite, FrameNumber, Id, Out
 
@@ -50,7 +50,7 @@ class PoseWanted(Markers):
     columns: Corners
     rows: Corners
     square_m: Annotated[Finite, Field(gt=0, le=5)]
-    reference: Literal["top", "bottom"]
+    reference: BoardSide
     reference_height_m: HeightAboveRoad
     u_reference_height_m: Annotated[Finite, Field(ge=0, le=1)] = 0.003
     u_lean_rad: Annotated[Finite, Field(ge=0, le=1)] = 0.005

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import get_args
 
+from sightline.enums import BoardSide
 from sightline.infra.csv_package.columns import integer, key, metres, moment, number, person, text
 from sightline.infra.csv_package.schema import Cell, Table
 from sightline.poses.records import Pose
@@ -43,7 +45,7 @@ POSES: Table[Pose] = Table(
             "reference",
             "row of inner corners whose height was measured",
             _of_board("reference"),
-            enum=("top", "bottom"),
+            enum=get_args(BoardSide),
         ),
         metres("reference_height_m", "height of that row above the road", _of_board("reference_height_m")),
         metres(

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass
-from typing import Any, Literal
+from typing import Any
 
-from sightline.cameras.boards import BoardKind, board_told
+from sightline.cameras.boards import board_told
 from sightline.cameras.calibrations.store import get_calibration
+from sightline.enums import BoardKind, BoardSide
 from sightline.errors import BadInput
 from sightline.geometry.board import Board, require_board
 from sightline.geometry.camera import Camera
@@ -38,7 +39,7 @@ class PoseRequest:
     columns: int
     rows: int
     square_m: float
-    reference: Literal["top", "bottom"]
+    reference: BoardSide
     reference_height_m: float
     u_reference_height_m: float
     u_lean_rad: float

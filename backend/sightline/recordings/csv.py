@@ -6,14 +6,12 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import get_args
 
-from sightline.enums import JsonObject, Lighting
+from sightline.enums import DriftState, JsonObject, Lighting
 from sightline.infra.csv_package.chain import stamp
 from sightline.infra.csv_package.columns import flag, integer, key, metres, number, of_part, text
 from sightline.infra.csv_package.schema import Cell, Cells, Column, Table
 from sightline.recordings.drift import drift_check_of, drift_figures
 from sightline.recordings.records import Recording
-
-_STATES = ("still", "moved", "unknown")
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,7 +69,9 @@ def _time(of: Callable[[Drift], Cell]) -> Callable[[Drift], Cell]:
 
 
 _DRIFT: tuple[Column[Drift], ...] = (
-    text("drift_state", "whether the camera moved since that pose", _found("state"), enum=_STATES),
+    text(
+        "drift_state", "whether the camera moved since that pose", _found("state"), enum=get_args(DriftState)
+    ),
     number("drift_floor_px", "motion that could not be told from standing still", "px", _found("floor_px")),
     number("drift_moved_px", "largest motion found, where it moved", "px", _found("moved_px")),
     metres("drift_height_m", "by how much heights are off at most for it", _found("height_m")),

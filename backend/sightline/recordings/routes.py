@@ -1,11 +1,11 @@
 """Recordings of a survey: what they are, what belongs to them, and trying an ingest again."""
 
 from datetime import datetime
-from typing import Literal
 
 from fastapi import APIRouter
 from pydantic import Field
 
+from sightline.enums import Lighting, RecordingState
 from sightline.infra.web.bodies import Id, In, JobBody, Name, Out
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired
 from sightline.recordings import ingest_job, store
@@ -14,8 +14,6 @@ from sightline.recordings.frames.stills import stills_of
 from sightline.recordings.records import Recording, RecordingChanges
 
 router = APIRouter()
-
-LightingName = Literal["daytime", "low_light"]
 
 
 class Thumb(Out):
@@ -27,7 +25,7 @@ class RecordingBody(Out):
     id: int
     survey_id: int
     name: str
-    state: Literal["ingesting", "ready", "failed"]
+    state: RecordingState
     error: str | None
     job: JobBody | None
     sha256: str
@@ -42,8 +40,8 @@ class RecordingBody(Out):
     notes: list[str]
     camera_id: int | None
     pose_id: int | None
-    lighting: LightingName | None
-    lighting_proposed: LightingName | None
+    lighting: Lighting | None
+    lighting_proposed: Lighting | None
     created_at: datetime
     thumbs: list[Thumb]
 
@@ -54,7 +52,7 @@ class RecordingChange(In):
     name: Name = Field(default="", validate_default=False)
     camera_id: Id | None = None
     pose_id: Id | None = None
-    lighting: LightingName | None = None
+    lighting: Lighting | None = None
 
 
 def recording_body(recording: Recording) -> RecordingBody:

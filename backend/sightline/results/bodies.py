@@ -1,9 +1,10 @@
 """Bodies of the statistics: lengths in metres; a part that cannot be computed is its reason."""
 
-from typing import Annotated, Literal
+from typing import Annotated
 
 from pydantic import Field
 
+from sightline.enums import LightingGroup, Rounding, StandardHeight, StatisticsTarget
 from sightline.infra.web.bodies import Finite, In, Out
 from sightline.infra.web.figures import (
     DensityBody,
@@ -13,7 +14,6 @@ from sightline.infra.web.figures import (
     PercentileBody,
     ReasonBody,
 )
-from sightline.results.survey_statistics import Shown
 
 
 class ErrorGroupBody(Out):
@@ -76,14 +76,14 @@ class TrendBody(Out):
 class PointsBody(Out):
     reference_m: list[float]
     error_m: list[float]
-    lighting: list[Literal["daytime", "low_light", "unknown"]]
+    lighting: list[LightingGroup]
 
 
 Ecdfs = dict[str, EcdfBody | ReasonBody]
 
 
 class ErrorsBody(Out):
-    rounding: Literal["cm", "none"]
+    rounding: Rounding
     words: str = Field(description="Which heights were compared, and how they were rounded.")
     groups: list[ErrorGroupBody]
     paper: list[PaperBody]
@@ -99,14 +99,14 @@ class ErrorsBody(Out):
 
 class StandardBody(Out):
     name: str
-    what: Literal["driver_eye", "object"]
+    what: StandardHeight
     height_m: float
     source: str
 
 
 class StandardIn(In):
     name: Annotated[str, Field(min_length=1, max_length=100)]
-    what: Literal["driver_eye", "object"]
+    what: StandardHeight
     height_m: Finite
     source: Annotated[str, Field(max_length=500)] = ""
 
@@ -157,7 +157,7 @@ class GroupingBody(Out):
 
 
 class TargetBody(Out):
-    target: Shown
+    target: StatisticsTarget
     raw: DistributionBody
     corrected: CorrectedBody
     density: DensityBody | ReasonBody

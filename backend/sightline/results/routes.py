@@ -2,28 +2,33 @@
 
 from dataclasses import asdict, fields
 from datetime import date
-from typing import Annotated, Any
+from typing import Annotated, Any, get_args
 
 import numpy as np
 from fastapi import APIRouter, Query
 
-from sightline.enums import Category, Lighting
+from sightline.enums import (
+    Category,
+    Correction,
+    Lighting,
+    LightingGroup,
+    Rounding,
+    StatisticsState,
+    StatisticsTarget,
+)
 from sightline.errors import BadInput
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
 from sightline.results import standards_store
 from sightline.results.bodies import SampleSizeBody, StandardsBody, StandardsIn, StatisticsBody
 from sightline.results.survey_statistics import (
     Filter,
-    Shown,
-    State,
     Statistics,
     StatisticsOptions,
     standards_of,
     survey_statistics,
 )
 from sightline.statistics.agreement import U_MANUFACTURER_M
-from sightline.statistics.corrections import Correction
-from sightline.statistics.errors import GROUPS, ErrorGroup, Rounding
+from sightline.statistics.errors import GROUPS, ErrorGroup
 from sightline.statistics.paper import PAPER
 from sightline.statistics.sample_size import vehicles_needed
 from sightline.statistics.standards import Standard
@@ -34,7 +39,7 @@ router = APIRouter()
 Id = Annotated[int, Query(ge=1, le=2**31 - 1)]
 Metres = Annotated[float, Query(allow_inf_nan=False)]
 MOST_OWN = 20
-_LIGHTING = ("daytime", "low_light", "unknown")
+_LIGHTING = get_args(LightingGroup)
 
 
 @router.get("/statistics")
@@ -47,9 +52,10 @@ def statistics_of_measurements(
     operator: Id | None = None,
     first_day: date | None = None,
     last_day: date | None = None,
-    state: State = "accepted",
+    state: StatisticsState = "accepted",
     target: Annotated[
-        Shown | None, Query(description="Only this target is counted and shown; errors are of roofs anyway.")
+        StatisticsTarget | None,
+        Query(description="Only this target is counted and shown; errors are of roofs anyway."),
     ] = None,
     rounding: Rounding = "cm",
     correction: Correction = "inset",
@@ -167,7 +173,7 @@ def _no_interval(one: ErrorGroup, key: str) -> str | None:
     return "too few different errors for a bootstrap interval"
 
 
-def _target(name: Shown, one: Target, table: list[Standard]) -> dict[str, Any]:
+def _target(name: StatisticsTarget, one: Target, table: list[Standard]) -> dict[str, Any]:
     done = one.correction
     corrected = _distribution(one.corrected, table) | (
         {"words": None, "warning": None, "reason": done}

@@ -14,13 +14,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import date
 from threading import Lock
-from typing import Any, Literal
+from typing import Any, get_args
 
 import numpy as np
 from cachetools import LRUCache, cached
 from numpy.typing import NDArray
 
-from sightline.enums import Category, Lighting
+from sightline.enums import Category, Correction, Lighting, Rounding, StatisticsState, StatisticsTarget
 from sightline.errors import BadInput, NotFound
 from sightline.infra.audit import trail
 from sightline.infra.database import Session
@@ -36,24 +36,23 @@ from sightline.results.measured_columns_query import (
 )
 from sightline.results.standards_store import standards_of_surveys
 from sightline.statistics.agreement import U_MANUFACTURER_M
-from sightline.statistics.corrections import Correction
-from sightline.statistics.errors import Rounding
 from sightline.statistics.standards import STANDARDS, Standard
 from sightline.statistics.summary import Errors, Grouping, Roofs, Target, errors_of, target_of
 from sightline.surveys.store import survey_names
 
-State = Literal["accepted", "to_review", "rejected", "all"]
-Shown = Literal["driver_eye", "taillight", "headlight", "roof"]
-
-SHOWN: tuple[Shown, ...] = ("driver_eye", "taillight", "headlight", "roof")
+SHOWN: tuple[StatisticsTarget, ...] = get_args(StatisticsTarget)
 GROUPINGS = ("lighting", "category", "site", "operator")
-_STATES: dict[State, tuple[str, ...]] = {
+_STATES: dict[StatisticsState, tuple[str, ...]] = {
     "accepted": ("accepted", "fixed"),
     "to_review": ("to_review", "reopened"),
     "rejected": ("rejected",),
     "all": VERDICTS,
 }
-_WHAT: dict[Shown, str] = {"driver_eye": "driver_eye", "taillight": "object", "headlight": "object"}
+_WHAT: dict[StatisticsTarget, str] = {
+    "driver_eye": "driver_eye",
+    "taillight": "object",
+    "headlight": "object",
+}
 _EPOCH = date(1970, 1, 1)
 
 
@@ -70,8 +69,8 @@ class Filter:
     operator_id: int | None = None
     first_day: date | None = None
     last_day: date | None = None
-    state: State = "accepted"
-    target: Shown | None = None
+    state: StatisticsState = "accepted"
+    target: StatisticsTarget | None = None
 
 
 @dataclass(frozen=True)
@@ -104,7 +103,7 @@ class Statistics:
     counted: SampleCounts
     standards: tuple[Standard, ...]
     errors: Errors
-    targets: dict[Shown, Target]
+    targets: dict[StatisticsTarget, Target]
     surveys: dict[int, str]
     operators: dict[int, str]
 
@@ -175,7 +174,7 @@ def filtered(found: Measured, chosen: Filter) -> tuple[Measured, dict[str, int]]
     return found.where(keep & wanted), left_out
 
 
-def _of_target(measured: Measured, target: Shown | None) -> NDArray[np.bool_]:
+def _of_target(measured: Measured, target: StatisticsTarget | None) -> NDArray[np.bool_]:
     if target is None:
         return np.ones(len(measured), dtype=np.bool_)
     return np.equal(measured.target, TARGETS.index(target))
@@ -188,13 +187,13 @@ def made_of(
     groupings: Mapping[str, Grouping],
     named_surveys: dict[int, str],
     operators: dict[int, str],
-    only: Shown | None = None,
+    only: StatisticsTarget | None = None,
 ) -> Statistics:
     """The statistics of columns (N,), divided by groupings (N,); of one target `only`, or of all."""
     roofs = _roofs(measured, choices.u_reference_m)
     table = STANDARDS if choices.standards is None else choices.standards
     against = (*table, *choices.own_standards)
-    targets: dict[Shown, Target] = {}
+    targets: dict[StatisticsTarget, Target] = {}
     for name in SHOWN if only is None else (only,):
         rows = _of_target(measured, name)
         targets[name] = target_of(
@@ -218,7 +217,7 @@ def made_of(
     )
 
 
-def standards_of(table: Sequence[Standard], target: Shown) -> list[Standard]:
+def standards_of(table: Sequence[Standard], target: StatisticsTarget) -> list[Standard]:
     """The standards that speak of a target, in the order of its shares."""
     return [one for one in table if one.what == _WHAT.get(target)]
 

@@ -5,12 +5,12 @@ from typing import Annotated
 from fastapi import APIRouter, Query
 from pydantic import Field
 
+from sightline.enums import QueueState
 from sightline.infra.web.deps import PathId, Reading, Reviewer, Viewer, Writing
 from sightline.measurements.bodies import MeasurementBody
 from sightline.reviews import query, store
 from sightline.reviews.bodies import HistoryBody, NewReview, QueueItemBody
 from sightline.reviews.service import review
-from sightline.reviews.store import QueueState
 from sightline.surveys.store import get_survey
 
 router = APIRouter()

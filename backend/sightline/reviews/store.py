@@ -1,12 +1,12 @@
 """Reviews: append-only verdicts on measurements. Nobody reviews a revision of their own."""
 
 from collections.abc import Sequence
-from typing import Any, Literal
+from typing import Any
 
 from sqlalchemy import ColumnElement, FromClause, and_, or_, select
 from sqlalchemy.orm import Session
 
-from sightline.enums import ReviewVerdict
+from sightline.enums import QueueState, ReviewVerdict
 from sightline.errors import BadInput, Conflict, NotAllowed
 from sightline.infra.audit import trail
 from sightline.infra.database.rows import add_row, missing, stored_hash
@@ -32,8 +32,6 @@ from sightline.measurements.tables import measurements as revision_rows
 from sightline.reviews.query import reviews_of_series
 from sightline.reviews.records import QueueItem, Review
 from sightline.vehicles.tables import vehicles as vehicle_rows
-
-QueueState = Literal["to_review", "accepted", "fixed", "rejected", "all"]
 
 
 def add_review(

@@ -1,7 +1,7 @@
 """Bodies of line-scan recordings: what comes in and what goes out. Metres, seconds; U95 = 1.96 u."""
 
 from datetime import datetime
-from typing import Annotated, Literal
+from typing import Annotated
 
 from pydantic import Field
 from pydantic.fields import FieldInfo
@@ -11,6 +11,7 @@ from sightline.enums import (
     Cause,
     Lighting,
     MeasurementStatus,
+    ScanMethod,
     ScanSource,
     ScanState,
     ScanVehicleState,
@@ -21,7 +22,6 @@ from sightline.enums import (
 from sightline.infra.web.bodies import Finite, Id, In, JobBody, Name, Out, Text, WhoBody
 from sightline.infra.web.quantities import Word
 from sightline.linescan import rig
-from sightline.linescan.parts import Method
 from sightline.linescan.rig import Limits
 from sightline.measurements.bodies import ReviewBody
 
@@ -70,7 +70,7 @@ class NewScan(RigIn):
     second_upload: Id
     time_axis: TimeAxis = "width"
     lighting: Lighting | None = None
-    find: Method | None = Field(
+    find: ScanMethod | None = Field(
         default="direct", description="Look for vehicles with this method once the strips are read."
     )
 
@@ -85,7 +85,7 @@ class NewScanFromVideo(In):
     baseline_m: BaselineM = Field(description="Between the two columns on the vehicle's side plane.")
     u_baseline_m: UBaselineM = 0.0
     lighting: Lighting | None = None
-    find: Method | None = "direct"
+    find: ScanMethod | None = "direct"
 
 
 class ChangedScan(In):
@@ -130,7 +130,7 @@ class ScanRunBody(Out):
     """One search for vehicles, and what it says of the recording."""
 
     id: int
-    method: Method
+    method: ScanMethod
     found: int
     measured: int
     warnings: list[str]
@@ -193,7 +193,7 @@ class SwapWanted(In):
 
 
 class FindWanted(In):
-    method: Method = "direct"
+    method: ScanMethod = "direct"
     search: bool = Field(
         default=True, description="false: measure the known vehicles again, look for no others."
     )
@@ -206,7 +206,7 @@ class ScanMotionBody(Out):
     revision: int
     cause: Cause
     placed_by_person: bool
-    method: Method
+    method: ScanMethod
     older: bool = Field(description="Made with other values of the rig than the scan has now.")
     front_line_1: float
     rear_line_1: float
@@ -337,7 +337,7 @@ class BoundariesIn(In):
     front_line_2: Line
     rear_line_2: Line
     version: Version
-    method: Method | None = Field(default=None, description="null: the method of the result before.")
+    method: ScanMethod | None = Field(default=None, description="null: the method of the result before.")
 
 
 class NewScanVehicle(In):
@@ -347,7 +347,7 @@ class NewScanVehicle(In):
     rear_line_1: Line
     front_line_2: Line | None = None
     rear_line_2: Line | None = None
-    method: Method = "direct"
+    method: ScanMethod = "direct"
 
 
 class WheelsIn(In):
@@ -379,9 +379,6 @@ class ScanFacts(In):
 class NewScanReview(In):
     verdict: ScanVerdict
     reason: Text | None = None
-
-
-MatchPicture = Literal["first", "second", "difference"]
 
 
 class StripUploadBody(Out):

@@ -14,6 +14,7 @@ from sightline.enums import (
     ScanMethod,
     ScanSource,
     ScanVerdict,
+    VehicleOrigin,
 )
 from sightline.infra.audit.records import Who
 from sightline.infra.csv_package.columns import (
@@ -275,7 +276,7 @@ SCAN_VEHICLES: Table[ShownVehicle] = Table(
             "origin",
             "found by the program or marked by a person",
             lambda s: s.vehicle.origin,
-            enum=("found", "person"),
+            enum=get_args(VehicleOrigin),
         ),
         text("make", "make", lambda s: s.vehicle.make),
         text("model", "model", lambda s: s.vehicle.model),

@@ -1,9 +1,9 @@
 """Scans and their vehicles as they go out."""
 
-from typing import Any
+from typing import Any, get_args
 
 from sightline.coverage import expanded
-from sightline.enums import JsonObject
+from sightline.enums import JsonObject, MatchPicture
 from sightline.media.strips.stored_writer import STEP, TILE_LINES, level_lines
 from sightline.scans.bodies import (
     GapBody,
@@ -125,5 +125,5 @@ def _match(measured: ScanMeasurement, scan: Scan) -> MatchBody | None:
         lines=stop - first,
         step=step,
         rows_px=scan.rows_px,
-        **{f"{word}_url": f"{address}/{word}?v={measured.id}" for word in ("first", "second", "difference")},
+        **{f"{word}_url": f"{address}/{word}?v={measured.id}" for word in get_args(MatchPicture)},
     )

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from datetime import datetime
-from typing import Literal, TypedDict
+from typing import TypedDict
 
 from sightline.enums import (
     Category,
@@ -10,6 +10,8 @@ from sightline.enums import (
     JsonObject,
     Lighting,
     MeasurementStatus,
+    OptionalStepState,
+    ScanMethod,
     ScanSource,
     ScanState,
     ScanVehicleState,
@@ -19,7 +21,7 @@ from sightline.enums import (
 )
 from sightline.infra.audit.records import Who
 from sightline.infra.jobs.records import Job
-from sightline.linescan.parts import Method, Rig
+from sightline.linescan.parts import Rig
 from sightline.measurements.records import ReviewState
 
 
@@ -128,7 +130,7 @@ class ScanChanges(TypedDict, total=False):
 class ScanRunValues:
     """What a run of the finder did: with which method and rig, how many it found and measured."""
 
-    method: Method
+    method: ScanMethod
     rig: JsonObject
     found: int
     measured: int
@@ -142,7 +144,7 @@ class ScanRun:
     id: int
     scan_id: int
     job_id: int | None
-    method: Method
+    method: ScanMethod
     rig: JsonObject
     found: int
     measured: int
@@ -165,7 +167,7 @@ class ScanValues:
     cause: Cause
     placed_by: int | None
     run_id: int | None
-    method: Method
+    method: ScanMethod
     rig: JsonObject
     front_line_1: float
     rear_line_1: float
@@ -284,7 +286,7 @@ class ScanReview:
 class ScanProgress:
     """The line scans of a survey: vehicles by what was done with them, and what to do next."""
 
-    state: Literal["none", "open", "done"]
+    state: OptionalStepState
     summary: str
     scans: int = 0
     ready: int = 0

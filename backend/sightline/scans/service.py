@@ -5,14 +5,14 @@ Finding and measuring their vehicles is in `scanning_find` and `scanning_measuri
 
 from __future__ import annotations
 
-from sightline.enums import Lighting, TimeAxis
+from sightline.enums import Lighting, ScanMethod, TimeAxis
 from sightline.errors import BadInput, Conflict
 from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.store import latest_jobs_of_scans
 from sightline.infra.services import Services
-from sightline.linescan.parts import Method, Rig
+from sightline.linescan.parts import Rig
 from sightline.media.strips.stored_reader import ReaderCache, StripReader
 from sightline.recordings.store import get_recording, recording_media_in_use
 from sightline.recordings.uploads.records import Upload
@@ -37,7 +37,7 @@ def create_from_strips(
     time_axis: TimeAxis,
     rig: Rig,
     lighting: Lighting | None,
-    find: Method | None,
+    find: ScanMethod | None,
     actor: int,
 ) -> Scan:
     """A scan of two strips that were uploaded, its reading queued; then `find` looks for vehicles.
@@ -73,7 +73,7 @@ def create_from_video(
     baseline_m: float,
     u_baseline_m: float,
     lighting: Lighting | None,
-    find: Method | None,
+    find: ScanMethod | None,
     actor: int,
 ) -> Scan:
     """A scan cut from a video along two pixel columns; its line rate is the video's frame rate."""
@@ -106,7 +106,7 @@ def create_from_video(
     return store.get_scan(session, made.id)
 
 
-def queue_reading(session: Session, scan: Scan, find: Method | None, actor: int | None) -> Job:
+def queue_reading(session: Session, scan: Scan, find: ScanMethod | None, actor: int | None) -> Job:
     """Queue the reading of a scan's strips in the caller's transaction."""
     payload = {"find": find}
     return registry.enqueue(session, READ, payload, survey_id=scan.survey_id, scan_id=scan.id, actor=actor)
@@ -123,7 +123,9 @@ def retry_reading(session: Session, scan_id: int, actor: int) -> Job:
     return queue_reading(session, scan, find, actor)
 
 
-def request_find(session: Session, scan_id: int, method: Method, search: bool, *, actor: int | None) -> Job:
+def request_find(
+    session: Session, scan_id: int, method: ScanMethod, search: bool, *, actor: int | None
+) -> Job:
     """Queue the search for vehicles (or, without `search`, the measuring again of the known ones).
 
     Raises NotFound, BadInput (not read yet), Conflict while one waits or runs.
@@ -143,7 +145,7 @@ def swap_cameras(session: Session, scan_id: int, *, version: int, actor: int) ->
     scan = store.get_scan(session, scan_id)
     require_idle(session, scan)
     swap_scan_cameras(session, scan_id, version=version, actor=actor)
-    method: Method = "direct" if scan.run is None else scan.run.method
+    method: ScanMethod = "direct" if scan.run is None else scan.run.method
     request_find(session, scan_id, method, True, actor=actor)
     return store.get_scan(session, scan_id)
 

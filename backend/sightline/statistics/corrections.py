@@ -7,18 +7,18 @@ its heights come corrected.
 """
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy import stats
 
+from sightline.enums import Correction
 from sightline.statistics.agreement import LEAST
 from sightline.statistics.wording import there_are
 
 Floats = NDArray[np.float64]
-Correction = Literal["none", "inset", "shift", "regression", "deconvolution"]
-CORRECTIONS: tuple[Correction, ...] = ("inset", "shift", "none", "regression", "deconvolution")
+CORRECTIONS: tuple[Correction, ...] = get_args(Correction)
 _MANY_OUTSIDE = 0.01
 
 

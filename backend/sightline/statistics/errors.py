@@ -6,17 +6,17 @@ The paper's "overall" column is not the pool of its two groups (MAE pools to 0.0
 
 import warnings
 from dataclasses import dataclass
-from typing import Literal
+from typing import get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy import stats
 
 from sightline.coverage import COVERAGE_95
+from sightline.enums import Lighting, Rounding
 from sightline.statistics.wording import are_too_few
 
 Floats = NDArray[np.float64]
-Rounding = Literal["cm", "none"]
 
 FIGURES = (
     "bias_m",
@@ -27,7 +27,7 @@ FIGURES = (
     "pearson_error_vs_height",
     "pearson_abs_error_vs_height",
 )
-GROUPS = ("daytime", "low_light", "overall")
+GROUPS = (*get_args(Lighting), "overall")
 _RESAMPLES = 4999
 _BATCH_NUMBERS = 2_000_000  # resampled values held at once: bounds the memory whatever n is
 _SEED = 20190403  # intervals of the same rows are the same numbers

@@ -1,7 +1,8 @@
 """Heights that standards of road design are set by, to be drawn into distributions. An editable beginning."""
 
 from dataclasses import dataclass
-from typing import Literal
+
+from sightline.enums import StandardHeight
 
 
 @dataclass(frozen=True)
@@ -9,7 +10,7 @@ class Standard:
     """One height of one standard. `what`: which distribution it belongs to."""
 
     name: str
-    what: Literal["driver_eye", "object"]
+    what: StandardHeight
     height_m: float
     source: str
 

@@ -2,10 +2,12 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.enums import Correction, Lighting, Rounding
 from sightline.statistics.agreement import (
     BlandAltman,
     ReferencePart,
@@ -14,7 +16,7 @@ from sightline.statistics.agreement import (
     reference_part,
     trend,
 )
-from sightline.statistics.corrections import Corrected, Correction, Known, corrected
+from sightline.statistics.corrections import Corrected, Known, corrected
 from sightline.statistics.distributions import (
     Density,
     Ecdf,
@@ -26,7 +28,7 @@ from sightline.statistics.distributions import (
     share_below,
     sorted_values,
 )
-from sightline.statistics.errors import WHOLE_CM, ErrorGroup, Rounding, error_table, signed_errors
+from sightline.statistics.errors import WHOLE_CM, ErrorGroup, error_table, signed_errors
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -122,7 +124,7 @@ def errors_of(roofs: Roofs, correction: Correction, rounding: Rounding) -> Error
     """
     measured = roofs.measured_m if correction == "inset" else roofs.paper_m
     error, reference = signed_errors(measured, roofs.reference_m, rounding)
-    where = {name: roofs.lighting == name for name in ("daytime", "low_light")}
+    where = {name: roofs.lighting == name for name in get_args(Lighting)}
     where["overall"] = np.ones(len(error), dtype=np.bool_)
     absolute = np.abs(error)
     step_m = WHOLE_CM if rounding == "cm" else 0.0

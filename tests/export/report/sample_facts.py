@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from datetime import UTC, date, datetime
 
+from sightline.enums import LengthUnit
 from sightline.export.report.facts import (
     CalibrationFacts,
     Checksum,
@@ -15,7 +16,6 @@ from sightline.export.report.facts import (
     RecordingFacts,
     ReportFacts,
 )
-from sightline.export.report.units import Unit
 from sightline.geometry.insets import DEFAULT_INSETS
 from sightline.results.survey_statistics import Statistics, StatisticsOptions
 from sightline.surveys.photographs.records import PhotographFile
@@ -39,7 +39,7 @@ def facts(
     survey: str = "Rouen south, spring",
     photos: tuple[PhotographFile, ...] = (),
     exclusions: int = 9,
-    unit: Unit = "m",
+    unit: LengthUnit = "m",
     choices: StatisticsOptions = StatisticsOptions(),
 ) -> ReportFacts:
     """A survey with two recordings, one camera, two poses."""

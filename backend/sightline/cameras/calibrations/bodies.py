@@ -1,7 +1,7 @@
 """Calibrations as they go in and out."""
 
 from datetime import datetime
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 from pydantic import Field
@@ -9,11 +9,9 @@ from pydantic import Field
 from sightline.cameras.board_bodies import Markers
 from sightline.cameras.calibrations.calibrating import CHECKS
 from sightline.cameras.calibrations.records import Calibration
-from sightline.enums import Point
+from sightline.enums import CalibrationSource, LensModel, Point
 from sightline.geometry.reshoot import places_missing
 from sightline.infra.web.bodies import FrameNumber, Id, Out, WhoBody
-
-Source = Literal["images", "clip", "import"]
 
 
 class CalibrationSummaryBody(Out):
@@ -21,7 +19,7 @@ class CalibrationSummaryBody(Out):
     camera_id: int
     created_at: datetime
     created_by: WhoBody | None
-    source: Source
+    source: CalibrationSource
     trusted: bool
     summary: str
 
@@ -85,7 +83,7 @@ class CameraDocument(Out):
     name: str
     width_px: int
     height_px: int
-    model: Literal["brown", "fisheye"]
+    model: LensModel
     fx_px: float
     fy_px: float
     cx_px: float
@@ -114,7 +112,7 @@ class CalibrationWish(Markers):
     columns: int = Field(ge=2, le=100)
     rows: int = Field(ge=2, le=100)
     square_m: float = Field(gt=0, le=10, allow_inf_nan=False)
-    model: Literal["brown", "fisheye"] = "brown"
+    model: LensModel = "brown"
     recording_id: Id | None = None
     every: int | None = Field(default=None, ge=1, le=2**31 - 1)
     first_frame: FrameNumber | None = None

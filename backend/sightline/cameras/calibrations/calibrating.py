@@ -2,15 +2,14 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Literal
 
 import numpy as np
 
-from sightline.cameras.boards import BoardKind, board_told
+from sightline.cameras.boards import board_told
 from sightline.cameras.calibrations.records import Calibration, CalibrationImage
 from sightline.cameras.calibrations.store import add_calibration
 from sightline.cameras.store import get_camera
-from sightline.enums import JsonObject
+from sightline.enums import BoardKind, JsonObject, LensModel
 from sightline.errors import BadInput
 from sightline.geometry.board import Board
 from sightline.geometry.calibration import CalibrationResult
@@ -24,7 +23,6 @@ from sightline.infra.jobs.store import list_jobs
 from sightline.infra.services import Services
 
 CALIBRATE = "calibrate"
-Model = Literal["brown", "fisheye"]
 # Beyond this, views add time and hardly any knowledge of the lens.
 MOST_FRAMES = 60
 USUAL_FRAMES = 24
@@ -40,7 +38,7 @@ class CalibrationRequest:
     columns: int
     rows: int
     square_m: float
-    model: Model
+    model: LensModel
     recording_id: int | None = None
     every: int | None = None
     first_frame: int | None = None

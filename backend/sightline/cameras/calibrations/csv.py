@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import get_args
 
 from sightline.cameras.calibrations.records import Calibration
-from sightline.enums import CalibrationSource
+from sightline.enums import CalibrationSource, LensModel
 from sightline.infra.csv_package.columns import flag, integer, key, moment, number, person, text
 from sightline.infra.csv_package.schema import Cell, Column, Table
 
@@ -53,7 +53,7 @@ CALIBRATIONS: Table[NamedCalibration] = Table(
         text(
             "source", "where it comes from", lambda c: c.calibration.source, enum=get_args(CalibrationSource)
         ),
-        text("model", "lens model", _said("model"), required=True, enum=("brown", "fisheye")),
+        text("model", "lens model", _said("model"), required=True, enum=get_args(LensModel)),
         integer("width_px", "width of the images it holds for", _said("width_px"), unit="px", required=True),
         integer(
             "height_px", "height of the images it holds for", _said("height_px"), unit="px", required=True

@@ -8,10 +8,11 @@ from typing import Any, Protocol, TypeVar
 
 from matplotlib.axes import Axes
 
+from sightline.enums import LengthUnit
 from sightline.export.report import labels, marks
 from sightline.export.report.canvas import HALF, INK, MUTED, Drawing, svg
 from sightline.export.report.marks import MAIN, SECOND, THIRD, LineStyle
-from sightline.export.report.units import HEIGHT, SMALL, Unit, count, fixed
+from sightline.export.report.units import HEIGHT, SMALL, count, fixed
 from sightline.export.report.words import GROUPS, heading
 from sightline.statistics.agreement import Trend
 from sightline.statistics.distributions import Ecdf
@@ -38,7 +39,7 @@ class SampleCounts(Protocol):
 Part = TypeVar("Part", bound=SampleCounts)
 
 
-def error_figures(errors: Errors, unit: Unit) -> dict[str, Drawing | str]:
+def error_figures(errors: Errors, unit: LengthUnit) -> dict[str, Drawing | str]:
     """Name to figure, or to the sentence that stands in its place."""
     return {
         "absolute-error-ecdf": _absolute(errors, unit),
@@ -82,7 +83,7 @@ def _cumulative(
     return Drawing(svg(draw, title, HALF), title, caption)
 
 
-def _absolute(errors: Errors, unit: Unit) -> Drawing | str:
+def _absolute(errors: Errors, unit: LengthUnit) -> Drawing | str:
     small = SMALL[unit]
     return _cumulative(
         errors.absolute,
@@ -103,7 +104,7 @@ def _relative(errors: Errors) -> Drawing | str:
     )
 
 
-def _density(errors: Errors, unit: Unit) -> Drawing | str:
+def _density(errors: Errors, unit: LengthUnit) -> Drawing | str:
     drawn = _drawn(errors.density)
     drawn = [one for one in drawn if one[0] != "overall"] or drawn  # which lies between the two
     small, title = SMALL[unit], "Signed error, density"
@@ -131,7 +132,7 @@ def _density(errors: Errors, unit: Unit) -> Drawing | str:
     return Drawing(svg(draw, title, HALF), title, caption)
 
 
-def _trend(errors: Errors, unit: Unit) -> Drawing | str:
+def _trend(errors: Errors, unit: LengthUnit) -> Drawing | str:
     points, line = errors.points, errors.trend
     long, small, title = HEIGHT[unit], SMALL[unit], "Signed error against true height"
     if len(points) == 0:
@@ -169,7 +170,7 @@ def _trend(errors: Errors, unit: Unit) -> Drawing | str:
     return Drawing(svg(draw, title, replace(HALF, top=6.0)), title, _trend_caption(errors, unit))
 
 
-def _trend_caption(errors: Errors, unit: Unit) -> str:
+def _trend_caption(errors: Errors, unit: LengthUnit) -> str:
     line, absolute = errors.trend, errors.absolute_trend
     if not isinstance(line, Trend):
         return f"One mark a vehicle. {line}"

@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from datetime import date, datetime
 
-from sightline.export.report.units import Unit
+from sightline.enums import LengthUnit
 from sightline.results.survey_statistics import Statistics, StatisticsOptions
 from sightline.scans.statistics.service import ScanStatistics
 from sightline.surveys.photographs.records import PhotographFile
@@ -190,4 +190,4 @@ class ReportFacts:
     audit_events: int = 0
     audit_head: str = ""
     checksums: tuple[Checksum, ...] = ()
-    unit: Unit = "m"
+    unit: LengthUnit = "m"

@@ -5,22 +5,22 @@ Names are those that the statistics page gives to its downloads.
 
 from __future__ import annotations
 
+from sightline.enums import LengthUnit
 from sightline.export.report.canvas import Drawing
 from sightline.export.report.error_figures import error_figures
 from sightline.export.report.height_figures import height_figures
 from sightline.export.report.scan_figures import scan_drawings
-from sightline.export.report.units import Unit
 from sightline.results.survey_statistics import Statistics, standards_of
 from sightline.scans.statistics.service import ScanStatistics
 
 
-def figures(result: Statistics, unit: Unit = "m") -> dict[str, bytes]:
+def figures(result: Statistics, unit: LengthUnit = "m") -> dict[str, bytes]:
     """Name to SVG of every figure that has something to draw; the same result gives the same bytes."""
     return {name: one.svg for name, one in drawings(result, unit).items() if isinstance(one, Drawing)}
 
 
 def drawings(
-    result: Statistics, unit: Unit = "m", scans: ScanStatistics | None = None
+    result: Statistics, unit: LengthUnit = "m", scans: ScanStatistics | None = None
 ) -> dict[str, Drawing | str]:
     """Name to figure, or to the sentence that stands in its place; those of line scans last."""
     found = error_figures(result.errors, unit)

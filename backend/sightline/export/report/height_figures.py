@@ -8,10 +8,11 @@ from dataclasses import replace
 import numpy as np
 from matplotlib.axes import Axes
 
+from sightline.enums import LengthUnit, StatisticsTarget
 from sightline.export.report import labels, marks
 from sightline.export.report.canvas import FULL, HALF, INK, MUTED, NOTE_PT, Drawing, Sheet, svg
 from sightline.export.report.marks import MAIN, RAW, Limit
-from sightline.export.report.units import HEIGHT, Scale, Unit, count, fixed, limit, percent
+from sightline.export.report.units import HEIGHT, Scale, count, fixed, limit, percent
 from sightline.export.report.words import TARGETS, group_word, heading
 from sightline.statistics.distributions import Density, Percentile
 from sightline.statistics.standards import Standard
@@ -23,7 +24,7 @@ _ROW_MM = 4.6
 
 
 def height_figures(
-    name: str, target: Target, standards: Sequence[Standard], unit: Unit
+    name: StatisticsTarget, target: Target, standards: Sequence[Standard], unit: LengthUnit
 ) -> dict[str, Drawing | str]:
     """One target's figures by name; `standards` in the order of the target's shares."""
     limits = _limits(target, standards, unit)
@@ -37,7 +38,7 @@ def height_figures(
     return found
 
 
-def _limits(target: Target, standards: Sequence[Standard], unit: Unit) -> list[Limit]:
+def _limits(target: Target, standards: Sequence[Standard], unit: LengthUnit) -> list[Limit]:
     """The standards near enough to the heights to be drawn; those of one height share a rule."""
     parts = [one.ecdf for one in (target.raw, target.corrected) if one.ecdf is not None]
     if not parts:
@@ -52,7 +53,7 @@ def _limits(target: Target, standards: Sequence[Standard], unit: Unit) -> list[L
     return [_limit(at, names, shares.get(at), unit) for at, names in sorted(by_height.items())]
 
 
-def _limit(at_m: float, names: Sequence[str], share: float | None, unit: Unit) -> Limit:
+def _limit(at_m: float, names: Sequence[str], share: float | None, unit: LengthUnit) -> Limit:
     return Limit(HEIGHT[unit].factor * at_m, f"{', '.join(names)} {limit(at_m, unit)}", share)
 
 
@@ -65,7 +66,9 @@ def _short(word: str) -> str:
     return word if len(word) <= _LONGEST_WORD else word[: _LONGEST_WORD - 1] + "…"
 
 
-def _cumulative(name: str, target: Target, limits: Sequence[Limit], unit: Unit) -> Drawing | str:
+def _cumulative(
+    name: StatisticsTarget, target: Target, limits: Sequence[Limit], unit: LengthUnit
+) -> Drawing | str:
     scale, word = HEIGHT[unit], TARGETS[name]
     raw, corrected = target.raw.ecdf, target.corrected.ecdf
     title = f"Heights of the {word}, cumulative"
@@ -125,7 +128,9 @@ def _widen(axes: Axes, limits: Sequence[Limit]) -> None:
     axes.set_xlim(min([low, *(x - 0.035 * span for x in at)]), max([high, *(x + 0.01 * span for x in at)]))
 
 
-def _density(name: str, target: Target, limits: Sequence[Limit], unit: Unit) -> Drawing | str:
+def _density(
+    name: StatisticsTarget, target: Target, limits: Sequence[Limit], unit: LengthUnit
+) -> Drawing | str:
     found, scale, word = target.density, HEIGHT[unit], TARGETS[name]
     title = f"Heights of the {word}, density"
     if not isinstance(found, Density):
@@ -146,7 +151,9 @@ def _density(name: str, target: Target, limits: Sequence[Limit], unit: Unit) -> 
     return Drawing(svg(draw, title, HALF), title, caption)
 
 
-def _side_by_side(name: str, grouping: str, groups: Groups, limits: Sequence[Limit], unit: Unit) -> Drawing:
+def _side_by_side(
+    name: StatisticsTarget, grouping: str, groups: Groups, limits: Sequence[Limit], unit: LengthUnit
+) -> Drawing:
     """Groups as rows: median, middle 70 % and middle 90 %; no colours, and room for many groups."""
     scale, word = HEIGHT[unit], TARGETS[name]
     title = f"Heights of the {word} by {grouping}"

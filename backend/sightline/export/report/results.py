@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from sightline.enums import LengthUnit, StatisticsTarget
 from sightline.export.report import words
 from sightline.export.report.facts import ReportFacts
 from sightline.export.report.pictures import Pictures
@@ -14,12 +15,11 @@ from sightline.export.report.units import (
     SMALL,
     SQUARE,
     Scale,
-    Unit,
     fixed,
     limit,
     percent,
 )
-from sightline.results.survey_statistics import Shown, standards_of
+from sightline.results.survey_statistics import standards_of
 from sightline.statistics.agreement import BlandAltman, ReferencePart
 from sightline.statistics.distributions import Percentile, Share
 from sightline.statistics.errors import FIGURES, GROUPS, ErrorGroup, Interval
@@ -55,7 +55,7 @@ def glance(facts: ReportFacts) -> Values:
     }
 
 
-def _glance(name: Shown, heights: Distribution, scale: Scale) -> Values:
+def _glance(name: StatisticsTarget, heights: Distribution, scale: Scale) -> Values:
     values = {one.percent: one.value for one in heights.percentiles}
     return {
         "name": words.TARGETS[name],
@@ -100,12 +100,12 @@ def errors(facts: ReportFacts, pictures: Pictures) -> Values | None:
     }
 
 
-def _error_group(name: str, group: ErrorGroup, unit: Unit) -> Values:
+def _error_group(name: str, group: ErrorGroup, unit: LengthUnit) -> Values:
     figures: Values = {key: _error_figure(group, key, unit) for key in FIGURES}
     return {"name": words.GROUPS[name], "n": group.n, "figures": figures}
 
 
-def _error_figure(group: ErrorGroup, key: str, unit: Unit) -> Values | None:
+def _error_figure(group: ErrorGroup, key: str, unit: LengthUnit) -> Values | None:
     """One figure with its interval in the reader's unit and, of a length, in the other."""
     value, interval = group.figures[key], group.ci95[key]
     if value is None:
@@ -121,7 +121,7 @@ def _with_interval(value: float, interval: Interval | None, scale: Scale) -> Val
     return {"value": scale.number(value), "ci95": _interval(interval, scale)}
 
 
-def _reference_part(part: ReferencePart | str, unit: Unit) -> Json:
+def _reference_part(part: ReferencePart | str, unit: LengthUnit) -> Json:
     if isinstance(part, str):
         return part
     return {
@@ -131,7 +131,7 @@ def _reference_part(part: ReferencePart | str, unit: Unit) -> Json:
     }
 
 
-def _limits(found: BlandAltman | str, unit: Unit) -> Json:
+def _limits(found: BlandAltman | str, unit: LengthUnit) -> Json:
     if isinstance(found, str):
         return found
     small = SMALL[unit]
@@ -143,7 +143,7 @@ def _limits(found: BlandAltman | str, unit: Unit) -> Json:
     }
 
 
-def _paper(unit: Unit) -> list[Json]:
+def _paper(unit: LengthUnit) -> list[Json]:
     small, square = SMALL[unit], SQUARE[unit]
     return [
         {
@@ -169,7 +169,7 @@ def heights(facts: ReportFacts, pictures: Pictures) -> Values:
     }
 
 
-def _target(facts: ReportFacts, name: Shown, target: Target, pictures: Pictures) -> Values:
+def _target(facts: ReportFacts, name: StatisticsTarget, target: Target, pictures: Pictures) -> Values:
     mine, other = HEIGHT[facts.unit], HEIGHT[OTHER[facts.unit]]
     raw = {one.percent: one for one in target.raw.percentiles}
     corrected = {one.percent: one for one in target.corrected.percentiles}
@@ -224,7 +224,7 @@ def without_interval(found: Sequence[Percentile]) -> list[Json]:
     ]
 
 
-def _standards(facts: ReportFacts, name: Shown, target: Target) -> list[Json]:
+def _standards(facts: ReportFacts, name: StatisticsTarget, target: Target) -> list[Json]:
     """The standards that speak of a target, with the share below each."""
     if not target.corrected.shares:
         return []
@@ -233,7 +233,7 @@ def _standards(facts: ReportFacts, name: Shown, target: Target) -> list[Json]:
     return [_standard(standard, share, facts.unit) for standard, share in both]
 
 
-def _standard(standard: Standard, share: Share, unit: Unit) -> Values:
+def _standard(standard: Standard, share: Share, unit: LengthUnit) -> Values:
     return {
         "name": standard.name,
         "height": limit(standard.height_m, unit),

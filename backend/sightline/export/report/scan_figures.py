@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from matplotlib.axes import Axes
 
+from sightline.enums import LengthUnit
 from sightline.export.report import marks
 from sightline.export.report.canvas import HALF, INK, Drawing, svg
 from sightline.export.report.marks import MAIN
-from sightline.export.report.units import SPEED, WAY, Scale, Unit, count, fixed
+from sightline.export.report.units import SPEED, WAY, Scale, count, fixed
 from sightline.scans.statistics.service import ScanStatistics, Spread
 
 NAMES: dict[str, str] = {
@@ -21,12 +22,12 @@ _SECONDS = Scale(1.0, "s", 2)
 _MARKED = (15.0, 50.0, 85.0)
 
 
-def scale_of(unit_of: str, unit: Unit) -> Scale:
+def scale_of(unit_of: str, unit: LengthUnit) -> Scale:
     """How a quantity of m/s, m or s is shown."""
     return {"m/s": SPEED, "m": WAY}[unit_of][unit] if unit_of != "s" else _SECONDS
 
 
-def scan_drawings(found: ScanStatistics, unit: Unit = "m") -> dict[str, Drawing]:
+def scan_drawings(found: ScanStatistics, unit: LengthUnit = "m") -> dict[str, Drawing]:
     """Name to figure of every quantity that has values."""
     return {
         f"scan-{one.quantity.replace('_', '-')}": _cumulative(one, scale_of(one.unit, unit))

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from sightline.enums import LengthUnit
 from sightline.export.report.facts import ReportFacts, RigFacts, ScannedHeights
 from sightline.export.report.pictures import Pictures
 from sightline.export.report.results import percentile_interval, without_interval
 from sightline.export.report.scan_figures import NAMES, scale_of
 from sightline.export.report.settable import Json, Values
-from sightline.export.report.units import HEIGHT, SMALL, Scale, Unit, fixed
-from sightline.export.report.words import GROUPS, LIGHTING, TARGETS
+from sightline.export.report.units import HEIGHT, SMALL, Scale, fixed
+from sightline.export.report.words import GROUPS, LIGHTING, target_words
 from sightline.linescan.rig import Estimate
 from sightline.scans.statistics.service import Row, ScanStatistics, Spread
 from sightline.statistics.distributions import Percentile
@@ -65,7 +66,7 @@ def _rig(rig: RigFacts, height: Scale) -> Values:
     }
 
 
-def _speed_in_short(found: ScanStatistics, unit: Unit) -> Values | None:
+def _speed_in_short(found: ScanStatistics, unit: LengthUnit) -> Values | None:
     speed = next(one for one in found.spreads if one.quantity == "speed")
     scale = scale_of(speed.unit, unit)
     at = _percentile(speed, 85.0)
@@ -80,7 +81,7 @@ def _speed_in_short(found: ScanStatistics, unit: Unit) -> Values | None:
     }
 
 
-def _quantities(spreads: Sequence[Spread], unit: Unit) -> Values:
+def _quantities(spreads: Sequence[Spread], unit: LengthUnit) -> Values:
     shown = [each for one in spreads for each in one.percentiles if each.percent in _PERCENTS]
     return {
         "percents": [fixed(percent, 0) for percent in _PERCENTS],
@@ -150,7 +151,7 @@ def _error(group: ErrorGroup, key: str, small: Scale) -> Values:
 
 def _height(heights: ScannedHeights, scale: Scale) -> Values:
     return {
-        "target": TARGETS.get(heights.target, heights.target),
+        "target": target_words(heights.target),
         "n": heights.n,
         "mean": scale.number(heights.mean_m),
         "sd": scale.number(heights.sd_m),
@@ -159,7 +160,7 @@ def _height(heights: ScannedHeights, scale: Scale) -> Values:
     }
 
 
-def _vehicle(row: Row, unit: Unit) -> Values:
+def _vehicle(row: Row, unit: LengthUnit) -> Values:
     speed, length = scale_of("m/s", unit), scale_of("m", unit)
     acceleration = Scale(HEIGHT[unit].factor, "", 2)
     off = None

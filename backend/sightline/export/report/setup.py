@@ -17,7 +17,7 @@ from sightline.export.report.facts import (
 from sightline.export.report.pictures import Pictures
 from sightline.export.report.settable import Json, Values
 from sightline.export.report.units import HEIGHT, SMALL, Scale, fixed
-from sightline.export.report.words import LIGHTING, TARGETS
+from sightline.export.report.words import LIGHTING, target_words
 
 _MOST_VERSIONS = 6
 _MOST_IN_HEAD = 70  # characters of a name in the running head
@@ -168,7 +168,7 @@ def insets(facts: ReportFacts) -> list[Json]:
     small = SMALL[facts.unit]
     return [
         {
-            "target": TARGETS.get(inset.target, inset.target),
+            "target": target_words(inset.target),
             "inset": small.number(inset.inset_m),
             "u": small.number(inset.u_inset_m),
             "note": inset.note.replace("+-", "±") or None,
@@ -186,7 +186,7 @@ def exclusions(facts: ReportFacts) -> Values:
             {
                 "measurement": row.measurement,
                 "vehicle": row.vehicle,
-                "target": TARGETS.get(row.target, row.target),
+                "target": target_words(row.target),
                 "state": row.state,
                 "reason": row.reason or None,
             }

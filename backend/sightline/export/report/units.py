@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
 
-Unit = Literal["m", "ft"]
+from sightline.enums import LengthUnit
+
 NONE = "–"
 _FOOT_M = 0.3048
 
@@ -27,15 +27,15 @@ class Scale:
         return NONE if value_m is None else f"{self.number(value_m)}\u00a0{self.sign}"
 
 
-HEIGHT: dict[Unit, Scale] = {"m": Scale(1.0, "m", 3), "ft": Scale(1.0 / _FOOT_M, "ft", 3)}
-WAY: dict[Unit, Scale] = {"m": Scale(1.0, "m", 2), "ft": Scale(1.0 / _FOOT_M, "ft", 2)}
-SPEED: dict[Unit, Scale] = {"m": Scale(3.6, "km/h", 1), "ft": Scale(3600 / 1609.344, "mph", 1)}
-SMALL: dict[Unit, Scale] = {"m": Scale(1000.0, "mm", 1), "ft": Scale(12.0 / _FOOT_M, "in", 2)}
-SQUARE: dict[Unit, Scale] = {
+HEIGHT: dict[LengthUnit, Scale] = {"m": Scale(1.0, "m", 3), "ft": Scale(1.0 / _FOOT_M, "ft", 3)}
+WAY: dict[LengthUnit, Scale] = {"m": Scale(1.0, "m", 2), "ft": Scale(1.0 / _FOOT_M, "ft", 2)}
+SPEED: dict[LengthUnit, Scale] = {"m": Scale(3.6, "km/h", 1), "ft": Scale(3600 / 1609.344, "mph", 1)}
+SMALL: dict[LengthUnit, Scale] = {"m": Scale(1000.0, "mm", 1), "ft": Scale(12.0 / _FOOT_M, "in", 2)}
+SQUARE: dict[LengthUnit, Scale] = {
     "m": Scale(1e4, "cm²", 2),
     "ft": Scale((12.0 / _FOOT_M) ** 2, "in²", 3),
 }
-OTHER: dict[Unit, Unit] = {"m": "ft", "ft": "m"}
+OTHER: dict[LengthUnit, LengthUnit] = {"m": "ft", "ft": "m"}
 _WORDS = {
     "m": "metres",
     "ft": "feet",
@@ -46,7 +46,7 @@ _WORDS = {
 }
 
 
-def unit_words(unit: Unit) -> dict[str, str]:
+def unit_words(unit: LengthUnit) -> dict[str, str]:
     """Signs and words of the units that a report is written in, and of those beside them."""
     other = OTHER[unit]
     return {
@@ -62,7 +62,7 @@ def unit_words(unit: Unit) -> dict[str, str]:
     }
 
 
-def limit(height_m: float, unit: Unit) -> str:
+def limit(height_m: float, unit: LengthUnit) -> str:
     """The height of a standard with its unit: two decimals, a third only where its metres have one."""
     scale = HEIGHT[unit]
     whole = fixed(height_m, 3).endswith("0")

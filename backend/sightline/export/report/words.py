@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-TARGETS: dict[str, str] = {
+from sightline.enums import Correction, StatisticsTarget, Target
+
+TARGETS: dict[Target, str] = {
     "driver_eye": "driver’s eye",
     "taillight": "taillight, lower limit",
     "headlight": "headlight",
     "roof": "roof",
     "other": "other",
 }
-MANY: dict[str, str] = {
+MANY: dict[StatisticsTarget, str] = {
     "driver_eye": "drivers’ eyes",
     "taillight": "taillights’ lower limits",
     "headlight": "headlights",
@@ -18,7 +20,7 @@ MANY: dict[str, str] = {
 GROUPS: dict[str, str] = {"daytime": "daytime", "low_light": "low light", "overall": "overall"}
 LIGHTING: dict[str, str] = {"daytime": "daytime", "low_light": "low light", "": "lighting unknown"}
 CATEGORIES: dict[str, str] = {"suv": "SUV"}
-CORRECTIONS: dict[str, str] = {
+CORRECTIONS: dict[Correction, str] = {
     "inset": "corrected by inset",
     "shift": "corrected by shift",
     "none": "not corrected",
@@ -30,6 +32,11 @@ CORRECTIONS: dict[str, str] = {
 def heading(word: str) -> str:
     """With a capital."""
     return word[:1].upper() + word[1:]
+
+
+def target_words(word: str) -> str:
+    """A target as a package names it, for people; one that is not known by its own name."""
+    return next((words for target, words in TARGETS.items() if target == word), word)
 
 
 def group_word(grouping: str, word: str) -> str:

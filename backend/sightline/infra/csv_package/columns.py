@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from datetime import datetime
+from typing import get_args
 
 from typing_extensions import TypeVar
 
+from sightline.enums import MeasurementStatus
 from sightline.infra.audit.records import Who
 from sightline.infra.csv_package.schema import Cell, Column, Row, when
 
@@ -14,7 +16,7 @@ R = TypeVar("R", default=Row)
 Part = TypeVar("Part")
 Getter = Callable[[R], Cell]
 
-STATUS = ("ok", "not_measurable")
+STATUS = get_args(MeasurementStatus)
 
 
 def integer(

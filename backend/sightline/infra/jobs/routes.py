@@ -4,9 +4,10 @@ from typing import Annotated
 
 from fastapi import APIRouter, Query
 
+from sightline.enums import JobState
 from sightline.errors import NotAllowed
 from sightline.infra.jobs import registry, store
-from sightline.infra.web.bodies import Id, JobBody, JobState
+from sightline.infra.web.bodies import Id, JobBody
 from sightline.infra.web.deps import RANK, PathId, Reading, Viewer, Wired
 
 router = APIRouter()

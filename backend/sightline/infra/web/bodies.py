@@ -1,9 +1,11 @@
 """Bodies that every route module shares: the strict base, the error, points, who, and the job."""
 
 from datetime import datetime
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any
 
 from pydantic import BaseModel, ConfigDict, Field, field_validator
+
+from sightline.enums import JobState
 
 Finite = Annotated[float, Field(allow_inf_nan=False)]
 Point = Annotated[tuple[Finite, Finite], Field(examples=[[320.5, 240.25]])]
@@ -12,7 +14,6 @@ Text = Annotated[str, Field(max_length=10_000)]
 # Ids are 32-bit in PostgreSQL; a larger number is a malformed id, not a database error.
 Id = Annotated[int, Field(ge=1, le=2**31 - 1)]
 FrameNumber = Annotated[int, Field(ge=0, le=2**31 - 1)]
-JobState = Literal["queued", "running", "done", "failed", "cancelled"]
 
 
 class In(BaseModel):

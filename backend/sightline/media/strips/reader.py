@@ -12,18 +12,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import Any, Literal, Protocol
+from typing import Any, Protocol
 
 import cv2
 import numpy as np
 
+from sightline.enums import TimeAxis
 from sightline.errors import BadInput
 from sightline.media.strips import png, tiff
 from sightline.media.strips.notes import Dropped, StripNotes, read_notes, with_gaps
 from sightline.media.strips.sheet import Pixels, Sheet, unpacked
 from sightline.media.video.sniff import why_not_video
 
-TimeAxis = Literal["width", "height"]
 CHUNK_BYTES = 4 << 20
 LEAST_ROWS = 8
 MOST_ROWS = 16_384

@@ -28,11 +28,11 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.enums import Display
 from sightline.errors import SightlineError
 from sightline.media.video.decode_child import TOO_MUCH_MEMORY
 from sightline.media.video.decode_crashes import CannotDecode, CrashTracker, sentence
 from sightline.media.video.decode_wire import Header, Limits, Link, error_of, packed
-from sightline.media.video.display import Display
 from sightline.media.video.picture import Bgr, Gray
 from sightline.media.video.seeker import RecordingMedia
 from sightline.media.video.window import CancelCheck, NoLongerWanted, Rectangle, always

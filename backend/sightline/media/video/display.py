@@ -4,14 +4,11 @@ The frame is decoded and checked against its checksum as ever; only the copy tha
 changed. Pixels stay where they are, so a click on the brightened picture is the same click.
 """
 
-from typing import Literal
-
 import cv2
 import numpy as np
 
+from sightline.enums import Display
 from sightline.media.video.picture import Bgr
-
-Display = Literal["plain", "bright"]
 
 _CLIP = 2.5
 _TILES = 8

@@ -6,9 +6,9 @@ from collections.abc import Iterable
 from contextlib import nullcontext
 from pathlib import Path
 
+from sightline.enums import Display
 from sightline.errors import BadInput, NotFound
 from sightline.media.video.caches import DiskCache, MemoryCache
-from sightline.media.video.display import Display
 from sightline.media.video.picture import Bgr, Gray
 from sightline.media.video.prefetch import Prefetcher
 from sightline.media.video.seeker import RecordingMedia

@@ -11,10 +11,11 @@ import av
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.enums import Display
 from sightline.errors import NotFound
 from sightline.media.images import jpeg, no_larger, png, read_image, read_image_bgr
 from sightline.media.video.caches import MemoryCache
-from sightline.media.video.display import Display, shown_as
+from sightline.media.video.display import shown_as
 from sightline.media.video.picture import Bgr, Gray, Layout, has_half_chroma, upright, upright_gray
 from sightline.media.video.seeker import WHOLE, Decoded, RecordingMedia, Seeker
 

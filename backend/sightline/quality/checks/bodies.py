@@ -1,11 +1,11 @@
 """Bodies of the checks: insets from the survey itself, and the direction of travel against a road pose."""
 
 from datetime import datetime
-from typing import Annotated, Literal
+from typing import Annotated
 
 from pydantic import Field
 
-from sightline.enums import Target
+from sightline.enums import DirectionSource, InsetMethod, Target
 from sightline.infra.web.bodies import Finite, FrameNumber, In, Out, Point, WhoBody
 from sightline.poses.bodies import PoseOverlay
 from sightline.surveys.bodies import InsetBody
@@ -22,7 +22,7 @@ class VehicleNameBody(Out):
 class EstimateBody(Out):
     """One way to an inset: a figure with its uncertainty, or the reason why there is none."""
 
-    method: Literal["known_heights", "trend", "two_frames"]
+    method: InsetMethod
     reason: str | None
     inset_m: float | None
     u_inset_m: float | None
@@ -70,7 +70,7 @@ class VehicleHeadingBody(Out):
     number: int
     recording_id: int
     frame: int
-    source: Literal["tyres", "two_frames"]
+    source: DirectionSource
     heading_rad: float | None
     u_heading_rad: float | None
     base_m: float | None

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import groupby
-from typing import Literal, get_args
+from typing import get_args
 
 import numpy as np
 
-from sightline.enums import Target
+from sightline.enums import InsetMethod, Target
 from sightline.geometry.inset_trend import (
     InsetEstimate,
     Sightings,
@@ -30,8 +30,6 @@ from sightline.statistics.agreement import U_MANUFACTURER_M
 from sightline.surveys.records import Inset, Survey
 from sightline.surveys.store import get_survey
 
-Method = Literal["known_heights", "trend", "two_frames"]
-
 USUAL_CAMERA_M = 1.5
 CASES_AT_M = (2.0, 3.0, 4.0, 5.0)
 # Heights for the table of typical cases; the insets are the survey's own.
@@ -43,7 +41,7 @@ _CASES: tuple[tuple[Target, float], ...] = (
     ("roof", 1.90),
 )
 _OFFER_STEP_M = 0.01
-_NOTES: dict[Method, str] = {
+_NOTES: dict[InsetMethod, str] = {
     "known_heights": "from the manufacturers' heights of {n} vehicles of this survey",
     "trend": "from the trend with distance of {n} vehicles of this survey",
     "two_frames": "from {n} vehicles of this survey measured on two frames",
@@ -74,7 +72,7 @@ class Estimate:
     `difference_m`: what it would change the target's typical height by, against the inset in force.
     """
 
-    method: Method
+    method: InsetMethod
     reason: str | None = None
     inset_m: float | None = None
     u_inset_m: float | None = None
@@ -254,7 +252,10 @@ def _from_solved(made: Sequence[Measurement], known: dict[int, VehicleSheet]) ->
 
 
 def _estimate(
-    method: Method, found: InsetEstimate | str, made: Sequence[Measurement], known: dict[int, VehicleSheet]
+    method: InsetMethod,
+    found: InsetEstimate | str,
+    made: Sequence[Measurement],
+    known: dict[int, VehicleSheet],
 ) -> Estimate:
     if isinstance(found, str):
         return Estimate(method, found)

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Literal
 
 import numpy as np
 
-from sightline.enums import Point
+from sightline.enums import DirectionSource, Point
 from sightline.errors import BadInput, Conflict
 from sightline.geometry.multiframe import measure_frames
 from sightline.geometry.road_pose import RoadPose
@@ -35,8 +34,6 @@ from sightline.recordings.records import Recording
 from sightline.recordings.store import list_recordings
 from sightline.vehicles.store import get_vehicle
 
-Source = Literal["tyres", "two_frames"]
-
 _SAME_TURN_RAD = 1e-6
 
 
@@ -48,7 +45,7 @@ class VehicleHeading:
     number: int
     recording_id: int
     frame: int
-    source: Source
+    source: DirectionSource
     used: bool
     heading_rad: float | None = None
     u_heading_rad: float | None = None
@@ -83,7 +80,7 @@ class _Told:
     number: int
     recording_id: int
     frame: int
-    source: Source
+    source: DirectionSource
     found: Heading | str
 
 

@@ -1,10 +1,9 @@
 """Did the camera move since its road pose: what was found, looking again, and what people decide."""
 
-from typing import Literal
-
 from fastapi import APIRouter
 from pydantic import Field
 
+from sightline.enums import DriftState
 from sightline.infra.web.bodies import In, JobBody, Out, Text
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
 from sightline.recordings.drift import drift_check_of, open_spans
@@ -67,7 +66,7 @@ class DecisionBody(Out):
 class CheckBody(Out):
     pose_id: int
     pose_recording_id: int
-    state: Literal["still", "moved", "unknown"]
+    state: DriftState
     words: str
     reason: str | None
     floor_px: float | None

@@ -1,10 +1,11 @@
 """The frame table and its pictures: stills, lossless crops, thumbnails; immutable and checked."""
 
-from typing import Annotated, Literal
+from typing import Annotated
 
 import numpy as np
 from fastapi import APIRouter, Query, Request, Response
 
+from sightline.enums import Display
 from sightline.infra.web.bodies import Out
 from sightline.infra.web.deps import PathFrame, PathId, Viewer, Wired
 from sightline.infra.web.disconnect import CancelCheck, run_unless_cancelled
@@ -16,9 +17,7 @@ router = APIRouter()
 
 MOST_ROWS = 20_000
 Side = Annotated[int, Query(ge=1, le=4096)]
-Shown = Annotated[
-    Literal["plain", "bright"], Query(description="bright: to look at only, never measured on.")
-]
+Shown = Annotated[Display, Query(description="bright: to look at only, never measured on.")]
 Place = Annotated[int, Query(ge=-100_000, le=100_000)]
 
 

@@ -9,11 +9,11 @@ import numpy as np
 import numpy.typing as npt
 from cachetools import LRUCache
 
+from sightline.enums import Display
 from sightline.errors import BadInput, Damaged, NotFound
 from sightline.infra.database.engine import SessionFactory, reading
 from sightline.infra.services import Services
 from sightline.media.store.local import MediaStore
-from sightline.media.video.display import Display
 from sightline.media.video.frames import FrameServer
 from sightline.media.video.seeker import RecordingMedia
 from sightline.media.video.window import CancelCheck, always

@@ -1,9 +1,8 @@
 """Surveys as they go out: their words, insets, counts, and what to do next."""
 
-from typing import Literal
-
 from fastapi import APIRouter
 
+from sightline.enums import OptionalStepState, StepKey, StepState
 from sightline.infra.web.bodies import Out
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
 from sightline.results.overview.query import survey_overview, survey_overviews
@@ -26,15 +25,15 @@ class Counts(Out):
 
 
 class StepBody(Out):
-    key: Literal["camera", "recordings", "pose", "vehicles", "review", "results"]
-    state: Literal["done", "next", "waiting"]
+    key: StepKey
+    state: StepState
     summary: str
 
 
 class ScanProgressBody(Out):
     """The line scans: vehicles by what was done with them, and what to do next."""
 
-    state: Literal["none", "open", "done"]
+    state: OptionalStepState
     summary: str
     scans: int
     ready: int

@@ -1,11 +1,11 @@
 """Bodies of heights in line scans: rod marks and the line camera's pose, clicks and heights. Metres, rows."""
 
 from datetime import datetime
-from typing import Annotated, Literal
+from typing import Annotated
 
 from pydantic import Field
 
-from sightline.enums import MeasurementStatus, Target
+from sightline.enums import LineClicksStatus, MeasurementStatus, ScanPoseStatus, Target
 from sightline.infra.web.bodies import Finite, In, Out, WhoBody
 from sightline.infra.web.quantities import BudgetEntryBody, InsetM, SigmaPx, UInsetM
 from sightline.scans.bodies import DistanceM, Line
@@ -42,7 +42,7 @@ class NewLinePose(RodIn):
 class SolvedRodBody(Out):
     """The line camera's pose from the marks, or why they give none."""
 
-    status: Literal["ok", "not_solvable"]
+    status: ScanPoseStatus
     reason: str | None
     camera_height_m: float | None
     u_camera_height_m: float | None
@@ -116,7 +116,7 @@ class LineRungBody(Out):
 class LineHeightAnswer(Out):
     """What these clicks give; `contact`: only the contact was clicked, and it stands on the road."""
 
-    status: Literal["ok", "not_measurable", "contact"]
+    status: LineClicksStatus
     reason: str | None
     distance_m: float | None
     U95_distance_m: float | None

@@ -1,9 +1,8 @@
 """What the vehicles say of the rig of two line-scan cameras, as it goes out. Metres, seconds."""
 
-from typing import Literal
-
 from pydantic import Field
 
+from sightline.enums import KnownLength
 from sightline.infra.web.bodies import Out
 
 
@@ -21,7 +20,7 @@ class RigEstimateBody(Out):
 class ImpliedBaselineBody(Out):
     """The baseline that makes known sizes come out right; ratio: measured over true as it is now."""
 
-    of: Literal["wheelbase", "length"]
+    of: KnownLength
     ratio: RigEstimateBody
     baseline_m: float | None
     u_baseline_m: float | None

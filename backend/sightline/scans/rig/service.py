@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import get_args
 
-from sightline.enums import JsonObject
+from sightline.enums import JsonObject, KnownLength
 from sightline.infra.database import Session
 from sightline.linescan.rig import Estimate, alone, baseline_ratio, gain, misalignment
 from sightline.scans.records import Scan, ScanValues, ScanVehicle
@@ -51,7 +52,7 @@ def rig_of_traffic(session: Session, scan_id: int) -> RigOfTraffic:
     return RigOfTraffic(
         _misalignment(values),
         gain(values),
-        tuple(_implied(scan, vehicles, of) for of in ("wheelbase", "length")),
+        tuple(_implied(scan, vehicles, of) for of in reversed(get_args(KnownLength))),
         _order(scan),
     )
 
@@ -68,7 +69,7 @@ def _misalignment(values: Sequence[ScanValues]) -> Estimate:
     return misalignment(free)
 
 
-def _implied(scan: Scan, vehicles: Sequence[ScanVehicle], of: str) -> ImpliedBaseline:
+def _implied(scan: Scan, vehicles: Sequence[ScanVehicle], of: KnownLength) -> ImpliedBaseline:
     """Sizes go with the baseline at the vehicle that they were measured with; each is brought to today's."""
     in_force = _at_vehicle(rig_columns(scan.rig))
     rows = []

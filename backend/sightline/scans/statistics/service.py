@@ -8,9 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from typing import get_args
 
 import numpy as np
 
+from sightline.enums import ScanVehicleState
 from sightline.linescan.rig import Estimate, alone, baseline_ratio
 from sightline.statistics.distributions import (
     Density,
@@ -112,8 +114,11 @@ def statistics_of_seen(found: Sequence[VehicleMotion], *, accepted_only: bool) -
     """
     chosen = [one for one in found if _counts(one, accepted_only)]
     states = [one.state for one in found]
-    names = ("to_review", "accepted", "rejected", "not_measurable")
-    counted = {"vehicles": len(found), "used": len(chosen), **{name: states.count(name) for name in names}}
+    counted = {
+        "vehicles": len(found),
+        "used": len(chosen),
+        **{name: states.count(name) for name in get_args(ScanVehicleState)},
+    }
     return ScanStatistics(
         scans=len({one.scan_id for one in found}),
         counted=counted,

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from sightline.enums import ScanMethod
 from sightline.errors import BadInput
 from sightline.infra.database import Session
 from sightline.infra.services import Services
 from sightline.infra.version import code_version
 from sightline.linescan.by_hand import seen_by_camera_2
-from sightline.linescan.parts import Crossings, Method
+from sightline.linescan.parts import Crossings
 from sightline.scans.records import Scan, ScanValues, ScanVehicle, ScanVehicleChanges
 from sightline.scans.service import open_strips
 from sightline.scans.store import get_scan
@@ -33,7 +34,12 @@ UNSEEN = (
 
 
 def place_boundaries(
-    services: Services, vehicle_id: int, crossings: Crossings, method: Method | None, version: int, actor: int
+    services: Services,
+    vehicle_id: int,
+    crossings: Crossings,
+    method: ScanMethod | None,
+    version: int,
+    actor: int,
 ) -> None:
     """Measure a vehicle from boundaries that a person placed, as a new revision; its wheels stay.
 
@@ -80,7 +86,7 @@ def add_vehicle(
     scan_id: int,
     first: tuple[float, float],
     second: tuple[float, float] | None,
-    method: Method,
+    method: ScanMethod,
     actor: int,
 ) -> int:
     """A vehicle by hand, measured; its id. Without `second` it is looked for in camera 2's strip.

@@ -7,14 +7,14 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from sightline.enums import Cause, JsonObject
+from sightline.enums import Cause, JsonObject, ScanMethod
 from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.registry import Finish, JobContext
 from sightline.infra.version import code_version
 from sightline.linescan import faults
 from sightline.linescan.finding import Finder
-from sightline.linescan.parts import Crossings, Method, Motion, Rig
+from sightline.linescan.parts import Crossings, Motion, Rig
 from sightline.linescan.rig import gain, misalignment
 from sightline.scans.records import Scan, ScanRunValues, ScanValues, ScanVehicle
 from sightline.scans.service import FIND, open_strips
@@ -64,7 +64,7 @@ def find_vehicles(context: JobContext) -> Finish:
         scan = get_scan(session, scan_id)
         known = list_scan_vehicles(session, scan_id, deleted=True)
         by_hand = scan_vehicles_placed_by_hand(session, scan_id)
-    method: Method = context.payload["method"]
+    method: ScanMethod = context.payload["method"]
     readers = open_strips(services, scan)
     found = Search()
     if context.payload.get("search", True):
@@ -78,7 +78,7 @@ def find_vehicles(context: JobContext) -> Finish:
     return finish
 
 
-def search(report: Report, rig: Rig, method: Method, readers: Readers) -> Search:
+def search(report: Report, rig: Rig, method: ScanMethod, readers: Readers) -> Search:
     """Every vehicle of the strips, measured as soon as it has passed; memory is bounded."""
     finder = Finder(readers[0].rows, rig)
     motions: list[Motion] = []
@@ -103,7 +103,7 @@ def plan(
     known: Sequence[ScanVehicle],
     by_hand: frozenset[int],
     rig: Rig,
-    method: Method,
+    method: ScanMethod,
     readers: Readers,
 ) -> tuple[list[Planned], int]:
     """What to store, and how many found vehicles had been taken out by a person."""
@@ -132,7 +132,7 @@ def plan(
 def store(
     session: Session,
     scan: Scan,
-    method: Method,
+    method: ScanMethod,
     found: Search,
     plans: Sequence[Planned],
     discarded: int,

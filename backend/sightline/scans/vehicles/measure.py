@@ -2,26 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 
+from sightline.enums import ScanMethod
 from sightline.linescan.by_hand import passage_at
-from sightline.linescan.direct import measure_direct
-from sightline.linescan.paper import measure_paper
-from sightline.linescan.parts import Crossings, Method, Motion, Passage, Rig
+from sightline.linescan.methods import MEASURE
+from sightline.linescan.parts import Crossings, Motion, Passage, Rig
 from sightline.media.strips.notes import lost_lines
 from sightline.media.strips.stored_reader import StripReader
 
 Readers = tuple[StripReader, StripReader]
-MEASURE: dict[Method, Callable[[Passage, Rig], Motion]] = {"direct": measure_direct, "paper": measure_paper}
 
 
-def measured(passage: Passage, rig: Rig, method: Method, readers: Readers) -> Motion:
+def measured(passage: Passage, rig: Rig, method: ScanMethod, readers: Readers) -> Motion:
     """The motion of a vehicle; one during which lines were lost has its reason."""
     return MEASURE[method](without_losses(passage, readers), rig)
 
 
-def measured_at(crossings: Crossings, rig: Rig, method: Method, readers: Readers) -> Motion:
+def measured_at(crossings: Crossings, rig: Rig, method: ScanMethod, readers: Readers) -> Motion:
     """The motion of the vehicle between these crossings, its pictures read from the strips."""
     first, second = readers
     passage = passage_at(crossings, rig, first.rows, (first.read, second.read))

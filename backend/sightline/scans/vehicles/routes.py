@@ -4,6 +4,7 @@ from typing import Annotated, cast
 
 from fastapi import APIRouter, Query, Request, Response
 
+from sightline.enums import MatchPicture
 from sightline.errors import BadInput
 from sightline.infra.services import Services
 from sightline.infra.web.deps import Operator, PathId, Reading, Reviewer, Viewer, Wired, Writing
@@ -11,7 +12,6 @@ from sightline.infra.web.pictures import JPEG, jpeg_once
 from sightline.linescan.parts import Crossings
 from sightline.scans.bodies import (
     BoundariesIn,
-    MatchPicture,
     NewScanReview,
     NewScanVehicle,
     ScanFacts,
