@@ -60,10 +60,13 @@ def intersection_area(one: Box, other: Box) -> float:
 
 
 def boxes_of(mask: Mask, solid: Mask, flow: Flow | None = None) -> list[Box]:
-    """The things in a foreground mask, largest first; `solid` is what of it is no light on the road.
+    """The things in a foreground, largest first, in pixels: `mask`, `solid` (h, w); `solid` is what of it is
+    no light on the road.
 
     A shadow lies flat on the road: columns in which little stands are cut off at both ends, and where they
-    run through the middle, two vehicles are told apart. `flow` (h, w, 2) tells apart those that meet.
+    run through the middle, two vehicles are told apart. `flow` (h, w, 2), pixels, tells apart those that
+    meet. Own method: connected shapes, cut where the columns are lower than LOW_SHARE of the highest
+    (DECISIONS.md 23).
     """
     least = LEAST_AREA_SHARE * mask.size
     found: list[Box] = []

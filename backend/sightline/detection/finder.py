@@ -48,7 +48,11 @@ class _Kept:
 
 
 def downsample(n: int, gray: Small) -> Downsampled:
-    """Frame n, small; `gray` is its luminance, (height_px, width_px)."""
+    """Frame n, small; `gray` (height_px, width_px) is its luminance, 8 bits.
+
+    Own method: means of areas (OpenCV's INTER_AREA) of the picture and of its steps from pixel to pixel along
+    the rows.
+    """
     height, width = gray.shape
     w = min(WIDTH_PX, width)
     h = max(1, round(height * w / width))

@@ -32,9 +32,11 @@ class Motion:
 
 def ways_of(flow: Flow, part: NDArray[np.bool_]) -> tuple[int, Ways | None]:
     """Which way a shape goes: 1 right (or down), -1 left (or up), 0 unknown; where two go through one shape,
-    0 and the way of each pixel.
+    0 and the way (h, w) of each pixel.
 
-    `flow` and `part` cover the same rectangle; the axis is the one along which there is more motion.
+    `flow` (h, w, 2), pixels, and `part` (h, w) cover the same rectangle; the axis is the one along which
+    there is more motion. Own method: a vote of the pixels that move by LEAST_STEP_PX, two ways where the
+    fewer are MEETING_SHARE of the shape (DECISIONS.md 23).
     """
     inside = np.abs(flow[part]).sum(axis=0)
     along = flow[..., 0] if inside[0] >= inside[1] else flow[..., 1]

@@ -72,7 +72,12 @@ class ReferencePart:
 
 
 def trend(at: ArrayLike, value: ArrayLike, points: int = 64) -> Trend | str:
-    """Regression of `value` (N,) on `at` (N,), both finite; or the reason why there is none."""
+    """Regression of `value` (N,) on `at` (N,), both finite and in any unit; or the reason why there is none.
+
+    The band is that of the line, at `points` places: +- t s sqrt(1/n + (x - mean)^2 / sum (x - mean)^2), t
+    with n - 2 degrees of freedom (Draper and Smith 1998); the correlation's interval is by Fisher's z (Fisher
+    1921).
+    """
     x, y = np.asarray(at, dtype=np.float64), np.asarray(value, dtype=np.float64)
     n = len(x)
     if n < LEAST:
@@ -110,7 +115,11 @@ def _correlation_interval(r: float, n: int) -> Interval:
 
 
 def bland_altman(error_m: ArrayLike) -> BlandAltman | str:
-    """Limits of agreement from errors (N,): bias +- 1.96 sd, or the reason why there are none."""
+    """Limits of agreement from errors `error_m` (N,), metres: bias +- 1.96 sd, or the reason why there are
+    none.
+
+    Bland and Altman 1999: the variance of a limit is sd^2 (1/n + 1.96^2 / (2 (n - 1))).
+    """
     error = np.asarray(error_m, dtype=np.float64)
     n = len(error)
     if n < LEAST:
@@ -138,10 +147,14 @@ def reference_part(
     u_reference_m: ArrayLike = U_MANUFACTURER_M,
     rounded: bool = False,
 ) -> ReferencePart | str:
-    """How much of the errors' variance the reference explains; errors, references (N,), u a number or (N,).
+    """How much of the errors' variance the reference explains: `error_m`, `reference_m` (N,), `u_reference_m`
+    a number or (N,), all in metres; or the reason why that cannot be told.
 
     u_reference_m: standard uncertainty of each reference height. rounded: both heights were rounded to whole
-    centimetres, which adds 1 cm^2 / 12 each.
+    centimetres, which adds 1 cm^2 / 12 each (JCGM 100:2008, F.2.2.1).
+
+    Own derivation: error = camera - reference's error, so camera_sd^2 = var(error) - mean(u^2) - rounding,
+    and the reference's error alone makes the covariance -mean(u^2) of error and reference height.
     """
     error, reference = np.asarray(error_m, dtype=np.float64), np.asarray(reference_m, dtype=np.float64)
     n = len(error)

@@ -46,11 +46,15 @@ def corrected(
     known: Known,
     camera_sd_m: float | None = None,
 ) -> Corrected | str:
-    """Heights (N,) under a correction, or the reason why it cannot be made.
+    """Heights (N,) under a correction, metres, or the reason why it cannot be made.
 
-    inset_m: heights corrected by each measurement's inset; paper_m: the paper's, with inset 0; known: the
-    survey's vehicles with a reference height, measured the paper's way. camera_sd_m: for "deconvolution", the
-    standard deviation of the measurement alone, without the reference's.
+    inset_m (N,): heights corrected by each measurement's inset; paper_m (N,): the paper's, with inset 0;
+    known: the survey's vehicles with a reference height, measured the paper's way. camera_sd_m: for
+    "deconvolution", the standard deviation of the measurement alone, without the reference's.
+
+    Dupuis et al. 2019, sections 3.5 and 3.6, say "corrected CDF given the measurement error" and no more. Own
+    readings of it: "shift" h - mean(e); "regression" h - (a + b h), the line through the errors;
+    "deconvolution" c - mean(e) + (h - c) sqrt(1 - camera_sd^2 / var(h)), c the mean of h.
     """
     if kind == "inset":
         words = "Each height is corrected by its own measurement's inset; no other correction is made."

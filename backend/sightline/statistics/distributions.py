@@ -74,7 +74,7 @@ class Density:
 
 
 def sorted_values(values: ArrayLike) -> Floats:
-    """The finite values in ascending order: what the functions of this module take, (N,)."""
+    """The finite `values`, any shape, in ascending order: what the functions of this module take, (N,)."""
     found = np.asarray(values, dtype=np.float64).ravel()
     return np.sort(found[np.isfinite(found)])
 
@@ -82,9 +82,11 @@ def sorted_values(values: ArrayLike) -> Floats:
 def percentiles(
     ordered: Floats, percents: Sequence[float] = PERCENTILES, confidence: float = CONFIDENCE
 ) -> list[Percentile]:
-    """Percentiles of a sorted sample (N,), estimated without bias of the median (Hyndman & Fan 1996, type 8).
+    """Percentiles of a sorted sample, `ordered` (N,), estimated without bias of the median (Hyndman & Fan
+    1996, type 8).
 
-    The interval holds the percentile with at least `confidence`. [] for an empty sample.
+    The interval holds the percentile with at least `confidence`, whatever the distribution: it lies between
+    two order statistics (David & Nagaraja 2003, 7.1). Values in the sample's unit; [] for an empty sample.
     """
     n = len(ordered)
     if n == 0:
@@ -126,7 +128,10 @@ def vehicles_for_interval(percent: float, confidence: float = CONFIDENCE) -> int
 
 
 def share_below(ordered: Floats, limit: float, confidence: float = CONFIDENCE) -> Share | None:
-    """The share of a sorted sample (N,) below `limit`; None for an empty sample."""
+    """The share of a sorted sample, `ordered` (N,), below `limit` (same unit); None for an empty sample.
+
+    The interval is the exact one of a binomial share (Clopper and Pearson 1934).
+    """
     n = len(ordered)
     if n == 0:
         return None
@@ -138,9 +143,10 @@ def share_below(ordered: Floats, limit: float, confidence: float = CONFIDENCE) -
 
 
 def ecdf(ordered: Floats, most: int = 600, confidence: float = CONFIDENCE) -> Ecdf | None:
-    """Cumulative distribution of a sorted sample (N,) at no more than about `most` of its values.
+    """Cumulative distribution of a sorted sample, `ordered` (N,), at no more than about `most` of its values.
 
-    What is left out changes no step by more than 1 / most. None for an empty sample.
+    What is left out changes no step by more than 1 / most. The band is +- sqrt(ln(2 / (1 - confidence)) / (2
+    n)): Dvoretzky, Kiefer and Wolfowitz 1956 with the constant of Massart 1990. None for an empty sample.
     """
     n = len(ordered)
     if n == 0:
@@ -156,12 +162,14 @@ def ecdf(ordered: Floats, most: int = 600, confidence: float = CONFIDENCE) -> Ec
 def density(
     ordered: Floats, points: int = 256, confidence: float = CONFIDENCE, step: float = 0.0
 ) -> Density | str:
-    """Kernel density of a sorted sample (N,) on a grid of `points`, or the reason why there is none.
+    """Kernel density of a sorted sample, `ordered` (N,), on a grid of `points`, or the reason why there is
+    none; per unit of the values.
 
-    Gaussian kernel, Silverman's robust bandwidth 0.9 min(sd, IQR / 1.349) n^(-1/5), and for values that were
-    rounded to multiples of `step` at least half of that: narrower kernels draw the rounding as a comb (at
-    half a step its ripple is 2 exp(-pi^2 / 2), 1.4 % of the density). Computed on counts of the grid by FFT,
-    so that a million values and the bootstrap cost little.
+    Gaussian kernel, Silverman's robust bandwidth 0.9 min(sd, IQR / 1.349) n^(-1/5) (Silverman 1986, 3.4.2,
+    who rounds 1.349 to 1.34), and for values that were rounded to multiples of `step` at least half of that:
+    narrower kernels draw the rounding as a comb (at half a step its ripple is 2 exp(-pi^2 / 2), 1.4 % of the
+    density). Computed on counts of the grid by FFT, so that a million values and the bootstrap cost little.
+    The band is the percentile bootstrap's (Efron and Tibshirani 1993, ch. 13).
 
     By simulation (normal heights, within 2 sd) the 95 % band holds the estimate's mean in .91 of samples of
     30, .94 of 60 and more.

@@ -53,16 +53,22 @@ class ErrorGroup:
 
 
 def round_to_cm(height_m: ArrayLike) -> Floats:
-    """Heights as the paper compares them: to integer millimetres, then to centimetres, halves up; in metres.
+    """Heights `height_m`, any shape, as the paper compares them (Dupuis et al. 2019, section 3.4): to integer
+    millimetres, then to centimetres, halves up; in metres, of the same shape.
 
-    (NumPy rounds halves to even, and 1.445 * 100 is not exact: one datasheet height in ten ends in 5 mm.)
+    (NumPy rounds halves to even, and 1.445 * 100 is not exact: one datasheet height in ten ends in 5 mm. The
+    paper says "to the closest integer" and not which way a half goes.)
     """
     millimetres = np.rint(np.asarray(height_m, dtype=np.float64) * 1000.0).astype(np.int64)
     return np.asarray((millimetres + 5) // 10 / 100.0, dtype=np.float64)
 
 
 def signed_errors(measured_m: ArrayLike, reference_m: ArrayLike, rounding: Rounding) -> tuple[Floats, Floats]:
-    """(errors, reference heights), both (N,) in metres; error = measured - reference, after rounding both."""
+    """(errors, reference heights), both (N,); `measured_m`, `reference_m` (N,), all in metres.
+
+    error = measured - reference (CONVENTIONS.md, Frames and signs), after rounding both where `rounding` is
+    "cm" (Dupuis et al. 2019, section 3.4).
+    """
     measured = np.asarray(measured_m, dtype=np.float64)
     reference = np.asarray(reference_m, dtype=np.float64)
     if rounding == "cm":
@@ -150,7 +156,12 @@ def _bootstrap(error: Floats, height: Floats) -> Floats:
 
 
 def error_group(error_m: ArrayLike, reference_m: ArrayLike) -> ErrorGroup:
-    """One column of the table from errors (N,) and reference heights (N,), metres."""
+    """One column of the table from `error_m`, `reference_m` (N,), metres, with its 95 % intervals.
+
+    The figures of Dupuis et al. 2019, Table 1 (its MSE is in m^2, printed as m), and of section 3.4
+    (correlations), each from the raw errors; SD is that of the signed error, with n - 1. Intervals: BCa
+    bootstrap (Efron 1987), for many rows the infinitesimal jackknife's (Efron 1982, ch. 6).
+    """
     error = np.asarray(error_m, dtype=np.float64)
     height = np.asarray(reference_m, dtype=np.float64)
     n = len(error)
@@ -172,7 +183,11 @@ def error_group(error_m: ArrayLike, reference_m: ArrayLike) -> ErrorGroup:
 def error_table(
     measured_m: ArrayLike, reference_m: ArrayLike, lighting: list[str], rounding: Rounding = "cm"
 ) -> dict[str, ErrorGroup]:
-    """The whole table: daytime, low light, overall; rows (N,) without lighting count in overall only."""
+    """The whole table: daytime, low light, overall, from `measured_m`, `reference_m` (N,), metres; `lighting`
+    has N words, and rows without one count in overall only.
+
+    Dupuis et al. 2019, Table 1; its "overall" is not the pool of its two groups, here it is.
+    """
     error, reference = signed_errors(measured_m, reference_m, rounding)
     where = np.array(lighting, dtype=object)
     chosen = {name: where == name for name in GROUPS[:2]} | {"overall": np.ones(len(error), dtype=bool)}

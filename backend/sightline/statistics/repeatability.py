@@ -87,7 +87,12 @@ def spread_of(sum_of_squares: float, freedom: int, few: str) -> Spread:
 
 
 def within_cells(values: ArrayLike, cells: Codes) -> tuple[float, int]:
-    """(sum of squares about each cell's mean, degrees of freedom); values (N,) or (N, coordinates)."""
+    """(sum of squares about each cell's mean, degrees of freedom); `values` (N,) or (N, coordinates), `cells`
+    (N,).
+
+    CONVENTIONS.md, Repeats: sum (x - mean of its cell)^2 with (N - number of cells) times coordinates degrees
+    of freedom. The sum has the square of the values' unit.
+    """
     if not len(cells):
         return 0.0, 0
     rows = np.asarray(values, dtype=np.float64).reshape(len(cells), -1)
@@ -96,10 +101,13 @@ def within_cells(values: ArrayLike, cells: Codes) -> tuple[float, int]:
 
 
 def gauge(values: ArrayLike, items: Codes, persons: Codes) -> Gauge:
-    """Repeatability and reproducibility of values (N,) of `items` (N,) by `persons` (N,).
+    """Repeatability and reproducibility of `values` (N,), in their unit, of `items` (N,) by `persons` (N,).
 
     Items with a single value say nothing and are left out. Never raises for few repeats: a figure that they
     cannot give has its reason.
+
+    CONVENTIONS.md, Repeats: Henderson 1953 (method 3), Harville and Fenech 1985, Weerahandi 1995; the module
+    has the equations.
     """
     y = np.asarray(values, dtype=np.float64)
     often = np.bincount(items, minlength=1)[items] > 1 if len(items) else np.zeros(0, dtype=bool)
@@ -203,10 +211,15 @@ class UncertaintyCheck:
 
 
 def uncertainty_check(values: ArrayLike, u_clicks: ArrayLike, items: Codes) -> UncertaintyCheck:
-    """Whether values (N,) of `items` scatter as their click parts `u_clicks` (N,) say (chi-square ratio).
+    """Whether `values` (N,) of `items` (N,) scatter as their click parts `u_clicks` (N,) say; in the values'
+    unit.
+
+    ratio^2 = sum ((y - weighted mean of its item) / u)^2 / freedom (Birge 1932), which is chi2 / freedom
+    where the claim is right. Too few repeats give a reason.
 
     Only the clicks belong in `u_clicks`: lens, pose, board and inset are the same for all values of an item
-    (same frame, same pose), shift them alike and cancel in their differences; the clicks do not.
+    (same frame, same pose), shift them alike and cancel in their differences; the clicks do not
+    (CONVENTIONS.md, Repeats).
     """
     y, u = np.asarray(values, dtype=np.float64), np.asarray(u_clicks, dtype=np.float64)
     usable = np.isfinite(u) & (u > 0)

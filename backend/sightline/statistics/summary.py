@@ -152,8 +152,11 @@ def target_of(
     limits_m: Sequence[float],
     groupings: Mapping[str, Grouping],
 ) -> Target:
-    """One target: heights (N,) corrected by inset, and the paper's (NaN where it has none); limits_m: heights
-    whose share below is wanted.
+    """One target: heights `inset_m` (N,) corrected by inset, and `paper_m` (N,), the paper's (NaN where it
+    has none), metres; limits_m: heights whose share below is wanted.
+
+    Raw and corrected distribution as in Dupuis et al. 2019, sections 3.5 and 3.6; the correction is
+    `corrected`'s.
     """
     raw = distribution(paper_m, limits_m)
     if correction != "inset":
@@ -185,7 +188,12 @@ def _groups(heights_m: Floats, grouping: Grouping, limits_m: Sequence[float]) ->
 
 
 def distribution(heights_m: Floats, limits_m: Sequence[float] = (), most_steps: int = 600) -> Distribution:
-    """Percentiles, cumulative distribution and shares below limits of heights (N,)."""
+    """Percentiles, cumulative distribution and shares below `limits_m` of heights `heights_m` (N,), metres;
+    what is not finite is left out.
+
+    The figures of Dupuis et al. 2019, sections 3.5 and 3.6; each by its function of `distributions`, sd with
+    n - 1.
+    """
     ordered = sorted_values(heights_m)
     n = len(ordered)
     shares = [found for limit in limits_m if (found := share_below(ordered, limit)) is not None]
