@@ -14,11 +14,12 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
 PURE = ROOT / "backend" / "sightline"
-ROOMS = ("detection", "statistics")
+ROOMS = ("detection", "linescan", "statistics")
 
 # Plain helpers, whose first sentence is all there is to say; their shapes are asked for like everybody's.
 NEED_NO_SOURCE = {
     "detection": set[str](),
+    "linescan": {"median", "points_at"},
     "statistics": {"sorted_values", "codes_of"},
 }
 

@@ -74,7 +74,11 @@ def enough_lines(line_rate_hz: float) -> int:
 
 
 def pixel_noise(block: Pixels) -> float:
-    """Standard deviation of a pixel of a block (lines, rows), slow change left out."""
+    """Standard deviation of a pixel of a block (lines, rows), grey values, slow change left out.
+
+    sigma^2 = mean((x0 - 2 x1 + x2)^2) / 6 along the lines: the second difference also hides a slope, and its
+    variance is six times a pixel's (Gasser et al. 1986).
+    """
     few = block[: min(len(block), 66), :: max(1, block.shape[1] // 256)].astype(np.float32)
     if len(few) < 3:
         return 1.0
@@ -84,7 +88,11 @@ def pixel_noise(block: Pixels) -> float:
 
 
 def road_from(block: Pixels, grid: Grid) -> Road:
-    """The road seen in a block (lines, rows) that holds nothing else."""
+    """The road seen in a block (lines, rows) that holds nothing else.
+
+    Its line is the mean of the lines, as the background of Douxchamps et al., section IV. Own method for its
+    unrest: the scatter of the grid's cells, at least their noise / sqrt(pixels of a cell).
+    """
     cells = grid.pooled(block)
     line = np.asarray(cv2.reduce(block, 0, cv2.REDUCE_AVG, dtype=cv2.CV_32F), np.float32)[0]
     spread = cells.std(0) if len(cells) > 3 else np.zeros(grid.bands)
@@ -118,10 +126,12 @@ def blended(old: Road, new: Road, weight: float) -> Road:
 
 
 def first_road(block: Pixels, grid: Grid, window: int = ENOUGH_LINES) -> Road:
-    """The road of a recording's first part (lines, rows), in which vehicles may already be passing.
+    """The road of a recording's first part, a block (lines, rows), in which vehicles may already be passing.
 
-    Of all windows of so many lines, the quietest are taken, and of these the median line: a vehicle is
-    rarely as still as the road, and rarely there for most of the time.
+    Of all windows of so many lines, the quietest are taken, and of these the median line: a vehicle is rarely
+    as still as the road, and rarely there for most of the time. Own method: quiet is a mean variance of the
+    cells of at most 1.6 times the least (Douxchamps et al., section IV, average a bundle of some hundred
+    lines).
     """
     size = min(window, len(block))
     starts = range(0, len(block) - size + 1, size)
@@ -134,7 +144,11 @@ def first_road(block: Pixels, grid: Grid, window: int = ENOUGH_LINES) -> Road:
 
 
 def same_but_for_light(seen: Floats, road: Road) -> bool:
-    """Whether a pooled line (bands,) is the road under another light: gain and offset explain it."""
+    """Whether a pooled line, `seen` (bands,), is the road under another light: gain and offset explain it.
+
+    Own method: seen = gain road + offset by least squares in three rounds, bands far off left out; the gain
+    is 0.4 to 2.5, and 88 % of the upper bands are explained.
+    """
     upper = max(1, int(len(seen) * UPPER_PART))
     x, y = road.pooled.astype(float), seen.astype(float)
     design = np.stack([x, np.ones_like(x)], -1)

@@ -62,7 +62,13 @@ def refined(passage: Passage, rig: Rig) -> tuple[Crossings, float]:
 def edge_near(
     picture: Pixels, road: NDArray[np.float32], line: float, rear: bool, lines_per_m: float, noise_dn: float
 ) -> Edge:
-    """The boundary near a line of a picture (lines, rows); `rear` looks for the end."""
+    """The boundary near a line of a `picture` (lines, rows); `rear` looks for the end. `road` (rows,): the
+    empty road's line, grey values.
+
+    Own method: in each band of rows the place half the way from the road's grey to the vehicle's, then the
+    vertex of a parabola through neighbouring bands. An Edge without a line where there is none. (Douxchamps
+    et al., section IV, compare whole lines with the background, shadow included.)
+    """
     before, behind = BEFORE_M * lines_per_m + 6, BEHIND_M * lines_per_m + 6
     lo, hi = (line - behind, line + before) if rear else (line - before, line + behind)
     lo, hi = max(round(lo), 0), min(round(hi), len(picture))

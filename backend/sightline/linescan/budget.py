@@ -45,7 +45,12 @@ def budget_of(
 ) -> Budget:
     """All entries; length is the mean of what the boundaries say at either camera.
 
-    spread: (2, 2) covariance of speed and acceleration that the fit itself has; u_shift: rows of the sheets.
+    `spread` (2, 2): covariance of speed and acceleration (m/s, m/s^2) that the fit itself has; u_shift: rows
+    of the sheets; baseline: (value, u), m.
+
+    CONVENTIONS.md, Line scan; entries add as squares, the fit's two with their covariance (JCGM 100:2008,
+    5.1.2 and 5.2.2). A longer baseline scales speed, acceleration and length alike; a faster line rate the
+    speed, twice as much the acceleration, and the length not at all.
     """
     course = fit.state.course
     c = passage.crossings

@@ -80,7 +80,11 @@ def exact(crossings: Crossings, baseline_m: float, line_rate_hz: float) -> Exact
 def travelled_m(
     speed_mps: float, acceleration_mps2: float, seconds: float | np.ndarray
 ) -> float | np.ndarray:
-    """How far the front is beyond camera 1 after `seconds`; any shape."""
+    """How far the front is beyond camera 1 after `seconds`, any shape: v t + a t^2 / 2, metres, of the same
+    shape.
+
+    CONVENTIONS.md, Line scan.
+    """
     return speed_mps * seconds + acceleration_mps2 * seconds**2 / 2
 
 

@@ -83,11 +83,15 @@ def solve_line_pose(
     u_distance_m: float = 0.0,
     u_lean_rad: float = 0.0,
 ) -> LinePose:
-    """The pose from N >= 4 marks: (N,) distances from the camera's centre, heights above the road, rows.
+    """The pose from N >= 4 marks: `distance_m` (N,) from the camera's centre, `height_m` (N,) above the road,
+    `row_px` (N,).
 
     `sigma_px`: standard uncertainty of a row; None: taken from the residuals, which needs more than 4 marks.
-    `u_distance_m`, `u_lean_rad`: of each stand's distance and of the rod's lean there (k = 1).
-    Raises LinePoseError in one sentence where the marks cannot fix the pose.
+    `u_distance_m`, `u_lean_rad`: of each stand's distance and of the rod's lean there (k = 1). Raises
+    LinePoseError in one sentence where the marks cannot fix the pose.
+
+    CONVENTIONS.md, Line scan: row = (p0 + p1 s) / (1 + p2 s), s = (h - Hc) / D, by least squares over the
+    rows. Covariance: sigma^2 (J'J)^-1 and what the stands' errors do through pinv(J) (JCGM 100:2008, 5.1.2).
     """
     distance, height, row = (
         np.asarray(one, dtype=np.float64).ravel() for one in (distance_m, height_m, row_px)

@@ -44,9 +44,10 @@ def softened_noise(noise_dn: float) -> float:
 
 
 def pooled(picture: Pixels, start: int, step: int, band: int, soft: tuple[float, float]) -> Sheet:
-    """Means over step x band pixels of a picture (lines, rows) that begins at line `start`, then softened.
+    """Means over step x band pixels of a `picture` (lines, rows) that begins at line `start`, then softened.
 
-    Softening keeps the error of interpolating between coarse samples small; both strips get the same.
+    Softening keeps the error of interpolating between coarse samples small; both strips get the same. Own
+    method: a Gaussian of standard deviations `soft` (lines, rows of the sheet), cut off at three of them.
     """
     lines, rows = len(picture) // step * step, picture.shape[1] // band * band
     means = _means_of_rows(np.ascontiguousarray(picture[:lines, :rows]), band)
@@ -91,7 +92,12 @@ def coarser(sheet: Sheet, times: int) -> Sheet:
 
 
 def silhouette(sheet: Sheet, road: NDArray[np.float32], noise_dn: float) -> NDArray[np.bool_]:
-    """(n, rows) whether a pixel lies well inside the vehicle: from its upper edge down, the rim left out."""
+    """(n, rows) whether a pixel of the sheet lies well inside the vehicle: from its upper edge down, the rim
+    left out.
+
+    `road` (R,): the empty road's line, grey values of the strip's R rows. Own method: a pixel is there where
+    it differs from the road by four standard deviations of the softened noise and by 4 % of the road's grey.
+    """
     line = road[: sheet.values.shape[1] * sheet.band].reshape(sheet.values.shape[1], sheet.band).mean(1)
     away = np.abs(sheet.values - line)
     limit = max(4 * noise_dn / np.sqrt(sheet.step * sheet.band * 5), 0.04 * float(np.median(line)))
@@ -123,9 +129,11 @@ class Points:
 
 
 def chosen(sheet: Sheet, inside: NDArray[np.bool_], most: int, noise_dn: float) -> Points:
-    """The `most` pixels with the clearest change along time, every part of the vehicle getting its share.
+    """The `most` pixels with the clearest change along time, every part of the vehicle getting its share;
+    `inside` (n, rows): the silhouette.
 
-    noise_dn: of a pixel of the sheet before softening.
+    noise_dn: of a pixel of the sheet before softening. Own method: half of them by |dI/dline|, the other half
+    spread evenly over what is left; in the place of the Moravec gate of Douxchamps et al., section IV.
     """
     values = sheet.values
     along = np.zeros_like(values)
@@ -146,7 +154,9 @@ def chosen(sheet: Sheet, inside: NDArray[np.bool_], most: int, noise_dn: float) 
 
 
 def points_at(sheet: Sheet, place: NDArray[np.generic], row: NDArray[np.generic]) -> Points:
-    """The pixels at these places and rows, rounded down, away from the rim."""
+    """The pixels at these places and rows, `place` and `row` (n,), rounded down, away from the rim;
+    derivatives are central differences, grey values per pixel of the sheet.
+    """
     values = sheet.values
     n = np.clip(place.astype(np.intp), 1, len(values) - 2)
     r = np.clip(row.astype(np.intp), 1, values.shape[1] - 2)
@@ -171,9 +181,11 @@ def _cubic(part: Floats) -> tuple[NDArray[np.floating], ...]:
 
 
 def sampled(values: Floats, place: NDArray[np.float64], row: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Values (n,) of a picture between its lines, at whole rows; cubic (Catmull-Rom); outside, the rim's.
+    """Values (n,) of a picture, `values` (lines, rows), between its lines at `place` (n,), at whole rows
+    `row` (n,); cubic; outside, the rim's.
 
-    OpenCV's remap rounds places to 1/32 of a pixel, which is too much here.
+    Catmull and Rom 1974, which is the cubic convolution of Keys 1981 with a = -1/2. OpenCV's remap rounds
+    places to 1/32 of a pixel, which is too much here.
     """
     lines, rows = values.shape
     place = np.clip(place, 1, lines - 2.001)

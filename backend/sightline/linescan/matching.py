@@ -40,9 +40,10 @@ class Matches:
 def match_blocks(
     first: Pixels, second: Pixels, shifts: range, noise_dn: float, *, vertical: int = 1, lag: int = 1
 ) -> Matches:
-    """Sub-line shifts of blocks of BLOCK_LINES lines, every STEP_LINES.
+    """Sub-line shifts of blocks of BLOCK_LINES lines, every STEP_LINES: Douxchamps et al., section IV (block
+    matching by sums of absolute differences, with a modified Moravec operator as gate).
 
-    first: (lines, rows); second: (lines', rows), line n of it at shift 0 beside line n of `first`. A block
+    `first` (lines, rows); `second` (lines2, rows), line n of it at shift 0 beside line n of `first`. A block
     whose place in `second` is not there for every shift is left out. `vertical`: rows of search either way,
     the paper's limited vertical scan. `lag`: lines over which the gate looks for a change. Shapes that leave
     no block give empty arrays.

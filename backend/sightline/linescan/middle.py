@@ -5,7 +5,9 @@ from numpy.typing import NDArray
 
 
 def median(values: NDArray[np.floating], axis: int = -1) -> NDArray[np.float64]:
-    """Median along an axis, which stays with length 1; as np.median (the mean of the two middle ones)."""
+    """The median, of the same shape but for an axis that stays with length 1, of `values`, any shape; as
+    np.median (the mean of the two middle ones).
+    """
     count = values.shape[axis]
     low, high = (count - 1) // 2, count // 2
     part = np.partition(values, (low, high) if low != high else low, axis)

@@ -148,6 +148,10 @@ def register(
     """Least squares from `start`; `block` (n,) groups the pixels, `free` says which of the five may move.
 
     With `cell` (n,), every cell has a gain and an offset of its own, and only the motion moves.
+
+    CONVENTIONS.md, Line scan, and DECISIONS.md 19. Own method: Gauss-Newton on I2(row, t2) - gain I1(row, t1)
+    - offset with t2 of t1 by the motion, weights by Tukey's biweight (Beaton and Tukey 1974) times those of
+    whole blocks.
     """
     state, fit = start, None
     blocks = int(block.max()) + 1
@@ -177,10 +181,13 @@ def register(
 
 
 def levelled(seen: Look, value: Array, weight: Array, cell: NDArray[np.intp]) -> Look:
-    """The look with every cell's own gain and offset taken out of residuals and derivatives.
+    """The look with every cell's own gain and offset taken out of residuals and derivatives; `value`,
+    `weight`, `cell` (n,).
 
     Behind a window each camera sees its own road, so an edge between paint and glass has another height in
-    strip 2 than in strip 1; without this it would seem moved. Gain and offset drop out of the unknowns.
+    strip 2 than in strip 1; without this it would seem moved. Gain and offset drop out of the unknowns: all
+    is replaced by what its weighted regression on (1, value) in the cell leaves (Frisch and Waugh 1933), a
+    slope from next to no contrast held back by LEVEL_DN^2.
     """
     count = int(cell.max()) + 1
 

@@ -151,10 +151,14 @@ def alone(size_m: float, u_m: float | None, baseline_m: float, u_baseline_m: flo
 def baseline_ratio(
     measured_m: ArrayLike, u_measured_m: ArrayLike, true_m: ArrayLike, u_true_m: ArrayLike
 ) -> Estimate:
-    """Measured over true lengths (n,) or wheelbases, by weighted mean: 1.01 says the baseline is 1 % long.
+    """Measured over true lengths or wheelbases, by weighted mean: 1.01 says the baseline is 1 % long.
+    `measured_m`, `u_measured_m`, `true_m`, `u_true_m` (n,), metres.
 
-    The uncertainties are those of single vehicles (boundaries, fit), without the baseline's. A warning where
-    the ratio is off 1 by more than twice its uncertainty; whole lengths carry shadows, wheelbases do not.
+    The uncertainties are those of single vehicles (boundaries, fit), without the baseline's. Weights 1 / u^2
+    of the ratio, u = hypot(u_measured, ratio u_true) / true (JCGM 100:2008, 5.1.2); where vehicles scatter by
+    more than that, the mean's u is widened by Birge's ratio (Birge 1932). Too few vehicles give a
+    reason. A warning where the ratio is off 1 by more than twice its uncertainty; whole lengths carry
+    shadows, wheelbases do not.
     """
     values, u_values, truth, u_truth = (
         np.atleast_1d(np.asarray(one, dtype=np.float64))

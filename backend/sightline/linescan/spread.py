@@ -29,7 +29,8 @@ def second_slopes(
 ) -> Array:
     """J2 (n, 5): the residuals' derivatives with the gradients of strip 2 in the place of strip 1's.
 
-    `cell` as in `register`.
+    `cell` (n,) as in `register`. Central differences of strip 2 are the instruments of the
+    errors-in-variables fit (Carroll et al. 2006, ch. 6).
     """
     state, seen = fit.state, fit.look
     values = shifted(second, state.shift).values
@@ -57,8 +58,10 @@ def second_slopes(
 def covariance(fit: Fit, slopes: Array, cluster: NDArray[np.intp], free: int, prior: Prior) -> Array:
     """Covariance (free, free) of the first `free` unknowns, those that the fit solved for.
 
-    slopes: (n, 5) of `second_slopes`; cluster: (n,) numbers of the pixels' clusters. With a prior of the row
-    shift, that is one more observation.
+    `slopes` (n, 5) of `second_slopes`; `cluster` (n,): numbers of the pixels' clusters. With a prior of the
+    row shift, that is one more observation. Clusters: Liang and Zeger 1986; psi': Huber 1981, ch. 6; each
+    cluster left out in turn: MacKinnon and White 1985, Bell and McCaffrey 2002; then widened as Student's t
+    is wider.
     """
     size = np.sqrt(np.maximum((fit.look.jacobian**2 * fit.weight[:, None]).sum(axis=0), 1e-12))[:free]
     first, second = fit.look.jacobian[:, :free].T / size[:, None], slopes[:, :free].T / size[:, None]

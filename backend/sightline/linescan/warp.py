@@ -49,7 +49,11 @@ class Course:
 def solved_by_boundaries(crossed_s: Array, baseline_m: float) -> Course:
     """Speed and acceleration from the four crossings alone (two linear equations): where a search begins.
 
-    crossed_s: (4,) front and rear at camera 1, front and rear at camera 2; seconds, the first one 0.
+    `crossed_s` (4,): front and rear at camera 1, front and rear at camera 2; seconds, the first one 0.
+
+    CONVENTIONS.md, Line scan: b = v (t2 - t1) + a (t2^2 - t1^2) / 2 for front and rear, in the place of
+    Douxchamps et al., eqs. (3) and (4), of which (4) lacks f^2. Where that is singular or no motion of a
+    vehicle: the mean speed, a = 0.
     """
     f1, r1, f2, r2 = (float(value) for value in crossed_s)
     left = np.array([[f2 - f1, (f2**2 - f1**2) / 2], [r2 - r1, (r2**2 - r1**2) / 2]])
