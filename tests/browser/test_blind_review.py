@@ -24,7 +24,7 @@ def click_at(page: Page, point: list[float]) -> None:
 
 
 def again(page: Page, first: dict[str, Any], dx: float = 0.4) -> None:
-    for at in (first["contact"], first["point"]):
+    for at in (first["contact"], first["target_point"]):
         click_at(page, [at[0] + dx, at[1] - dx])
 
 

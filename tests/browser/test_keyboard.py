@@ -74,10 +74,12 @@ def test_three_targets_by_keyboard_and_back_again(page: Page, demonstration: Ser
     assert set(have) == set(TARGETS)
     for name in TARGETS:
         assert have[name]["frame"] == one.frame and have[name]["status"] == "ok"
-        assert max(abs(a - b) for a, b in zip(have[name]["point"], one.pixels[name], strict=True)) < 0.5
+        assert (
+            max(abs(a - b) for a, b in zip(have[name]["target_point"], one.pixels[name], strict=True)) < 0.5
+        )
 
-    undo_and_redo(page, one.vehicle["id"], have["taillight"]["point"])
-    nudge(page, one.vehicle["id"], have["taillight"]["point"])
+    undo_and_redo(page, one.vehicle["id"], have["taillight"]["target_point"])
+    nudge(page, one.vehicle["id"], have["taillight"]["target_point"])
 
 
 def undo_and_redo(page: Page, vehicle: int, point: list[float]) -> None:
@@ -88,7 +90,7 @@ def undo_and_redo(page: Page, vehicle: int, point: list[float]) -> None:
     until(page, vehicle, lambda have: set(have) == {"roof", "driver_eye"})
     page.keyboard.press("Control+Shift+z")
     expect(row).to_have_attribute("data-state", "saved")
-    assert stored(page, vehicle)["taillight"]["point"] == point
+    assert stored(page, vehicle)["taillight"]["target_point"] == point
 
 
 def nudge(page: Page, vehicle: int, point: list[float]) -> None:
@@ -101,9 +103,9 @@ def nudge(page: Page, vehicle: int, point: list[float]) -> None:
     expect(row).not_to_have_attribute("data-state", "saved")
     expect(row).to_have_attribute("data-state", "saved")
     moved = stored(page, vehicle)["taillight"]
-    assert moved["point"] == [point[0] + 1, point[1]]
+    assert moved["target_point"] == [point[0] + 1, point[1]]
     page.keyboard.press("Control+z")
-    until(page, vehicle, lambda have: have["taillight"]["point"] == point)
+    until(page, vehicle, lambda have: have["taillight"]["target_point"] == point)
     assert stored(page, vehicle)["taillight"]["revision"] == moved["revision"] + 1
 
 

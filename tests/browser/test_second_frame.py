@@ -102,7 +102,7 @@ def test_two_frames_by_one_key(page: Page, demonstration: Server, screenshots: P
     assert abs(stored["height_m"] - one["true_heights_m"][target]) <= stored["U95_height_m"]
     assert abs(stored["solved_inset_m"] - one["insets_m"][target]) <= 1.96 * stored["u_solved_inset_m"]
     for axis in (0, 1):
-        assert math.isclose(stored["more_frames"][0]["point"][axis], true[target][axis], abs_tol=0.6)
+        assert math.isclose(stored["more_frames"][0]["target_point"][axis], true[target][axis], abs_tol=0.6)
 
     page.keyboard.press("Control+z")
     expect(page.get_by_test_id("frames-said")).to_have_count(0)

@@ -181,7 +181,10 @@ def test_a_click_not_yet_stored_survives_a_reload(page: Page, one: Untouched) ->
     expect(page.get_by_test_id("measurement-row-roof")).to_have_attribute("data-state", "saved")
     wanted = one.pixels["roof"]
     assert (
-        max(abs(a - b) for a, b in zip(stored(page, one.vehicle["id"])["roof"]["point"], wanted, strict=True))
+        max(
+            abs(a - b)
+            for a, b in zip(stored(page, one.vehicle["id"])["roof"]["target_point"], wanted, strict=True)
+        )
         < 1
     )
     assert revisions(page, one) == [("roof", 1)]

@@ -119,7 +119,7 @@ def _review(session: Session, one: Sample, made: Any) -> Any:
 def _wheels(session: Session, one: Sample) -> Any:
     crc = int(frame_table().crc32[20])
     points: dict[str, Any] = {"first": (100.0, 400.0), "second": (300.5, 410.0)}
-    return add_wheel_pair(session, one.vehicle.id, frame=20, crc32=crc, **points, actor=one.olga.id)
+    return add_wheel_pair(session, one.vehicle.id, frame=20, frame_crc32=crc, **points, actor=one.olga.id)
 
 
 def _moved(session: Session, one: Sample) -> Any:

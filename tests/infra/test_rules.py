@@ -197,7 +197,7 @@ def test_a_click_sent_twice_is_one_measurement(session: Session, one: Sample) ->
 
 
 def test_a_measurement_stands_on_the_stored_frame(session: Session, one: Sample) -> None:
-    for wrong, error in (({"pts": 1}, Conflict), ({"crc32": 1}, Conflict), ({"frame": 500}, NotFound)):
+    for wrong, error in (({"pts": 1}, Conflict), ({"frame_crc32": 1}, Conflict), ({"frame": 500}, NotFound)):
         with pytest.raises(error):
             add_measurement(
                 session, one.vehicle.id, client_key=KEY.format(9), values=values(one, **wrong), actor=None

@@ -59,7 +59,7 @@ def filled(factory: SessionFactory) -> SessionFactory:
         create_vehicle(session, one.recording.id, {"first_frame": 50, "last_frame": 60}, actor=None)
         crc = int(samples.frame_table().crc32[20])
         points: dict[str, Any] = {"first": (1.0, 2.0), "second": (3.0, 2.0)}
-        add_wheel_pair(session, one.vehicle.id, frame=20, crc32=crc, **points, actor=one.olga.id)
+        add_wheel_pair(session, one.vehicle.id, frame=20, frame_crc32=crc, **points, actor=one.olga.id)
         choose_click_sigma(session, one.survey.id, one.olga.id, sigma_px=0.7, pairs=9, actor=None)
         for n in range(2):
             samples.photograph(session, one, f"{n}.jpg")

@@ -43,7 +43,7 @@ def test_a_stored_click_takes_at_most_nine_statements(
 ) -> None:
     vehicle_id = int(add_vehicle(operator, ground.recording_id)["id"])
     first = measure(operator, vehicle_id)  # the road pose is parsed once, then kept
-    more = [{"frame": 5, **{name: clicks()[name] for name in ("contact", "point")}}]
+    more = [{"frame": 5, **{name: clicks()[name] for name in ("contact", "target_point")}}]
     new = {**clicks(1.25), "client_key": str(uuid4()), "more_frames": more}
     revised = {**clicks(1.3), "revision": 1, "more_frames": more}
     ran = {

@@ -35,7 +35,7 @@ def test_a_height_is_the_truth_and_the_stored_one_is_the_live_one(
     operator: Client, viewer: Client, ground: Ground, vehicle_id: int
 ) -> None:
     shown = clicks(1.2, inset_m=0.3, u_inset_m=0.1)
-    shown["point"] = pixel(0.6, 0.3, 1.2)
+    shown["target_point"] = pixel(0.6, 0.3, 1.2)
     live = viewer.post(f"/recordings/{ground.recording_id}/geometry/height", shown).json()
     assert live["height_m"] == pytest.approx(1.2, abs=1e-9)
     assert live["uncorrected_height_m"] == pytest.approx(1.5 - 0.3 * 3.0 / 3.3, abs=1e-9)
@@ -51,7 +51,7 @@ def test_a_height_is_the_truth_and_the_stored_one_is_the_live_one(
     ):
         assert stored[name] == live[name], name
     assert stored["pose_id"] == ground.pose_id and stored["calibration_id"] == ground.calibration_id
-    assert stored["frame_crc"] > 0 and stored["code_version"].startswith("0.")
+    assert stored["frame_crc32"] > 0 and stored["code_version"].startswith("0.")
     assert stored["review"]["verdict"] == "to_review"
 
 

@@ -55,7 +55,7 @@ def on_frame(frame: int, travel_m: float) -> dict[str, Any]:
     return {
         "frame": frame,
         "contact": pixel(-1.0 + travel_m, 0.0, 0.0),
-        "point": pixel(-0.6 + travel_m, INSET_M, HEIGHT_M),
+        "target_point": pixel(-0.6 + travel_m, INSET_M, HEIGHT_M),
     }
 
 
@@ -93,7 +93,7 @@ def test_two_frames_solve_the_inset_live_and_stored_alike(
         assert stored[name] == live[name], name
     assert stored["uncorrected_height_m"] == pytest.approx(1.5 + (HEIGHT_M - 1.5) * 3 / 3.42, abs=1e-6)
     (further,) = stored["more_frames"]
-    assert further["frame"] == 7 and further["frame_crc"] > 0 and further["pts"] > stored["pts"]
+    assert further["frame"] == 7 and further["frame_crc32"] > 0 and further["pts"] > stored["pts"]
 
 
 def test_a_frame_is_taken_away_and_brought_back_by_revisions(
@@ -133,7 +133,10 @@ def test_a_fix_keeps_further_frames_unless_the_frame_is_another(
     operator: Client, reviewer: Client, admin: Client, ground: Ground, vehicle_id: int
 ) -> None:
     stored = stored_on_two(operator, vehicle_id)
-    points = {"contact": stored["contact"], "point": [stored["point"][0], stored["point"][1] + 0.5]}
+    points = {
+        "contact": stored["contact"],
+        "target_point": [stored["target_point"][0], stored["target_point"][1] + 0.5],
+    }
     fix = {"verdict": "fixed", "reason": "beside", **points}
     kept = reviewer.made(f"/measurements/{stored['id']}/reviews", {"revision": 1, **fix})
     assert [f["frame"] for f in kept["more_frames"]] == [7]

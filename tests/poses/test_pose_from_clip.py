@@ -82,7 +82,7 @@ def test_a_pose_is_solved_drawn_and_used(
     foot = [corners[-1, 4, 0], corners[-1, 4, 1] + REFERENCE_M * scale]
     body = {
         "contact": foot,
-        "point": corners[0, 4].tolist(),
+        "target_point": corners[0, 4].tolist(),
         "target": "other",
         "inset_m": 0.0,
         "u_inset_m": 0.0,

@@ -65,7 +65,7 @@ def test_contacts_that_give_no_direction_are_refused_in_a_sentence(
     assert far.status_code == 422 and "one vehicle" in error_of(far)
     sky = operator.post(path, {**good, "second": [300.0, 20.0]})
     assert sky.status_code == 422 and error_of(sky).startswith("The second tyre contact")
-    crc = operator.post(path, {**good, "frame_crc": 1})
+    crc = operator.post(path, {**good, "frame_crc32": 1})
     assert crc.status_code == 409 and "not the picture" in error_of(crc)
     frame = operator.post(path, {**good, "frame": 0})
     assert frame.status_code == 422 and "passes in frames 1 to 8" in error_of(frame)
@@ -135,7 +135,7 @@ def roof(pose: RoadPose, height_m: float, inset_m: float, across_m: float, rng: 
     """Clicks of 0.3 px on a roof edge behind the side plane."""
     points = np.array([[-0.5, across_m, 0.0], [-0.2, across_m + inset_m, height_m]])
     clicks = project(pose.camera, pose.to_camera(points)) + rng.normal(0, 0.3, (2, 2))
-    return {"contact": clicks[0].tolist(), "point": clicks[1].tolist()}
+    return {"contact": clicks[0].tolist(), "target_point": clicks[1].tolist()}
 
 
 def test_roofs_of_known_height_offer_the_inset_with_its_origin(

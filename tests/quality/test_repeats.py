@@ -30,7 +30,7 @@ def test_a_repeat_stands_beside_what_it_repeats_and_in_no_list(
     again = measure(
         reviewer,
         vehicle_id,
-        point=pixel(0.6, 0.2, 1.22),
+        target_point=pixel(0.6, 0.2, 1.22),
         repeat_of=first["id"],
         inset_m=None,
         u_inset_m=None,
@@ -79,7 +79,7 @@ def test_a_repeat_is_compared_by_what_the_clicks_alone_let_one_expect(
 ) -> None:
     first = measure(operator, vehicle_id)
     for height_m in (1.203, 1.26):
-        measure(reviewer, vehicle_id, point=pixel(0.6, 0.0, height_m), repeat_of=first["id"])
+        measure(reviewer, vehicle_id, target_point=pixel(0.6, 0.0, height_m), repeat_of=first["id"])
     near, far = reviewer.seen(f"/measurements/{first['id']}/repeats")
     clicks_u = sum(e["u_m"] ** 2 for e in first["budget"] if e["source"].startswith("click")) ** 0.5
     assert near["expected_m"] == pytest.approx(2 * clicks_u * 2**0.5, rel=0.05)
@@ -97,7 +97,7 @@ def test_a_repeat_is_compared_by_what_the_clicks_alone_let_one_expect(
 
 def clicked_beside(client: Client, vehicle_id: int, rng: np.random.Generator, **more: Any) -> dict[str, Any]:
     contact, point = (list(rng.normal(at, 0.5)) for at in (pixel(0.2, 0.0, 0.0), pixel(0.6, 0.0, 1.2)))
-    return measure(client, vehicle_id, contact=contact, point=point, **more)
+    return measure(client, vehicle_id, contact=contact, target_point=point, **more)
 
 
 def test_figures_per_target_and_person_and_a_sigma_of_ones_own(
@@ -124,7 +124,11 @@ def test_figures_per_target_and_person_and_a_sigma_of_ones_own(
     assert (gauge["n"], gauge["items"], gauge["persons"]) == (36, 12, 2)
     # 0.5 px clicks on a budget of 1 px: about half of what is claimed.
     assert roof["uncertainty_check"]["low"] < 0.5 < roof["uncertainty_check"]["high"] < 1
-    assert gauge["repeatability"]["low"] < roof["uncertainty_check"]["claimed"] / 2 < gauge["repeatability"]["high"]
+    assert (
+        gauge["repeatability"]["low"]
+        < roof["uncertainty_check"]["claimed"] / 2
+        < gauge["repeatability"]["high"]
+    )
     by_name = {one["person"]["name"]: one for one in found["people"]}
     mine, theirs = by_name["Operator"], by_name["Reviewer"]
     assert mine["pairs"] == 12 and mine["sigma"]["low"] < 0.5 < mine["sigma"]["high"]
@@ -145,7 +149,9 @@ def test_the_other_wheel_is_no_slip_of_the_hand(operator: Client, ground: Ground
         first = clicked_beside(operator, vehicle_id, rng)
         clicked_beside(operator, vehicle_id, rng, repeat_of=first["id"])
         other = [first["contact"][0] - 60.0, first["contact"][1]]
-        measure(operator, vehicle_id, contact=other, point=first["point"], repeat_of=first["id"])
+        measure(
+            operator, vehicle_id, contact=other, target_point=first["target_point"], repeat_of=first["id"]
+        )
     (me,) = operator.seen(f"/surveys/{ground.survey_id}/repeats")["people"]
     assert me["contact"]["freedom"] == 12 and me["contact"]["high"] < 2
 
@@ -169,7 +175,7 @@ def test_a_correction_after_the_repeat_leaves_what_was_repeated(
     operator: Client, reviewer: Client, ground: Ground, vehicle_id: int
 ) -> None:
     first = measure(operator, vehicle_id)
-    measure(reviewer, vehicle_id, point=pixel(0.6, 0.0, 1.21), repeat_of=first["id"])
+    measure(reviewer, vehicle_id, target_point=pixel(0.6, 0.0, 1.21), repeat_of=first["id"])
     assert operator.put(f"/measurements/{first['id']}", {**clicks(1.5), "revision": 1}).status_code == 200
     (difference,) = operator.seen(f"/surveys/{ground.survey_id}/repeats")["differences"]
     assert difference["difference_m"] == pytest.approx(0.01, abs=1e-6)
@@ -184,7 +190,7 @@ def test_on_another_frame_more_than_the_clicks_differs_and_has_a_figure_of_its_o
         vehicle_id = int(add_vehicle(operator, ground.recording_id)["id"])
         first = measure(operator, vehicle_id)
         there = {"frame": first["frame"] + 1, "contact": pixel(0.5, 0.0, 0.0)}
-        measure(operator, vehicle_id, **there, point=pixel(0.9, 0.0, 1.2 + one), repeat_of=first["id"])
+        measure(operator, vehicle_id, **there, target_point=pixel(0.9, 0.0, 1.2 + one), repeat_of=first["id"])
     found = operator.seen(f"/surveys/{ground.survey_id}/repeats")
     assert (found["repeats"], found["differences"], found["not_compared"]) == (5, [], 0)
     apart = operator.seen(f"/vehicles/{vehicle_id}")["measurements"][0]["height_m"] - 1.2

@@ -66,7 +66,7 @@ def heights_on(client: Client, recording_id: int, frame: int) -> list[tuple[floa
             answer = client.post(
                 f"/recordings/{recording_id}/geometry/height",
                 contact=corners[-1, column].tolist(),
-                point=corners[row, column].tolist(),
+                target_point=corners[row, column].tolist(),
                 target="other",
                 inset_m=0.0,
                 u_inset_m=0.0,

@@ -69,7 +69,7 @@ def test_a_fix_is_the_reviewers_revision_and_so_not_theirs_to_review(
     operator: Client, reviewer: Client, ground: Ground, vehicle_id: int
 ) -> None:
     made = measure(operator, vehicle_id, inset_m=0.2, u_inset_m=0.1)
-    points = {"contact": pixel(0.2, 0.0, 0.0), "point": pixel(0.6, 0.2, 1.25)}
+    points = {"contact": pixel(0.2, 0.0, 0.0), "target_point": pixel(0.6, 0.2, 1.25)}
     fixed = judge(reviewer, made, "fixed", **points).json()
     assert (fixed["revision"], fixed["inset_m"]) == (2, 0.2)
     assert fixed["height_m"] == pytest.approx(1.25, abs=1e-9)
@@ -115,7 +115,7 @@ def test_a_fix_needs_points_and_only_a_fix_has_them(
 ) -> None:
     made = measure(operator, vehicle_id)
     assert "points" in error_of(judge(reviewer, made, "fixed"))
-    with_points = judge(reviewer, made, "accepted", contact=[1.0, 2.0], point=[1.0, 2.0])
+    with_points = judge(reviewer, made, "accepted", contact=[1.0, 2.0], target_point=[1.0, 2.0])
     assert with_points.status_code == 422 and "fix" in error_of(with_points)
     assert operator.seen(f"/measurements/{made['id']}")["revision"] == 1
 

@@ -120,7 +120,7 @@ def clicks(height_m: float = 1.2, **more: Any) -> dict[str, Any]:
         "target": "roof",
         "frame": 2,
         "contact": pixel(0.2, 0.0, 0.0),
-        "point": pixel(0.6, 0.0, height_m),
+        "target_point": pixel(0.6, 0.0, height_m),
         "inset_m": 0.0,
         "u_inset_m": 0.0,
     }

@@ -146,7 +146,7 @@ def values(one: Sample, **changed: Any) -> MeasurementValues:
             frame=20,
             pts=int(found.pts[20]),
             time_s=float(found.time_s[20]),
-            crc32=int(found.crc32[20]),
+            frame_crc32=int(found.crc32[20]),
             contact=(301.5, 400.0),
             target_point=(310.25, 180.125),
             sigma_px=1,

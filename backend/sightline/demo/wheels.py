@@ -27,7 +27,7 @@ def click_wheels(session: Session, passes: list[Pass], *, actor: int) -> int:
             session,
             one.vehicle.id,
             frame=frame,
-            crc32=None,
+            frame_crc32=None,
             first=_beside(rear, rng),
             second=_beside(front, rng),
             actor=actor,

@@ -88,7 +88,7 @@ def spots_of(found: Sequence[Measurement]) -> Spots:
         height, u95 = (np.nan if m is None else m for m in (values.height_m, values.U95_height_m))
         on_frames: tuple[MeasurementValues | FurtherFrame, ...] = (values, *values.more_frames)
         for k, on in enumerate(on_frames, start=1):
-            place = (one.recording_id, on.frame, one.id, k, TARGETS.index(values.target), on.crc32)
+            place = (one.recording_id, on.frame, one.id, k, TARGETS.index(values.target), on.frame_crc32)
             rows.append((*place, *on.contact, *on.target_point, height, u95))
     return np.array(rows, dtype=_RECORD)
 

@@ -30,9 +30,9 @@ class FurtherFrameBody(Out):
     frame: int
     pts: int
     time_s: float
-    frame_crc: int = Field(validation_alias="crc32")
+    frame_crc32: int
     contact: tuple[float, float]
-    point: tuple[float, float] = Field(validation_alias="target_point")
+    target_point: tuple[float, float]
 
 
 class MeasurementBody(Out):
@@ -48,9 +48,9 @@ class MeasurementBody(Out):
     frame: int = Field(validation_alias=AliasPath("values", "frame"))
     pts: int = Field(validation_alias=AliasPath("values", "pts"))
     time_s: float = Field(validation_alias=AliasPath("values", "time_s"))
-    frame_crc: int = Field(validation_alias=AliasPath("values", "crc32"))
+    frame_crc32: int = Field(validation_alias=AliasPath("values", "frame_crc32"))
     contact: tuple[float, float] = Field(validation_alias=AliasPath("values", "contact"))
-    point: tuple[float, float] = Field(validation_alias=AliasPath("values", "target_point"))
+    target_point: tuple[float, float] = Field(validation_alias=AliasPath("values", "target_point"))
     sigma_px: float = Field(validation_alias=AliasPath("values", "sigma_px"))
     pose_id: int = Field(validation_alias=AliasPath("values", "pose_id"))
     calibration_id: int = Field(validation_alias=AliasPath("values", "calibration_id"))
@@ -86,7 +86,7 @@ class FurtherClicks(In):
 
     frame: FrameNumber
     contact: Point
-    point: Point
+    target_point: Point
 
 
 MoreFrames = Annotated[
@@ -100,7 +100,7 @@ class ClicksIn(In):
 
     frame: FrameNumber
     contact: Point
-    point: Point
+    target_point: Point
     sigma_px: SigmaPx | None = None
     inset_m: InsetM | None = None
     u_inset_m: UInsetM | None = None
@@ -120,7 +120,7 @@ class SpotBody(Out):
     frame: int
     travel_m: float
     contact: tuple[float, float]
-    point: tuple[float, float] = Field(validation_alias="target_point")
+    target_point: tuple[float, float]
     u_height_m: float
     U95_height_m: float
     u_solved_inset_m: float

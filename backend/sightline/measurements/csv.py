@@ -89,7 +89,7 @@ _WHERE: Columns = (
     integer(
         "frame_crc32",
         "CRC-32 of the decoded luma of that frame: proof of what was clicked on",
-        lambda m: m.values.crc32,
+        lambda m: m.values.frame_crc32,
     ),
 )
 _POINTS: Columns = (

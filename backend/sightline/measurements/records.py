@@ -70,7 +70,7 @@ class FurtherFrame:
     frame: int
     pts: int
     time_s: float
-    crc32: int
+    frame_crc32: int
     contact: Point
     target_point: Point
 
@@ -79,7 +79,7 @@ class FurtherFrame:
 class MeasurementValues:
     """The content of one revision: what was clicked, on what, and the height computed from it.
 
-    Points are (x, y) in pixels of the frame; `crc32` is of the frame's decoded luma. A name that ends in _m
+    Points are (x, y) in pixels of the frame; `frame_crc32` is of its decoded luma. A name that ends in _m
     is in metres.
     """
 
@@ -87,7 +87,7 @@ class MeasurementValues:
     frame: int
     pts: int
     time_s: float
-    crc32: int
+    frame_crc32: int
     contact: Point
     target_point: Point
     sigma_px: float

@@ -25,9 +25,9 @@ def clicks_of(body: ClicksIn, target: Target) -> Clicks:
         target=target,
         frame=body.frame,
         contact=body.contact,
-        target_point=body.point,
+        target_point=body.target_point,
         more_frames=tuple(
-            ClickedFrame(frame=further.frame, contact=further.contact, target_point=further.point)
+            ClickedFrame(frame=further.frame, contact=further.contact, target_point=further.target_point)
             for further in body.more_frames
         ),
         sigma_px=body.sigma_px,

@@ -127,7 +127,7 @@ def values_of_clicks(session: Session, context: ClickContext, clicks: Clicks) ->
         frame=frame.n,
         pts=frame.pts,
         time_s=frame.time_s,
-        crc32=frame.crc32,
+        frame_crc32=frame.crc32,
         contact=clicks.contact,
         target_point=clicks.target_point,
         sigma_px=sigma_px,
@@ -157,7 +157,7 @@ def _further(context: ClickContext, one: ClickedFrame) -> FurtherFrame:
         frame=one.frame,
         pts=frame.pts,
         time_s=frame.time_s,
-        crc32=frame.crc32,
+        frame_crc32=frame.crc32,
         contact=one.contact,
         target_point=one.target_point,
     )

@@ -331,7 +331,7 @@ def _check(ground: _Ground, values: MeasurementValues) -> None:
     for clicked in clicked_on:
         if clicked.frame not in ground.frames:
             raise missing_frame(ground.recording_id, clicked.frame)
-        if ground.frames[clicked.frame] != (clicked.pts, clicked.crc32):
+        if ground.frames[clicked.frame] != (clicked.pts, clicked.frame_crc32):
             raise Conflict(f"Frame {clicked.frame} is not the picture that was clicked on; load it again.")
     if ground.pose_survey_id is None:
         raise missing("road pose", values.pose_id)

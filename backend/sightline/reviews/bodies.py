@@ -36,7 +36,7 @@ class NewReview(In):
     reason: Text | None = None
     frame: FrameNumber | None = None
     contact: Point | None = None
-    point: Point | None = None
+    target_point: Point | None = None
 
 
 class QueueItemBody(Out):

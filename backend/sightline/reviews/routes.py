@@ -49,7 +49,7 @@ def review_measurement(
         reason=body.reason,
         frame=body.frame,
         contact=body.contact,
-        target_point=body.point,
+        target_point=body.target_point,
         actor=who.id,
     )
     return MeasurementBody.model_validate(judged)

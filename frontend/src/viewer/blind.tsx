@@ -109,7 +109,7 @@ export class BlindClicks implements Tool<ImagePoint> {
     this.busy.value = true;
     try {
       const { target, frame, measurement_id: repeat_of } = wanted;
-      const clicks = { target, frame, contact: pair(contact), point: pair(point), repeat_of };
+      const clicks = { target, frame, contact: pair(contact), target_point: pair(point), repeat_of };
       const body = { client_key: newKey(), ...clicks };
       const made = await api.write(
         "POST /vehicles/{vehicle_id}/measurements",

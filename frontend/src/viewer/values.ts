@@ -31,11 +31,11 @@ export function valuesOf(m: Measurement): Values {
     target: m.target,
     frame: m.frame,
     contact: fromServer(m.contact),
-    point: fromServer(m.point),
+    point: fromServer(m.target_point),
     more: m.more_frames.map((one) => ({
       frame: one.frame,
       contact: fromServer(one.contact),
-      point: fromServer(one.point),
+      point: fromServer(one.target_point),
     })),
     inset: { inset_m: m.inset_m, u_inset_m: m.u_inset_m },
     sigma_px: m.sigma_px,
@@ -103,7 +103,7 @@ export function clickBody({ target, inset, sigma_px, more, ...first }: Values): 
 }
 
 export function frameBody({ frame, contact, point }: FramePoints): FrameBody {
-  return { frame, contact: pair(contact), point: pair(point) };
+  return { frame, contact: pair(contact), target_point: pair(point) };
 }
 
 type FrameBody = NonNullable<ClickBody["more_frames"]>[number];

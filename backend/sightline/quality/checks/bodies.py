@@ -135,7 +135,7 @@ class TrafficCheckBody(Out):
 
 class NewWheelPair(In):
     frame: FrameNumber
-    frame_crc: Annotated[int, Field(ge=0, le=2**32 - 1)] | None = Field(
+    frame_crc32: Annotated[int, Field(ge=0, le=2**32 - 1)] | None = Field(
         None, description="CRC-32 of the picture that was clicked on, as in the frame table."
     )
     first: Point

@@ -25,7 +25,7 @@ WHEEL_PAIRS: Table[WheelPair] = Table(
             "pts", "presentation time stamp of that frame, in the stream's own time base", lambda w: w.pts
         ),
         number("time_s", "time of that frame from the start of the stream", "s", lambda w: w.time_s),
-        integer("frame_crc32", "CRC-32 of the decoded luma of that frame", lambda w: w.crc32),
+        integer("frame_crc32", "CRC-32 of the decoded luma of that frame", lambda w: w.frame_crc32),
         pixel("first_x_px", "x where one tyre touches the road", lambda w: w.first[0]),
         pixel("first_y_px", "y where one tyre touches the road", lambda w: w.first[1]),
         pixel(

@@ -20,7 +20,7 @@ class WheelPair:
     frame: int
     pts: int
     time_s: float
-    crc32: int
+    frame_crc32: int
     first: Point
     second: Point
     withdrawn: bool

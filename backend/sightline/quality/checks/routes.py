@@ -48,7 +48,7 @@ def add_wheel_pair(vehicle_id: PathId, body: NewWheelPair, who: Operator, sessio
         session,
         vehicle_id,
         frame=body.frame,
-        crc32=body.frame_crc,
+        frame_crc32=body.frame_crc32,
         first=body.first,
         second=body.second,
         actor=who.id,

@@ -26,7 +26,7 @@ def add_wheel_pair(
     vehicle_id: int,
     *,
     frame: int,
-    crc32: int,
+    frame_crc32: int,
     first: Point,
     second: Point,
     actor: int | None,
@@ -37,13 +37,13 @@ def add_wheel_pair(
     """
     vehicle = get_row(session, vehicles, vehicle_id, "vehicle", vehicles.c.deleted_at.is_(None))
     found = get_frame(session, vehicle["recording_id"], frame)
-    if found.crc32 != crc32:
+    if found.crc32 != frame_crc32:
         raise Conflict(f"Frame {frame} is not the picture that was clicked on; load it again.")
     values = {
         "frame": frame,
         "pts": found.pts,
         "time_s": found.time_s,
-        "crc32": found.crc32,
+        "frame_crc32": found.crc32,
         "first_x_px": first[0],
         "first_y_px": first[1],
         "second_x_px": second[0],
@@ -59,7 +59,7 @@ def withdraw_wheel_pair(session: Session, vehicle_id: int, *, actor: int | None)
         raise missing("pair of tyre contacts of this vehicle")
     row = get_row(session, wheel_pairs, before.id, "pair of tyre contacts")
     vehicle = get_row(session, vehicles, vehicle_id, "vehicle")
-    kept = ("frame", "pts", "time_s", "crc32", "first_x_px", "first_y_px", "second_x_px", "second_y_px")
+    kept = ("frame", "pts", "time_s", "frame_crc32", "first_x_px", "first_y_px", "second_x_px", "second_y_px")
     return _append(session, vehicle, {name: row[name] for name in kept}, True, "withdraw", actor)
 
 
@@ -112,7 +112,7 @@ def _pair(row: Any) -> WheelPair:
         frame=row.frame,
         pts=row.pts,
         time_s=row.time_s,
-        crc32=row.crc32,
+        frame_crc32=row.frame_crc32,
         first=(row.first_x_px, row.first_y_px),
         second=(row.second_x_px, row.second_y_px),
         withdrawn=row.withdrawn,

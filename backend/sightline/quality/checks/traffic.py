@@ -255,7 +255,7 @@ def store_pair(
     vehicle_id: int,
     *,
     frame: int,
-    crc32: int | None,
+    frame_crc32: int | None,
     first: Point,
     second: Point,
     actor: int,
@@ -275,7 +275,7 @@ def store_pair(
             f"Frame {frame} is not of vehicle {vehicle.number}, which passes in frames {vehicle.first_frame} "
             f"to {vehicle.last_frame}; go to one of them."
         )
-    stored = get_frame(session, vehicle.recording_id, frame).crc32 if crc32 is None else crc32
+    stored = get_frame(session, vehicle.recording_id, frame).crc32 if frame_crc32 is None else frame_crc32
     return add_wheel_pair(
-        session, vehicle_id, frame=frame, crc32=stored, first=first, second=second, actor=actor
+        session, vehicle_id, frame=frame, frame_crc32=stored, first=first, second=second, actor=actor
     )

@@ -21,4 +21,4 @@ def check_wheel_pairs(files: Files, pairs: Mapping[int, Mapping[str, Any]]) -> N
 
 
 def _values(pair: Mapping[str, Any]) -> dict[str, Any]:
-    return {**pair, "created_at": stamp(pair["created_at"]), "frame_crc32": pair["crc32"]}
+    return {**pair, "created_at": stamp(pair["created_at"])}

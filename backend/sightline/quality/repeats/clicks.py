@@ -36,7 +36,7 @@ class Click:
     inset_m: float
     person: Who
     contact: Point
-    point: Point
+    target_point: Point
     height_m: float | None
     u_clicks_m: float | None
 
@@ -120,7 +120,7 @@ def _click(session: Session, one: Measurement, first: Measurement, person: Who) 
         inset_m=one.values.inset_m,
         person=person,
         contact=one.values.contact,
-        point=one.values.target_point,
+        target_point=one.values.target_point,
         height_m=height_m,
         u_clicks_m=u_clicks_m,
     )

@@ -39,7 +39,7 @@ REPEATS: Table[Measurement] = Table(
             lambda m: m.values.pts,
         ),
         number("time_s", "time of that frame from the start of the stream", "s", lambda m: m.values.time_s),
-        integer("frame_crc32", "CRC-32 of the decoded luma of that frame", lambda m: m.values.crc32),
+        integer("frame_crc32", "CRC-32 of the decoded luma of that frame", lambda m: m.values.frame_crc32),
         pixel("contact_x_px", "where the tyre meets the road, x to the right", lambda m: m.values.contact[0]),
         pixel("contact_y_px", "where the tyre meets the road, y down", lambda m: m.values.contact[1]),
         pixel("target_x_px", "the target point, x to the right", lambda m: m.values.target_point[0]),

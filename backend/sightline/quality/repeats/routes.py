@@ -66,7 +66,7 @@ class OfPersonBody(Out):
     pairs: int = Field(description="How often they clicked their own measurements again.")
     heights: SpreadBody = Field(description="Of their own repeats, m.")
     contact: SpreadBody = Field(description="Each coordinate, px.")
-    point: SpreadBody = Field(description="Each coordinate, px.")
+    target_point: SpreadBody = Field(description="Each coordinate, px.")
     sigma: SpreadBody = Field(description="Contact and target together, each coordinate, px.")
     operator_bias_m: float | None = Field(
         description="Their heights minus the others' of the same items, mean."

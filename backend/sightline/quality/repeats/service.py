@@ -64,7 +64,7 @@ class OfPerson:
     pairs: int
     heights: Spread
     contact: Spread
-    point: Spread
+    target_point: Spread
     sigma: Spread
     operator_bias_m: float | None
     items: int
@@ -213,7 +213,9 @@ def _floats(values: Sequence[float | None]) -> list[float]:
 
 def _of_person(clicks: Sequence[Click], person: Who, chosen: ClickSigma | None) -> OfPerson:
     own = [one for one in clicks if one.person.id == person.id]
-    points = within_cells([one.point for one in own], codes_of([(one.first_id, one.frame) for one in own]))
+    points = within_cells(
+        [one.target_point for one in own], codes_of([(one.first_id, one.frame) for one in own])
+    )
     contacts = _contacts(own)
     measured = [one for one in own if one.height_m is not None]
     heights = within_cells(
@@ -223,7 +225,7 @@ def _of_person(clicks: Sequence[Click], person: Who, chosen: ClickSigma | None) 
     few = f"{person.name} clicked {pairs} of their own again; {LEAST_FREEDOM} are needed for a figure."
     enough = pairs >= LEAST_FREEDOM
     both = (points[0] + contacts[0], points[1] + contacts[1])
-    contact, point, sigma = (
+    contact, target, sigma = (
         spread_of(*one, few) if enough else no_spread(few, one[1]) for one in (contacts, points, both)
     )
     biases = list(_operator_bias(clicks, person))
@@ -232,7 +234,7 @@ def _of_person(clicks: Sequence[Click], person: Who, chosen: ClickSigma | None) 
         pairs=pairs,
         heights=spread_of(*heights, few),
         contact=contact,
-        point=point,
+        target_point=target,
         sigma=sigma,
         operator_bias_m=sum(biases) / len(biases) if len(biases) >= LEAST_FREEDOM else None,
         items=len(biases),

@@ -127,7 +127,7 @@ def _clicked(body: LineClicks, point: tuple[float, float] | None) -> service.Cli
     return service.Clicked(
         target=body.target,
         contact=(body.contact_line, body.contact_row_px),
-        point=point,
+        target_point=point,
         sigma_px=body.sigma_px,
         inset_m=body.inset_m,
         u_inset_m=body.u_inset_m,

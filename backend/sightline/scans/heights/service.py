@@ -39,7 +39,7 @@ class RowClicks:
 
     target: Target
     contact: tuple[float, float]
-    point: tuple[float, float]
+    target_point: tuple[float, float]
     sigma_px: float
     inset_m: float
     u_inset_m: float
@@ -51,7 +51,7 @@ class Clicked:
 
     target: Target
     contact: tuple[float, float]
-    point: tuple[float, float] | None
+    target_point: tuple[float, float] | None
     sigma_px: float | None = None
     inset_m: float | None = None
     u_inset_m: float | None = None
@@ -78,7 +78,7 @@ def preview_line_height(session: Session, scan_id: int, clicked: Clicked) -> Hei
     clicks = _filled(session, scan.survey_id, clicked)
     distance_m = contact_distance(pose, clicks.contact[1])
     rungs = ladder(pose, distance_m + clicks.inset_m, scan.rows_px or 0) if distance_m is not None else ()
-    only_contact = clicked.point is None and distance_m is not None
+    only_contact = clicked.target_point is None and distance_m is not None
     found = LineHeight("not_measurable", None, distance_m) if only_contact else answer(pose, clicks)
     return HeightPreview(found, clicks.inset_m, clicks.u_inset_m, rungs)
 
@@ -93,7 +93,7 @@ def store_line_height(
     vehicle = get_scan_vehicle(session, vehicle_id)
     scan = get_scan(session, vehicle.scan_id)
     clicks = _filled(session, scan.survey_id, clicked)
-    for line, row in (clicks.contact, clicks.point):
+    for line, row in (clicks.contact, clicks.target_point):
         if not shows(scan, line, row):
             raise BadInput(f"A click at line {line:.0f}, row {row:.1f} lies outside the strip; click again.")
     values = height_values(_pose(session, scan.id), clicks, _beside(vehicle, clicks))
@@ -105,7 +105,7 @@ def answer(pose: LinePose, clicks: RowClicks) -> LineHeight:
     return line_height(
         pose,
         clicks.contact[1],
-        clicks.point[1],
+        clicks.target_point[1],
         sigma_px=clicks.sigma_px,
         inset_m=clicks.inset_m,
         u_inset_m=clicks.u_inset_m,
@@ -120,8 +120,8 @@ def height_values(pose: StoredLinePose, clicks: RowClicks, warnings: list[str]) 
         pose_id=pose.id,
         contact_line=clicks.contact[0],
         contact_row_px=clicks.contact[1],
-        target_line=clicks.point[0],
-        target_row_px=clicks.point[1],
+        target_line=clicks.target_point[0],
+        target_row_px=clicks.target_point[1],
         sigma_px=clicks.sigma_px,
         inset_m=clicks.inset_m,
         u_inset_m=clicks.u_inset_m,
@@ -152,7 +152,7 @@ def _filled(session: Session, survey_id: int, clicked: Clicked) -> RowClicks:
     return RowClicks(
         target=clicked.target,
         contact=clicked.contact,
-        point=clicked.point or clicked.contact,
+        target_point=clicked.target_point or clicked.contact,
         sigma_px=DEFAULT_SIGMA_PX if clicked.sigma_px is None else clicked.sigma_px,
         inset_m=round(inset_m, LENGTH_DECIMALS),
         u_inset_m=round(u_inset_m, LENGTH_DECIMALS),
@@ -164,5 +164,5 @@ def _beside(vehicle: ScanVehicle, clicks: RowClicks) -> list[str]:
         return []
     front, rear = vehicle.measurement.values.front_line_1, vehicle.measurement.values.rear_line_1
     margin = _MARGIN * (rear - front)
-    inside = all(front - margin <= line <= rear + margin for line, _ in (clicks.contact, clicks.point))
+    inside = all(front - margin <= line <= rear + margin for line, _ in (clicks.contact, clicks.target_point))
     return [] if inside else [_BESIDE]

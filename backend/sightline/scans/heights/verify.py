@@ -101,7 +101,7 @@ def _clicks(row: Row) -> RowClicks:
     return RowClicks(
         target=cast(Target, row["target"]),
         contact=(number["contact_line"], number["contact_row_px"]),
-        point=(number["target_line"], number["target_row_px"]),
+        target_point=(number["target_line"], number["target_row_px"]),
         sigma_px=number["sigma_px"],
         inset_m=number["inset_m"],
         u_inset_m=number["u_inset_m"],

@@ -8,7 +8,7 @@ import type { Tool } from "../../viewer/tool";
 
 export interface Clicks {
   readonly frame: number;
-  readonly frame_crc?: number;
+  readonly frame_crc32?: number;
   readonly first: [number, number];
   readonly second: [number, number];
 }
@@ -45,8 +45,8 @@ export class WheelPairTool implements Tool<ImagePoint> {
     if (this.first.value === null) this.clicked.value = { frame, at };
     else {
       const clicks = { frame, first: pair(this.first.value.at), second: pair(at) };
-      const frame_crc = reel.player.value?.checksumOf(frame);
-      this.traffic.clicked(frame_crc === undefined ? clicks : { ...clicks, frame_crc });
+      const frame_crc32 = reel.player.value?.checksumOf(frame);
+      this.traffic.clicked(frame_crc32 === undefined ? clicks : { ...clicks, frame_crc32 });
     }
     return true;
   }

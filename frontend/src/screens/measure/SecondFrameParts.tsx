@@ -34,7 +34,7 @@ export function SecondMarks({ model }: { model: MeasureModel }) {
             {wanted !== null && (
               <Expected
                 stage={stage}
-                at={fromServer(spot.point)}
+                at={fromServer(spot.target_point)}
                 text={wanted === "point" ? word : undefined}
               />
             )}

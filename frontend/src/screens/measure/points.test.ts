@@ -89,7 +89,7 @@ describe("measuring with clicks", () => {
     model.points.endBurst();
     await quiet();
     expect(server.writes).toEqual(["POST /vehicles/7/measurements", "PUT /measurements/1"]);
-    expect(server.stored.get(1)?.point[1]).toBeCloseTo(249.5, 9);
+    expect(server.stored.get(1)?.target_point[1]).toBeCloseTo(249.5, 9);
   });
 
   it("measures a target afresh as a revision, and gives the click before back on undo", async () => {
@@ -100,10 +100,10 @@ describe("measuring with clicks", () => {
     model.points.place(at(101, 240));
     await quiet();
     expect(server.stored.size).toBe(1);
-    expect(server.stored.get(1)?.point).toEqual([101, 240]);
+    expect(server.stored.get(1)?.target_point).toEqual([101, 240]);
     await model.history.undo();
     await quiet();
-    expect(server.stored.get(1)?.point).toEqual([101, 250]);
+    expect(server.stored.get(1)?.target_point).toEqual([101, 250]);
   });
 
   it("shows live what it will store when a target with an inset and sigma of its own is clicked again", async () => {
@@ -113,7 +113,7 @@ describe("measuring with clicks", () => {
       target: "driver_eye",
       frame: 40,
       contact: [100, 400],
-      point: [90, 300],
+      target_point: [90, 300],
       more_frames: [],
       revision: 1,
     };
@@ -128,7 +128,7 @@ describe("measuring with clicks", () => {
     expect(server.heights.at(-1)).toMatchObject(own);
     model.points.place(at(92, 299));
     await quiet();
-    expect(server.stored.get(3)).toMatchObject({ ...own, point: [92, 299] });
+    expect(server.stored.get(3)).toMatchObject({ ...own, target_point: [92, 299] });
   });
 
   it("withdraws the selected measurement and asks for it again", async () => {

@@ -51,7 +51,7 @@ class Server implements RecordsPort {
   /** Somebody else's change. */
   other(id: number, point: [number, number]): void {
     const m = this.get(id);
-    this.stored.set(id, { ...m, revision: m.revision + 1, point });
+    this.stored.set(id, { ...m, revision: m.revision + 1, target_point: point });
   }
   vehicle(): Vehicle {
     return { id: 7, measurements: [...this.stored.values()] } as unknown as Vehicle;
@@ -81,7 +81,7 @@ class Server implements RecordsPort {
   private save(id: number, revision: number, vehicle_id: number, v: Values): Measurement {
     const { target, frame, contact, point, withdrawn } = v;
     const insets = v.inset ?? { inset_m: 0.6, u_inset_m: 0.1 };
-    const clicked = { target, frame, contact, point, more_frames: v.more, withdrawn };
+    const clicked = { target, frame, contact, target_point: point, more_frames: v.more, withdrawn };
     const made = { id, revision, vehicle_id, ...clicked, ...insets };
     this.stored.set(id, made as unknown as Measurement);
     return this.get(id);
@@ -135,7 +135,7 @@ describe("Records", () => {
     open();
     const entry = await records.settled(key);
     expect(server.calls).toEqual(["create", "revise"]);
-    expect(entry?.saved).toMatchObject({ revision: 2, point: [101, 253] });
+    expect(entry?.saved).toMatchObject({ revision: 2, target_point: [101, 253] });
   });
 
   it("withdraws and restores, as undo and redo do", async () => {
@@ -161,9 +161,9 @@ describe("Records", () => {
     const conflict = await records.settled(key);
     expect(conflict).toMatchObject({ state: "conflict", problem: "changed by RV at 14:02" });
     expect([...(conflict?.values.point ?? [])]).toEqual([1, 2]);
-    expect(conflict?.theirs?.point).toEqual([90, 90]);
+    expect(conflict?.theirs?.target_point).toEqual([90, 90]);
     records.resolve(key, "mine");
-    expect((await records.settled(key))?.saved).toMatchObject({ revision: 3, point: [1, 2] });
+    expect((await records.settled(key))?.saved).toMatchObject({ revision: 3, target_point: [1, 2] });
   });
 
   it("takes theirs when told to", async () => {
@@ -175,7 +175,7 @@ describe("Records", () => {
     records.change(key, { point: imagePoint(1, 2) });
     await records.settled(key);
     records.resolve(key, "theirs");
-    expect(records.find(key)).toMatchObject({ state: "saved", saved: { point: [90, 90] } });
+    expect(records.find(key)).toMatchObject({ state: "saved", saved: { target_point: [90, 90] } });
     expect(store.length).toBe(0);
   });
 

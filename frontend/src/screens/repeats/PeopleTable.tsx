@@ -46,7 +46,7 @@ export function PeopleTable({ people, busy, choose }: Props) {
                 ) : (
                   <>
                     <SpreadCell one={one.contact} words={pixelWords} />
-                    <SpreadCell one={one.point} words={pixelWords} />
+                    <SpreadCell one={one.target_point} words={pixelWords} />
                     <SpreadCell one={one.heights} />
                   </>
                 )}

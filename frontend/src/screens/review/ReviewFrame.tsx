@@ -51,7 +51,7 @@ function SecondClicks({ model }: { model: ReviewModel }) {
         .map(({ repeat }) => (
           <g key={repeat.id}>
             <PointMark stage={model.stage} at={fromServer(repeat.contact)} kind="contact" faint />
-            <PointMark stage={model.stage} at={fromServer(repeat.point)} kind="point" faint />
+            <PointMark stage={model.stage} at={fromServer(repeat.target_point)} kind="point" faint />
           </g>
         ))}
     </g>

@@ -60,7 +60,7 @@ function Crops({ m, recording }: { m: Measurement; recording: Recording | null }
   return (
     <div class="review__crops">
       <Crop m={m} at={m.contact} name="contact" size={size} />
-      <Crop m={m} at={m.point} name={TARGET_WORDS[m.target].toLowerCase()} size={size} />
+      <Crop m={m} at={m.target_point} name={TARGET_WORDS[m.target].toLowerCase()} size={size} />
     </div>
   );
 }

@@ -14,7 +14,7 @@ function item(id: number): ReviewItem {
     target: "roof",
     frame: 40 + id,
     contact: [100, 400],
-    point: [101, 250],
+    target_point: [101, 250],
     revision: 1,
     withdrawn: false,
     pose_id: 1,
@@ -72,11 +72,11 @@ describe("the review queue", () => {
     model.fixing.selectNext();
     model.stage.nudge(0.1, 0);
     await quiet();
-    expect(server.heights.at(-1)).toMatchObject({ point: [111, 240], contact: [100.1, 400] });
+    expect(server.heights.at(-1)).toMatchObject({ target_point: [111, 240], contact: [100.1, 400] });
     model.stage.confirm();
     await quiet();
     expect(judged).toEqual([
-      { revision: 1, verdict: "fixed", point: [111, 240], contact: [100.1, 400], frame: 41 },
+      { revision: 1, verdict: "fixed", target_point: [111, 240], contact: [100.1, 400], frame: 41 },
     ]);
   });
 
@@ -105,7 +105,7 @@ describe("the review queue", () => {
     expect([...server.stored.values()].at(-1)).toMatchObject({
       repeat_of: 1,
       contact: [99, 401],
-      point: [100, 251],
+      target_point: [100, 251],
     });
     expect(model.hidden.value).toBe(false);
   });

@@ -71,7 +71,7 @@ export class ReviewModel {
   });
   readonly point = computed<ImagePoint | null>(() => {
     const m = this.current.value?.measurement;
-    return this.fix.value?.point ?? (m ? fromServer(m.point) : null);
+    return this.fix.value?.point ?? (m ? fromServer(m.target_point) : null);
   });
   /** The picture that is seen is the one the points were clicked on. */
   readonly onFrame = computed(
@@ -206,7 +206,7 @@ export class ReviewModel {
     const fix = this.fix.value;
     const points =
       verdict === "fixed" && fix
-        ? { contact: pair(fix.contact), point: pair(fix.point), frame: item.measurement.frame }
+        ? { contact: pair(fix.contact), target_point: pair(fix.point), frame: item.measurement.frame }
         : {};
     this.busy.value = true;
     try {
@@ -229,7 +229,7 @@ export class ReviewModel {
   /** Points to correct: those that stand, or this person's own second click. */
   startFix(own: Measurement | null = null): void {
     const contact = own ? fromServer(own.contact) : this.contact.value;
-    const point = own ? fromServer(own.point) : this.point.value;
+    const point = own ? fromServer(own.target_point) : this.point.value;
     if (!contact || !point || !this.mayJudge) return;
     this.rejecting.value = false;
     this.fixing.begin(contact, point);
