@@ -4,6 +4,7 @@ WORKDIR /sightline/frontend
 COPY frontend/package.json frontend/package-lock.json frontend/.npmrc ./
 RUN npm ci --no-fund --no-audit
 COPY frontend/ ./
+COPY backend/sightline/messages/ ../backend/sightline/messages/
 RUN npm run build
 
 FROM python:3.12-slim-bookworm

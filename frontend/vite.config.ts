@@ -5,7 +5,8 @@ import { defineConfig } from "vite";
 const server = `http://127.0.0.1:${process.env.SIGHTLINE_PORT ?? "8000"}`;
 
 export default defineConfig({
-  server: { proxy: { "/api": server, "/openapi.json": server } },
+  // the catalogue of messages lies beside the server's code
+  server: { fs: { allow: [".", "../backend/sightline/messages"] }, proxy: { "/api": server, "/openapi.json": server } },
   build: { target: "es2022", sourcemap: false, reportCompressedSize: true },
   test: {
     environment: "happy-dom",

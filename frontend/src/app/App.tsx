@@ -4,6 +4,7 @@ import { AskDialog, Loading, Problem } from "../components";
 import { Toasts } from "../components/Toasts";
 import { current, navigate } from "../core/address";
 import { useCommands } from "../core/commands";
+import { titleOf } from "../core/places";
 import { loadSession, me, sessionProblem } from "../core/session";
 import { loadSurvey, survey, surveyProblem } from "../core/survey";
 import { Arrival } from "./arrival";
@@ -41,7 +42,7 @@ function Body() {
   const person = me.value;
   const surveyId = here?.surveyId ?? 0;
   useEffect(() => {
-    const place = here?.place.title ?? "Not found";
+    const place = here ? titleOf(here.place.name) : "Not found";
     const name = surveyId && survey.value ? ` – ${survey.value.name}` : "";
     document.title = `${place}${name} – Sightline`;
   }, [here?.place.name, survey.value?.name]);

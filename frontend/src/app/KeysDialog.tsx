@@ -6,6 +6,7 @@ import {
   ACTIONS,
   type ActionId,
   chordOf,
+  commandName,
   commandsHere,
   conflicts,
   keyMap,
@@ -66,8 +67,7 @@ export default function KeysDialog() {
         {problem && <Notice kind="warning">{problem}</Notice>}
         {clashes.map(({ chord, actions: [a, b] }) => (
           <Notice kind="warning" key={`${a}${b}${chord}`}>
-            {showChord(chord)} now means both “{ACTIONS[a].label}” and “{ACTIONS[b].label}”; the first one
-            wins.
+            {showChord(chord)} now means both “{commandName(a)}” and “{commandName(b)}”; the first one wins.
           </Notice>
         ))}
         <KeyTables ids={ids.filter((id) => here.has(id))} {...rows} />

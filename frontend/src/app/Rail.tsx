@@ -1,4 +1,5 @@
 import { Icon, type IconName, StateMark } from "../components";
+import { titleOf } from "../core/places";
 import { survey } from "../core/survey";
 import { stepState, WORK } from "../core/work";
 
@@ -31,7 +32,7 @@ export function Rail({ surveyId, name }: { surveyId: number; name: string }) {
                 aria-current={entry.name === name ? "page" : undefined}
               >
                 <Icon name={ICONS[entry.name]} />
-                <span class="grow">{entry.title}</span>
+                <span class="grow">{titleOf(entry.name)}</span>
                 {state && <StateMark state={state} hideWord />}
               </a>
             </li>

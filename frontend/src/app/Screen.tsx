@@ -2,6 +2,7 @@ import type { ComponentChildren } from "preact";
 import { useEffect, useErrorBoundary, useState } from "preact/hooks";
 import { Empty, Loading, Notice, Problem } from "../components";
 import type { Match } from "../core/places";
+import { titleOf } from "../core/places";
 import { loadedScreen, loadScreen } from "./screens";
 
 /** Loads a screen's code when it is first shown. */
@@ -37,7 +38,7 @@ export function Screen({ here }: { here: Match }) {
       </div>
     );
   }
-  return <Loading what={place.title.toLowerCase()} />;
+  return <Loading what={titleOf(place.name).toLowerCase()} />;
 }
 
 /** A page that breaks says so in one sentence; the bar above it and the other pages go on working. */

@@ -1,6 +1,8 @@
 import { Button, Mark, Menu } from "../components";
 import { current } from "../core/address";
 import { hint } from "../core/commands";
+import { chooseLanguage, LANGUAGES, language, say } from "../core/messages";
+import { titleOf } from "../core/places";
 import { saveState } from "../core/save";
 import { may, me, signOut } from "../core/session";
 import { survey } from "../core/survey";
@@ -55,9 +57,9 @@ function Crumbs() {
         {here && here.place.name !== "surveys" && (
           <li>
             {inSurvey && here.place.layout === "full" ? (
-              <WorkMenu surveyId={here.surveyId} name={here.place.name} title={here.place.title} />
+              <WorkMenu surveyId={here.surveyId} name={here.place.name} title={titleOf(here.place.name)} />
             ) : (
-              <span aria-current="page">{here.place.title}</span>
+              <span aria-current="page">{titleOf(here.place.name)}</span>
             )}
           </li>
         )}
@@ -86,7 +88,7 @@ function WorkMenu({ surveyId, name, title }: { surveyId: number; name: string; t
           href={`/surveys/${surveyId}${entry.path}`}
           aria-current={entry.name === name ? "page" : undefined}
         >
-          {entry.title}
+          {titleOf(entry.name)}
         </a>
       ))}
     </Menu>
@@ -171,12 +173,25 @@ function PersonMenu() {
           lengthUnit.value = v;
         }}
       />
+      {LANGUAGES.length > 1 && (
+        <Choice
+          label={say("menu-language")}
+          value={language.value}
+          options={LANGUAGES.map((value) => ({ value, label: nameOfLanguage(value) }))}
+          set={(v) => void chooseLanguage(v)}
+        />
+      )}
       <div class="menu__sep" />
       <button type="button" class="menu__item" onClick={() => signOut().catch(toastProblem)}>
         Sign out
       </button>
     </Menu>
   );
+}
+
+/** "français": what a language calls itself. */
+function nameOfLanguage(name: string): string {
+  return new Intl.DisplayNames([name], { type: "language" }).of(name) ?? name;
 }
 
 interface ChoiceProps<T extends string> {

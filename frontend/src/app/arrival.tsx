@@ -1,6 +1,7 @@
 /** Coming to another page: its title is announced and its heading gets the focus, so that nobody is left where the link was. */
 import { useEffect, useRef, useState } from "preact/hooks";
 import { current } from "../core/address";
+import { titleOf } from "../core/places";
 
 export function Arrival() {
   const here = current.value;
@@ -12,7 +13,7 @@ export function Arrival() {
       loading.current = false;
       return;
     }
-    setTitle(here?.place.title ?? "Not found");
+    setTitle(here ? titleOf(here.place.name) : "Not found");
     const main = document.getElementById("main");
     return main ? focusHeading(main) : undefined;
   }, [here?.place.name, here?.surveyId]);

@@ -1,5 +1,6 @@
 /** The only door to the server. One error shape, one header against cross-site requests, retries that are never silent. */
 import { computed, signal } from "@preact/signals";
+import { say } from "./messages";
 import type { AddressOf, AnswerOf, BodyOf, Deed, ParamsOf, Question, Route } from "./routes";
 import { changeSave } from "./save";
 
@@ -177,17 +178,17 @@ export function toApiError(status: number, body: unknown): ApiError {
   const message =
     error?.message ??
     (status >= 500
-      ? `The server could not do this (status ${status}); try again, and tell the administrator if it stays.`
-      : `The server refused this (status ${status}).`);
+      ? say("problem-server", { status: String(status) })
+      : say("problem-refused", { status: String(status) }));
   return new ApiError(message, status, error?.code, body);
 }
 
 /** One sentence for any error, to show to a person. */
 export function explain(error: unknown): string {
   if (error instanceof ApiError) return error.message;
-  if (error instanceof Error && error.name === "AbortError") return "This was stopped.";
+  if (error instanceof Error && error.name === "AbortError") return say("problem-stopped");
   console.error(error);
-  return "Something went wrong in this page; reload it, and tell the administrator if it happens again.";
+  return say("problem-page");
 }
 
 type Args<R extends Route> = [BodyOf<R>] extends [never]

@@ -1,103 +1,108 @@
 /** The one key map. `?` shows it, the person can change it, overrides live in local storage. */
 import { computed } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
+import { say, wordsOf } from "./messages";
 import { stored } from "./stored";
 
 /** Where an action listens. "point" lies on top of "frames": while a point is selected the arrows move it, not the frame. */
 export type Scope = "anywhere" | "frames" | "measure" | "point" | "scan" | "review";
 
 export interface Action {
-  label: string;
   scope: Scope;
   keys: readonly string[];
 }
 
 export const ACTIONS = {
-  help: { label: "Show the keys", scope: "anywhere", keys: ["?", "F1"] },
+  help: { scope: "anywhere", keys: ["?", "F1"] },
 
-  frameNext: { label: "Next frame", scope: "frames", keys: ["F", "ArrowRight"] },
-  framePrevious: { label: "Previous frame", scope: "frames", keys: ["D", "ArrowLeft"] },
-  frameNextTen: { label: "Ten frames on", scope: "frames", keys: ["V", "Shift+ArrowRight"] },
-  framePreviousTen: { label: "Ten frames back", scope: "frames", keys: ["C", "Shift+ArrowLeft"] },
-  secondNext: { label: "One second on", scope: "frames", keys: ["PageDown"] },
-  secondPrevious: { label: "One second back", scope: "frames", keys: ["PageUp"] },
-  frameFirst: { label: "First frame", scope: "frames", keys: ["Home"] },
-  frameLast: { label: "Last frame", scope: "frames", keys: ["End"] },
-  frameGo: { label: "Go to a frame", scope: "frames", keys: ["G"] },
-  play: { label: "Play and stop", scope: "frames", keys: ["Space"] },
-  loupe: { label: "Loupe, while held", scope: "frames", keys: ["Z"] },
-  loupeToggle: { label: "Loupe on and off", scope: "frames", keys: ["L"] },
-  linesToggle: { label: "Hide and show the lines", scope: "frames", keys: ["H"] },
-  brightToggle: { label: "Brighten the picture, for display only", scope: "frames", keys: ["I"] },
-  cursor: { label: "Place points by keyboard: cursor on and off", scope: "frames", keys: ["M"] },
-  place: { label: "Place the point at the cursor", scope: "frames", keys: ["Enter"] },
-  zoomIn: { label: "Zoom in", scope: "frames", keys: ["+", "="] },
-  zoomOut: { label: "Zoom out", scope: "frames", keys: ["-"] },
-  zoomFit: { label: "Fit the frame", scope: "frames", keys: ["0"] },
+  frameNext: { scope: "frames", keys: ["F", "ArrowRight"] },
+  framePrevious: { scope: "frames", keys: ["D", "ArrowLeft"] },
+  frameNextTen: { scope: "frames", keys: ["V", "Shift+ArrowRight"] },
+  framePreviousTen: { scope: "frames", keys: ["C", "Shift+ArrowLeft"] },
+  secondNext: { scope: "frames", keys: ["PageDown"] },
+  secondPrevious: { scope: "frames", keys: ["PageUp"] },
+  frameFirst: { scope: "frames", keys: ["Home"] },
+  frameLast: { scope: "frames", keys: ["End"] },
+  frameGo: { scope: "frames", keys: ["G"] },
+  play: { scope: "frames", keys: ["Space"] },
+  loupe: { scope: "frames", keys: ["Z"] },
+  loupeToggle: { scope: "frames", keys: ["L"] },
+  linesToggle: { scope: "frames", keys: ["H"] },
+  brightToggle: { scope: "frames", keys: ["I"] },
+  cursor: { scope: "frames", keys: ["M"] },
+  place: { scope: "frames", keys: ["Enter"] },
+  zoomIn: { scope: "frames", keys: ["+", "="] },
+  zoomOut: { scope: "frames", keys: ["-"] },
+  zoomFit: { scope: "frames", keys: ["0"] },
 
-  passNext: { label: "Next pass", scope: "measure", keys: ["N"] },
-  passPrevious: { label: "Previous pass", scope: "measure", keys: ["P"] },
-  target1: { label: "Target: roof", scope: "measure", keys: ["1"] },
-  target2: { label: "Target: driver's eye", scope: "measure", keys: ["2"] },
-  target3: { label: "Target: taillight", scope: "measure", keys: ["3"] },
-  target4: { label: "Target: headlight", scope: "measure", keys: ["4"] },
-  target5: { label: "Target: other", scope: "measure", keys: ["5"] },
-  newContact: { label: "New contact point", scope: "measure", keys: ["T"] },
-  secondFrame: { label: "Second frame: click the same two points there", scope: "measure", keys: ["S"] },
-  proposeContact: { label: "Propose the tyre's contact at the pointer", scope: "measure", keys: ["A"] },
-  selectNext: { label: "Select the next point", scope: "measure", keys: ["W"] },
-  bestFrame: { label: "Best frame of the pass", scope: "measure", keys: ["B"] },
-  passBegin: { label: "Mark the first frame of a pass or the board", scope: "measure", keys: ["["] },
-  passEnd: { label: "Mark the last frame of a pass or the board", scope: "measure", keys: ["]"] },
-  passSplit: { label: "Split the pass before this frame", scope: "measure", keys: ["K"] },
-  passJoin: { label: "Join the pass with the next one", scope: "measure", keys: ["J"] },
-  passDiscard: { label: "Discard the pass", scope: "measure", keys: ["Shift+Delete"] },
-  confirmNext: { label: "Confirm and go to the next pass", scope: "measure", keys: ["Ctrl+Enter"] },
-  undo: { label: "Undo", scope: "measure", keys: ["Ctrl+Z"] },
-  redo: { label: "Redo", scope: "measure", keys: ["Ctrl+Shift+Z", "Ctrl+Y"] },
-  remove: { label: "Withdraw the selected measurement", scope: "measure", keys: ["Delete"] },
-  cancel: { label: "Let go of the point, close", scope: "measure", keys: ["Escape"] },
+  passNext: { scope: "measure", keys: ["N"] },
+  passPrevious: { scope: "measure", keys: ["P"] },
+  target1: { scope: "measure", keys: ["1"] },
+  target2: { scope: "measure", keys: ["2"] },
+  target3: { scope: "measure", keys: ["3"] },
+  target4: { scope: "measure", keys: ["4"] },
+  target5: { scope: "measure", keys: ["5"] },
+  newContact: { scope: "measure", keys: ["T"] },
+  secondFrame: { scope: "measure", keys: ["S"] },
+  proposeContact: { scope: "measure", keys: ["A"] },
+  selectNext: { scope: "measure", keys: ["W"] },
+  bestFrame: { scope: "measure", keys: ["B"] },
+  passBegin: { scope: "measure", keys: ["["] },
+  passEnd: { scope: "measure", keys: ["]"] },
+  passSplit: { scope: "measure", keys: ["K"] },
+  passJoin: { scope: "measure", keys: ["J"] },
+  passDiscard: { scope: "measure", keys: ["Shift+Delete"] },
+  confirmNext: { scope: "measure", keys: ["Ctrl+Enter"] },
+  undo: { scope: "measure", keys: ["Ctrl+Z"] },
+  redo: { scope: "measure", keys: ["Ctrl+Shift+Z", "Ctrl+Y"] },
+  remove: { scope: "measure", keys: ["Delete"] },
+  cancel: { scope: "measure", keys: ["Escape"] },
 
-  nudgeLeft: { label: "Move the point left 1 px", scope: "point", keys: ["ArrowLeft"] },
-  nudgeRight: { label: "Move the point right 1 px", scope: "point", keys: ["ArrowRight"] },
-  nudgeUp: { label: "Move the point up 1 px", scope: "point", keys: ["ArrowUp"] },
-  nudgeDown: { label: "Move the point down 1 px", scope: "point", keys: ["ArrowDown"] },
-  nudgeLeftFar: { label: "Move the point left 10 px", scope: "point", keys: ["Shift+ArrowLeft"] },
-  nudgeRightFar: { label: "Move the point right 10 px", scope: "point", keys: ["Shift+ArrowRight"] },
-  nudgeUpFar: { label: "Move the point up 10 px", scope: "point", keys: ["Shift+ArrowUp"] },
-  nudgeDownFar: { label: "Move the point down 10 px", scope: "point", keys: ["Shift+ArrowDown"] },
-  nudgeLeftFine: { label: "Move the point left 0.1 px", scope: "point", keys: ["Alt+ArrowLeft"] },
-  nudgeRightFine: { label: "Move the point right 0.1 px", scope: "point", keys: ["Alt+ArrowRight"] },
-  nudgeUpFine: { label: "Move the point up 0.1 px", scope: "point", keys: ["Alt+ArrowUp"] },
-  nudgeDownFine: { label: "Move the point down 0.1 px", scope: "point", keys: ["Alt+ArrowDown"] },
+  nudgeLeft: { scope: "point", keys: ["ArrowLeft"] },
+  nudgeRight: { scope: "point", keys: ["ArrowRight"] },
+  nudgeUp: { scope: "point", keys: ["ArrowUp"] },
+  nudgeDown: { scope: "point", keys: ["ArrowDown"] },
+  nudgeLeftFar: { scope: "point", keys: ["Shift+ArrowLeft"] },
+  nudgeRightFar: { scope: "point", keys: ["Shift+ArrowRight"] },
+  nudgeUpFar: { scope: "point", keys: ["Shift+ArrowUp"] },
+  nudgeDownFar: { scope: "point", keys: ["Shift+ArrowDown"] },
+  nudgeLeftFine: { scope: "point", keys: ["Alt+ArrowLeft"] },
+  nudgeRightFine: { scope: "point", keys: ["Alt+ArrowRight"] },
+  nudgeUpFine: { scope: "point", keys: ["Alt+ArrowUp"] },
+  nudgeDownFine: { scope: "point", keys: ["Alt+ArrowDown"] },
 
-  scanFit: { label: "Fill the window with the vehicle", scope: "scan", keys: ["Q"] },
-  scanTaller: { label: "Stretch the height", scope: "scan", keys: ["R"] },
-  scanFlatter: { label: "Flatten the height", scope: "scan", keys: ["Shift+R"] },
-  scanWheels: { label: "Click both wheels for the wheelbase", scope: "scan", keys: ["U"] },
-  scanNew: { label: "Add a vehicle by its front and rear", scope: "scan", keys: ["O"] },
-  scanHeight: { label: "Measure heights by contact and target", scope: "scan", keys: ["Y"] },
-  scanRod: { label: "Calibrate the height with a rod", scope: "scan", keys: ["Shift+Y"] },
+  scanFit: { scope: "scan", keys: ["Q"] },
+  scanTaller: { scope: "scan", keys: ["R"] },
+  scanFlatter: { scope: "scan", keys: ["Shift+R"] },
+  scanWheels: { scope: "scan", keys: ["U"] },
+  scanNew: { scope: "scan", keys: ["O"] },
+  scanHeight: { scope: "scan", keys: ["Y"] },
+  scanRod: { scope: "scan", keys: ["Shift+Y"] },
 
-  reviewAccept: { label: "Accept", scope: "review", keys: ["A"] },
-  reviewReject: { label: "Reject", scope: "review", keys: ["X"] },
-  reviewFix: { label: "Fix", scope: "review", keys: ["E"] },
-  reviewNext: { label: "Next measurement", scope: "review", keys: ["J"] },
-  reviewPrevious: { label: "Previous measurement", scope: "review", keys: ["K"] },
+  reviewAccept: { scope: "review", keys: ["A"] },
+  reviewReject: { scope: "review", keys: ["X"] },
+  reviewFix: { scope: "review", keys: ["E"] },
+  reviewNext: { scope: "review", keys: ["J"] },
+  reviewPrevious: { scope: "review", keys: ["K"] },
 } as const satisfies Record<string, Action>;
 
 export type ActionId = keyof typeof ACTIONS;
 export type Overrides = Partial<Record<ActionId, string[]>>;
 export type KeyMap = Record<ActionId, readonly string[]>;
 
-export const SCOPE_NAMES: Record<Scope, string> = {
-  anywhere: "Everywhere",
-  frames: "Frames",
-  measure: "Measure",
-  point: "A selected point",
-  scan: "Line scan",
-  review: "Review",
-};
+/** What a command is called. */
+export function commandName(id: ActionId): string {
+  return say(`command-${id}`);
+}
+
+export const SCOPE_NAMES = wordsOf({
+  anywhere: "scope-anywhere",
+  frames: "scope-frames",
+  measure: "scope-measure",
+  point: "scope-point",
+  scan: "scope-scan",
+  review: "scope-review",
+});
 
 export const overrides = stored<Overrides>("keys", {}, (v) => typeof v === "object" && v !== null);
 
@@ -140,9 +145,7 @@ const ALWAYS_RESERVED = new Set([
 
 /** Why a chord cannot be used at all, or null. */
 export function reservedReason(chord: string): string | null {
-  return ALWAYS_RESERVED.has(chord)
-    ? `The browser keeps ${showChord(chord)} for itself; choose another key.`
-    : null;
+  return ALWAYS_RESERVED.has(chord) ? say("keys-reserved", { chord: showChord(chord) }) : null;
 }
 
 function overlap(a: Scope, b: Scope): boolean {
@@ -228,7 +231,7 @@ export function addCommands(commands: Layer): () => void {
 
 /** What a command is called here. */
 export function labelOf({ id, label }: Pick<Command, "id" | "label">): string {
-  return label ?? ACTIONS[id].label;
+  return label ?? commandName(id);
 }
 
 /** The commands that listen now, one for each action: the one that is asked first. */

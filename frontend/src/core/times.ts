@@ -1,8 +1,12 @@
 /** Times as people read them, in the browser's zone; the full moment goes into `title` and `datetime`. */
 
-const clock = new Intl.DateTimeFormat("en-GB", { hour: "2-digit", minute: "2-digit", second: "2-digit" });
-const day = new Intl.DateTimeFormat("en-GB", { day: "numeric", month: "short", year: "numeric" });
-const dayTime = new Intl.DateTimeFormat("en-GB", {
+import { computed } from "@preact/signals";
+import { region, say } from "./messages";
+
+const clock = format({ hour: "2-digit", minute: "2-digit", second: "2-digit" });
+const hour = format({ hour: "2-digit", minute: "2-digit" });
+const day = format({ day: "numeric", month: "short", year: "numeric" });
+const dayTime = format({
   day: "numeric",
   month: "short",
   year: "numeric",
@@ -10,28 +14,32 @@ const dayTime = new Intl.DateTimeFormat("en-GB", {
   minute: "2-digit",
 });
 
+function format(options: Intl.DateTimeFormatOptions) {
+  return computed(() => new Intl.DateTimeFormat(region.value, options));
+}
+
 /** "14:02:11" */
 export function formatClock(moment: Date): string {
-  return clock.format(moment);
+  return clock.value.format(moment);
 }
 
 /** "21 Nov 2026" */
 export function formatDay(iso: string): string {
-  return day.format(new Date(iso));
+  return day.value.format(new Date(iso));
 }
 
 /** "21 Nov 2026, 14:02" */
 export function formatMoment(iso: string): string {
-  return dayTime.format(new Date(iso));
+  return dayTime.value.format(new Date(iso));
 }
 
 /** "just now", "4 min ago", "today 14:02" or the day. */
 export function formatAgo(iso: string, now = new Date()): string {
   const then = new Date(iso);
   const seconds = (now.getTime() - then.getTime()) / 1000;
-  if (seconds < 60) return "just now";
-  if (seconds < 3600) return `${Math.floor(seconds / 60)} min ago`;
-  if (then.toDateString() === now.toDateString()) return `today ${clock.format(then).slice(0, 5)}`;
+  if (seconds < 60) return say("time-just-now");
+  if (seconds < 3600) return say("time-minutes-ago", { minutes: Math.floor(seconds / 60) });
+  if (then.toDateString() === now.toDateString()) return say("time-today", { time: hour.value.format(then) });
   return formatMoment(iso);
 }
 

@@ -1,6 +1,7 @@
 /** What the server sends and takes, by the short names that the screens use. The types are the server's own description
  *  (`make types`). Lengths in metres, times ISO 8601 UTC. */
 import type { components } from "#schema";
+import { wordsOf } from "./messages";
 
 type Schemas = components["schemas"];
 
@@ -14,12 +15,12 @@ export type StepKey = Schemas["StepBody"]["key"];
 export type Lighting = NonNullable<Schemas["VehicleBody"]["lighting"]>;
 export type Category = NonNullable<Schemas["VehicleBody"]["category"]>;
 
-export const ROLE_NAMES: Record<Role, string> = {
-  viewer: "Viewer",
-  operator: "Operator",
-  reviewer: "Reviewer",
-  admin: "Administrator",
-};
+export const ROLE_NAMES = wordsOf({
+  viewer: "role-viewer",
+  operator: "role-operator",
+  reviewer: "role-reviewer",
+  admin: "role-admin",
+});
 
 export type Person = Schemas["PersonBody"];
 export type Me = Schemas["Me"];

@@ -78,7 +78,7 @@ describe("numbers", () => {
   });
 
   it("groups thousands and counts in words", () => {
-    expect(plain(formatCount(1234567))).toBe("1 234 567");
+    expect(plain(formatCount(1234567))).toBe("1,234,567");
     expect(plain(plural(1, "frame"))).toBe("1 frame");
     expect(plain(plural(0, "frame"))).toBe("0 frames");
   });

@@ -1,4 +1,5 @@
 /** Lengths and speeds as people read and type them. The server speaks metres and seconds; feet and miles are only shown. */
+import { region, say } from "./messages";
 import { stored } from "./stored";
 
 export type LengthUnit = "m" | "ft";
@@ -10,7 +11,6 @@ const SECONDS_PER_HOUR = 3600;
 export const lengthUnit = stored<LengthUnit>("unit", "m", (v) => v === "m" || v === "ft");
 
 const NBSP = " ";
-const THIN = " ";
 
 /** What a number of the server is multiplied by to be shown, and the name of the unit it then has. */
 export type Scale<Unit extends string = string> = readonly [factor: number, unit: Unit];
@@ -36,11 +36,21 @@ function convert(metres: number, unit: LengthUnit): number {
   return metres * lengthScale(unit)[0];
 }
 
-/** A number with a true minus sign and fixed decimals. */
+const formats = new Map<string, Intl.NumberFormat>();
+
+/** How the chosen language writes numbers of so many decimals. */
+function numbers(digits: number, useGrouping = false): Intl.NumberFormat {
+  const key = `${region.value} ${digits} ${useGrouping}`;
+  const options = { minimumFractionDigits: digits, maximumFractionDigits: digits, useGrouping };
+  const found = formats.get(key) ?? new Intl.NumberFormat(region.value, options);
+  formats.set(key, found);
+  return found;
+}
+
+/** A number with a true minus sign and fixed decimals, as the chosen language writes it. */
 export function fixed(value: number, digits: number): string {
-  const text = value.toFixed(digits);
-  if (!text.startsWith("-")) return text;
-  return Number(text) === 0 ? text.slice(1) : `−${text.slice(1)}`;
+  const size = numbers(digits).format(Math.abs(value));
+  return value < 0 && Number(value.toFixed(digits)) !== 0 ? `−${size}` : size;
 }
 
 /** "1.172 m"; a missing value is an en dash. */
@@ -59,7 +69,7 @@ export function formatHeight(
   if (metres === null) return "–";
   if (U95_m === null) return formatLength(metres, digits, unit);
   const value = fixed(convert(metres, unit), digits);
-  return `${value}${NBSP}±${NBSP}${convert(U95_m, unit).toFixed(digits)}${NBSP}${unit}`;
+  return `${value}${NBSP}±${NBSP}${fixed(convert(U95_m, unit), digits)}${NBSP}${unit}`;
 }
 
 /** A small length: "18 mm", or "0.71 in" for those who read feet. */
@@ -94,9 +104,9 @@ export function parseNumber(text: string): number | null {
   return Number(cleaned);
 }
 
-/** A count with thin spaces between thousands. */
+/** A count, its thousands set apart as the chosen language does. */
 export function formatCount(value: number): string {
-  return String(Math.round(value)).replace(/\B(?=(\d{3})+(?!\d))/g, THIN);
+  return numbers(0, true).format(Math.round(value));
 }
 
 /** "3 images", "1 image". */
@@ -113,7 +123,7 @@ export function formatBytes(bytes: number): string {
     value /= 1000;
     step++;
   }
-  return `${value.toFixed(step === 0 || value >= 99.5 ? 0 : 1)}${NBSP}${names[step]}`;
+  return `${fixed(value, step === 0 || value >= 99.5 ? 0 : 1)}${NBSP}${names[step]}`;
 }
 
 /* -- lengths in input fields, as a person would type them -- */
@@ -139,9 +149,9 @@ function typedNumber(value: number, decimals: number): string {
 
 /** What is wrong with a typed length, or null. Empty is allowed where a value may be unknown. */
 export function lengthProblem(text: string, options: { empty: boolean }): string | null {
-  if (text.trim() === "") return options.empty ? null : "A length, such as 0.60.";
+  if (text.trim() === "") return options.empty ? null : say("length-problem", { example: "0.60" });
   const value = parseLength(text);
-  return value === null || value > 10 || value < -10 ? "A length, such as 1.624." : null;
+  return value === null || value > 10 || value < -10 ? say("length-problem", { example: "1.624" }) : null;
 }
 
 /* -- speeds and accelerations -- */
@@ -163,7 +173,7 @@ function withInterval(
   digits: number,
 ): string {
   if (value === null) return "–";
-  const half = U95 === null ? "" : `${NBSP}±${NBSP}${(U95 * factor).toFixed(digits)}`;
+  const half = U95 === null ? "" : `${NBSP}±${NBSP}${fixed(U95 * factor, digits)}`;
   return `${fixed(value * factor, digits)}${half}${NBSP}${unit}`;
 }
 

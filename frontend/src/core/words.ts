@@ -1,59 +1,65 @@
 /** The words of the domain: what can be measured on a vehicle, and the states that things are in. */
+import { wordsOf } from "./messages";
 import type { Target } from "./types";
 
 export const TARGETS: readonly Target[] = ["roof", "driver_eye", "taillight", "headlight", "other"];
 /** A vehicle is measured when it has these three. */
 export const REQUIRED: readonly Target[] = ["roof", "driver_eye", "taillight"];
 
-export const TARGET_WORDS: Record<Target, string> = {
-  roof: "Roof",
-  driver_eye: "Driver's eye",
-  taillight: "Taillight",
-  headlight: "Headlight",
-  other: "Other",
-};
+export const TARGET_WORDS = wordsOf({
+  roof: "target-roof",
+  driver_eye: "target-driver_eye",
+  taillight: "target-taillight",
+  headlight: "target-headlight",
+  other: "target-other",
+});
 
 /** Where to click, in the operator's words. */
-export const TARGET_HINTS: Record<Target, string> = {
-  roof: "the highest point of the roof",
-  driver_eye: "the driver's eye",
-  taillight: "the lower limit of the lit area of the taillight",
-  headlight: "the lower limit of the headlight",
-  other: "the point whose height you want",
-};
+export const TARGET_HINTS = wordsOf({
+  roof: "target-hint-roof",
+  driver_eye: "target-hint-driver_eye",
+  taillight: "target-hint-taillight",
+  headlight: "target-hint-headlight",
+  other: "target-hint-other",
+});
 
-export const STATE_WORDS = {
+export const STATE_WORDS = wordsOf({
   // vehicles
-  to_do: "to do",
-  partial: "partly measured",
-  measured: "measured",
+  to_do: "state-to_do",
+  partial: "state-partial",
+  measured: "state-measured",
   // reviews
-  to_review: "to review",
-  accepted: "accepted",
-  fixed: "fixed",
-  rejected: "rejected",
-  reopened: "reopened",
-  withdrawn: "withdrawn",
-  not_measurable: "not measurable",
+  to_review: "state-to_review",
+  accepted: "state-accepted",
+  fixed: "state-fixed",
+  rejected: "state-rejected",
+  reopened: "state-reopened",
+  withdrawn: "state-withdrawn",
+  not_measurable: "state-not_measurable",
   // steps
-  done: "done",
-  next: "next",
-  waiting: "waiting",
+  done: "state-done",
+  next: "state-next",
+  waiting: "state-waiting",
   // recordings and jobs
-  ingesting: "being read",
-  ready: "ready",
-  failed: "failed",
-  queued: "queued",
-  running: "running",
-  cancelled: "cancelled",
+  ingesting: "state-ingesting",
+  ready: "state-ready",
+  failed: "state-failed",
+  queued: "state-queued",
+  running: "state-running",
+  cancelled: "state-cancelled",
   // calibrations
-  trusted: "trusted",
-  not_trusted: "not to be trusted",
-  used: "used",
-  left_out: "left out",
+  trusted: "state-trusted",
+  not_trusted: "state-not_trusted",
+  used: "state-used",
+  left_out: "state-left_out",
   // people
-  active: "active",
-  inactive: "switched off",
-} as const;
+  active: "state-active",
+  inactive: "state-inactive",
+});
 
 export type StateName = keyof typeof STATE_WORDS;
+
+/** A vehicle's number as lists show it: "03". */
+export function vehicleName(number: number): string {
+  return String(number).padStart(2, "0");
+}

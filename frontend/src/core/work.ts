@@ -4,23 +4,22 @@ import type { StepKey, Survey } from "./types";
 
 export interface WorkEntry {
   name: PlaceName;
-  title: string;
   path: string;
   step: StepKey | null;
 }
 
 export const WORK = [
-  { name: "survey", title: "Overview", path: "", step: null },
-  { name: "planning", title: "Plan the site", path: "/planning", step: null },
-  { name: "camera", title: "Camera", path: "/camera", step: "camera" },
-  { name: "recordings", title: "Recordings", path: "/recordings", step: "recordings" },
-  { name: "pose", title: "Road pose", path: "/pose", step: "pose" },
-  { name: "measure", title: "Measure", path: "/measure", step: "vehicles" },
-  { name: "checks", title: "Checks", path: "/checks", step: null },
-  { name: "review", title: "Review", path: "/review", step: "review" },
-  { name: "repeats", title: "Repeats", path: "/repeats", step: null },
-  { name: "scans", title: "Line scans", path: "/scans", step: null },
-  { name: "export", title: "Export", path: "/export", step: "results" },
+  { name: "survey", path: "", step: null },
+  { name: "planning", path: "/planning", step: null },
+  { name: "camera", path: "/camera", step: "camera" },
+  { name: "recordings", path: "/recordings", step: "recordings" },
+  { name: "pose", path: "/pose", step: "pose" },
+  { name: "measure", path: "/measure", step: "vehicles" },
+  { name: "checks", path: "/checks", step: null },
+  { name: "review", path: "/review", step: "review" },
+  { name: "repeats", path: "/repeats", step: null },
+  { name: "scans", path: "/scans", step: null },
+  { name: "export", path: "/export", step: "results" },
 ] as const satisfies readonly WorkEntry[];
 
 /** Where a step of the survey is done. */

@@ -2,12 +2,13 @@
 import { useEffect, useMemo } from "preact/hooks";
 import { Button, Empty, Loading, Problem } from "../../components";
 import { CommandButton } from "../../components/CommandButton";
+import { Said } from "../../components/Said";
 import { historyCommands } from "../../components/undoTools";
 import { navigate, query } from "../../core/address";
 import { useCommands } from "../../core/commands";
+import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
-import { plural } from "../../core/units";
-import { TARGET_WORDS } from "../../core/words";
+import { TARGET_WORDS, vehicleName } from "../../core/words";
 import { BlindFrame } from "../../viewer/BlindFrame";
 import { frameCommands } from "../../viewer/stageCommands";
 import { Transport } from "../../viewer/Transport";
@@ -27,7 +28,7 @@ export default function ClickAgainScreen({ surveyId }: ScreenProps) {
     undo,
     redo,
     ...frameCommands(session.stage, session.reel.player.value),
-    { id: "cancel", label: "Stop", run: () => navigate(results) },
+    { id: "cancel", label: say("again-stop"), run: () => navigate(results) },
   ]);
   const items = session.items.value;
   const player = session.reel.player.value;
@@ -38,43 +39,45 @@ export default function ClickAgainScreen({ surveyId }: ScreenProps) {
       </div>
     );
   }
-  if (items === null) return <Loading what="what to click again" />;
+  if (items === null) return <Loading what={say("again-loading")} />;
   const item = session.current.value;
   if (items.length === 0) return <NothingToClick surveyId={surveyId} onlyOwn={onlyOwn} />;
   return (
     <div class="again">
-      <h1 class="visually-hidden">Click again</h1>
+      <h1 class="visually-hidden">{say("page-click-again")}</h1>
       <header class="again__head">
         <p data-testid="again-progress">
           {item ? (
-            <>
-              <strong>
-                {session.at.value + 1} of {items.length}
-              </strong>{" "}
-              <span class="muted">
-                vehicle {String(item.vehicle_number).padStart(2, "0")}, {TARGET_WORDS[item.target]}
-              </span>
-            </>
+            <Said
+              what="again-place"
+              values={{
+                at: session.at.value + 1,
+                of: items.length,
+                vehicle: vehicleName(item.vehicle_number),
+                target: TARGET_WORDS[item.target],
+              }}
+              parts={{ muted: (text) => <span class="muted">{text}</span> }}
+            />
           ) : (
-            <strong>{plural(session.stored.value, "repeat")} stored</strong>
+            <strong>{say("again-stored", { count: session.stored.value })}</strong>
           )}
         </p>
         <span class="grow" />
         <CommandButton command={undo} kind="plain">
-          Take the last back
+          {say("again-undo")}
         </CommandButton>
         {item && (
           <Button small onClick={() => session.skip()}>
-            Pass over
+            {say("again-skip")}
           </Button>
         )}
         <Button small kind={item ? "quiet" : "primary"} href={results}>
-          {item ? "Stop" : "See what they say"}
+          {say(item ? "again-stop" : "again-results")}
         </Button>
       </header>
       {item && player ? (
         <>
-          <section class="again__frame" aria-label="Frame">
+          <section class="again__frame" aria-label={say("stage-frame")}>
             <BlindFrame
               key={player.recordingId}
               blind={session.blind}
@@ -82,19 +85,19 @@ export default function ClickAgainScreen({ surveyId }: ScreenProps) {
               stage={session.stage}
             />
           </section>
-          <section class="again__time frame-tools" aria-label="Frames">
+          <section class="again__time frame-tools" aria-label={say("stage-frames")}>
             <Transport player={player} stage={session.stage} />
             <span class="grow" />
             {player.shown.value?.frame !== item.frame && (
               <Button small onClick={() => session.showFrame()}>
-                Back to frame {item.frame}
+                {say("again-back-to-frame", { frame: String(item.frame) })}
               </Button>
             )}
           </section>
         </>
       ) : (
-        <Empty title="That was the last one">
-          <p>Each was stored as a repeat: it stands in no list and changes no result.</p>
+        <Empty title={say("again-last-title")}>
+          <p>{say("again-last")}</p>
         </Empty>
       )}
     </div>
@@ -104,25 +107,21 @@ export default function ClickAgainScreen({ surveyId }: ScreenProps) {
 function NothingToClick({ surveyId, onlyOwn }: { surveyId: number; onlyOwn: boolean }) {
   return (
     <div class="page">
-      <h1 class="visually-hidden">Click again</h1>
+      <h1 class="visually-hidden">{say("page-click-again")}</h1>
       <Empty
-        title={onlyOwn ? "You have clicked nothing yet" : "Nothing is measured yet"}
+        title={say(onlyOwn ? "again-none-own-title" : "again-none-title")}
         actions={
           <>
             {onlyOwn && (
               <Button kind="primary" href={`/surveys/${surveyId}/repeats/click?of=all`}>
-                Click 10 of anybody’s again
+                {say("repeats-click-anybodys")}
               </Button>
             )}
-            <Button href={`/surveys/${surveyId}/measure`}>Go to measuring</Button>
+            <Button href={`/surveys/${surveyId}/measure`}>{say("again-to-measure")}</Button>
           </>
         }
       >
-        <p>
-          {onlyOwn
-            ? "How well you repeat yourself shows once you have measured something in this survey."
-            : "Measure some vehicles first; then they can be clicked again."}
-        </p>
+        <p>{say(onlyOwn ? "again-none-own" : "again-none")}</p>
       </Empty>
     </div>
   );

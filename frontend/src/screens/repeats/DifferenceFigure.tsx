@@ -1,6 +1,7 @@
 /** Each repeat's difference from what it repeats, with the bar that the clicks' uncertainty lets one expect. */
 import { useEffect, useRef, useState } from "preact/hooks";
 import { Problem } from "../../components";
+import { say } from "../../core/messages";
 import { theme } from "../../core/theme";
 import type { RepeatDifference, Target } from "../../core/types";
 import { lengthScale, lengthUnit, smallScale } from "../../core/units";
@@ -40,7 +41,7 @@ export function DifferenceFigure({ differences }: { differences: readonly Repeat
   const targets = [...new Set(differences.map((one) => one.target))];
   return (
     <figure class="panel panel__body repeats-figure">
-      <h2>Second minus first height, over their mean</h2>
+      <h2>{say("repeats-differences-title")}</h2>
       <ul class="repeats-legend small">
         {targets.map((target) => (
           <li key={target}>
@@ -50,9 +51,7 @@ export function DifferenceFigure({ differences }: { differences: readonly Repeat
       </ul>
       <Problem error={problem} />
       <div ref={box} class="repeats-figure__box" data-testid="repeats-figure" />
-      <figcaption class="field__hint">
-        Each bar is what the budgets of both clicks let one expect (k = 2): about 19 in 20 should reach zero.
-      </figcaption>
+      <figcaption class="field__hint">{say("repeats-differences-note")}</figcaption>
     </figure>
   );
 }
@@ -81,11 +80,16 @@ function draw(plot: Plot, differences: readonly RepeatDifference[], width: numbe
     height: 300,
     marginLeft: 48,
     marginBottom: 40,
-    ariaLabel: `Second minus first height in ${small} over their mean in ${unit}, ${points.length} repeats`,
+    ariaLabel: say("repeats-differences-label", { small, unit, count: points.length }),
     className: "figure",
     style: { background: "transparent", color: "var(--ink)", fontSize: "12px", fontFamily: "var(--font)" },
-    x: { label: `mean of both heights (${unit})`, labelArrow: "none", labelAnchor: "center", nice: true },
-    y: { label: `difference (${small})`, labelArrow: "none", grid: true, nice: true },
+    x: {
+      label: say("repeats-differences-x", { unit }),
+      labelArrow: "none",
+      labelAnchor: "center",
+      nice: true,
+    },
+    y: { label: say("repeats-differences-y", { unit: small }), labelArrow: "none", grid: true, nice: true },
     symbol: { domain: targets, range: targets.map((one) => SYMBOLS[one]), legend: false },
     marks: [
       plot.ruleY([0], { stroke: "var(--line-strong)" }),

@@ -1,7 +1,8 @@
 import { Button, TableScroll } from "../../components";
+import { say } from "../../core/messages";
 import { may } from "../../core/session";
 import type { PersonRepeats } from "../../core/types";
-import { fixed, formatSmall, plural } from "../../core/units";
+import { fixed, formatSmall } from "../../core/units";
 import { SpreadCell } from "./TargetTable";
 import { pixelWords } from "./words";
 
@@ -16,20 +17,20 @@ export function PeopleTable({ people, busy, choose }: Props) {
   return (
     <section class="panel" aria-labelledby="repeats-people">
       <header class="panel__head">
-        <h2 id="repeats-people">Clicks, by person</h2>
-        <span class="muted small">each coordinate of a click, from people’s repeats of their own</span>
+        <h2 id="repeats-people">{say("repeats-people-title")}</h2>
+        <span class="muted small">{say("repeats-people-note")}</span>
       </header>
-      <TableScroll label="Clicks, by person">
+      <TableScroll label={say("repeats-people-title")}>
         <table class="table repeats" data-testid="repeats-people">
           <thead>
             <tr>
-              <th>person</th>
-              <th class="num">own repeats</th>
-              <th>contact</th>
-              <th>target</th>
-              <th>height</th>
-              <th>against others</th>
-              <th>clicks count with</th>
+              <th>{say("repeats-person")}</th>
+              <th class="num">{say("repeats-own")}</th>
+              <th>{say("repeats-contact")}</th>
+              <th>{say("repeats-target")}</th>
+              <th>{say("repeats-height")}</th>
+              <th>{say("repeats-against-others")}</th>
+              <th>{say("repeats-sigma")}</th>
             </tr>
           </thead>
           <tbody>
@@ -52,7 +53,7 @@ export function PeopleTable({ people, busy, choose }: Props) {
                 )}
                 <td>
                   {one.operator_bias_m === null ? "–" : biasWords(one.operator_bias_m)}
-                  <p class="small muted nowrap">{plural(one.items, "item")}</p>
+                  <p class="small muted nowrap">{say("repeats-items", { count: one.items })}</p>
                 </td>
                 <td>
                   <Sigma one={one} busy={busy} choose={choose} />
@@ -77,11 +78,16 @@ function Sigma({ one, busy, choose }: { one: PersonRepeats } & Pick<Props, "busy
   return (
     <>
       <strong class="nowrap">
-        {chosen === null ? "1 px, as usual" : `${fixed(chosen, 2)} px of their own`}
+        {chosen === null
+          ? say("repeats-sigma-usual")
+          : say("repeats-sigma-own", { sigma_px: fixed(chosen, 2) })}
       </strong>
       {chosen !== null && one.chosen && (
         <p class="small muted">
-          from {plural(one.chosen.pairs, "repeat")}, chosen by {one.chosen.created_by?.name ?? "the system"}
+          {say("repeats-sigma-from", {
+            count: one.chosen.pairs,
+            person: one.chosen.created_by?.name ?? say("person-system"),
+          })}
         </p>
       )}
       {found !== null && one.may_choose && reviewer && chosen !== Math.round(found * 1000) / 1000 && (
@@ -89,18 +95,18 @@ function Sigma({ one, busy, choose }: { one: PersonRepeats } & Pick<Props, "busy
           <Button
             small
             disabled={busy}
-            title={`From ${plural(one.pairs, "repeat")}; clicks that are stored keep theirs`}
+            title={say("repeats-sigma-use-title", { count: one.pairs })}
             onClick={() => void choose(one, true)}
           >
-            Use {fixed(found, 2)} px
+            {say("repeats-sigma-use", { sigma_px: fixed(found, 2) })}
           </Button>
         </p>
       )}
-      {found !== null && !one.may_choose && <p class="small muted">ten own repeats are needed for another</p>}
+      {found !== null && !one.may_choose && <p class="small muted">{say("repeats-sigma-needs")}</p>}
       {chosen !== null && reviewer && (
         <p>
           <Button small kind="quiet" disabled={busy} onClick={() => void choose(one, false)}>
-            Back to 1 px
+            {say("repeats-sigma-back")}
           </Button>
         </p>
       )}

@@ -2,12 +2,12 @@
 import { useState } from "preact/hooks";
 import { Button, Empty, Loading, Problem } from "../../components";
 import { api } from "../../core/api";
+import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useResource } from "../../core/resource";
 import { canWork } from "../../core/session";
 import { toastProblem } from "../../core/toasts";
 import type { PersonRepeats } from "../../core/types";
-import { plural } from "../../core/units";
 import { DifferenceFigure } from "./DifferenceFigure";
 import { PeopleTable } from "./PeopleTable";
 import { TargetTable } from "./TargetTable";
@@ -39,16 +39,13 @@ export default function RepeatsScreen({ surveyId }: ScreenProps) {
     <div class="page">
       <header class="page__head">
         <div>
-          <h1>Repeats</h1>
-          <p class="page__lead">
-            The same targets clicked again without seeing the first clicks: how far a person comes out beside
-            themselves, and how far two people beside each other.
-          </p>
+          <h1>{say("page-repeats")}</h1>
+          <p class="page__lead">{say("repeats-lead")}</p>
         </div>
         {canWork.value && data !== null && data.repeats > 0 && <Again surveyId={surveyId} />}
       </header>
       <Problem error={found.error} again={found.reload} />
-      {!data && found.loading && <Loading what="the repeats" />}
+      {!data && found.loading && <Loading what={say("repeats-loading")} />}
       {data && data.repeats === 0 && <Nothing surveyId={surveyId} />}
       {data && data.repeats > 0 && (
         <>
@@ -56,10 +53,7 @@ export default function RepeatsScreen({ surveyId }: ScreenProps) {
           <PeopleTable people={data.people} busy={busy} choose={choose} />
           {data.differences.length > 0 && <DifferenceFigure differences={data.differences} />}
           {data.not_compared > 0 && (
-            <p class="small muted">
-              {plural(data.not_compared, "repeat")} with another road pose or inset, or without a height: in
-              none of these figures.
-            </p>
+            <p class="small muted">{say("repeats-not-compared", { count: data.not_compared })}</p>
           )}
         </>
       )}
@@ -72,9 +66,9 @@ function Again({ surveyId }: { surveyId: number }) {
   return (
     <div class="row row--wrap">
       <Button kind="primary" href={path}>
-        Click 10 of mine again
+        {say("repeats-click-mine")}
       </Button>
-      <Button href={`${path}?of=all`}>Click 10 of anybody’s again</Button>
+      <Button href={`${path}?of=all`}>{say("repeats-click-anybodys")}</Button>
     </div>
   );
 }
@@ -82,20 +76,16 @@ function Again({ surveyId }: { surveyId: number }) {
 function Nothing({ surveyId }: { surveyId: number }) {
   return (
     <Empty
-      title="Nothing was clicked again yet"
+      title={say("repeats-none-title")}
       actions={
         <>
           {canWork.value && <Again surveyId={surveyId} />}
-          <Button href={`/surveys/${surveyId}/review`}>Go to the review</Button>
+          <Button href={`/surveys/${surveyId}/review`}>{say("repeats-to-review")}</Button>
         </>
       }
     >
-      <p>
-        Repeats come from two places: click a random ten again here, each without its points, or review with
-        “1 in 5 blind”, where you click before you see. Ten repeats of your own give you a click sigma of your
-        own; repeats of other people’s work tell how far people differ.
-      </p>
-      <p>Repeats stand in no list and change no result.</p>
+      <p>{say("repeats-none")}</p>
+      <p>{say("repeats-no-result")}</p>
     </Empty>
   );
 }

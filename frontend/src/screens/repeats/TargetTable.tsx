@@ -1,6 +1,7 @@
 import { TableScroll } from "../../components";
+import { say } from "../../core/messages";
 import type { RepeatSpread, Repeats, TargetRepeats } from "../../core/types";
-import { fixed, formatSmall, plural } from "../../core/units";
+import { fixed, formatSmall } from "../../core/units";
 import { TARGET_WORDS } from "../../core/words";
 import { claimVerdict, spreadWords } from "./words";
 
@@ -9,20 +10,20 @@ export function TargetTable({ found }: { found: Repeats }) {
   return (
     <section class="panel" aria-labelledby="repeats-targets">
       <header class="panel__head">
-        <h2 id="repeats-targets">Heights, by target</h2>
-        <span class="muted small">standard deviations with their 95 % intervals</span>
+        <h2 id="repeats-targets">{say("repeats-targets-title")}</h2>
+        <span class="muted small">{say("repeats-targets-note")}</span>
       </header>
-      <TableScroll label="Heights, by target">
+      <TableScroll label={say("repeats-targets-title")}>
         <table class="table repeats" data-testid="repeats-targets">
           <thead>
             <tr>
-              <th>target</th>
-              <th class="num">clicked again</th>
-              <th>the same person</th>
-              <th>… on another frame</th>
-              <th>another person adds</th>
-              <th>clicks’ part, claimed</th>
-              <th>clicks’ part, seen</th>
+              <th>{say("repeats-target")}</th>
+              <th class="num">{say("repeats-clicked-again")}</th>
+              <th>{say("repeats-same-person")}</th>
+              <th>{say("repeats-another-frame")}</th>
+              <th>{say("repeats-another-person")}</th>
+              <th>{say("repeats-claimed")}</th>
+              <th>{say("repeats-seen")}</th>
             </tr>
           </thead>
           <tbody>
@@ -32,12 +33,7 @@ export function TargetTable({ found }: { found: Repeats }) {
           </tbody>
         </table>
       </TableScroll>
-      <p class="repeats__note small muted">
-        One spread for near and far vehicles alike, though in millimetres it grows with the distance. Lens,
-        road pose, board and inset are the same for all clicks on a frame and cancel in their differences, so
-        only the clicks’ part of the budgets is compared. On another frame they do not cancel: step to it
-        while you click again.
-      </p>
+      <p class="repeats__note small muted">{say("repeats-targets-help")}</p>
     </section>
   );
 }
@@ -48,15 +44,10 @@ function Row({ one }: { one: TargetRepeats }) {
   return (
     <tr>
       <td>
-        <strong>{one.target === null ? "all targets" : TARGET_WORDS[one.target]}</strong>
-        {leaning && (
-          <p class="small muted">
-            People differ from vehicle to vehicle by more than their own repeats; “the same person” contains
-            that.
-          </p>
-        )}
+        <strong>{one.target === null ? say("repeats-all-targets") : TARGET_WORDS[one.target]}</strong>
+        {leaning && <p class="small muted">{say("repeats-people-differ")}</p>}
       </td>
-      <td class="num nowrap">{plural(gauge.items, "item")}</td>
+      <td class="num nowrap">{say("repeats-items", { count: gauge.items })}</td>
       <SpreadCell one={gauge.repeatability} />
       <SpreadCell one={one.another_frame} />
       <SpreadCell one={gauge.reproducibility} />
@@ -66,7 +57,11 @@ function Row({ one }: { one: TargetRepeats }) {
           <>
             {formatSmall(claim.observed)}{" "}
             <span class="muted small nowrap">
-              × {fixed(claim.ratio, 2)} ({fixed(claim.low ?? 0, 2)} to {fixed(claim.high ?? 0, 2)})
+              {say("repeats-ratio", {
+                ratio: fixed(claim.ratio, 2),
+                low: fixed(claim.low ?? 0, 2),
+                high: fixed(claim.high ?? 0, 2),
+              })}
             </span>
           </>
         )}

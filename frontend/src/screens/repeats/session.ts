@@ -2,6 +2,7 @@
 import { computed, signal } from "@preact/signals";
 import { api } from "../../core/api";
 import { History, type Ledger } from "../../core/history";
+import { say } from "../../core/messages";
 import type { Measurement, ToClickAgain } from "../../core/types";
 import { BlindClicks } from "../../viewer/blind";
 import { Geometry } from "../../viewer/geometry";
@@ -95,7 +96,7 @@ export class AgainSession {
   }
 
   private next(made: Measurement | null): void {
-    this.history.run(made ? "second clicks" : "passing over", (changes) => {
+    this.history.run(say(made ? "again-undo-clicks" : "again-undo-skip"), (changes) => {
       changes.touch(this.repeats, this.at.value);
       this.done.value = [...this.done.value, made];
     });

@@ -1,4 +1,5 @@
 /** Figures of repeats in words; every number is the server's. */
+import { say } from "../../core/messages";
 import type { RepeatSpread, TargetRepeats } from "../../core/types";
 import { fixed, formatSmall } from "../../core/units";
 
@@ -6,18 +7,21 @@ import { fixed, formatSmall } from "../../core/units";
 export function spreadWords(one: RepeatSpread): { value: string; interval: string } | null {
   if (one.sd === null) return null;
   const low = formatSmall(one.low).replace(/\s(mm|in)$/, "");
-  return { value: formatSmall(one.sd), interval: `${low} to ${formatSmall(one.high)}` };
+  return { value: formatSmall(one.sd), interval: say("interval", { low, high: formatSmall(one.high) }) };
 }
 
 /** "0.62 px" with "0.54 to 0.72 px". */
 export function pixelWords(one: RepeatSpread): { value: string; interval: string } | null {
   if (one.sd === null || one.low === null || one.high === null) return null;
-  return { value: `${fixed(one.sd, 2)} px`, interval: `${fixed(one.low, 2)} to ${fixed(one.high, 2)} px` };
+  return {
+    value: `${fixed(one.sd, 2)} px`,
+    interval: say("interval", { low: fixed(one.low, 2), high: `${fixed(one.high, 2)} px` }),
+  };
 }
 
 /** What the interval of observed over claimed says: 1 is "as claimed". */
 export function claimVerdict(claim: TargetRepeats["uncertainty_check"]): string {
   if (claim.low === null || claim.high === null) return claim.reason ?? "–";
-  if (claim.low > 1) return "more than claimed";
-  return claim.high < 1 ? "less than claimed" : "as claimed";
+  if (claim.low > 1) return say("repeats-more");
+  return say(claim.high < 1 ? "repeats-less" : "repeats-as");
 }

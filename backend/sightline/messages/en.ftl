@@ -1,0 +1,270 @@
+# What Sightline says, in English: screens, errors, notes, report and command line. The language of the source;
+# other languages are files beside this one. Keys are kebab-case, `area-what`; values carry their unit in their
+# name. Marked parts: <strong>, <em>, <kbd>, <code>, <sub>, and those that a screen gives a meaning (<link>).
+
+
+## Words of the domain: targets, and where to click each
+
+target-roof = Roof
+target-driver_eye = Driver's eye
+target-taillight = Taillight
+target-headlight = Headlight
+target-other = Other
+target-hint-roof = the highest point of the roof
+target-hint-driver_eye = the driver's eye
+target-hint-taillight = the lower limit of the lit area of the taillight
+target-hint-headlight = the lower limit of the headlight
+target-hint-other = the point whose height you want
+
+## Words of the domain: states of vehicles, measurements, recordings, jobs, calibrations, people
+
+state-to_do = to do
+state-partial = partly measured
+state-measured = measured
+state-to_review = to review
+state-accepted = accepted
+state-fixed = fixed
+state-rejected = rejected
+state-reopened = reopened
+state-withdrawn = withdrawn
+state-not_measurable = not measurable
+state-done = done
+state-next = next
+state-waiting = waiting
+state-ingesting = being read
+state-ready = ready
+state-failed = failed
+state-queued = queued
+state-running = running
+state-cancelled = cancelled
+state-trusted = trusted
+state-not_trusted = not to be trusted
+state-used = used
+state-left_out = left out
+state-active = active
+state-inactive = switched off
+
+## Roles of people
+
+role-viewer = Viewer
+role-operator = Operator
+role-reviewer = Reviewer
+role-admin = Administrator
+
+## Pages: their names in the rail, the window's title and links
+
+page-sign-in = Sign in
+page-surveys = Surveys
+page-survey = Overview
+page-planning = Plan the site
+page-camera = Camera
+page-recordings = Recordings
+page-pose = Road pose
+page-measure = Measure
+page-checks = Checks
+page-review = Review
+page-repeats = Repeats
+page-click-again = Click again
+page-scans = Line scans
+page-scan-results = Motion
+page-scan = Line scan
+page-export = Export
+page-statistics = Statistics
+page-audit = Audit
+page-people = People
+page-account = Account
+
+## Commands: buttons, menus and the list of keys
+
+command-help = Show the keys
+command-frameNext = Next frame
+command-framePrevious = Previous frame
+command-frameNextTen = Ten frames on
+command-framePreviousTen = Ten frames back
+command-secondNext = One second on
+command-secondPrevious = One second back
+command-frameFirst = First frame
+command-frameLast = Last frame
+command-frameGo = Go to a frame
+command-play = Play and stop
+command-loupe = Loupe, while held
+command-loupeToggle = Loupe on and off
+command-linesToggle = Hide and show the lines
+command-brightToggle = Brighten the picture, for display only
+command-cursor = Place points by keyboard: cursor on and off
+command-place = Place the point at the cursor
+command-zoomIn = Zoom in
+command-zoomOut = Zoom out
+command-zoomFit = Fit the frame
+command-passNext = Next pass
+command-passPrevious = Previous pass
+command-target1 = Target: roof
+command-target2 = Target: driver's eye
+command-target3 = Target: taillight
+command-target4 = Target: headlight
+command-target5 = Target: other
+command-newContact = New contact point
+command-secondFrame = Second frame: click the same two points there
+command-proposeContact = Propose the tyre's contact at the pointer
+command-selectNext = Select the next point
+command-bestFrame = Best frame of the pass
+command-passBegin = Mark the first frame of a pass or the board
+command-passEnd = Mark the last frame of a pass or the board
+command-passSplit = Split the pass before this frame
+command-passJoin = Join the pass with the next one
+command-passDiscard = Discard the pass
+command-confirmNext = Confirm and go to the next pass
+command-undo = Undo
+command-redo = Redo
+command-remove = Withdraw the selected measurement
+command-cancel = Let go of the point, close
+command-nudgeLeft = Move the point left 1 px
+command-nudgeRight = Move the point right 1 px
+command-nudgeUp = Move the point up 1 px
+command-nudgeDown = Move the point down 1 px
+command-nudgeLeftFar = Move the point left 10 px
+command-nudgeRightFar = Move the point right 10 px
+command-nudgeUpFar = Move the point up 10 px
+command-nudgeDownFar = Move the point down 10 px
+command-nudgeLeftFine = Move the point left 0.1 px
+command-nudgeRightFine = Move the point right 0.1 px
+command-nudgeUpFine = Move the point up 0.1 px
+command-nudgeDownFine = Move the point down 0.1 px
+command-scanFit = Fill the window with the vehicle
+command-scanTaller = Stretch the height
+command-scanFlatter = Flatten the height
+command-scanWheels = Click both wheels for the wheelbase
+command-scanNew = Add a vehicle by its front and rear
+command-scanHeight = Measure heights by contact and target
+command-scanRod = Calibrate the height with a rod
+command-reviewAccept = Accept
+command-reviewReject = Reject
+command-reviewFix = Fix
+command-reviewNext = Next measurement
+command-reviewPrevious = Previous measurement
+
+## Where keys listen
+
+scope-anywhere = Everywhere
+scope-frames = Frames
+scope-measure = Measure
+scope-point = A selected point
+scope-scan = Line scan
+scope-review = Review
+
+## Times, lengths, and what went wrong
+
+time-just-now = just now
+time-minutes-ago = { $minutes } min ago
+time-today = today { $time }
+length-problem = A length, such as { $example }.
+problem-server = The server could not do this (status { $status }); try again, and tell the administrator if it stays.
+problem-refused = The server refused this (status { $status }).
+problem-stopped = This was stopped.
+problem-page = Something went wrong in this page; reload it, and tell the administrator if it happens again.
+problem-offline = The server cannot be reached.
+keys-reserved = The browser keeps { $chord } for itself; choose another key.
+
+## Words that many pages need
+
+interval = { $low } to { $high }
+person-system = the system
+menu-language = Language
+stage-frame = Frame
+stage-frames = Frames
+
+## Repeats: the page
+
+repeats-lead = The same targets clicked again without seeing the first clicks: how far a person comes out beside themselves, and how far two people beside each other.
+repeats-loading = the repeats
+repeats-not-compared = { $count ->
+    [one] { $count } repeat
+   *[other] { $count } repeats
+} with another road pose or inset, or without a height: in none of these figures.
+repeats-click-mine = Click 10 of mine again
+repeats-click-anybodys = Click 10 of anybody’s again
+repeats-none-title = Nothing was clicked again yet
+repeats-none = Repeats come from two places: click a random ten again here, each without its points, or review with “1 in 5 blind”, where you click before you see. Ten repeats of your own give you a click sigma of your own; repeats of other people’s work tell how far people differ.
+repeats-no-result = Repeats stand in no list and change no result.
+repeats-to-review = Go to the review
+repeats-target = target
+repeats-items = { $count ->
+    [one] { $count } item
+   *[other] { $count } items
+}
+
+## Repeats: the table of targets
+
+repeats-targets-title = Heights, by target
+repeats-targets-note = standard deviations with their 95 % intervals
+repeats-targets-help = One spread for near and far vehicles alike, though in millimetres it grows with the distance. Lens, road pose, board and inset are the same for all clicks on a frame and cancel in their differences, so only the clicks’ part of the budgets is compared. On another frame they do not cancel: step to it while you click again.
+repeats-clicked-again = clicked again
+repeats-same-person = the same person
+repeats-another-frame = … on another frame
+repeats-another-person = another person adds
+repeats-claimed = clicks’ part, claimed
+repeats-seen = clicks’ part, seen
+repeats-all-targets = all targets
+repeats-people-differ = People differ from vehicle to vehicle by more than their own repeats; “the same person” contains that.
+repeats-ratio = × { $ratio } ({ $low } to { $high })
+repeats-more = more than claimed
+repeats-less = less than claimed
+repeats-as = as claimed
+
+## Repeats: the table of people
+
+repeats-people-title = Clicks, by person
+repeats-people-note = each coordinate of a click, from people’s repeats of their own
+repeats-person = person
+repeats-own = own repeats
+repeats-contact = contact
+repeats-height = height
+repeats-against-others = against others
+repeats-sigma = clicks count with
+repeats-sigma-usual = 1 px, as usual
+repeats-sigma-own = { $sigma_px } px of their own
+repeats-sigma-from = { $count ->
+    [one] from { $count } repeat, chosen by { $person }
+   *[other] from { $count } repeats, chosen by { $person }
+}
+repeats-sigma-use = Use { $sigma_px } px
+repeats-sigma-use-title = { $count ->
+    [one] From { $count } repeat; clicks that are stored keep theirs
+   *[other] From { $count } repeats; clicks that are stored keep theirs
+}
+repeats-sigma-needs = ten own repeats are needed for another
+repeats-sigma-back = Back to 1 px
+
+## Repeats: the figure of differences
+
+repeats-differences-title = Second minus first height, over their mean
+repeats-differences-note = Each bar is what the budgets of both clicks let one expect (k = 2): about 19 in 20 should reach zero.
+repeats-differences-label = { $count ->
+    [one] Second minus first height in { $small } over their mean in { $unit }, { $count } repeat
+   *[other] Second minus first height in { $small } over their mean in { $unit }, { $count } repeats
+}
+repeats-differences-x = mean of both heights ({ $unit })
+repeats-differences-y = difference ({ $unit })
+
+## Click again: measurements once more, without their points
+
+again-loading = what to click again
+again-place = <strong>{ $at } of { $of }</strong> <muted>vehicle { $vehicle }, { $target }</muted>
+again-stored = { $count ->
+    [one] { $count } repeat stored
+   *[other] { $count } repeats stored
+}
+again-stop = Stop
+again-undo = Take the last back
+again-undo-clicks = second clicks
+again-undo-skip = passing over
+again-skip = Pass over
+again-results = See what they say
+again-back-to-frame = Back to frame { $frame }
+again-last-title = That was the last one
+again-last = Each was stored as a repeat: it stands in no list and changes no result.
+again-none-own-title = You have clicked nothing yet
+again-none-title = Nothing is measured yet
+again-none-own = How well you repeat yourself shows once you have measured something in this survey.
+again-none = Measure some vehicles first; then they can be clicked again.
+again-to-measure = Go to measuring

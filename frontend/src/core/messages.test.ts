@@ -1,0 +1,28 @@
+import { afterEach, expect, test, vi } from "vitest";
+import { language, preferredLanguage, say, sentence, speak } from "./messages";
+
+afterEach(() => speak("en"));
+
+test("a sentence is the catalogue's", () => {
+  expect(say("page-repeats")).toBe("Repeats");
+});
+
+test("a key that no file has is shown as it is", () => {
+  expect(sentence("no-such-key")).toBe("no-such-key");
+});
+
+test("a value that is missing is told to the developer and marked in the sentence", () => {
+  const told = vi.spyOn(console, "error").mockImplementation(() => undefined);
+  expect(sentence("again-back-to-frame", {})).toContain("{$frame}");
+  expect(told).toHaveBeenCalled();
+});
+
+test("the first of the browser's languages that there is, else English", () => {
+  expect(preferredLanguage(["xx", "en-GB"])).toBe("en");
+  expect(preferredLanguage(["xx"])).toBe("en");
+});
+
+test("a language without a file leaves English", async () => {
+  await speak("xx");
+  expect(language.value).toBe("en");
+});

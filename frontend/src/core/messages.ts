@@ -1,0 +1,93 @@
+/** The catalogue of messages: every sentence that a person reads, in the language that is chosen.
+ *
+ * The sentences are in `backend/sightline/messages/<language>.ftl` (Project Fluent), which the server reads too.
+ * Keys and the values that a sentence takes are type-checked: `npm run types` makes `#messages` out of en.ftl.
+ */
+import { FluentBundle, FluentResource, type FluentVariable } from "@fluent/bundle";
+import { computed, signal } from "@preact/signals";
+import type { Messages } from "#messages";
+import english from "../../../backend/sightline/messages/en.ftl?raw";
+import { stored } from "./stored";
+
+const SOURCE = "en";
+const OTHERS = import.meta.glob<string>(
+  ["../../../backend/sightline/messages/*.ftl", "!../../../backend/sightline/messages/en.ftl"],
+  { query: "?raw", import: "default" },
+);
+
+/** The languages that there are, by their BCP 47 names. */
+export const LANGUAGES: readonly string[] = [SOURCE, ...Object.keys(OTHERS).map(languageOf)];
+
+export type MessageKey = keyof Messages;
+type PlainKey = { [K in MessageKey]: Messages[K] extends null ? K : never }[MessageKey];
+type Values<K extends MessageKey> = Messages[K] extends null ? [] : [values: Messages[K]];
+
+const chosen = stored<string>("language", "", (v) => typeof v === "string");
+/** What is spoken; behind it English, for what it lacks. */
+const bundles = signal<readonly FluentBundle[]>([bundleOf(SOURCE, english)]);
+
+/** How times and numbers are written: the language's own way, British for English. */
+export const region = computed(() => (language.value === SOURCE ? "en-GB" : language.value));
+
+export const language = computed(() => bundles.value[0]?.locales[0] ?? SOURCE);
+
+/** The language that was chosen here, else the first of the browser's that there is, else English. */
+export function preferredLanguage(wishes: readonly string[] = navigator.languages): string {
+  for (const wish of [chosen.value, ...wishes]) {
+    const found = [wish, wish.split("-")[0]].find((one) => one && LANGUAGES.includes(one));
+    if (found) return found;
+  }
+  return SOURCE;
+}
+
+/** Loads a language and speaks it; until it is here the app speaks as before. */
+export async function speak(name: string): Promise<void> {
+  const file = Object.entries(OTHERS).find(([path]) => languageOf(path) === name)?.[1];
+  const source = bundleOf(SOURCE, english);
+  bundles.value = file ? [bundleOf(name, await file()), source] : [source];
+  document.documentElement.lang = language.value;
+}
+
+/** Speaks another language from now on, in this browser. */
+export async function chooseLanguage(name: string): Promise<void> {
+  await speak(name);
+  chosen.value = name;
+}
+
+/** A sentence of the catalogue. Read in a render it follows the language. */
+export function say<K extends MessageKey>(key: K, ...[values]: Values<K>): string {
+  return sentence(key, values as Record<string, FluentVariable> | undefined);
+}
+
+/** Words looked up by a name, each said when it is read: `wordsOf({ roof: "target-roof" }).roof`. */
+export function wordsOf<N extends string>(keys: Record<N, PlainKey>): Readonly<Record<N, string>> {
+  const words = {} as Record<N, string>;
+  for (const name of Object.keys(keys) as N[]) {
+    Object.defineProperty(words, name, { enumerable: true, get: () => sentence(keys[name]) });
+  }
+  return words;
+}
+
+/** `say` where key and values were checked before. */
+export function sentence(key: string, values?: Record<string, FluentVariable>): string {
+  for (const bundle of bundles.value) {
+    const pattern = bundle.getMessage(key)?.value;
+    if (!pattern) continue;
+    const errors: Error[] = [];
+    const text = bundle.formatPattern(pattern, values, errors);
+    if (errors.length > 0) console.error(`${key}: ${errors.join("; ")}`);
+    return text;
+  }
+  return key;
+}
+
+function bundleOf(name: string, text: string): FluentBundle {
+  const bundle = new FluentBundle(name, { useIsolating: false });
+  const errors = bundle.addResource(new FluentResource(text));
+  if (errors.length > 0) console.error(...errors);
+  return bundle;
+}
+
+function languageOf(path: string): string {
+  return path.replace(/^.*\//, "").replace(/\.ftl$/, "");
+}

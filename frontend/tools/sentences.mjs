@@ -1,0 +1,124 @@
+// Finds what a person reads and that is not in the catalogue of messages: text between tags, attributes that are
+// shown, and strings that read like words. `node tools/sentences.mjs` prints file, line and text, and fails.
+import { readdirSync, readFileSync } from "node:fs";
+import { join, relative } from "node:path";
+import { fileURLToPath } from "node:url";
+import ts from "typescript";
+
+const ROOT = fileURLToPath(new URL("..", import.meta.url));
+// Folders and files whose sentences have not moved yet; the list only shrinks.
+const NOT_YET = [
+  "src/app",
+  "src/components",
+  "src/parts",
+  "src/viewer",
+  "src/screens/account",
+  "src/screens/audit",
+  "src/screens/camera",
+  "src/screens/checks",
+  "src/screens/export",
+  "src/screens/measure",
+  "src/screens/people",
+  "src/screens/planning",
+  "src/screens/pose",
+  "src/screens/recordings",
+  "src/screens/review",
+  "src/screens/scans",
+  "src/screens/signin",
+  "src/screens/statistics",
+  "src/screens/survey",
+  "src/screens/surveys",
+];
+
+const SHOWN = new Set(["title", "label", "placeholder", "alt", "hint", "help", "note", "word", "words", "head", "unit"]);
+const HIDDEN = new Set(["class", "id", "role", "type", "name", "href", "key", "rel", "target", "autocomplete"]);
+const KEYS = /^(Enter|Escape|Tab|Space|Delete|Backspace|Home|End|Page(Up|Down)|Arrow(Left|Right|Up|Down)|Del|Esc|Shift|Alt|Ctrl|Control|Meta|F\d+)$/;
+// Names of browsers' errors and of headers, which are compared and never shown.
+const NAMES = /^([A-Z][a-z]+(Error|Exception)|Content-[A-Z][a-z]+|If-Match|Retry-After)$/;
+
+/** Whether a string reads like words for a person. */
+function readsLikeWords(text) {
+  if (KEYS.test(text) || NAMES.test(text) || /^(GET|POST|PUT|PATCH|DELETE) \//.test(text)) return false;
+  if (/--|__|^\(prefers-|\bvar\(|^[.#[]|[{};=]|=>|url\(|^M\d|\d(px|fr|em)\b/.test(text)) return false;
+  return /\p{L}{2,}[,;:]? \p{L}+/u.test(text) || /\p{L}{2,}[.…?!]$/u.test(text) || /^\p{Lu}\p{Ll}{2,}$/u.test(text);
+}
+
+function filesOf(folder) {
+  return readdirSync(folder, { withFileTypes: true }).flatMap((one) => {
+    const path = join(folder, one.name);
+    if (one.isDirectory()) return filesOf(path);
+    return !path.includes("/testing/") && /\.tsx?$/.test(one.name) && !/\.test\.tsx?$/.test(one.name) ? [path] : [];
+  });
+}
+
+/** Whether a string stands where nobody reads it: types, imports, names, comparisons, errors for developers. */
+function isNoText(node) {
+  let { parent } = node;
+  while (ts.isConditionalExpression(parent) || ts.isParenthesizedExpression(parent)) ({ parent } = parent);
+  if (ts.isLiteralTypeNode(parent) || ts.isImportDeclaration(parent) || ts.isExportDeclaration(parent)) return true;
+  if (ts.isExternalModuleReference(parent) || ts.isElementAccessExpression(parent) || ts.isCaseClause(parent)) return true;
+  if (ts.isPropertyAssignment(parent) && parent.name === node) return true;
+  if (ts.isBinaryExpression(parent) && /^[!=]==?$/.test(parent.operatorToken.getText())) return true;
+  if (ts.isNewExpression(parent) && /Error$|^Intl|^URL|^RegExp/.test(parent.expression.getText())) return true;
+  if (ts.isCallExpression(parent)) {
+    const called = parent.expression.getText();
+    return /^(say|sentence|console\.\w+|api\.\w+|.*(addEventListener|querySelector(All)?|closest|matches|includes|startsWith|endsWith|split|join|replace(All)?|test|has|get|getElementById|createElement|stored|import))$/.test(called);
+  }
+  return false;
+}
+
+function attributeOf(node) {
+  for (let at = node.parent; at; at = at.parent) {
+    if (ts.isJsxAttribute(at)) return at.name.getText();
+    if (ts.isArrowFunction(at) || ts.isJsxElement(at) || ts.isJsxSelfClosingElement(at)) return null;
+  }
+  return null;
+}
+
+function hidden(attribute) {
+  return attribute !== null && (HIDDEN.has(attribute) || /^(data|on)[-A-Z]/.test(attribute) || attribute === "what");
+}
+
+function found(path) {
+  const source = ts.createSourceFile(path, readFileSync(path, "utf8"), ts.ScriptTarget.Latest, true, ts.ScriptKind.TSX);
+  const hits = [];
+  const tell = (node, text) => {
+    const { line } = source.getLineAndCharacterOfPosition(node.getStart());
+    hits.push(`${relative(ROOT, path)}:${line + 1}: ${text.trim().replace(/\s+/g, " ").slice(0, 90)}`);
+  };
+  const visit = (node) => {
+    if (ts.isJsxText(node) && /\p{L}{2,}/u.test(node.text)) tell(node, node.text);
+    const text = ts.isTemplateExpression(node)
+      ? [node.head.text, ...node.templateSpans.map((one) => one.literal.text)].join("{}").replaceAll("{}", "0")
+      : ts.isStringLiteralLike(node)
+        ? node.text
+        : null;
+    if (text !== null && !isNoText(node)) {
+      const attribute = attributeOf(node);
+      const shown = attribute !== null && (SHOWN.has(attribute) || attribute === "aria-label" || attribute === "aria-description");
+      const letters = /\p{L}{2,}/u.test(text);
+      if (!hidden(attribute) && ((shown && letters) || readsLikeWords(text))) tell(node, text);
+    }
+    ts.forEachChild(node, visit);
+  };
+  visit(source);
+  return hits;
+}
+
+const named = process.argv.slice(2);
+const files = filesOf(join(ROOT, "src"));
+const under = (path, folder) => relative(ROOT, path).startsWith(folder);
+const problems = [];
+for (const folder of named.length > 0 ? named : NOT_YET) {
+  const left = files.filter((path) => under(path, folder)).flatMap(found);
+  if (named.length > 0) problems.push(...left);
+  else if (left.length === 0) problems.push(`${folder}: all its sentences are in the catalogue; take it off the list`);
+}
+if (named.length === 0) {
+  const done = files.filter((path) => !NOT_YET.some((folder) => under(path, folder)));
+  problems.push(...done.flatMap(found));
+}
+if (problems.length > 0) {
+  console.error(`${problems.join("\n")}\n${problems.length} sentences outside backend/sightline/messages/en.ftl`);
+  process.exit(1);
+}
