@@ -14,16 +14,29 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
 PURE = ROOT / "backend" / "sightline"
-ROOMS = ("detection", "linescan", "statistics")
+ROOMS = ("detection", "geometry", "linescan", "statistics")
 
 # Plain helpers, whose first sentence is all there is to say; their shapes are asked for like everybody's.
 NEED_NO_SOURCE = {
     "detection": set[str](),
+    "geometry": {
+        "board_points",
+        "coverage",
+        "coverage_ninths",
+        "frozen",
+        "is_covariance",
+        "points",
+        "reach_px",
+        "skew",
+        "smooth_basis",
+        "spacing_px",
+    },
     "linescan": {"median", "points_at"},
     "statistics": {"sorted_values", "codes_of"},
 }
 
-SHAPE = r"\((?:\.\.\., )?\w+(?: [+*-] \w+)?(?:,|(?:, \w+(?: [+*-] \w+)?)+)\)|any (?:one )?shape|same shape"
+SIZE = r"\w+(?: [+*-] \w+)?"
+SHAPE = rf"\((?:\.\.\.|{SIZE})(?:,|(?:, {SIZE})+)\)|any (?:one )?shape|same shape"
 YEAR = r"(?:18|19|20)\d\d"
 AUTHORS = re.compile(rf"([A-Z]\w+)((?:(?:,| and| &) [A-Z]\w+)*(?: et al\.)?) ({YEAR})\b")
 SOURCE = re.compile(
@@ -121,7 +134,7 @@ def test_a_function_as_another_has_the_others_source() -> None:
 
 
 def faults(function: ast.FunctionDef, arrays: set[str], sourced: set[str], plain: bool) -> Iterator[str]:
-    """What the docstring of a function leaves out. `sourced`: functions that "As `name`" may stand on."""
+    """What the docstring of a function leaves out. `sourced`: functions that "as `name`" may stand on."""
     doc = left = doc_of(function)
     for name in array_parameters(function, arrays):
         told = re.search(rf"\b{name}\b(?:(?!\. |;).){{0,60}}?(?:{SHAPE})", doc)
@@ -131,7 +144,7 @@ def faults(function: ast.FunctionDef, arrays: set[str], sourced: set[str], plain
             left = left.replace(told[0], "")
     if is_array(function.returns, arrays) and not re.search(SHAPE, left):
         yield "no shape of what it returns"
-    if not (plain or SOURCE.search(doc) or set(re.findall(r"As `(\w+)`", doc)) & sourced):
+    if not (plain or SOURCE.search(doc) or set(re.findall(r"\b[Aa]s `(\w+)`", doc)) & sourced):
         yield "names no source"
     options = ast.unparse(function.returns).split(" | ") if function.returns else []
     if "str" in options and not re.search(r"reason|\b[Ww]hy\b|in words", doc):

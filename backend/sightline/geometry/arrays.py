@@ -8,20 +8,22 @@ Bools = NDArray[np.bool_]
 
 
 def frozen(values: ArrayLike) -> Floats:
-    """A float64 copy that cannot be written to."""
+    """A float64 copy, of the same shape as `values`, any shape, that cannot be written to."""
     array = np.array(values, dtype=np.float64)
     array.setflags(write=False)
     return array
 
 
 def points(values: ArrayLike, width: int) -> Floats:
-    """`values` as an (N, width) array; a single point becomes (1, width)."""
+    """`values`, any shape that holds rows of `width`, as an (N, width) array; a single point becomes (1,
+    width).
+    """
     array = np.asarray(values, dtype=np.float64)
     return array.reshape(-1, width)
 
 
 def skew(v: Floats) -> Floats:
-    """The matrix with `skew(a) @ b == cross(a, b)`; (..., 3) -> (..., 3, 3)."""
+    """The matrix with `skew(a) @ b == cross(a, b)`: (..., 3, 3) of `v` (..., 3)."""
     out = np.zeros((*v.shape[:-1], 3, 3))
     out[..., 0, 1], out[..., 0, 2] = -v[..., 2], v[..., 1]
     out[..., 1, 0], out[..., 1, 2] = v[..., 2], -v[..., 0]
@@ -30,7 +32,10 @@ def skew(v: Floats) -> Floats:
 
 
 def exp_rotation(r_rad: Floats) -> Floats:
-    """Rotation matrix of the rotation vector `r_rad` (3,), by Rodrigues' formula."""
+    """Rotation matrix (3, 3) of the rotation vector `r_rad` (3,), radians.
+
+    Rodrigues 1840: R = I + sin(a)/a K + (1 - cos a)/a^2 K^2 with a = |r|, K = skew(r).
+    """
     angle = float(np.linalg.norm(r_rad))
     k = skew(np.asarray(r_rad, dtype=np.float64))
     if angle < 1e-8:  # the series, where sin(a)/a would lose digits
@@ -41,14 +46,18 @@ def exp_rotation(r_rad: Floats) -> Floats:
 
 
 def nearest_rotation(matrix: Floats) -> Floats:
-    """The rotation closest to `matrix` (3, 3), by its singular vectors."""
+    """The rotation (3, 3) closest to `matrix` (3, 3) = U S V' in the sum of squares: U diag(1, 1, det UV') V'
+    (Umeyama 1991).
+    """
     u, _, vt = np.linalg.svd(matrix)
     sign = np.sign(np.linalg.det(u @ vt))
     return np.asarray(u @ np.diag([1.0, 1.0, sign]) @ vt, dtype=np.float64)
 
 
 def is_covariance(matrix: Floats) -> bool:
-    """Finite, symmetric and, up to rounding, without a negative variance in any direction."""
+    """Whether `matrix` (n, n) is finite, symmetric and, up to rounding, without a negative variance in any
+    direction.
+    """
     if matrix.ndim != 2 or matrix.shape[0] != matrix.shape[1] or not np.isfinite(matrix).all():
         return False
     sigma = np.sqrt(np.abs(np.diag(matrix)))

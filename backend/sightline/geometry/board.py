@@ -57,7 +57,7 @@ def require_board(board: Board) -> None:
 
 
 def board_points(board: Board) -> Floats:
-    """Corners (rows * columns, 3) in the board's own frame: x right, y down, z away from the viewer."""
+    """Corners (rows * columns, 3) in the board's own frame, m: x right, y down, z away from the viewer."""
     row, column = np.mgrid[0 : board.rows, 0 : board.columns]
     flat = np.stack([column.ravel(), row.ravel(), np.zeros(board.corners)], axis=1)
     return np.asarray(flat * board.square_m, dtype=np.float64)
@@ -77,11 +77,16 @@ def road_points(board: Board, side: BoardSide, height_m: float) -> Floats:
 
 
 def canonical_order(points_px: Floats, board: Board) -> tuple[Floats, Board]:
-    """Bring a detection (rows, columns, 2) of `board`, in any of its orders, into the order as seen.
+    """Bring a detection of `board`, `points_px` (rows, columns, 2), in any of its orders, into the order as
+    seen.
 
-    Returns the grid and the board as seen: transposed where the picture shows that the board stands the
-    other way up (its rows would otherwise point more than 62 degrees away from the picture's down). A board
-    that is as many columns as rows is taken to stand upright within 45 degrees.
+    Returns the grid, of the same shape or transposed, and the board as seen: transposed where the picture
+    shows that the board stands the other way up (its rows would otherwise point more than 62 degrees away
+    from the picture's down). A board that is as many columns as rows is taken to stand upright within 45
+    degrees.
+
+    CONVENTIONS.md, Corner order: Dupuis et al. 2019, eq. (8), needs n_x to point down, which they leave to
+    the detector.
     """
     grids = [points_px, points_px.transpose(1, 0, 2)]
     best = min(
@@ -98,9 +103,10 @@ def numbered_as_seen(
     numbers: NDArray[np.intp], points_px: Floats, board: Board
 ) -> tuple[NDArray[np.intp], Floats, Board]:
     """Corners of a numbered board, seen in part, in the order as seen: their places in the grid as seen (N,),
-    rising, and pixels (N, 2) in that order.
+    rising, and pixels (N, 2) in that order; points_px (N, 2).
 
-    numbers: row by row as printed. The whole grid is carried on from what is seen and ordered like any other.
+    numbers (N,): row by row as printed. The whole grid is carried on from what is seen, by the affine map
+    that fits best, and ordered like any other (CONVENTIONS.md, Corner order).
     """
     at = np.column_stack([numbers % board.columns, numbers // board.columns, np.ones(len(numbers))])
     to_px = np.linalg.lstsq(at, points_px, rcond=None)[0]

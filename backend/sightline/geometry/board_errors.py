@@ -24,17 +24,19 @@ BOWS = 2  # along the rows and down the columns, independent of each other
 def bow_profiles(board: Board) -> Floats:
     """How far the corners (N = rows * columns) of a board bent by 1 in the middle lie out of plane: (N, 2).
 
-    Parabolas, zero at the outer corners: bent along the rows, and down the columns. Any other zero, or a
-    slope, is a shift or a lean of the whole board.
+    Parabolas, 1 - x^2 and 1 - y^2 on -1..1 (CONVENTIONS.md, Pose): bent along the rows, and down the columns.
+    Any other zero than the outer corners, or a slope, is a shift or a lean of the whole board.
     """
     row, column = np.mgrid[-1 : 1 : board.rows * 1j, -1 : 1 : board.columns * 1j]
     return np.stack([1.0 - column.ravel() ** 2, 1.0 - row.ravel() ** 2], axis=1)
 
 
 def bow_response(at: PlanarPose, profiles: Floats) -> Floats:
-    """Pose increments (6, 2) per metre of bow, the pose solved again (Gauss-Newton, linear in the bow).
+    """Pose increments (6, 2) per metre of bow (radians, metres), the pose solved again: (J'J)^-1 J' dp/db,
+    linear in the bow.
 
     at: the solution in the road frame, in which the board's normal is Y; profiles (N, 2) of its N corners.
+    Own derivation: CONVENTIONS.md, Pose.
     """
     by_normal = at.jacobian[:, 3:] @ at.rotation[:, 1]
     shift = by_normal[:, None] * np.repeat(profiles, 2, axis=0)
@@ -42,8 +44,10 @@ def bow_response(at: PlanarPose, profiles: Floats) -> Floats:
 
 
 def board_parts(pose: RoadPose) -> dict[str, Floats]:
-    """Pose increments (6, k) that one standard uncertainty of each known part of the board causes; {} without
-    a board. Several columns of one part are independent of each other.
+    """Pose increments (6, k), radians and metres, that one standard uncertainty of each known part of the
+    board causes; {} without a board. Several columns of one part are independent of each other.
+
+    Own derivation: the table of CONVENTIONS.md, Pose.
     """
     board = pose.board
     if board is None:
@@ -63,7 +67,9 @@ def board_parts(pose: RoadPose) -> dict[str, Floats]:
 
 
 def board_covariance(pose: RoadPose) -> Floats:
-    """Covariance (6, 6) of the pose's increments from all known parts of the board together."""
+    """Covariance (6, 6) of the pose's increments (rad, m) from all known parts of the board together: the sum
+    of B B' over the parts B of `board_parts`, which are independent (JCGM 100:2008, 5.1.2).
+    """
     total = np.zeros((6, 6))
     for part in board_parts(pose).values():
         total += part @ part.T

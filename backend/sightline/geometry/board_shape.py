@@ -40,6 +40,9 @@ class BoardShape:
 def shape_basis(board: Board, as_seen: Board) -> Floats:
     """Height of every corner per unit of each term, (N, 8). A board on its side is turned back first; by
     which of the two quarter turns does not matter to even terms.
+
+    Legendre products P_i(x) P_j(y), i + j = 2 or 4, on -1..1 (CONVENTIONS.md, Calibration; the idea is that
+    of Strobl and Hirzinger 2011).
     """
     right, down = np.linspace(-1.0, 1.0, as_seen.columns), np.linspace(-1.0, 1.0, as_seen.rows)
     across, along = (v.ravel() for v in np.meshgrid(right, down))

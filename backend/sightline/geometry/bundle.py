@@ -26,7 +26,11 @@ def refine_all(
     objects: Sequence[Floats],
     seen: Sequence[Floats],
 ) -> tuple[Camera, tuple[PlanarPose, ...]]:
-    """Levenberg-Marquardt over the lens's parameters and every pose (Schur complement over the poses)."""
+    """Least squares over the lens's parameters and every pose; per view `objects` (N, 3), metres, and `seen`
+    (N, 2), pixels.
+
+    Levenberg-Marquardt (Marquardt 1963) with the Schur complement over the poses (Triggs et al. 2000).
+    """
     flat = [np.empty((len(points), 0)) for points in objects]
     camera, found, _ = refine_bent(camera, poses, objects, seen, flat)
     return camera, found
@@ -39,9 +43,11 @@ def refine_bent(
     seen: Sequence[Floats],
     bases: Sequence[Floats],
 ) -> tuple[Camera, tuple[PlanarPose, ...], Floats]:
-    """As `refine_all`, and over the board's shape: `bases` (N, m) are the corners' heights out of the board's
-    plane per unit of each of m coefficients, which come back (m,), metres. The poses' `lens_jacobian` then
-    holds m further columns, those of the shape.
+    """As `refine_all`, and over the board's shape; per view `objects` (N, 3), metres, `seen` (N, 2), pixels.
+
+    `bases` (N, m) are the corners' heights out of the board's plane per unit of each of m coefficients, which
+    come back (m,), metres. The poses' `lens_jacobian` then holds m further columns, those of the shape
+    (Strobl and Hirzinger 2011).
     """
     n, shape = 4 + len(camera.distortion), np.zeros(bases[0].shape[1])
     now = _all_turned(camera, poses, [np.zeros(6)] * len(poses), shape, objects, seen, bases)
@@ -88,7 +94,11 @@ def _all_turned(
 
 
 def raised(points: Floats, basis: Floats, shape: Floats) -> Floats:
-    """The flat board's points (N, 3) with the heights of its shape."""
+    """The flat board's `points` (N, 3) with the heights of its shape, (N, 3), metres: z + `basis` (N, m)
+    times `shape` (m,).
+
+    CONVENTIONS.md, Calibration.
+    """
     if not shape.size:
         return points
     return np.column_stack([points[:, :2], points[:, 2] + basis @ shape])
@@ -140,7 +150,10 @@ def from_scratch(
     size: tuple[int, int], model: LensModel, objects: Sequence[Floats], seen: Sequence[Floats]
 ) -> tuple[Camera, tuple[PlanarPose, ...]] | None:
     """The best of several starts without distortion, refined; None where none puts every board before the
-    camera.
+    camera. Per view `objects` (N, 3) with z = 0, metres, and `seen` (N, 2), pixels.
+
+    Own method: focal lengths as shares of the picture's width, poses by IPPE (Collins and Bartoli 2014),
+    `refine_all`.
     """
     best: tuple[Camera, tuple[PlanarPose, ...]] | None = None
     width, height = size

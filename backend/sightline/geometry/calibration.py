@@ -279,11 +279,12 @@ def _try_other(
 
 
 def lens_covariance(poses: Sequence[PlanarPose]) -> Floats | None:
-    """Covariance of the lens's parameters (and the board's shape, where it was solved for), every view's pose
-    marginalised (Schur complement).
+    """Covariance (n, n) of the lens's parameters (and the board's shape, where it was solved for), every
+    view's pose marginalised (Schur complement): s^2 (sum of A_i' (1 - P_i) A_i)^-1 (CONVENTIONS.md,
+    Calibration).
 
-    sigma^2 is the residual variance of one coordinate with its degrees of freedom. None where the views do
-    not determine the lens.
+    s^2 is the residual variance of one coordinate with its degrees of freedom. None where the views do not
+    determine the lens.
     """
     n = poses[0].lens_jacobian.shape[1]
     information = np.zeros((n, n))
@@ -307,7 +308,7 @@ def lens_covariance(poses: Sequence[PlanarPose]) -> Floats | None:
 
 
 def coverage(used: Sequence[NamedCorners], size: tuple[int, int]) -> Floats:
-    """Corners per cell of a 12 x 16 grid over the picture."""
+    """Corners per cell of a grid over the picture, (12, 16)."""
     points = np.concatenate([c.points_px.reshape(-1, 2) for _, c, _ in used])
     bins = [COVERAGE_ROWS, COVERAGE_COLUMNS]
     extent = [[-0.5, size[1] - 0.5], [-0.5, size[0] - 0.5]]

@@ -91,14 +91,18 @@ def require_size(camera: Camera, width_px: int, height_px: int, what: str) -> No
 
 
 def normalised_to_pixels(camera: Camera, normalised: ArrayLike) -> Floats:
-    """Pixels (N, 2) of undistorted normalised points (N, 2)."""
+    """Pixels (N, 2) of undistorted `normalised` points (N, 2).
+
+    Dupuis et al. 2019, eq. (3), corrected: p = K d(m), m the point divided by its depth (CONVENTIONS.md,
+    Lens).
+    """
     m = points(normalised, 2)
     d = lens.distort(camera.model, camera.distortion, m[:, 0], m[:, 1])
     return np.stack([camera.fx_px * d.x + camera.cx_px, camera.fy_px * d.y + camera.cy_px], axis=1)
 
 
 def project(camera: Camera, points_cam: ArrayLike) -> Floats:
-    """Pixels (N, 2) of points (N, 3) in the camera frame, metres.
+    """Pixels (N, 2) of points in the camera frame, `points_cam` (N, 3), metres.
 
     Dupuis et al. 2019, eq. (3), corrected: the distortion acts on the point *after* its division by depth,
     not on the projected homogeneous vector. Points with z <= 0, or further off the axis than the lens model
@@ -114,7 +118,12 @@ def project(camera: Camera, points_cam: ArrayLike) -> Floats:
 
 
 def project_with_jacobians(camera: Camera, points_cam: ArrayLike) -> tuple[Floats, Floats, Floats]:
-    """Pixels (N, 2), their derivative by the camera point (N, 2, 3) and by `camera.parameters` (N, 2, n)."""
+    """Pixels (N, 2), their derivative by the camera point (N, 2, 3) and by `camera.parameters` (N, 2, n);
+    `points_cam` (N, 3), metres, all of them before the camera.
+
+    The function of `project` (Dupuis et al. 2019, eq. (3), corrected) without its refusals, by the chain rule
+    through m = (x/z, y/z): dp/dX = K d'(m) dm/dX, so that dp/dz = -(dp/dx m_x + dp/dy m_y).
+    """
     p = points(points_cam, 3)
     x, y, z = p[:, 0] / p[:, 2], p[:, 1] / p[:, 2], p[:, 2]
     d = lens.distort(camera.model, camera.distortion, x, y)
@@ -133,7 +142,7 @@ def project_with_jacobians(camera: Camera, points_cam: ArrayLike) -> tuple[Float
 
 
 def undistort_xy(camera: Camera, u_px: Floats, v_px: Floats) -> tuple[Floats, Floats, Bools]:
-    """As `undistort`, on two 1-D arrays."""
+    """As `undistort`, on two arrays `u_px`, `v_px` (N,): m_x, m_y and whether they hold, (N,) each."""
     xd, yd = (u_px - camera.cx_px) / camera.fx_px, (v_px - camera.cy_px) / camera.fy_px
     if not camera.distortion.any() and camera.model == "brown":
         return xd, yd, np.isfinite(xd) & np.isfinite(yd)
@@ -182,11 +191,11 @@ def _newton(camera: Camera, xd: Floats, yd: Floats, x: Floats, y: Floats, steps:
 
 
 def undistort(camera: Camera, points_px: ArrayLike) -> Undistorted:
-    """Directions of pixels (N, 2), by Newton's method with the model's own derivative.
+    """Directions of pixels `points_px` (N, 2), by Newton's method with the model's own derivative.
 
-    Dupuis et al. 2019, eq. (4), corrected: p' = d^-1(K^-1 p) with p the pixel; printed with the pixel and
-    the point swapped. (OpenCV's default of five fixed-point rounds is off by up to 0.4 px; this is off by
-    1e-10 px.) `ok` is False outside the largest radius in which the lens model is one-to-one, and for NaN.
+    Dupuis et al. 2019, eq. (4), corrected: p' = d^-1(K^-1 p) with p the pixel; printed with the pixel and the
+    point swapped. (OpenCV's default of five fixed-point rounds is off by up to 0.4 px; this is off by 1e-10
+    px.) `ok` is False outside the largest radius in which the lens model is one-to-one, and for NaN.
     """
     p = points(points_px, 2)
     x, y, ok = undistort_xy(camera, np.ascontiguousarray(p[:, 0]), np.ascontiguousarray(p[:, 1]))

@@ -68,12 +68,12 @@ def require_charuco(charuco: Charuco, columns: int, rows: int, square_m: float) 
 def find_charuco(
     gray: NDArray[np.uint8], charuco: Charuco, columns: int, rows: int, square_m: float
 ) -> Found | None:
-    """Numbers (N,), row by row as printed, and places (N, 2) of the inner corners seen; None for fewer than
-    six, or six in one line.
+    """Numbers (N,), row by row as printed, and places (N, 2), pixels, of the inner corners seen in `gray` (H,
+    W); None for fewer than six, or six in one line.
 
-    OpenCV 4.6 turned the pattern of boards with an even number of rows of squares round; both kinds are
-    tried, for a board does not tell when it was made. A picture in which corners are missing is looked at
-    again enlarged.
+    OpenCV's detector, whose markers are those of Garrido-Jurado et al. 2014. OpenCV 4.6 turned the pattern of
+    boards with an even number of rows of squares round; both kinds are tried, for a board does not tell when
+    it was made. A picture in which corners are missing is looked at again enlarged.
     """
     best: Found | None = None
     for scale in (1.0, 2.0):

@@ -77,7 +77,12 @@ class _Layout:
 
 
 def propose(picture: NDArray[np.uint8], pose: RoadPose, pointer_px: ArrayLike) -> Proposal | str:
-    """The contact of the wheel near a pointer, or the reason why there is none. picture: (h, w) luminance."""
+    """The contact of the wheel near a pointer, or the reason why there is none. `picture` (H, W): luminance;
+    `pointer_px` (2,).
+
+    Own method: the circle, in the picture laid out on the side plane, whose lower arc goes from dark to light
+    and whose rim from light to dark; the module says why.
+    """
     pointer = np.asarray(pointer_px, dtype=np.float64).reshape(2)
     at = road_point(pose, pointer)
     if isinstance(at, str):

@@ -116,12 +116,12 @@ def _attempts(board: Board, pixels: int) -> Sequence[tuple[str, Callable[[Gray],
 
 
 def detect(gray: Gray, board: Board, time_limit_s: float = 2.0) -> Corners:
-    """Find `board` in a grey picture (H, W) uint8.
+    """Find `board` in a grey picture, `gray` (H, W) uint8.
 
-    The classic detector with its quick rejection first, the sector-based one next (Duda and Frese 2018),
-    then the classic one in full (small pictures only) and both on the enlarged picture. No attempt starts
-    that could outlast `time_limit_s`. Raises BadInput for an impossible board; a picture without the board is
-    a result with its reason.
+    The classic detector with its quick rejection first, the sector-based one next (Duda and Frese 2018), then
+    the classic one in full (small pictures only) and both on the enlarged picture. No attempt starts that
+    could outlast `time_limit_s`. Raises BadInput for an impossible board; a picture without the board is a
+    result with its reason.
     """
     require_board(board)
     if gray.ndim != 2 or min(gray.shape) < 32:
@@ -173,7 +173,11 @@ def _numbered(gray: Gray, board: Board, charuco: Charuco) -> Corners:
 
 
 def neighbours(ids: NDArray[np.intp], points: Floats, board: Board) -> tuple[Floats, Floats]:
-    """Vectors (N, 2) from corners (N, 2) of a board to where their neighbours right and below are."""
+    """Vectors (N, 2) from corners of a board, `points` (N, 2), pixels, to where their neighbours right and
+    below are, each (N, 2); `ids` (N,): the corners' places, row by row.
+
+    By the homography of the board's plane (Hartley and Zisserman 2004, ch. 4), half a square to either side.
+    """
     at = np.column_stack([ids % board.columns, ids // board.columns]).astype(np.float64)
     to_px: Any = cv2.findHomography(at, points)[0]
 
@@ -220,7 +224,7 @@ def _accepted(gray: Gray, points: Floats, board: Board, name: str) -> Corners:
 
 
 def spacing_px(grid: Floats) -> float:
-    """Smallest distance between neighbours of a grid (rows, columns, 2), or of some corners of it (N, 2)."""
+    """Smallest distance between neighbours of `grid` (rows, columns, 2), or of some of its corners (N, 2)."""
     if grid.ndim == 2:
         apart = np.linalg.norm(grid[:, None] - grid[None], axis=2)
         return float(apart[~np.eye(len(grid), dtype=bool)].min())
@@ -232,8 +236,11 @@ def spacing_px(grid: Floats) -> float:
 def refine_subpixel(
     gray: Gray, grid: Floats, stop: tuple[int, int, float] = _STOP, share: float = 0.4
 ) -> Floats:
-    """OpenCV's cornerSubPix, its window kept inside the squares (`share` of one): a wider one falls onto the
-    neighbours.
+    """The `grid` (rows, columns, 2) or (N, 2) moved onto the corners of `gray` (H, W), of the same shape,
+    pixels.
+
+    OpenCV's cornerSubPix (Foerstner 1987), its window kept inside the squares (`share` of one): a wider one
+    falls onto the neighbours. A corner that moves far from its start keeps its start.
     """
     spacing = spacing_px(grid)
     half = int(np.clip(share * spacing, 1, 5 if min(gray.shape) <= 600 else 11))
@@ -246,8 +253,11 @@ def refine_subpixel(
 
 
 def flaw(gray: Gray, grid: Floats) -> str | None:
-    """Why a detection is not believed, or None: it must be a smooth grid of alternating squares in the
-    picture.
+    """Why a detection is not believed, or None: its `grid` (rows, columns, 2), pixels, must be a smooth one
+    of alternating squares in the picture, `gray` (H, W).
+
+    Own method: neighbouring steps differ by less than half of the shorter, and nine in ten neighbouring
+    squares in brightness as a checkerboard's do.
     """
     if _cut(gray, grid):
         return "The board is cut by the border of the picture; show the whole board."

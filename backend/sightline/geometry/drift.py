@@ -66,18 +66,24 @@ def _centre(size_px: tuple[int, int]) -> Floats:
 
 
 def displacement_px(parameters: Floats, size_px: tuple[int, int]) -> float:
-    """Root mean square over the picture's area of how far its points moved; parameters (x, y, s, t)."""
+    """Root mean square over the picture's area of how far its points moved; `parameters` (4,): x, y (px), s,
+    t.
+
+    Own derivation: x^2 + y^2 + (s^2 + t^2) (w^2 + h^2) / 12, the last factor the mean square distance from
+    the centre of a w x h picture.
+    """
     x, y, s, t = (float(value) for value in parameters)
     spread = (size_px[0] ** 2 + size_px[1] ** 2) / 12.0
     return float(np.sqrt(x * x + y * y + (s * s + t * t) * spread))
 
 
 def fit_motion(before_px: Floats, after_px: Floats, size_px: tuple[int, int]) -> Motion | str:
-    """The motion that most points share, or why it cannot be told. before_px, after_px: (N, 2).
+    """The motion that most points share, or why it cannot be told: `before_px`, `after_px` (N, 2).
 
-    Iterated least squares with Tukey's weights from the median motion; the uncertainty is a jackknife over
-    blocks of the picture, so that errors common to neighbouring points are not taken for independent ones.
-    Left out: a change common to the whole background (a screen or a wet windscreen before the lens).
+    Iterated least squares with Tukey's weights (Beaton and Tukey 1974) from the median motion; the
+    uncertainty is a jackknife (Efron and Tibshirani 1993, ch. 11) over blocks of the picture, so that errors
+    common to neighbouring points are not taken for independent ones. Left out: a change common to the whole
+    background (a screen or a wet windscreen before the lens).
     """
     away = before_px - _centre(size_px)
     moves = after_px - before_px

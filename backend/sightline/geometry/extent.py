@@ -33,10 +33,12 @@ def _crossing(gray: NDArray[np.uint8], at: Floats, across: Floats, down: Floats)
 
 
 def goes_on(gray: NDArray[np.uint8], grid: Floats) -> str | None:
-    """Where the pattern goes on beyond a grid of corners (rows, columns, 2), in words; None if it ends.
+    """Where the pattern goes on beyond a `grid` of corners (rows, columns, 2), pixels, in words; None if it
+    ends.
 
-    gray: (H, W). A side goes on when most of the places where its next corners would be are crossings as
-    clear as half of those found. Sides out of the picture are not judged.
+    gray (H, W). A side goes on when most of the places where its next corners would be are crossings as clear
+    as half of those found. Sides out of the picture are not judged. Own method: a crossing is a ring whose
+    brightness has a second harmonic, and no first.
     """
     for side, turned in zip(_SIDES, _turned(grid), strict=True):
         # (rows, columns, 2) with the asked side first: the next line of corners, carried on with its bend

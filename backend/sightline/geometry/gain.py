@@ -36,9 +36,9 @@ def second_frame_gain(
 ) -> Gain | None:
     """Expected gain when the vehicle has moved `travel_m` along X (negative: against it).
 
-    contact_px, target_px: the clicks of the first frame (2,). The answer also says where both points will
-    be in the second frame. None where the first frame has no height, or the second would not show both
-    points.
+    contact_px, target_px (2,): the clicks of the first frame. The answer also says where both points will be
+    in the second frame. None where the first frame has no height, or the second would not show both points.
+    The clicks of the second frame are foreseen and both measured as in CONVENTIONS.md, Several frames.
     """
     contact = np.asarray(contact_px, dtype=np.float64).reshape(1, 2)
     target = np.asarray(target_px, dtype=np.float64).reshape(1, 2)

@@ -1,7 +1,7 @@
 """First derivatives of the height by everything it rests on, in closed form.
 
-h = C_z (1 - s q) + inset q (see sight.py). The clicks enter through the undistorted directions m, whose
-derivatives by pixel p and by lens parameter k follow from the implicit function K d(m; k) = p:
+h = C_z (1 - s q) + inset q (see ray_intersection.py). The clicks enter through the undistorted directions m,
+whose derivatives by pixel p and by lens parameter k follow from the implicit function K d(m; k) = p:
 dm = (K d')^-1 (dp - d(K d)/dk dk). A pose increment x_cam = Exp(r) (R x + t) + t' turns directions by
 w -> R^T (d - r x d) and leaves the camera's centre, which then moves by -R^T t'.
 """

@@ -115,7 +115,10 @@ def _variance(g: Gradient, systematic: Floats, sigma_px: Floats | float, u_inset
 
 
 def systematic_covariance(pose: RoadPose) -> Floats:
-    """Covariance (n + 6, n + 6) of lens, pose and what the board may be off by; unknown parts left out."""
+    """Covariance (n + 6, n + 6) of lens, pose and what the board may be off by; unknown parts left out.
+
+    The pose's covariance with the board's added to its last six rows (CONVENTIONS.md, Pose).
+    """
     n = len(pose.parameters)
     out = np.zeros((n, n)) if pose.covariance is None else np.array(pose.covariance)
     out[-6:, -6:] += board_covariance(pose)
@@ -160,10 +163,11 @@ def measure_height(
 ) -> Height:
     """The height of a target above the road from two clicks, with its budget (GUM: JCGM 100:2008, 5.1.2).
 
-    contact_px, target_px: (2,) pixels of the tyre's contact with the road and of the target; sigma_px:
+    contact_px, target_px (2,): pixels of the tyre's contact with the road and of the target; sigma_px:
     standard uncertainty of each coordinate of each click; inset_m: how far the target lies behind the side
-    plane through the contact. Never raises for what was clicked: a height that cannot be had comes back
-    with its reason. Equations and the misprints they correct: sight.py.
+    plane through the contact. Never raises for what was clicked: a height that cannot be had comes back with
+    its reason. Dupuis et al. 2019, eqs. (5) to (18), corrected as in ray_intersection.py, with the inset that
+    they leave out (CONVENTIONS.md, Height).
     """
     contact = np.asarray(contact_px, dtype=np.float64).reshape(1, 2)
     target = np.asarray(target_px, dtype=np.float64).reshape(1, 2)
@@ -200,7 +204,11 @@ def height_both(
     inset_m: float = 0.0,
     u_inset_m: float = 0.0,
 ) -> tuple[Height, Height]:
-    """The height corrected by the inset, and the paper's uncorrected one (inset 0)."""
+    """The height corrected by the inset, and the paper's uncorrected one (inset 0); contact_px, target_px
+    (2,).
+
+    As `measure_height`, twice.
+    """
     corrected = measure_height(pose, contact_px, target_px, sigma_px, inset_m, u_inset_m)
     return corrected, measure_height(pose, contact_px, target_px, sigma_px)
 

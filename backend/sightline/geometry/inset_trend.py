@@ -74,7 +74,12 @@ class InsetEstimate:
 def sightings(
     pose: RoadPose, contacts_px: ArrayLike, targets_px: ArrayLike, sigma_px: ArrayLike
 ) -> tuple[Sightings, Bools]:
-    """Uncorrected heights of clicks (N, 2) under one pose, sigma_px (N,); and which rows have one (N,)."""
+    """Uncorrected heights under one pose, `contacts_px`, `targets_px` (N, 2), `sigma_px` (N,); and which rows
+    have one (N,).
+
+    Dupuis et al. 2019, eqs. (5) to (18), corrected as in ray_intersection.py; u from the clicks sigma |g|,
+    and what all share g' S g with S of `systematic_covariance` (JCGM 100:2008, 5.1.2 and 5.2.2).
+    """
     contacts = np.asarray(contacts_px, dtype=np.float64).reshape(-1, 2)
     targets = np.asarray(targets_px, dtype=np.float64).reshape(-1, 2)
     sigma = np.broadcast_to(np.asarray(sigma_px, dtype=np.float64), (len(contacts),))
@@ -107,13 +112,14 @@ def together(parts: Sequence[Sightings]) -> Sightings:
 def inset_from_known_heights(
     rows: Sightings, known_m: ArrayLike, u_known_m: ArrayLike
 ) -> InsetEstimate | str:
-    """Inset of a target whose heights are known (roofs, from the manufacturer), or why there is none.
+    """Inset of a target whose heights are known (roofs, from the manufacturer), or the reason why there is
+    none: known_m (N,), u_known_m a number or (N,), metres.
 
-    Least squares of m - Hc - (h - Hc) k over the inset; the weights hold both the clicks' and the known
-    height's uncertainty, u_m^2 + (k u_h)^2, with k following the inset: so errors of h do not draw it to one
-    side (Deming). A wrong entry of the catalogue is recognised against the median of the others, from five
-    vehicles on, and left out. The uncertainty has the residuals' scatter where that is larger, and what all
-    heights share.
+    Least squares of m - Hc - (h - Hc) k over the inset (CONVENTIONS.md, Height); the weights hold both the
+    clicks' and the known height's uncertainty, u_m^2 + (k u_h)^2, with k following the inset: so errors of h
+    do not draw it to one side (Deming 1943). A wrong entry of the catalogue is recognised against the median
+    of the others, from five vehicles on, and left out. The uncertainty has the residuals' scatter where that
+    is larger, and what all heights share.
     """
     known = np.asarray(known_m, dtype=np.float64).ravel()
     u_known = np.broadcast_to(np.asarray(u_known_m, dtype=np.float64), known.shape)
@@ -235,7 +241,11 @@ def _why_silent(rows: Sightings, height_m: float) -> str:
 
 
 def inset_from_solved(solved_m: ArrayLike, u_solved_m: ArrayLike) -> InsetEstimate | str:
-    """Mean of insets (N,) solved for on two frames and the spread between vehicles, or why there is none."""
+    """Mean of insets solved for on two frames, `solved_m`, `u_solved_m` (N,), metres, and the spread between
+    vehicles, or the reason why there is none.
+
+    By `mean_and_spread` (Paule and Mandel 1982), vehicles far from the others left out (`outliers`).
+    """
     values = np.asarray(solved_m, dtype=np.float64).ravel()
     u = np.asarray(u_solved_m, dtype=np.float64).ravel()
     if len(values) < LEAST_KNOWN:

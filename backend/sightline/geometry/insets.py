@@ -1,8 +1,7 @@
 """Default insets: how far each target lies behind the side plane through the wheel contact.
 
 These are estimates without a published source; screens and files show them as such, and they can be edited. A
-target whose inset is unknown gets a wide uncertainty instead of a guess (the bias it stands for: sight.py,
-inset).
+target whose inset is unknown gets a wide uncertainty instead of a guess (the bias it stands for: `bias_m`).
 """
 
 import numpy as np
@@ -33,10 +32,12 @@ INSET_CHOICES: dict[str, tuple[tuple[str, float, float], ...]] = {
 def bias_m(
     camera_height_m: ArrayLike, height_m: ArrayLike, inset_m: ArrayLike, distance_m: ArrayLike
 ) -> Floats:
-    """How much too high a target reads where its inset is taken to be 0, in metres; arguments broadcast.
+    """How much too high a target reads where its inset is taken to be 0, in metres; `camera_height_m`,
+    `height_m`, `inset_m`, `distance_m`, any shape each, are broadcast: of the same shape.
 
     (Hc - h) inset / (D + inset): camera height Hc, true height h, distance D to the side plane. Exact for any
-    pose and lens, for it is where the ray to the target meets the plane.
+    pose and lens, for it is where the ray to the target meets the plane (CONVENTIONS.md, Height; not in the
+    paper).
     """
     camera, height, inset, distance = (
         np.asarray(v, dtype=np.float64) for v in (camera_height_m, height_m, inset_m, distance_m)

@@ -70,12 +70,20 @@ def _fisheye_gain(k: Floats, r2: Floats) -> tuple[Floats, Floats]:
 
 
 def radial_gain(model: LensModel, k: Floats, r2: Floats) -> tuple[Floats, Floats]:
-    """Gain g and dg/d(r^2) of the radial part: a point at radius r goes to radius r g(r^2)."""
+    """Gain g and dg/d(r^2) of the radial part, both of the same shape as `r2`, any shape: a point at radius r
+    goes to radius r g(r^2). `k` (n,): the model's coefficients in OpenCV's order.
+
+    Brown 1966, and Kannala and Brandt 2006, as the module writes them.
+    """
     return _brown_gain(k, r2) if model == "brown" else _fisheye_gain(k, r2)
 
 
 def distort(model: LensModel, k: Floats, x: Floats, y: Floats) -> Distorted:
-    """Distort normalised points; x, y of any one shape. Source: see the module."""
+    """Distort normalised points; `x`, `y` of any one shape, `k` (n,).
+
+    Brown 1966, with the tangential terms 2 p1 x y + p2 (r^2 + 2 x^2) and p1 (r^2 + 2 y^2) + 2 p2 x y, or
+    Kannala and Brandt 2006, which has no such terms.
+    """
     xx, yy, xy = x * x, y * y, x * y
     r2 = xx + yy
     gain, slope = radial_gain(model, k, r2)
@@ -93,7 +101,12 @@ def distort(model: LensModel, k: Floats, x: Floats, y: Floats) -> Distorted:
 
 
 def by_coefficients(model: LensModel, k: Floats, x: Floats, y: Floats) -> tuple[Floats, Floats]:
-    """Derivatives of the distorted x and y by each coefficient: two arrays (n, N)."""
+    """Derivatives of the distorted x and y by each coefficient: two arrays (n, N) at `x`, `y` (N,) for `k`
+    (n,).
+
+    As `distort`, whose terms are linear in the coefficients but for k4 k5 k6: d/dk4 (1 + ...)/(1 + k4 r^2 +
+    ...) is -g r^2 / (1 + k4 r^2 + ...).
+    """
     r2 = x * x + y * y
     if model == "fisheye":
         r = np.sqrt(np.maximum(r2, 1e-300))

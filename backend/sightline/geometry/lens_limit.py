@@ -39,11 +39,11 @@ def _first_fold(model: LensModel, k: Floats, radii: Floats) -> int:
 
 
 def lens_limit(model: LensModel, k: Floats, picture_radius: float) -> LensLimit:
-    """The largest monotone radius of a lens.
+    """The largest monotone radius of a lens, normalised (the tangent of the angle off the axis).
 
-    model, k: the lens; picture_radius: distorted normalised radius of the picture's farthest corner (the
-    table need not reach beyond it). Folding is judged by the whole 2x2 derivative, so tangential terms
-    count.
+    model, k (n,): the lens; picture_radius: distorted normalised radius of the picture's farthest corner (the
+    table need not reach beyond it). Own method: the first radius at which det d' is not positive in every
+    direction (CONVENTIONS.md, Lens); judged by the whole 2x2 derivative, tangential terms count.
     """
     low, high = 0.0, _FARTHEST
     for _ in range(4):  # each pass narrows the fold to 1/512 of the last bracket

@@ -75,8 +75,9 @@ def measure_frames(
 
     u_heading_rad: standard uncertainty of the traffic's direction against the road's X axis, None to know
     nothing. Least squares in pixels; the uncertainty comes from the clicks, the heading, lens and pose
-    (through the implicit function of the minimum) and what the board may be off by. Never raises for what was
-    clicked.
+    (through the implicit function of the minimum, -N^-1 J' W J_k) and what the board may be off by: own
+    derivation, CONVENTIONS.md, Several frames. Never raises for what was clicked: no height comes back with
+    its reason.
     """
     contacts = np.asarray(contacts_px, dtype=np.float64).reshape(-1, 2)
     targets = np.asarray(targets_px, dtype=np.float64).reshape(-1, 2)

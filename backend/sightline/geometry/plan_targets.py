@@ -60,7 +60,9 @@ def insets_of(given: Insets | None) -> dict[str, tuple[float, float]]:
 def ignored_bias_m(
     camera_height_m: Floats | float, height_m: float, distance_m: float, inset_m: float
 ) -> Floats:
-    """(C_z - h) inset / (D + inset): the error of a height whose inset is taken as 0 (sight.py)."""
+    """(C_z - h) inset / (D + inset), metres, of the same shape as `camera_height_m`, any shape: the error of
+    a height whose inset is taken as 0 (CONVENTIONS.md, Height).
+    """
     return np.asarray(
         (np.asarray(camera_height_m) - height_m) * inset_m / (distance_m + inset_m), dtype=np.float64
     )
@@ -113,8 +115,9 @@ def _two_frames(pose: RoadPose, site: Site, height_m: float, inset: tuple[float,
 def U95_over_distance(
     pose: RoadPose | None, site: Site, distances_m: Floats, height_m: float, inset: tuple[float, float]
 ) -> list[float | None]:
-    """U95 of a target on vehicles that pass at other distances, the camera and its pose as planned; None
-    where the picture does not show them.
+    """U95, metres, of a target on vehicles that pass at other distances, `distances_m` (N,), the camera and
+    its pose as planned; None where the picture does not show them. Clicks are foreseen, and measured as
+    `measure_height` does.
     """
     if pose is None:
         return [None] * len(distances_m)

@@ -36,7 +36,12 @@ class PlanarPose:
 def linearise(
     camera: Camera, rotation: Floats, translation: Floats, points: Floats, seen: Floats
 ) -> PlanarPose:
-    """Residuals and derivatives at a pose; points (N, 3), seen (N, 2) pixels."""
+    """Residuals and derivatives at a pose; points (N, 3), metres, seen (N, 2) pixels; rotation (3, 3),
+    translation (3,).
+
+    With x_cam = Exp(r) (R x + t) + t' (CONVENTIONS.md, Frames and signs), dx_cam = r x x_cam + t', so the
+    derivative by (r, t') is dp/dx_cam [-skew(x_cam), I].
+    """
     at_cam = points @ rotation.T + translation
     pixels, by_point, by_lens = project_with_jacobians(camera, at_cam)
     jacobian = np.concatenate([by_point @ -skew(at_cam), by_point], axis=2)
@@ -47,7 +52,10 @@ def linearise(
 
 
 def refine(camera: Camera, rotation: Floats, translation: Floats, points: Floats, seen: Floats) -> PlanarPose:
-    """Levenberg-Marquardt to the nearest minimum of the squared pixel residuals."""
+    """The pose at the nearest minimum of the squared pixel residuals; points (N, 3), metres, seen (N, 2),
+    pixels; it starts at rotation (3, 3), translation (3,). Levenberg-Marquardt (Marquardt 1963); every point
+    stays before the camera.
+    """
     now = linearise(camera, rotation, translation, points, seen)
     damping = 1e-6
     for _ in range(_ROUNDS):
@@ -74,10 +82,11 @@ def _in_front(pose: PlanarPose, points: Floats) -> bool:
 
 
 def planar_roots(camera: Camera, flat_points: Floats, seen: Floats) -> list[PlanarPose]:
-    """Refined poses of a plane, best first; flat_points (N, 3) with z = 0, away from the camera.
+    """Refined poses of a plane, best first; flat_points (N, 3), metres, with z = 0, away from the camera;
+    seen (N, 2), pixels.
 
-    Empty where a corner lies outside the lens model's valid radius or no pose puts the plane before the
-    camera.
+    IPPE (Collins and Bartoli 2014) for both roots, then `refine`. Empty where a corner lies outside the lens
+    model's valid radius or no pose puts the plane before the camera.
     """
     rays = undistort(camera, seen)
     if not rays.ok.all():

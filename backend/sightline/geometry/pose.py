@@ -34,12 +34,15 @@ def pose_from_corners(
     """Where the camera stood, from one detection per frame of the span in which the board stood still.
 
     All still frames share one pose; least squares over them equals least squares on their mean corners, so
-    that is what is solved (Gauss-Newton from both planar solutions). The covariance is joint with the
-    lens's: an error of the lens moves the pose, A = -(J'J)^-1 J'J_lens. It comes from the residuals and
-    their correlation in time and is never divided by the number of frames; what the board may be off by is
-    left to the height's budget. mean_picture: the mean
-    of the still frames (mean_picture.py), on which the corners are then fitted again. Raises BadInput with a
-    reason: no detection, board or camera moving, board edge-on, wrong board or camera.
+    that is what is solved (Gauss-Newton from both planar solutions). The covariance is joint with the lens's:
+    an error of the lens moves the pose, A = -(J'J)^-1 J'J_lens. It comes from the residuals and their
+    correlation in time and is never divided by the number of frames; what the board may be off by is left to
+    the height's budget (CONVENTIONS.md, Pose). mean_picture (H, W), or None: the mean of the still frames
+    (mean_picture.py), on which the corners are then fitted again. Raises BadInput with a reason: no
+    detection, board or camera moving, board edge-on, wrong board or camera.
+
+    In place of Dupuis et al. 2019, eqs. (5) to (8): there R, t are said to lead from the camera to the board
+    (they lead back), and (5) to (7) translate directions.
     """
     require_board(board)
     _require_reference(reference)
@@ -184,8 +187,10 @@ def _on_road(
 
 
 def board_on_road(board: Board, reference: Reference, at: PlanarPose, points: Floats) -> BoardOnRoad:
-    """The board as it stood, with what it may be off by; `at`: the solution for its `points` (N, 3), road
-    frame.
+    """The board as it stood, with what it may be off by; `at`: the solution for its `points` (N, 3), metres,
+    road frame.
+
+    CONVENTIONS.md, Pose (The board's own errors).
     """
     square = DEFAULT_U_SQUARE * board.square_m if reference.u_square_m is None else reference.u_square_m
     return BoardOnRoad(
@@ -206,8 +211,8 @@ def board_on_road(board: Board, reference: Reference, at: PlanarPose, points: Fl
 def joint_covariance(camera: Camera, at: PlanarPose, sigma_px: float) -> Floats:
     """Covariance (n + 6, n + 6) of the lens's parameters and of a pose solved with them.
 
-    The solved pose answers an error of the lens with A = -(J'J)^-1 J'J_lens; a lens without covariance
-    counts as exact (the height's flags say so).
+    The solved pose answers an error of the lens with A = -(J'J)^-1 J'J_lens; a lens without covariance counts
+    as exact (the height's flags say so). Own derivation: CONVENTIONS.md, Pose.
     """
     n = at.lens_jacobian.shape[1]
     inverse = np.linalg.inv(at.jacobian.T @ at.jacobian)

@@ -90,7 +90,12 @@ def _component(rotation: Floats, axis: int, x: Floats, y: Floats) -> Floats:
 def intersect_rays(
     pose: RoadPose, contacts_px: Floats, targets_px: Floats, inset_m: Floats | float
 ) -> RayIntersection:
-    """Solve N click pairs; contacts_px, targets_px (N, 2), inset_m a number or (N,)."""
+    """Solve N click pairs; contacts_px, targets_px (N, 2), inset_m a number or (N,), metres. A pair without a
+    height has a code other than OK.
+
+    D = -C_z s, h = C_z + (D + inset) q: Dupuis et al. 2019, eqs. (8) to (18), corrected; the module lists the
+    misprints.
+    """
     camera, rotation = pose.camera, pose.rotation
     cx, cy, c_ok = undistort_xy(camera, contacts_px[:, 0], contacts_px[:, 1])
     tx, ty, t_ok = undistort_xy(camera, targets_px[:, 0], targets_px[:, 1])
@@ -132,10 +137,11 @@ def intersect_rays(
 
 
 def contact_on_road(pose: RoadPose, seen: RayIntersection) -> tuple[Floats, Floats, Floats]:
-    """X and Y of the contact points on the road and their distance from the camera's centre, (N,) each.
+    """X and Y of the contact points on the road and their distance from the camera's centre, (N,) each,
+    metres.
 
-    The contact ray meets the road plane where C_z + lambda w_z = 0 (the paper's p_l, which has no number
-    there).
+    The contact ray meets the road plane where C_z + lambda w_z = 0: p_l of Dupuis et al. 2019, section 2,
+    between (12) and (13), where it has no number.
     """
     x, y = seen.contact
     with np.errstate(all="ignore"):

@@ -20,7 +20,10 @@ def reshoot_advice(evidence: Evidence) -> tuple[str, ...]:
 
 
 def thin_parts(coverage: Floats) -> tuple[str, ...]:
-    """Names of the ninths of the picture that hold few of the corners; coverage (12, 16)."""
+    """Names of the ninths of the picture that hold few of the corners; coverage (12, 16): corners per cell.
+
+    Own method: few is less than a quarter of an even share.
+    """
     ninths = coverage_ninths(coverage)
     total = float(coverage.sum())
     return tuple(
@@ -32,7 +35,7 @@ def thin_parts(coverage: Floats) -> tuple[str, ...]:
 
 
 def coverage_ninths(coverage: Floats) -> Floats:
-    """Corners per ninth of the picture, (3, 3), top left first."""
+    """Corners per ninth of the picture, (3, 3), top left first; coverage (12, 16)."""
     height, width = coverage.shape
     row, column = np.arange(height) * 3 // height, np.arange(width) * 3 // width
     out = np.zeros((3, 3))
@@ -41,7 +44,7 @@ def coverage_ninths(coverage: Floats) -> Floats:
 
 
 def places_missing(coverage: Floats) -> tuple[str, ...]:
-    """Where in the picture the board should be held more; coverage (12, 16)."""
+    """Where in the picture the board should be held more, in words; coverage (12, 16). As `thin_parts`."""
     parts = thin_parts(coverage)
     return (f"Hold the board in the {listed(parts)} of the picture.",) if parts else ()
 

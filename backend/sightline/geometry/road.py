@@ -44,7 +44,11 @@ class Rung:
 
 
 def road_point(pose: RoadPose, contact_px: ArrayLike) -> Floats | str:
-    """The point (3,) on the road under a click, or the reason why there is none."""
+    """The point (3,), metres, on the road under a click, `contact_px` (2,), or the reason why there is none.
+
+    C - w C_z / w_z, w = R' (m_x, m_y, 1): p_l of Dupuis et al. 2019, section 2, between (12) and (13), where
+    it has no number.
+    """
     click = np.asarray(contact_px, dtype=np.float64).reshape(1, 2)
     if not np.isfinite(click).all():
         return REASONS[NOT_FINITE]
@@ -80,10 +84,11 @@ def _edge(pose: RoadPose, inside: Floats, outside: Floats) -> Floats:
 
 
 def visible_polyline(pose: RoadPose, start_m: ArrayLike, end_m: ArrayLike, samples: int = _SAMPLES) -> Floats:
-    """The longest part of a straight road-frame segment that the picture shows, (n, 2) pixels, n may be 0.
+    """The longest part of a straight road-frame segment that the picture shows, (n, 2) pixels, n may be 0;
+    `start_m`, `end_m` (3,).
 
     Cut at the picture's border and at the lens model's valid radius: beyond it a polynomial lens would fold
-    the line back into the picture.
+    the line back into the picture. Projected with Dupuis et al. 2019, eq. (3), corrected.
     """
     start, end = np.asarray(start_m, dtype=np.float64), np.asarray(end_m, dtype=np.float64)
     points_m = start + np.linspace(0.0, 1.0, samples)[:, None] * (end - start)
@@ -125,9 +130,10 @@ def _thinned(line: Floats, tolerance_px: float = 0.05) -> Floats:
 def axes_at_contact(
     pose: RoadPose, contact_px: ArrayLike, length_m: float = 3.0, height_m: float = 2.5
 ) -> Overlay | str:
-    """The road's axes through a contact click, or the reason why there are none.
+    """The road's axes through a contact click, `contact_px` (2,), or the reason why there are none.
 
-    The longitudinal and transversal axes reach `length_m` to both sides, the vertical one `height_m` up.
+    The longitudinal and transversal axes reach `length_m` to both sides, the vertical one `height_m` up: the
+    lines of Dupuis et al. 2019, Figure 5.
     """
     at = road_point(pose, contact_px)
     if isinstance(at, str):
@@ -150,8 +156,8 @@ def ladder_at_contact(
     step_m: float = 0.1,
     half_width_m: float = 0.4,
 ) -> tuple[Rung, ...] | str:
-    """Rungs of equal height over a contact click, in the plane `inset_m` behind its side plane, or a
-    reason.
+    """Rungs of equal height over a contact click, `contact_px` (2,), in the plane `inset_m` behind its side
+    plane, or a reason. Drawn with Dupuis et al. 2019, eq. (3), corrected.
     """
     at = road_point(pose, contact_px)
     if isinstance(at, str):
@@ -176,7 +182,8 @@ def road_grid(
     near_m: float = 0.0,
     far_m: float = 12.0,
 ) -> tuple[Floats, ...]:
-    """Lines of a square grid on the road, round the point of the road nearest to what the camera looks at.
+    """Lines, (n, 2) pixels each, of a square grid on the road, round the point of the road nearest to what
+    the camera looks at. Drawn with Dupuis et al. 2019, eq. (3), corrected.
 
     near_m, far_m: how far from the camera, across the road, the grid begins and ends.
     """
@@ -207,7 +214,9 @@ def iso_heights(
     heights_m: Sequence[float] = (0.5, 1.0, 1.5, 2.0),
     half_length_m: float = 10.0,
 ) -> tuple[tuple[float, Floats], ...]:
-    """Lines of equal height above the road on the vertical plane `distance_m` across from the camera."""
+    """Lines of equal height above the road, (n, 2) pixels each, on the vertical plane `distance_m` across
+    from the camera. Drawn with Dupuis et al. 2019, eq. (3), corrected.
+    """
     x, y = _grid_origin(pose, 0.01)[0], float(pose.centre_m[1]) + distance_m
     lines = (
         (h, visible_polyline(pose, (x - half_length_m, y, h), (x + half_length_m, y, h))) for h in heights_m

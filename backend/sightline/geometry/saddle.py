@@ -44,10 +44,11 @@ class _Patches:
 
 
 def refine_saddles(picture: NDArray[Any], grid: Floats, share: float = _SHARE) -> Saddles:
-    """Fit every corner of `grid` (rows, columns, 2), found to within a pixel, in a grey picture (H, W).
+    """Fit every corner of `grid` (rows, columns, 2), found to within a pixel, in a grey `picture` (H, W).
 
-    share: radius of the disc in squares. A corner whose fit does not settle, leaves its start by over a
-    pixel or explains little keeps its start.
+    share: radius of the disc in squares. A corner whose fit does not settle, leaves its start by over a pixel
+    or explains little keeps its start. Own method: the module's saddle of two error functions
+    (CONVENTIONS.md, Corner order), by Levenberg-Marquardt (Marquardt 1963).
     """
     return refine_saddles_at(picture, grid.reshape(-1, 2), *_directions(grid), share)
 
@@ -55,7 +56,9 @@ def refine_saddles(picture: NDArray[Any], grid: Floats, share: float = _SHARE) -
 def refine_saddles_at(
     picture: NDArray[Any], start: Floats, right: Floats, down: Floats, share: float = _SHARE
 ) -> Saddles:
-    """As `refine_saddles`, of corners (N, 2) with their vectors (N, 2) to the next ones right and below."""
+    """As `refine_saddles`, of corners, `start` (N, 2), with their vectors to the next ones right and below,
+    `right`, `down` (N, 2), in a grey `picture` (H, W).
+    """
     radius = np.clip(share * np.minimum(_length(right), _length(down)), _LEAST_PX, _MOST_PX)
     patches, inside = _cut(picture, start, radius)
     theta = _first_guess(patches, right, down)

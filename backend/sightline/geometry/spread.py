@@ -21,7 +21,8 @@ class Spread:
 
 
 def mean_and_spread(values: ArrayLike, u: ArrayLike) -> Spread:
-    """Mean of N >= 1 values with standard uncertainties u (N,), each thing having a value of its own.
+    """Mean of N >= 1 `values` (N,) with standard uncertainties `u` (N,), any one unit, each thing having a
+    value of its own.
 
     The spread between things is that which makes the weighted squares come out as N - 1 (Paule and Mandel
     1982), 0 where the uncertainties explain all scatter. One value tells nothing of a spread.
@@ -45,10 +46,11 @@ def mean_and_spread(values: ArrayLike, u: ArrayLike) -> Spread:
 def outliers(
     values: ArrayLike, u: ArrayLike = 0.0, *, least: float = 0.0
 ) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
-    """Which of N values lie far from the median: beyond four times their own u and the others' scatter, (N,).
+    """Which of N `values` (N,) lie far from the median, (N,): beyond four times their own `u`, a number or
+    (N,), and the others' scatter.
 
-    The scatter is 1.4826 times the median distance, at least `least`. Below five values nothing can be told
-    and none strays.
+    The scatter is 1.4826 times the median distance (Hampel 1974), at least `least`. Below five values nothing
+    can be told and none strays.
     """
     x = np.asarray(values, dtype=np.float64).ravel()
     if len(x) < 5:

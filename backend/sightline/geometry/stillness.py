@@ -31,12 +31,13 @@ class Still:
 
 
 def find_still(frames_px: Floats, limit_px: float = STILL_PX) -> Still:
-    """Pick the frames that show one and the same board position; frames_px (F, N, 2) in time order.
+    """Pick the frames that show one and the same board position; frames_px (F, N, 2) in time order, pixels.
 
     A frame belongs to the still ones when its corners lie, as a whole, within `limit_px` of a position that
-    most
-    frames share: the root mean square over the corners of its smooth displacement (shift, turn, scale), which
-    noise hardly moves. Of the frames, the one that most others agree with gives that position.
+    most frames share: the root mean square over the corners of its smooth displacement (shift, turn, scale),
+    which noise hardly moves. Of the frames, the one that most others agree with gives that position. Own
+    method: `displacements_px` from each of some frames. Effective number of the F still ones: F (1 - r) / (1
+    + r), r their lag-1 correlation (Bayley and Hammersley 1946; CONVENTIONS.md, Pose).
     """
     near = [displacements_px(frames_px - probe, probe) for probe in frames_px[_probes(frames_px)]]
     away = max(near, key=lambda d: (int((d <= limit_px).sum()), -float(np.median(d))))
@@ -53,18 +54,25 @@ def _probes(frames_px: Floats) -> list[int]:
 
 
 def displacements_px(shifts: Floats, at: Floats) -> Floats:
-    """Root mean square (F,) of the affine part of F displacement fields (F, N, 2) over points (N, 2)."""
+    """Root mean square (F,), pixels, of the affine part of F displacement fields, `shifts` (F, N, 2), over
+    points `at` (N, 2).
+
+    Own derivation: sqrt(|Q'd|^2 / N), d a field and Q of `smooth_basis`, which leaves N - 3 of N parts of the
+    noise out.
+    """
     return displaced_px(shifts, smooth_basis(at))
 
 
 def smooth_basis(at: Floats) -> Floats:
-    """Orthonormal basis (N, 3) of the affine functions over points (N, 2)."""
+    """Orthonormal basis (N, 3) of the affine functions 1, x, y over points `at` (N, 2), by their QR
+    decomposition.
+    """
     q, _ = np.linalg.qr(np.column_stack([np.ones(len(at)), at - at.mean(axis=0)]))
     return np.asarray(q, dtype=np.float64)
 
 
 def displaced_px(shifts: Floats, basis: Floats) -> Floats:
-    """As `displacements_px`, with the basis at hand."""
+    """As `displacements_px`, (F,) of `shifts` (F, N, 2), with the `basis` (N, 3) at hand."""
     smooth = basis.T @ shifts  # the columns are orthonormal, so the length of the smooth part is that of this
     return np.asarray(np.sqrt(np.square(smooth).sum(axis=(1, 2)) / len(basis)), dtype=np.float64)
 

@@ -11,8 +11,9 @@ _LOOK_AGAIN_PX = 1.0  # a board that moved less is not checked again
 
 
 def track(gray: Gray, last: Corners) -> Corners:
-    """The board of the last frame in this one, where it moved by less than a third of a square; else not
-    found.
+    """The board of the last frame in this one, `gray` (H, W), where it moved by less than a third of a
+    square; else not found, with a reason. Own method: `refine_subpixel` (Foerstner 1987) from where it was,
+    looked at again as a detection where it moved.
     """
     board = last.board_as_seen
     share = 0.4 if board.charuco is None else 0.7 * board.clear_share

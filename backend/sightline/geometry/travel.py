@@ -52,9 +52,10 @@ class Body:
 def body_of(
     pose: RoadPose, contact_px: ArrayLike, target_px: ArrayLike, inset_m: float, spots_px: Floats
 ) -> Body | str:
-    """Contact, target (`inset_m` behind the side plane) and spots (N, 2) of the side plane as road points.
+    """Contact, target (`inset_m` behind the side plane) and spots of the side plane as road points, or the
+    reason why contact and target give none; `contact_px`, `target_px` (2,), `spots_px` (N, 2), pixels.
 
-    Or the reason why contact and target give none.
+    Each ray C + lambda w meets its plane at lambda = (Y_plane - C_y) / w_y (CONVENTIONS.md, Height).
     """
     contact = np.asarray(contact_px, dtype=np.float64).reshape(1, 2)
     target = np.asarray(target_px, dtype=np.float64).reshape(1, 2)
@@ -152,7 +153,8 @@ class Further:
 def further_gain(
     pose: RoadPose, contacts_px: Floats, targets_px: Floats, travel_m: float, sigma_px: float = 1.0
 ) -> Further | None:
-    """Expected gain of a further frame beside F >= 2 clicked ones (F, 2), after `travel_m` from the first.
+    """Expected gain of a further frame beside F >= 2 clicked ones, `contacts_px`, `targets_px` (F, 2), after
+    `travel_m` from the first. Its clicks are foreseen, and all measured as `measure_frames` does.
 
     None where that frame would not show both points, or the frames clicked have no height.
     """
@@ -173,7 +175,12 @@ def further_gain(
 
 
 def solved_body(pose: RoadPose, target_px: Floats, found: MultiHeight) -> Body | None:
-    """Contact and target at the first frame as the frames together have them; None without a height."""
+    """Contact and target at the first frame as the frames together have them, `target_px` (2,) there; None
+    without a height.
+
+    The target's ray meets the vertical plane along the solved heading, the solved inset behind the contact
+    (CONVENTIONS.md, Several frames).
+    """
     height = found.height
     if height.x_m is None or height.y_m is None or found.solved_inset_m is None or found.heading_rad is None:
         return None

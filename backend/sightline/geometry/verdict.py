@@ -109,7 +109,8 @@ def _spread(evidence: Evidence) -> list[str]:
 
 def covered_share(coverage: Floats) -> float:
     """Share of the picture within the outline of the covered cells, by row: a board hides no cell inside
-    itself.
+    itself. coverage (rows, columns): corners per cell. Own method: from the first to the last covered cell of
+    each row.
     """
     inside = 0
     for row in coverage:
