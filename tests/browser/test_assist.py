@@ -1,6 +1,5 @@
 """The assistants in the browser: still cameras, a proposal drawn until taken, a brightened picture."""
 
-import json
 import time
 from typing import Any
 
@@ -9,11 +8,7 @@ from playwright.sync_api import Page, expect
 from .conftest import wait_for_demonstration
 from .picture import on_screen
 from .server import Server
-
-
-def truth_of(server: Server) -> dict[str, Any]:
-    found: dict[str, Any] = json.loads((server.data_dir / "demonstration" / "truth.json").read_text())
-    return found
+from .vehicles import own_vehicle
 
 
 def drift_of(page: Page, recording_id: int, seconds: float = 60) -> dict[str, Any]:
@@ -37,14 +32,10 @@ def test_still_cameras_a_proposal_and_a_brightened_picture(page: Page, demonstra
     page.goto(f"/surveys/{survey}/recordings")
     expect(page.get_by_text("The camera stands still within")).to_have_count(2)
 
-    night = next(one for one in recordings if one["lighting"] == "low_light")
-    last = truth_of(demonstration)["low_light"]["passes"][-1]
-    frame = last["best_frame"]
-    seen = next(one for one in last["frames"] if one["frame"] == frame)
-    x, y = next(px for name, px in seen["pixels"].items() if name.startswith("contact"))
-    page.goto(f"/surveys/{survey}/measure?recording={night['id']}&frame={frame}")
-    number = f"{last['vehicle_number']:02d}"
-    page.get_by_role("button", name=number).or_(page.get_by_role("option", name=number)).first.click()
+    one = own_vehicle(page, demonstration)
+    x, y = one.pixels["contact_rear"]
+    page.goto(one.address)
+    expect(page.get_by_test_id(f"pass-{one.vehicle['number']}")).to_have_attribute("aria-current", "true")
     expect(page.locator("#measure-hint")).to_contain_text("click where the tyre meets the road")
     page.mouse.move(*on_screen(page, (x + 6, y - 5)))
     page.keyboard.press("a")

@@ -16,9 +16,9 @@ from playwright.sync_api import Locator, Page, expect
 from tests.media.clips import Spec, write
 from tests.support.boards import POSES, picture_bytes, view
 
-from .night import Untouched, click_at, stored, untouched
 from .picture import on_screen
 from .server import Server
+from .vehicles import OwnVehicle, click_at, own_vehicle, stored
 
 HEADERS = {"X-Sightline": "1"}
 
@@ -171,15 +171,15 @@ def test_boards_that_cannot_be_used_are_named_and_left_out(page: Page, camera: t
 
 
 def test_a_span_without_a_board_gives_a_reason_and_changes_nothing(page: Page, demonstration: Server) -> None:
-    one = untouched(page, demonstration)
+    one = own_vehicle(page, demonstration)
     recording = page.request.get(f"/api/recordings/{one.vehicle['recording_id']}").json()
     page.goto(f"/surveys/{one.survey}/pose?recording={recording['id']}")
     expect(page.get_by_test_id("pose-verdict")).to_be_visible()
-    for mark, frame in (("Begins here", 300), ("Ends here", 302)):
+    for mark, frame in (("Begins here", 200), ("Ends here", 202)):
         page.get_by_test_id("frame-box").fill(str(frame))
         page.get_by_test_id("frame-box").press("Enter")
         page.get_by_role("button", name=mark).click()
-    expect(page.get_by_test_id("pose-span")).to_contain_text("300 to 302")
+    expect(page.get_by_test_id("pose-span")).to_contain_text("200 to 202")
     page.get_by_label(re.compile("From the road up to the")).fill("1.0")
     page.get_by_test_id("pose-run").get_by_role("button").click()
     notice = page.locator(".pose-form__foot .notice--problem .notice__body")
@@ -190,15 +190,15 @@ def test_a_span_without_a_board_gives_a_reason_and_changes_nothing(page: Page, d
 
 
 @pytest.fixture
-def opened(page: Page, demonstration: Server) -> Untouched:
-    one = untouched(page, demonstration)
+def opened(page: Page, demonstration: Server) -> OwnVehicle:
+    one = own_vehicle(page, demonstration)
     page.goto(one.address)
     expect(page.get_by_test_id(f"pass-{one.vehicle['number']}")).to_have_attribute("aria-current", "true")
     on_screen(page, (0, 0))
     return one
 
 
-def test_a_contact_above_the_horizon_gives_a_reason_and_no_number(page: Page, opened: Untouched) -> None:
+def test_a_contact_above_the_horizon_gives_a_reason_and_no_number(page: Page, opened: OwnVehicle) -> None:
     page.get_by_test_id("target-roof").click()
     click_at(page, (320, 20))
     hint = page.locator("#measure-hint")
@@ -211,7 +211,7 @@ def test_a_contact_above_the_horizon_gives_a_reason_and_no_number(page: Page, op
 
 
 def test_a_target_below_the_road_is_stored_with_its_reason_and_no_number(
-    page: Page, opened: Untouched
+    page: Page, opened: OwnVehicle
 ) -> None:
     page.get_by_test_id("target-roof").click()
     x, y = opened.pixels["contact_rear"]
@@ -228,9 +228,9 @@ def test_a_target_below_the_road_is_stored_with_its_reason_and_no_number(
 
 
 @pytest.fixture
-def folding_lens(page: Page, demonstration: Server) -> Iterator[Untouched]:
+def folding_lens(page: Page, demonstration: Server) -> Iterator[OwnVehicle]:
     """The low-light recording on a lens whose polynomial folds back inside the picture; undone afterwards."""
-    one = untouched(page, demonstration)
+    one = own_vehicle(page, demonstration)
     recording = page.request.get(f"/api/recordings/{one.vehicle['recording_id']}").json()
     pose = page.request.get(f"/api/poses/{recording['pose_id']}").json()
     lens = page.request.get(f"/api/calibrations/{pose['calibration_id']}").json()["document"]
@@ -273,7 +273,7 @@ def opencv_yaml(lens: dict[str, Any]) -> bytes:
 
 
 def test_a_click_outside_the_lens_models_valid_radius_gives_a_reason_and_no_number(
-    page: Page, folding_lens: Untouched
+    page: Page, folding_lens: OwnVehicle
 ) -> None:
     one = folding_lens
     page.goto(one.address)

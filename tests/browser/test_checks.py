@@ -1,6 +1,5 @@
 """The checks page: an inset from the survey's own roofs, both tyres clicked and undone, a turn looked at."""
 
-import json
 import re
 from typing import Any
 
@@ -9,6 +8,7 @@ from playwright.sync_api import Page, expect
 from .conftest import wait_for_demonstration
 from .picture import on_screen
 from .server import Server
+from .vehicles import OwnVehicle, own_vehicle
 
 
 def press_at(page: Page, point: list[float]) -> None:
@@ -18,13 +18,11 @@ def press_at(page: Page, point: list[float]) -> None:
     page.mouse.click(x, y)
 
 
-def both_tyres(demonstration: Server, number: int) -> tuple[int, list[float], list[float]]:
+def both_tyres(one: OwnVehicle) -> tuple[int, list[float], list[float]]:
     """(frame, rear, front) of a vehicle's tyre contacts in the picture, furthest apart."""
-    told = json.loads((demonstration.data_dir / "demonstration" / "truth.json").read_text())
-    one = next(p for p in told["day"]["passes"] if p["vehicle_number"] == number)
     tyres = [
         (f["frame"], f["pixels"]["contact_rear"], f["pixels"]["contact_front"])
-        for f in one["frames"]
+        for f in one.truth["frames"]
         if {"contact_rear", "contact_front"} <= set(f["pixels"])
     ]
     frame, rear, front = max(tyres, key=lambda seen: abs(seen[1][0] - seen[2][0]))
@@ -63,20 +61,23 @@ def put_back(page: Page, survey_id: int, before: dict[str, Any]) -> None:
 
 
 def test_both_tyres_are_clicked_undone_and_refused(page: Page, demonstration: Server) -> None:
-    page.goto("/")
-    survey_id = wait_for_demonstration(page)
+    own = own_vehicle(page, demonstration, "day")
+    survey_id, number = own.survey, own.vehicle["number"]
+    vehicles = page.request.get(f"/api/surveys/{survey_id}/vehicles").json()
+    before = next(one for one in vehicles if one["number"] == number - 1)
     page.goto(f"/surveys/{survey_id}/checks?tab=traffic")
     expect(page.get_by_test_id("wheel-pair")).to_be_visible()
     expect(page.get_by_test_id("traffic-verdict")).to_contain_text("agrees with the traffic")
-    listed = page.locator("[data-testid^=heading-]")
-    free = next(i for i in range(listed.count()) if "–" in listed.nth(i).inner_text())
-    row = listed.nth(free)
-    number = int((row.get_attribute("data-testid") or "").split("-")[1])
     # from the pass before by key, as somebody who goes through them does
-    listed.nth(free - 1).get_by_role("button").first.click()
+    page.goto(f"/surveys/{survey_id}/checks?tab=traffic&vehicle={before['id']}")
+    expect(page.locator("[data-testid^=heading-][aria-current=true]")).to_have_attribute(
+        "data-testid", f"heading-{number - 1}"
+    )
+    row = page.get_by_test_id(f"heading-{number}")
     page.keyboard.press("n")
     expect(row).to_have_attribute("aria-current", "true")
-    frame, rear, front = both_tyres(demonstration, number)
+    expect(row).to_contain_text("–")
+    frame, rear, front = both_tyres(own)
     page.keyboard.press("g")
     page.get_by_test_id("frame-box").fill(str(frame))
     page.keyboard.press("Enter")

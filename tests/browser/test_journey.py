@@ -1,7 +1,6 @@
 """The main journey: calibrate, pose, measure, review, export; exported heights against the scene's truth."""
 
 import io
-import json
 import re
 import time
 import zipfile
@@ -16,6 +15,7 @@ from playwright.sync_api import Browser, BrowserContext, Page, expect
 from .conftest import wait_for_demonstration
 from .picture import on_screen
 from .server import Server
+from .vehicles import OwnVehicle, own_vehicle, recording_of, scene_truth, whole_passes
 
 TARGETS = {"roof": "1", "driver_eye": "2", "taillight": "3"}
 CLICK_NOISE_PX = 0.5
@@ -24,17 +24,6 @@ CLICK_NOISE_PX = 0.5
 @pytest.fixture
 def survey_id(page: Page) -> int:
     return wait_for_demonstration(page)
-
-
-def truth_of(server: Server) -> dict[str, Any]:
-    """The daytime scene's truth as the renderer wrote it; the application itself never reads it."""
-    document = json.loads((server.data_dir / "demonstration" / "truth.json").read_text())
-    day: dict[str, Any] = document["day"]
-    return day
-
-
-def recordings(page: Page, survey_id: int) -> dict[str, dict[str, Any]]:
-    return {r["lighting"]: r for r in page.request.get(f"/api/surveys/{survey_id}/recordings").json()}
 
 
 def invited(page: Page, browser: Browser, server: Server, name: str, role: str) -> BrowserContext:
@@ -118,39 +107,20 @@ def click_pixel(page: Page, x: float, y: float) -> None:
     page.mouse.click(*spot)
 
 
-def candidates(
-    truth: dict[str, Any], stored: list[dict[str, Any]]
-) -> list[tuple[dict[str, Any], dict[str, Any]]]:
-    """(pass, frame) of vehicles not measured yet, driver on the near side, all three targets in sight."""
-    to_do = {v["number"] for v in stored if v["state"] == "to_do"}
-    found = []
-    for one in truth["passes"]:
-        if one["number"] not in to_do or one["driver_side"] != "near":
-            continue
-        whole = [
-            f
-            for f in one["frames"]
-            if {"contact_rear", *TARGETS} <= set(f["pixels"]) and not set(TARGETS) & set(f["hidden"])
-        ]
-        if whole:
-            found.append((one, min(whole, key=lambda f: abs(f["frame"] - one["best_frame"]))))
-    return found
-
-
-def measure(page: Page, one: dict[str, Any], frame: dict[str, Any], rng: np.random.Generator) -> None:
-    page.get_by_test_id(f"pass-{one['number']}").click()
-    page.get_by_test_id("frame-box").fill(str(frame["frame"]))
+def measure(page: Page, one: OwnVehicle, rng: np.random.Generator) -> None:
+    page.get_by_test_id(f"pass-{one.vehicle['number']}").click()
+    page.get_by_test_id("frame-box").fill(str(one.frame))
     page.get_by_test_id("frame-box").press("Enter")
-    page.wait_for_url(re.compile(rf"[?&]frame={frame['frame']}\b"))
+    page.wait_for_url(re.compile(rf"[?&]frame={one.frame}\b"))
     page.keyboard.press("Escape")
     for position, (target, key) in enumerate(TARGETS.items()):
         page.keyboard.press(key)
         if position == 0:
-            x, y = np.array(frame["pixels"]["contact_rear"]) + rng.normal(0, CLICK_NOISE_PX, 2)
+            x, y = np.array(one.pixels["contact_rear"]) + rng.normal(0, CLICK_NOISE_PX, 2)
             click_pixel(page, float(x), float(y))
             expect(page.get_by_test_id("axes")).to_be_visible()
             expect(page.get_by_test_id("ladder")).to_be_visible()
-        x, y = np.array(frame["pixels"][target]) + rng.normal(0, CLICK_NOISE_PX, 2)
+        x, y = np.array(one.pixels[target]) + rng.normal(0, CLICK_NOISE_PX, 2)
         spot = on_screen(page, (float(x), float(y)))
         page.mouse.move(*spot)
         expect(page.get_by_test_id("live-height")).to_contain_text(re.compile(r"\d\.\d{3} ± 0\.\d{3}"))
@@ -184,20 +154,21 @@ def test_calibrate_pose_measure_review_export(
     tmp_path: Path,
     record_property: Any,
 ) -> None:
-    truth = truth_of(demonstration)
-    recording = recordings(page, survey_id)["daytime"]
+    truth = scene_truth(demonstration, "day")
+    recording = recording_of(page, survey_id, "day")
     camera, calibration = calibrate(page, survey_id, demonstration)
     choose_camera(page, survey_id, recording, camera)
     find_pose(page, survey_id, recording, truth, calibration)
 
     rng = np.random.default_rng(5)
-    stored = page.request.get(f"/api/surveys/{survey_id}/vehicles?recording_id={recording['id']}").json()
-    chosen = candidates(truth, stored)[:3]
+    # the driver on the near side: the inset of the other side is not the one that is offered
+    near = [one for one in whole_passes(demonstration, "day") if one["driver_side"] == "near"]
+    chosen = [own_vehicle(page, demonstration, "day", over) for over in near[:3]]
     assert len(chosen) == 3
     page.goto(f"/surveys/{survey_id}/measure?recording={recording['id']}")
     expect(page.get_by_test_id("frame-view")).to_be_visible()
-    for one, frame in chosen:
-        measure(page, one, frame, rng)
+    for one in chosen:
+        measure(page, one, rng)
 
     other = invited(page, browser, demonstration, "Rita Reviewer", "reviewer")
     review = other.new_page()
@@ -212,12 +183,11 @@ def test_calibrate_pose_measure_review_export(
 
     table = exported_heights(page, survey_id, tmp_path)
     inside, errors = 0, []
-    for one, _ in chosen:
+    for one in chosen:
         for target in TARGETS:
-            rows = table[(table["number"] == one["number"]) & (table["target"] == target)]
-            rows = rows[rows["recording_id"] == recording["id"]]
-            assert len(rows) == 1, (one["number"], target, len(rows))
-            error = float(rows.iloc[0]["height_m"]) - one["true_heights_m"][target]
+            rows = table[(table["vehicle_id"] == one.vehicle["id"]) & (table["target"] == target)]
+            assert len(rows) == 1, (one.vehicle["number"], target, len(rows))
+            error = float(rows.iloc[0]["height_m"]) - one.truth["true_heights_m"][target]
             errors.append(error)
             inside += abs(error) <= float(rows.iloc[0]["U95_height_m"])
     rms_mm = 1e3 * float(np.sqrt(np.mean(np.square(errors))))

@@ -4,9 +4,9 @@ import re
 
 from playwright.sync_api import Page, expect
 
-from .night import TARGETS, Pixel, stored, until, untouched
 from .picture import on_screen
 from .server import Server
+from .vehicles import TARGETS, Pixel, own_vehicle, stored, until
 
 MOVES = (10.0, "Shift+"), (1.0, ""), (0.1, "Alt+")
 
@@ -37,7 +37,7 @@ def cursor(page: Page) -> Pixel:
 
 
 def test_three_targets_by_keyboard_and_back_again(page: Page, demonstration: Server) -> None:
-    one = untouched(page, demonstration)
+    one = own_vehicle(page, demonstration)
     number = int(one.vehicle["number"])
     vehicles = page.request.get(f"/api/surveys/{one.survey}/vehicles").json()
     before = next(v for v in vehicles if v["number"] == number - 1)
@@ -110,7 +110,7 @@ def nudge(page: Page, vehicle: int, point: list[float]) -> None:
 
 
 def test_help_and_frames_by_keyboard(page: Page, demonstration: Server) -> None:
-    one = untouched(page, demonstration)
+    one = own_vehicle(page, demonstration)
     page.goto(one.address)
     box = page.get_by_test_id("frame-box")
     expect(box).to_have_value(str(one.frame))

@@ -1,6 +1,5 @@
 """Measuring on two frames by one key: the frame is proposed, both points clicked, the inset solved."""
 
-import json
 import math
 from pathlib import Path
 from typing import Any
@@ -8,30 +7,15 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page, expect
 
-from .conftest import wait_for_demonstration
 from .picture import on_screen
 from .server import Server
+from .vehicles import OwnVehicle, own_vehicle, whole_passes
 
 
-def passes(data_dir: Path) -> list[dict[str, Any]]:
-    """What is true of the daytime recording's passes."""
-    found: list[dict[str, Any]] = json.loads((data_dir / "demonstration/truth.json").read_text())["day"][
-        "passes"
-    ]
-    return found
-
-
-def free_pass(page: Page, survey: int, truth: list[dict[str, Any]]) -> tuple[dict[str, Any], dict[str, Any]]:
-    """A daytime vehicle of the far lane without a taillight measured, and its truth."""
-    everyone = page.request.get(f"/api/surveys/{survey}/vehicles").json()
-    recordings = page.request.get(f"/api/surveys/{survey}/recordings").json()
-    day = next(one["id"] for one in recordings if one["lighting"] == "daytime")
-    for one in reversed(truth):
-        for vehicle in everyone:
-            same = vehicle["recording_id"] == day and abs(vehicle["first_frame"] - one["first_frame"]) < 20
-            if same and not vehicle["measurements"] and one["best_frames"].get("taillight") is not None:
-                return vehicle, one
-    raise AssertionError("every pass of the demonstration is measured")
+def far_vehicle(page: Page, server: Server) -> OwnVehicle:
+    """A daytime vehicle of the far lane."""
+    far = [one for one in whole_passes(server, "day") if one["driver_side"] == "far"]
+    return own_vehicle(page, server, "day", far[-1])
 
 
 def pixels(one: dict[str, Any], frame: int) -> dict[str, list[float]]:
@@ -58,8 +42,8 @@ def shown_frame(page: Page, frame: int) -> None:
 
 @pytest.mark.parametrize("target", ["taillight"])
 def test_two_frames_by_one_key(page: Page, demonstration: Server, screenshots: Path, target: str) -> None:
-    survey = wait_for_demonstration(page)
-    vehicle, one = free_pass(page, survey, passes(demonstration.data_dir))
+    own = far_vehicle(page, demonstration)
+    survey, vehicle, one = own.survey, own.vehicle, own.truth
     frame = one["best_frames"][target]
     first = pixels(one, frame)
     contact = next(name for name in ("contact_rear", "contact_front") if name in first)

@@ -7,18 +7,18 @@ from collections.abc import Iterator
 import pytest
 from playwright.sync_api import Browser, BrowserContext, Locator, Page, Route, expect
 
-from .night import Untouched, click_at, stored, until, untouched
 from .picture import on_screen
 from .server import Server
+from .vehicles import OwnVehicle, click_at, own_vehicle, stored, until
 
 
 @pytest.fixture
-def one(page: Page, demonstration: Server) -> Untouched:
-    return untouched(page, demonstration)
+def one(page: Page, demonstration: Server) -> OwnVehicle:
+    return own_vehicle(page, demonstration)
 
 
 @pytest.fixture
-def colleague(page: Page, browser: Browser, demonstration: Server, one: Untouched) -> Iterator[Page]:
+def colleague(page: Page, browser: Browser, demonstration: Server, one: OwnVehicle) -> Iterator[Page]:
     """Another operator on another machine, with the same vehicle open."""
     made = page.request.post(
         "/api/people",
@@ -35,7 +35,7 @@ def colleague(page: Page, browser: Browser, demonstration: Server, one: Untouche
     context.close()
 
 
-def opened(page: Page, one: Untouched) -> Page:
+def opened(page: Page, one: OwnVehicle) -> Page:
     page.goto(one.address)
     expect(page.get_by_test_id(f"pass-{one.vehicle['number']}")).to_have_attribute("aria-current", "true")
     expect(page.get_by_label("Year")).to_be_visible()
@@ -50,13 +50,13 @@ def commit(field: Locator, text: str) -> None:
         field.press("Enter")
 
 
-def record(page: Page, one: Untouched) -> dict[str, object]:
+def record(page: Page, one: OwnVehicle) -> dict[str, object]:
     vehicle: dict[str, object] = page.request.get(f"/api/vehicles/{one.vehicle['id']}").json()
     return vehicle
 
 
 def test_the_second_is_told_who_and_when_and_nothing_is_lost(
-    page: Page, colleague: Page, one: Untouched
+    page: Page, colleague: Page, one: OwnVehicle
 ) -> None:
     opened(page, one)
     page.get_by_label("Year").fill("2021")  # begun here, not yet told to the server
@@ -81,7 +81,7 @@ def test_the_second_is_told_who_and_when_and_nothing_is_lost(
     assert (now["year"], now["height_source"]) == (2021, "sales brochure")
 
 
-def test_changes_to_different_fields_are_both_kept(page: Page, colleague: Page, one: Untouched) -> None:
+def test_changes_to_different_fields_are_both_kept(page: Page, colleague: Page, one: OwnVehicle) -> None:
     opened(page, one)
     page.get_by_label("Notes").fill("roof box")
     commit(colleague.get_by_label("Year"), "2017")
@@ -93,7 +93,7 @@ def test_changes_to_different_fields_are_both_kept(page: Page, colleague: Page, 
     assert (now["year"], now["notes"]) == (2017, "roof box")
 
 
-def test_two_tabs_of_one_person_see_each_other(context: BrowserContext, page: Page, one: Untouched) -> None:
+def test_two_tabs_of_one_person_see_each_other(context: BrowserContext, page: Page, one: OwnVehicle) -> None:
     opened(page, one)
     other = opened(context.new_page(), one)
     expect(page.get_by_text("This vehicle is open in another tab too")).to_be_visible()
@@ -104,25 +104,25 @@ def test_two_tabs_of_one_person_see_each_other(context: BrowserContext, page: Pa
     expect(row).to_contain_text("±")
 
 
-def click(page: Page, one: Untouched, name: str) -> None:
+def click(page: Page, one: OwnVehicle, name: str) -> None:
     click_at(page, one.pixels[name])
 
 
-def click_roof(page: Page, one: Untouched) -> None:
+def click_roof(page: Page, one: OwnVehicle) -> None:
     page.get_by_test_id("target-roof").click()
     click(page, one, "contact_rear")
     expect(page.get_by_test_id("axes")).to_be_visible()
     click(page, one, "roof")
 
 
-def revisions(page: Page, one: Untouched) -> list[tuple[str, int]]:
+def revisions(page: Page, one: OwnVehicle) -> list[tuple[str, int]]:
     """(target, revision) of everything the server has of the vehicle, withdrawn or not."""
     vehicle = page.request.get(f"/api/vehicles/{one.vehicle['id']}").json()
     return [(m["target"], m["revision"]) for m in vehicle["measurements"]]
 
 
 def test_a_click_without_a_connection_is_stored_once_it_is_back(
-    context: BrowserContext, page: Page, one: Untouched
+    context: BrowserContext, page: Page, one: OwnVehicle
 ) -> None:
     opened(page, one)
     page.get_by_test_id("target-roof").click()
@@ -147,7 +147,7 @@ def test_a_click_without_a_connection_is_stored_once_it_is_back(
     assert sorted(revisions(page, one)) == [("driver_eye", 1), ("roof", 1)]
 
 
-def test_a_lost_answer_does_not_store_twice(page: Page, one: Untouched) -> None:
+def test_a_lost_answer_does_not_store_twice(page: Page, one: OwnVehicle) -> None:
     opened(page, one)
     lost: list[int] = []
 
@@ -167,7 +167,7 @@ def test_a_lost_answer_does_not_store_twice(page: Page, one: Untouched) -> None:
     assert revisions(page, one) == [("roof", 1)]
 
 
-def test_a_click_not_yet_stored_survives_a_reload(page: Page, one: Untouched) -> None:
+def test_a_click_not_yet_stored_survives_a_reload(page: Page, one: OwnVehicle) -> None:
     opened(page, one)
     page.on("dialog", lambda dialog: dialog.accept())
     pattern = re.compile(r"/api/vehicles/\d+/measurements$")

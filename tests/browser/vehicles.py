@@ -1,10 +1,13 @@
-"""Low-light vehicles for tests that need one of their own; the main journey takes the daytime ones."""
+"""A vehicle of each test's own, over a pass of the demonstration: what one test stores is in no other's way.
+
+The scene's truth says where the vehicle is in the picture; the application itself never reads it.
+"""
 
 import json
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal
 
 from playwright.sync_api import Page
 
@@ -12,16 +15,19 @@ from .conftest import wait_for_demonstration
 from .picture import on_screen
 from .server import Server
 
+SceneName = Literal["day", "low_light"]
+LIGHTING: dict[SceneName, str] = {"day": "daytime", "low_light": "low_light"}
 TARGETS = ("roof", "driver_eye", "taillight")
 Pixel = tuple[float, float]
 
 
 @dataclass(frozen=True)
-class Untouched:
-    """A vehicle without measurements, and where its points are on a frame that shows them all."""
+class OwnVehicle:
+    """A vehicle without measurements or facts, and where its points are on a frame that shows them all."""
 
     survey: int
     vehicle: dict[str, Any]
+    truth: dict[str, Any]
     frame: int
     pixels: dict[str, Pixel]
 
@@ -34,26 +40,51 @@ class Untouched:
         )
 
 
-def untouched(page: Page, server: Server) -> Untouched:
-    """The last low-light vehicle that nobody has measured and whose three targets can all be seen."""
+def scene_truth(server: Server, scene: SceneName) -> dict[str, Any]:
+    """A scene's truth as the renderer wrote it."""
+    document = json.loads((server.data_dir / "demonstration" / "truth.json").read_text())
+    found: dict[str, Any] = document[scene]
+    return found
+
+
+def recording_of(page: Page, survey: int, scene: SceneName) -> dict[str, Any]:
+    """The demonstration's recording of a scene."""
+    recordings = page.request.get(f"/api/surveys/{survey}/recordings").json()
+    found: dict[str, Any] = next(one for one in recordings if one["lighting"] == LIGHTING[scene])
+    return found
+
+
+def whole_frames(one: dict[str, Any]) -> list[dict[str, Any]]:
+    """A pass's frames that show its rear contact and all targets uncovered, those nearest its best first."""
+    found = [
+        frame
+        for frame in one["frames"]
+        if {"contact_rear", *TARGETS} <= set(frame["pixels"]) and not set(TARGETS) & set(frame["hidden"])
+    ]
+    return sorted(found, key=lambda frame: abs(int(frame["frame"]) - int(one["best_frame"])))
+
+
+def whole_passes(server: Server, scene: SceneName) -> list[dict[str, Any]]:
+    """The passes of a scene that have such a frame."""
+    return [one for one in scene_truth(server, scene)["passes"] if whole_frames(one)]
+
+
+def own_vehicle(
+    page: Page, server: Server, scene: SceneName = "low_light", over: dict[str, Any] | None = None
+) -> OwnVehicle:
+    """A new vehicle over a pass of the scene: over the last that can be seen whole, unless told which."""
     page.goto("/")
     survey = wait_for_demonstration(page)
-    night = json.loads((server.data_dir / "demonstration" / "truth.json").read_text())["low_light"]
-    recordings = page.request.get(f"/api/surveys/{survey}/recordings").json()
-    recording = next(r for r in recordings if r["lighting"] == "low_light")
-    vehicles = page.request.get(f"/api/surveys/{survey}/vehicles?recording_id={recording['id']}").json()
-    by_first_frame = {one["first_frame"]: one for one in night["passes"]}
-    for vehicle in sorted(vehicles, key=lambda v: -int(v["number"])):
-        one = by_first_frame.get(vehicle["first_frame"])
-        if vehicle["measurements"] or vehicle["version"] != 1 or one is None:
-            continue
-        for frame in sorted(one["frames"], key=lambda f: abs(f["frame"] - one["best_frame"])):
-            pixels = frame["pixels"]
-            if {"contact_rear", *TARGETS} <= set(pixels) and not set(TARGETS) & set(frame["hidden"]):
-                return Untouched(
-                    survey, vehicle, frame["frame"], {k: (v[0], v[1]) for k, v in pixels.items()}
-                )
-    raise AssertionError("no low-light vehicle is left to measure")
+    one = over or whole_passes(server, scene)[-1]
+    made = page.request.post(
+        f"/api/recordings/{recording_of(page, survey, scene)['id']}/vehicles",
+        headers={"X-Sightline": "1"},
+        data={name: one[name] for name in ("first_frame", "last_frame", "best_frame")},
+    )
+    assert made.ok, made.text()
+    frame = whole_frames(one)[0]
+    pixels = {name: (x, y) for name, (x, y) in frame["pixels"].items()}
+    return OwnVehicle(survey, made.json(), one, int(frame["frame"]), pixels)
 
 
 def stored(page: Page, vehicle_id: int) -> dict[str, dict[str, Any]]:
