@@ -38,7 +38,8 @@ NEED_NO_SOURCE = {
 SIZE = r"\w+(?: [+*-] \w+)?"
 SHAPE = rf"\((?:\.\.\.|{SIZE})(?:,|(?:, {SIZE})+)\)|any (?:one )?shape|same shape"
 YEAR = r"(?:18|19|20)\d\d"
-AUTHORS = re.compile(rf"([A-Z]\w+)((?:(?:,| and| &) [A-Z]\w+)*(?: et al\.)?) ({YEAR})\b")
+AUTHORS = re.compile(rf"(?<!\w)([A-Z][\w-]+)((?:(?:,| and| &) [A-Z][\w-]+)*(?: et al\.)?) ({YEAR})\b")
+DOCUMENTED = (ast.FunctionDef, ast.ClassDef, ast.Module)
 SOURCE = re.compile(
     "|".join(
         [
@@ -85,6 +86,17 @@ def test_places_in_papers_and_documents_that_are_named_exist() -> None:
             for paper, last in (("Dupuis et al. 2019", 18), ("Douxchamps et al.", 5)):
                 for named in re.findall(rf"{paper}, eqs?\. ((?:\(\d+\)(?:, | to | and )?)+)", text):
                     assert all(1 <= int(n) <= last for n in re.findall(r"\d+", named)), (path.name, named)
+
+
+def test_works_that_are_named_stand_in_the_list_of_sources() -> None:
+    listed = (ROOT / "CONVENTIONS.md").read_text(encoding="utf-8").split("\n## Sources\n")[1]
+    found = []
+    for path in (path for room in ROOMS for path in sorted((PURE / room).rglob("*.py"))):
+        nodes = [node for node in ast.walk(ast.parse(path.read_text())) if isinstance(node, DOCUMENTED)]
+        for author, _, year in AUTHORS.findall(" ".join(map(doc_of, nodes))):
+            if not re.search(rf"^- (?:[^\d\n]*\W)?{author}\b[^\d\n]* {year}, ", listed, re.MULTILINE):
+                found.append(f"{path.relative_to(PURE)}: {author} {year}")
+    assert found == []
 
 
 PLANTED = '''
@@ -156,8 +168,8 @@ def faults(function: ast.FunctionDef, arrays: set[str], sourced: set[str], plain
             yield f"does not say that it raises {name}"
 
 
-def doc_of(function: ast.FunctionDef) -> str:
-    return " ".join((ast.get_docstring(function) or "").split())
+def doc_of(node: ast.FunctionDef | ast.ClassDef | ast.Module) -> str:
+    return " ".join((ast.get_docstring(node) or "").split())
 
 
 def raised(function: ast.FunctionDef) -> set[str]:
