@@ -165,6 +165,22 @@ problem-page = Something went wrong in this page; reload it, and tell the admini
 problem-offline = The server cannot be reached.
 keys-reserved = The browser keeps { $chord } for itself; choose another key.
 
+## Components: buttons of dialogs, progress, undo
+
+button-cancel = Cancel
+button-close = Close
+button-dismiss = Dismiss
+button-keep = Keep it
+button-try-again = Try again
+loading = Loading { $what }…
+progress-percent = { $percent } %
+job-queued = Waiting for its turn
+job-working = Working
+undo-step = Undo: { $step }
+undo-nothing = Nothing to undo
+redo-step = Redo: { $step }
+redo-nothing = Nothing to redo
+
 ## Words that many pages need
 
 interval = { $low } to { $high }

@@ -1,6 +1,7 @@
 import { signal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import { useEffect, useId, useRef } from "preact/hooks";
+import { say } from "../core/messages";
 import { Button } from "./Button";
 
 interface DialogProps {
@@ -42,7 +43,7 @@ export function Dialog({ title, onClose, children, actions, wide }: DialogProps)
     >
       <header class="dialog__head">
         <h2 id={id}>{title}</h2>
-        <Button kind="quiet" icon="close" label="Close" onClick={onClose} />
+        <Button kind="quiet" icon="close" label={say("button-close")} onClick={onClose} />
       </header>
       <div class="dialog__body">{children}</div>
       {actions && <footer class="dialog__foot">{actions}</footer>}
@@ -83,7 +84,7 @@ export function AskDialog() {
       onClose={() => q.answer(false)}
       actions={
         <>
-          <Button onClick={() => q.answer(false)}>Keep it</Button>
+          <Button onClick={() => q.answer(false)}>{say("button-keep")}</Button>
           <Button kind="primary" onClick={() => q.answer(true)}>
             {q.action}
           </Button>

@@ -1,6 +1,7 @@
 /** What a screen says while it loads, when it is empty, when something is wrong, and how far work has come. */
 import type { ComponentChildren } from "preact";
 import { explain } from "../core/api";
+import { say } from "../core/messages";
 import type { Job } from "../core/types";
 import { Button } from "./Button";
 import { Icon } from "./Icon";
@@ -9,7 +10,7 @@ export function Loading({ what }: { what: string }) {
   return (
     <div class="loading" role="status">
       <span class="spinner" aria-hidden="true" />
-      Loading {what}…
+      {say("loading", { what })}
     </div>
   );
 }
@@ -65,7 +66,7 @@ export function Problem({ error, again }: { error: unknown; again?: () => void }
       actions={
         again && (
           <Button small icon="retry" onClick={again}>
-            Try again
+            {say("button-try-again")}
           </Button>
         )
       }
@@ -91,7 +92,7 @@ export function Progress({ value, label, figure, still }: ProgressProps) {
     <div class={`progress${still ? " progress--still" : ""}`}>
       <div class="progress__words">
         <span>{label}</span>
-        <span class="nowrap">{figure ?? `${percent} %`}</span>
+        <span class="nowrap">{figure ?? say("progress-percent", { percent })}</span>
       </div>
       <div
         class="progress__track"
@@ -109,7 +110,7 @@ export function Progress({ value, label, figure, still }: ProgressProps) {
 
 /** A job's progress with its own words. */
 export function JobProgress({ job, onCancel }: { job: Job; onCancel?: () => void }) {
-  const label = job.message || (job.state === "queued" ? "Waiting for its turn" : "Working");
+  const label = job.message || (job.state === "queued" ? say("job-queued") : say("job-working"));
   return (
     <div class="row">
       <div class="grow">
@@ -117,7 +118,7 @@ export function JobProgress({ job, onCancel }: { job: Job; onCancel?: () => void
       </div>
       {onCancel && (
         <Button small onClick={onCancel}>
-          Cancel
+          {say("button-cancel")}
         </Button>
       )}
     </div>

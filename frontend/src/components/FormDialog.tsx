@@ -1,5 +1,6 @@
 import type { ComponentChildren } from "preact";
 import { useId, useState } from "preact/hooks";
+import { say } from "../core/messages";
 import { Button } from "./Button";
 import { Dialog } from "./Dialog";
 import { Problem } from "./Feedback";
@@ -41,7 +42,7 @@ export function FormDialog({ title, action, onClose, submit, disabled, children 
       onClose={onClose}
       actions={
         <>
-          <Button onClick={onClose}>Cancel</Button>
+          <Button onClick={onClose}>{say("button-cancel")}</Button>
           <Button
             kind="primary"
             busy={busy}

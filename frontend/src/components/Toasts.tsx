@@ -1,3 +1,4 @@
+import { say } from "../core/messages";
 import { dismiss, toasts } from "../core/toasts";
 import { Button } from "./Button";
 
@@ -20,7 +21,13 @@ export function Toasts() {
               {toast.action.label}
             </Button>
           )}
-          <Button kind="quiet" small icon="close" label="Dismiss" onClick={() => dismiss(toast.id)} />
+          <Button
+            kind="quiet"
+            small
+            icon="close"
+            label={say("button-dismiss")}
+            onClick={() => dismiss(toast.id)}
+          />
         </div>
       ))}
     </div>

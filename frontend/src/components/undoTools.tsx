@@ -2,6 +2,7 @@
 
 import { hint } from "../core/commands";
 import type { History } from "../core/history";
+import { say } from "../core/messages";
 import { toastProblem } from "../core/toasts";
 import { useTopTools } from "../core/topbar";
 import { type ButtonCommand, CommandButton } from "./CommandButton";
@@ -43,18 +44,10 @@ export function useUndoTools(history: History, { undo, redo }: HistoryCommands):
     () => (
       <>
         <span data-testid="undo">
-          <CommandButton
-            command={undo}
-            small={false}
-            title={titleOf("Undo", undoLabel.value) + hint("undo")}
-          />
+          <CommandButton command={undo} small={false} title={undoTitle(undoLabel.value) + hint("undo")} />
         </span>
         <span data-testid="redo">
-          <CommandButton
-            command={redo}
-            small={false}
-            title={titleOf("Redo", redoLabel.value) + hint("redo")}
-          />
+          <CommandButton command={redo} small={false} title={redoTitle(redoLabel.value) + hint("redo")} />
         </span>
       </>
     ),
@@ -62,6 +55,10 @@ export function useUndoTools(history: History, { undo, redo }: HistoryCommands):
   );
 }
 
-function titleOf(word: string, step: string | null): string {
-  return step ? `${word}: ${step}` : `Nothing to ${word.toLowerCase()}`;
+function undoTitle(step: string | null): string {
+  return step ? say("undo-step", { step }) : say("undo-nothing");
+}
+
+function redoTitle(step: string | null): string {
+  return step ? say("redo-step", { step }) : say("redo-nothing");
 }
