@@ -49,7 +49,7 @@ class Sampler:
         self._count = 0
 
     def offer(self, small: Small) -> None:
-        """Look at the next picture; one in a few is kept."""
+        """Look at the next picture, `small` (h, w); one in a few is kept."""
         if self._count % self._every == 0:
             self._kept.append(small)
             if self._last is not None:

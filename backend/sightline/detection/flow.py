@@ -25,7 +25,7 @@ class Motion:
         self._search = cv2.DISOpticalFlow.create(cv2.DISOPTICAL_FLOW_PRESET_ULTRAFAST)
 
     def between(self, last: Small, small: Small) -> Flow:
-        """Where each pixel of `last` went, (h, w, 2) pixels right and down."""
+        """Where each pixel of `last` went in `small`, (h, w) both: (h, w, 2) pixels right and down."""
         blank = np.zeros((*last.shape, 2), np.float32)
         return np.asarray(self._search.calc(last, small, blank), np.float32)
 

@@ -43,7 +43,7 @@ class Motion:
     points: int
 
     def move(self, points_px: Floats, size_px: tuple[int, int]) -> Floats:
-        """Where points (N, 2) of the pose's picture lie in the moved one."""
+        """Where points (N, 2) of the pose's picture, `points_px` (N, 2), lie in the moved one."""
         away = points_px - _centre(size_px)
         s, t = self.scale - 1.0, self.turn_rad
         turned = np.stack([s * away[:, 0] - t * away[:, 1], t * away[:, 0] + s * away[:, 1]], axis=1)

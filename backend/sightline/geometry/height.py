@@ -68,6 +68,7 @@ class Heights:
 
     @property
     def ok(self) -> NDArray[np.bool_]:
+        """Which have a height, (N,)."""
         return np.asarray(self.code == OK, dtype=np.bool_)
 
     def reason(self, row: int) -> str | None:

@@ -43,6 +43,7 @@ class Sightings:
         return len(self.measured_m)
 
     def only(self, chosen: Bools) -> "Sightings":
+        """The rows that are `chosen` (N,)."""
         rows = np.flatnonzero(chosen)
         return Sightings(
             self.camera_height_m[rows],

@@ -33,7 +33,7 @@ class MeanPicture:
         self._best: tuple[int, Floats] | None = None
 
     def add(self, gray: Gray, corners: Corners) -> None:
-        """One frame and the board found in it; a board that moved begins a new stretch."""
+        """One frame, `gray` (H, W), and the board found in it; a board that moved begins a new stretch."""
         points = corners.points_px.reshape(-1, 2)
         still = (
             self._sum is not None

@@ -89,5 +89,5 @@ class RoadPose:
         return frozen(-self.rotation.T @ self.translation_m)
 
     def to_camera(self, points_road_m: Floats) -> Floats:
-        """Camera-frame points (N, 3) of road points (N, 3)."""
+        """Camera-frame points (N, 3) of road points, `points_road_m` (N, 3): R x + t, metres."""
         return np.asarray(points_road_m @ self.rotation.T + self.translation_m, dtype=np.float64)

@@ -35,7 +35,7 @@ class Grid:
         return self.rows // self.band
 
     def pooled(self, block: Pixels) -> Floats:
-        """Cell means (lines // step, bands) of a block (lines, rows); lines left over are not looked at."""
+        """Cell means (steps, bands) of a `block` (lines, rows); lines left over are not looked at."""
         steps = len(block) // self.step
         cut = cast(Pixels, np.ascontiguousarray(block[: steps * self.step, : self.bands * self.band]))
         if not steps:
@@ -63,7 +63,9 @@ class Road:
 
     @property
     def threshold_dn(self) -> Floats:
-        """A cell that differs by more is no road: it follows the noise, and never asks for too little."""
+        """A cell that differs by more, (bands,), is no road: it follows the noise, and never asks for too
+        little.
+        """
         floor = LEAST_CONTRAST * float(np.median(self.pooled))
         return np.asarray(np.maximum(SIGMAS * self.cell_dn, floor), np.float32)
 

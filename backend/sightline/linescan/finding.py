@@ -47,6 +47,7 @@ class LineBuffer:
     stop: int = 0
 
     def add(self, block: Pixels) -> None:
+        """Keep the next lines, `block` (n, rows)."""
         self.blocks.append((self.stop, block))
         self.stop += len(block)
 
@@ -55,7 +56,7 @@ class LineBuffer:
             self.blocks.popleft()
 
     def cut(self, start: int, stop: int) -> tuple[Pixels, int]:
-        """Lines start to stop, as far as they are kept, and the first line's number."""
+        """Lines start to stop, as far as they are kept, (n, rows), and the first line's number."""
         parts = [
             (begin + max(start - begin, 0), block[max(start - begin, 0) : max(stop - begin, 0)])
             for begin, block in self.blocks
@@ -103,7 +104,9 @@ class Finder:
         self._held: tuple[list[Pixels], list[Pixels]] = ([], [])
 
     def push(self, first: Pixels, second: Pixels) -> list[Passage]:
-        """Takes the next lines (n, rows) of both strips; returns the vehicles that are now complete."""
+        """Takes the next lines of both strips, `first` and `second` (n, rows); returns the vehicles that are
+        now complete. Raises BadInput for strips that differ in shape.
+        """
         if first.shape != second.shape or first.ndim != 2 or first.shape[1] != self.rows:
             raise BadInput(
                 f"The strips differ: {first.shape} and {second.shape} lines by rows, "

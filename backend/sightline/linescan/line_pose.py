@@ -63,12 +63,12 @@ class LinePose:
         return float(np.arctan(self.parameters[2]))
 
     def rows_of(self, distance_m: ArrayLike, height_m: ArrayLike) -> Floats:
-        """(N,) rows of points at (N,) horizontal distances and (N,) heights above the road, m."""
+        """(N,) rows of points at `distance_m` (N,), horizontal, and `height_m` (N,) above the road, m."""
         slopes = _slopes(np.asarray(distance_m, float), np.asarray(height_m, float), self.camera_height_m)
         return _rows(self.parameters, slopes)
 
     def slopes_of(self, row: ArrayLike) -> Floats:
-        """(N,) slopes under which (N,) rows look out."""
+        """(N,) slopes under which the rows `row` (N,) look out."""
         p0, p1, p2, _ = self.parameters
         rows = np.asarray(row, dtype=np.float64)
         return np.asarray((rows - p0) / (p1 - p2 * rows), dtype=np.float64)

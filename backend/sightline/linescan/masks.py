@@ -25,10 +25,11 @@ class Sheet:
     band: int
 
     def place(self, line: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Strip lines to places in `values`."""
+        """Places in `values`, of the same shape, of strip lines, `line` of any shape."""
         return np.asarray((line - self.start_line) / self.step)
 
     def line(self, place: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Strip lines, of the same shape, of places in `values`, `place` of any shape."""
         return np.asarray(self.start_line + place * self.step)
 
 

@@ -47,9 +47,11 @@ class Clock:
     line_rate_hz: float
 
     def seconds(self, line: Array) -> Array:
+        """Seconds, of the same shape, of strip lines, `line` of any shape."""
         return np.asarray((line - self.front_line_1) / self.line_rate_hz)
 
     def lines(self, seconds: Array) -> Array:
+        """Strip lines, of the same shape, of `seconds` of any shape."""
         return np.asarray(seconds * self.line_rate_hz + self.front_line_1)
 
 

@@ -21,14 +21,18 @@ class Course:
     baseline_m: float
 
     def travelled_m(self, time_s: Array) -> Array:
-        """How far the front is beyond camera 1."""
+        """How far the front is beyond camera 1 at `time_s`, any shape: v t + a t^2 / 2, metres, of the same
+        shape.
+        """
         return np.asarray(self.speed_mps * time_s + self.acceleration_mps2 / 2 * time_s**2)
 
     def speed_at_mps(self, time_s: Array) -> Array:
+        """The speed at `time_s`, any shape: v + a t, m/s, of the same shape."""
         return np.asarray(self.speed_mps + self.acceleration_mps2 * time_s)
 
     def second_s(self, first_s: Array) -> Array:
-        """t2 of t1; the root of the quadratic that stays exact as the acceleration goes to 0.
+        """t2 of t1, `first_s` of any shape, seconds, of the same shape; the root of the quadratic that stays
+        exact as the acceleration goes to 0.
 
         A vehicle that would stop before camera 2 gets the time at which it stops.
         """
@@ -38,7 +42,9 @@ class Course:
         return np.asarray(2 * to_go / np.maximum(v + np.sqrt(under), 1e-6))
 
     def derivatives(self, first_s: Array, second_s: Array) -> tuple[Array, Array]:
-        """d t2 / d speed and d t2 / d acceleration, (n,) each."""
+        """d t2 / d speed and d t2 / d acceleration, (n,) each, at t1 and t2, `first_s`, `second_s` (n,):
+        minus (t2 - t1) / v(t2) and (t2^2 - t1^2) / (2 v(t2)).
+        """
         now = np.maximum(self.speed_at_mps(second_s), 1e-3)
         return (
             np.asarray(-(second_s - first_s) / now),

@@ -77,7 +77,7 @@ class Watcher:
         return self._open.front if self._open else self.lines
 
     def begin(self, block: Pixels) -> None:
-        """Finds the road in the recording's first part."""
+        """Finds the road in the recording's first part, `block` (lines, rows)."""
         self.road = first_road(block, self.grid, self.spans.road)
 
     def see(self, block: Pixels) -> list[Event]:
