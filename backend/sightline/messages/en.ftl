@@ -181,6 +181,80 @@ undo-nothing = Nothing to undo
 redo-step = Redo: { $step }
 redo-nothing = Nothing to redo
 
+## App: titles, the bar above, the rail, addresses that lead nowhere
+
+app-name = Sightline
+app-title = { $page } – Sightline
+app-title-in-survey = { $page } – { $survey } – Sightline
+app-not-found = Not found
+app-skip = Skip to the page
+app-to-surveys = Go to the surveys
+app-nothing-here-title = There is nothing at this address
+app-nothing-here = The link may be old, or the survey may have been removed.
+app-not-loaded = This page could not be loaded, perhaps because a newer version was installed; reload it.
+app-loading-page = { $page ->
+    [sign-in] sign in
+    [surveys] surveys
+    [survey] overview
+    [planning] plan the site
+    [camera] camera
+    [recordings] recordings
+    [pose] road pose
+    [measure] measure
+    [checks] checks
+    [review] review
+    [repeats] repeats
+    [click-again] click again
+    [scans] line scans
+    [scan-results] motion
+    [scan] line scan
+    [export] export
+    [statistics] statistics
+    [audit] audit
+    [people] people
+   *[account] account
+}
+app-where = Where you are
+app-survey = Survey
+app-other-step = { $page }: go to another step
+app-keys = Keys
+app-work = Order of work
+app-audit = Audit trail
+save-waiting = { $count } not yet saved
+save-pending = saving…
+save-failed = last change not saved
+save-done = saved { $time }
+menu-person = { $person }: account and settings
+menu-role = { $role } · Sightline { $version }
+menu-theme = Theme
+menu-theme-system = System
+menu-theme-light = Light
+menu-theme-dark = Dark
+menu-lengths = Lengths
+menu-lengths-metres = Metres
+menu-lengths-feet = Feet
+menu-sign-out = Sign out
+
+## App: while the server cannot be reached
+
+offline-changes = { $count ->
+    [one] { $count } change will be saved when it is back; keep this page open.
+   *[other] { $count } changes will be saved when it is back; keep this page open.
+}
+offline-next = Next try in { $seconds } s.
+offline-now = Trying again…
+offline-try = Try now
+
+## App: the list of keys
+
+keys-usual = Back to the usual keys
+keys-clash = { $chord } now means both “{ $one }” and “{ $other }”; the first one wins.
+keys-elsewhere = On other screens
+keys-wheel = Wheel: zoom at the pointer. Drag with the middle button, or with Space held: move the picture.
+keys-of = { $command }: { $keys }. Change
+keys-change = Change the key
+keys-press = press a key…
+
 ## Words that many pages need
 
 interval = { $low } to { $high }

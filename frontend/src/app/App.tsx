@@ -4,6 +4,7 @@ import { AskDialog, Loading, Problem } from "../components";
 import { Toasts } from "../components/Toasts";
 import { current, navigate } from "../core/address";
 import { useCommands } from "../core/commands";
+import { language, say } from "../core/messages";
 import { titleOf } from "../core/places";
 import { loadSession, me, sessionProblem } from "../core/session";
 import { loadSurvey, survey, surveyProblem } from "../core/survey";
@@ -42,10 +43,10 @@ function Body() {
   const person = me.value;
   const surveyId = here?.surveyId ?? 0;
   useEffect(() => {
-    const place = here ? titleOf(here.place.name) : "Not found";
-    const name = surveyId && survey.value ? ` – ${survey.value.name}` : "";
-    document.title = `${place}${name} – Sightline`;
-  }, [here?.place.name, survey.value?.name]);
+    const page = here ? titleOf(here.place.name) : say("app-not-found");
+    const name = surveyId ? survey.value?.name : undefined;
+    document.title = name ? say("app-title-in-survey", { page, survey: name }) : say("app-title", { page });
+  }, [here?.place.name, survey.value?.name, language.value]);
   useEffect(() => {
     if (person && surveyId) void loadSurvey(surveyId);
   }, [person?.person.id, surveyId, here?.place.name]);
@@ -68,7 +69,7 @@ function Body() {
     return (
       <>
         <Offline />
-        <Loading what="Sightline" />
+        <Loading what={say("app-name")} />
       </>
     );
   }
@@ -76,7 +77,7 @@ function Body() {
   return (
     <div class="shell">
       <a class="skip btn" href="#main">
-        Skip to the page
+        {say("app-skip")}
       </a>
       <TopBar />
       <Offline />
@@ -110,7 +111,7 @@ function SurveyProblem({ id }: { id: number }) {
     <div class="page">
       <Problem error={surveyProblem.value} again={() => void loadSurvey(id)} />
       <p>
-        <a href="/">Go to the surveys</a>
+        <a href="/">{say("app-to-surveys")}</a>
       </p>
     </div>
   );

@@ -17,6 +17,7 @@ import {
   type Scope,
   showChord,
 } from "../core/commands";
+import { anyOf, say } from "../core/messages";
 import { keysShown } from "./KeysDialog.state";
 
 /** The key map, shown by `?`: every action with its keys; press "change", then the new key. */
@@ -48,7 +49,7 @@ export default function KeysDialog() {
   return (
     <Dialog
       wide
-      title="Keys"
+      title={say("app-keys")}
       onClose={() => {
         keysShown.value = false;
       }}
@@ -59,7 +60,7 @@ export default function KeysDialog() {
             overrides.value = {};
           }}
         >
-          Back to the usual keys
+          {say("keys-usual")}
         </Button>
       }
     >
@@ -67,19 +68,17 @@ export default function KeysDialog() {
         {problem && <Notice kind="warning">{problem}</Notice>}
         {clashes.map(({ chord, actions: [a, b] }) => (
           <Notice kind="warning" key={`${a}${b}${chord}`}>
-            {showChord(chord)} now means both “{commandName(a)}” and “{commandName(b)}”; the first one wins.
+            {say("keys-clash", { chord: showChord(chord), one: commandName(a), other: commandName(b) })}
           </Notice>
         ))}
         <KeyTables ids={ids.filter((id) => here.has(id))} {...rows} />
         {ids.some((id) => !here.has(id)) && (
           <details>
-            <summary>On other screens</summary>
+            <summary>{say("keys-elsewhere")}</summary>
             <KeyTables ids={ids.filter((id) => !here.has(id))} {...rows} />
           </details>
         )}
-        <p class="muted small">
-          Wheel: zoom at the pointer. Drag with the middle button, or with Space held: move the picture.
-        </p>
+        <p class="muted small">{say("keys-wheel")}</p>
       </div>
     </Dialog>
   );
@@ -124,12 +123,12 @@ function KeyRow({ id, wordsOf, listening, listen }: Rows & { id: ActionId }) {
         <button
           type="button"
           class="keys__change"
-          aria-label={`${wordsOf(id)}: ${keyMap.value[id].map(showChord).join(" or ")}. Change`}
-          title="Change the key"
+          aria-label={say("keys-of", { command: wordsOf(id), keys: anyOf(keyMap.value[id].map(showChord)) })}
+          title={say("keys-change")}
           onClick={() => listen(waits ? null : id)}
         >
           {waits
-            ? "press a key…"
+            ? say("keys-press")
             : keyMap.value[id].map((chord) => <kbd key={chord}>{showChord(chord)}</kbd>)}
         </button>
       </td>

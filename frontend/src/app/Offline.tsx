@@ -1,8 +1,8 @@
 import { useEffect, useState } from "preact/hooks";
 import { Button, Icon } from "../components";
 import { connection, tryAgainNow } from "../core/api";
+import { say } from "../core/messages";
 import { saveState } from "../core/save";
-import { plural } from "../core/units";
 
 /** Says that the server cannot be reached, what waits, and when it is tried again. */
 export function Offline() {
@@ -21,12 +21,11 @@ export function Offline() {
     <div class="offline" role="alert">
       <Icon name="warning" />
       <span class="grow">
-        The server cannot be reached.{" "}
-        {changes > 0 && `${plural(changes, "change")} will be saved when it is back; keep this page open. `}
-        {seconds > 0 ? `Next try in ${seconds} s.` : "Trying again…"}
+        {say("problem-offline")} {changes > 0 && `${say("offline-changes", { count: changes })} `}
+        {seconds > 0 ? say("offline-next", { seconds }) : say("offline-now")}
       </span>
       <Button small onClick={tryAgainNow}>
-        Try now
+        {say("offline-try")}
       </Button>
     </div>
   );

@@ -1,4 +1,5 @@
 import { Icon, type IconName, StateMark } from "../components";
+import { say } from "../core/messages";
 import { titleOf } from "../core/places";
 import { survey } from "../core/survey";
 import { stepState, WORK } from "../core/work";
@@ -20,7 +21,7 @@ const ICONS: Record<(typeof WORK)[number]["name"], IconName> = {
 /** The order of work beside the quiet screens: each step with its state. */
 export function Rail({ surveyId, name }: { surveyId: number; name: string }) {
   return (
-    <nav class="rail" aria-label="Order of work">
+    <nav class="rail" aria-label={say("app-work")}>
       <ul>
         {WORK.map((entry) => {
           const state = stepState(survey.value, entry.step);
@@ -44,13 +45,13 @@ export function Rail({ surveyId, name }: { surveyId: number; name: string }) {
         <li>
           <a class="rail__item" href={`/statistics?survey=${surveyId}`}>
             <Icon name="chart" />
-            <span class="grow">Statistics</span>
+            <span class="grow">{titleOf("statistics")}</span>
           </a>
         </li>
         <li>
           <a class="rail__item" href={`/audit?survey_id=${surveyId}`}>
             <Icon name="audit" />
-            <span class="grow">Audit trail</span>
+            <span class="grow">{say("app-audit")}</span>
           </a>
         </li>
       </ul>

@@ -1,8 +1,8 @@
 import type { ComponentChildren } from "preact";
 import { useEffect, useErrorBoundary, useState } from "preact/hooks";
 import { Empty, Loading, Notice, Problem } from "../components";
+import { say } from "../core/messages";
 import type { Match } from "../core/places";
-import { titleOf } from "../core/places";
 import { loadedScreen, loadScreen } from "./screens";
 
 /** Loads a screen's code when it is first shown. */
@@ -32,13 +32,11 @@ export function Screen({ here }: { here: Match }) {
   if (failed) {
     return (
       <div class="page">
-        <Notice kind="problem">
-          This page could not be loaded, perhaps because a newer version was installed; reload it.
-        </Notice>
+        <Notice kind="problem">{say("app-not-loaded")}</Notice>
       </div>
     );
   }
-  return <Loading what={titleOf(place.name).toLowerCase()} />;
+  return <Loading what={say("app-loading-page", { page: place.name })} />;
 }
 
 /** A page that breaks says so in one sentence; the bar above it and the other pages go on working. */
@@ -54,8 +52,8 @@ function Guarded({ children }: { children: ComponentChildren }) {
 
 export function NotFound() {
   return (
-    <Empty title="There is nothing at this address" actions={<a href="/">Go to the surveys</a>}>
-      <p>The link may be old, or the survey may have been removed.</p>
+    <Empty title={say("app-nothing-here-title")} actions={<a href="/">{say("app-to-surveys")}</a>}>
+      <p>{say("app-nothing-here")}</p>
     </Empty>
   );
 }

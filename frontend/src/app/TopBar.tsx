@@ -24,7 +24,7 @@ export function TopBar() {
       <span class="topbar__rule" aria-hidden="true" />
       <Button
         kind="quiet"
-        label={`Keys${hint("help")}`}
+        label={say("app-keys") + hint("help")}
         onClick={() => {
           keysShown.value = true;
         }}
@@ -41,16 +41,16 @@ function Crumbs() {
   const here = current.value;
   const inSurvey = here !== null && here.surveyId > 0;
   return (
-    <nav class="crumbs" aria-label="Where you are">
+    <nav class="crumbs" aria-label={say("app-where")}>
       <a class="topbar__mark" href="/">
         <Mark />
-        Sightline
+        {say("app-name")}
       </a>
       <ol>
         {inSurvey && (
           <li>
             <a class="clip" href={`/surveys/${here.surveyId}`}>
-              {survey.value?.name ?? "Survey"}
+              {survey.value?.name ?? say("app-survey")}
             </a>
           </li>
         )}
@@ -73,7 +73,7 @@ function WorkMenu({ surveyId, name, title }: { surveyId: number; name: string; t
   return (
     <Menu
       left
-      label={`${title}: go to another step`}
+      label={say("app-other-step", { page: title })}
       button={
         <>
           <strong>{title}</strong>
@@ -99,13 +99,13 @@ function SaveWord() {
   const { pending, waiting, savedAt, failed } = saveState.value;
   const word =
     waiting > 0
-      ? `${waiting} not yet saved`
+      ? say("save-waiting", { count: waiting })
       : pending > 0
-        ? "saving…"
+        ? say("save-pending")
         : failed
-          ? "last change not saved"
+          ? say("save-failed")
           : savedAt
-            ? `saved ${formatClock(savedAt)}`
+            ? say("save-done", { time: formatClock(savedAt) })
             : "";
   return (
     <span class="topbar__save" role="status" data-testid="save-state">
@@ -114,10 +114,10 @@ function SaveWord() {
   );
 }
 
-const THEMES: { value: ThemeChoice; label: string }[] = [
-  { value: "system", label: "System" },
-  { value: "light", label: "Light" },
-  { value: "dark", label: "Dark" },
+const themes = (): { value: ThemeChoice; label: string }[] => [
+  { value: "system", label: say("menu-theme-system") },
+  { value: "light", label: say("menu-theme-light") },
+  { value: "dark", label: say("menu-theme-dark") },
 ];
 
 function PersonMenu() {
@@ -132,42 +132,42 @@ function PersonMenu() {
   return (
     <Menu
       class="topbar__person"
-      label={`${person.name}: account and settings`}
+      label={say("menu-person", { person: person.name })}
       button={<span class="avatar">{initials}</span>}
     >
       <div class="menu__head">
         <strong class="clip">{person.name}</strong>
         <span class="muted small">
-          {ROLE_NAMES[person.role]} · Sightline {me.value?.version}
+          {say("menu-role", { role: ROLE_NAMES[person.role], version: me.value?.version ?? "" })}
         </span>
       </div>
       <div class="menu__sep" />
       <a class="menu__item" href="/account">
-        Account
+        {titleOf("account")}
       </a>
       {may("admin") && (
         <a class="menu__item" href="/people">
-          People
+          {titleOf("people")}
         </a>
       )}
       <a class="menu__item" href="/audit">
-        Audit trail
+        {say("app-audit")}
       </a>
       <div class="menu__sep" />
       <Choice
-        label="Theme"
+        label={say("menu-theme")}
         value={themeChoice.value}
-        options={THEMES}
+        options={themes()}
         set={(v) => {
           themeChoice.value = v;
         }}
       />
       <Choice<LengthUnit>
-        label="Lengths"
+        label={say("menu-lengths")}
         value={lengthUnit.value}
         options={[
-          { value: "m", label: "Metres" },
-          { value: "ft", label: "Feet" },
+          { value: "m", label: say("menu-lengths-metres") },
+          { value: "ft", label: say("menu-lengths-feet") },
         ]}
         set={(v) => {
           lengthUnit.value = v;
@@ -183,7 +183,7 @@ function PersonMenu() {
       )}
       <div class="menu__sep" />
       <button type="button" class="menu__item" onClick={() => signOut().catch(toastProblem)}>
-        Sign out
+        {say("menu-sign-out")}
       </button>
     </Menu>
   );

@@ -1,6 +1,7 @@
 /** Coming to another page: its title is announced and its heading gets the focus, so that nobody is left where the link was. */
 import { useEffect, useRef, useState } from "preact/hooks";
 import { current } from "../core/address";
+import { say } from "../core/messages";
 import { titleOf } from "../core/places";
 
 export function Arrival() {
@@ -13,7 +14,7 @@ export function Arrival() {
       loading.current = false;
       return;
     }
-    setTitle(here ? titleOf(here.place.name) : "Not found");
+    setTitle(here ? titleOf(here.place.name) : say("app-not-found"));
     const main = document.getElementById("main");
     return main ? focusHeading(main) : undefined;
   }, [here?.place.name, here?.surveyId]);

@@ -68,6 +68,11 @@ export function wordsOf<N extends string>(keys: Record<N, PlainKey>): Readonly<R
   return words;
 }
 
+/** "F, → or Home" */
+export function anyOf(words: readonly string[]): string {
+  return new Intl.ListFormat(region.value, { type: "disjunction" }).format(words);
+}
+
 /** `say` where key and values were checked before. */
 export function sentence(key: string, values?: Record<string, FluentVariable>): string {
   for (const bundle of bundles.value) {
