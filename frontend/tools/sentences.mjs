@@ -23,7 +23,6 @@ const NOT_YET = [
   "src/screens/review",
   "src/screens/scans",
   "src/screens/signin",
-  "src/screens/statistics",
   "src/screens/survey",
   "src/screens/surveys",
 ];

@@ -44,6 +44,18 @@ state-left_out = left out
 state-active = active
 state-inactive = switched off
 
+## Words of the domain: light and kinds of vehicles
+
+lighting-daytime = Daytime
+lighting-low_light = Low light
+category-hatchback = Hatchback
+category-saloon = Saloon
+category-estate = Estate
+category-suv = SUV
+category-van = Van
+category-lorry = Lorry
+category-other = Other
+
 ## Roles of people
 
 role-viewer = Viewer
@@ -262,6 +274,13 @@ person-system = the system
 menu-language = Language
 stage-frame = Frame
 stage-frames = Frames
+action-add = Add
+action-cancel = Cancel
+action-clear-filter = Clear the filter
+action-print = Print
+file-csv = CSV
+figure-share-of-vehicles = share of vehicles (%)
+with-unit = { $name } ({ $unit })
 
 ## Repeats: the page
 
@@ -358,3 +377,261 @@ again-none-title = Nothing is measured yet
 again-none-own = How well you repeat yourself shows once you have measured something in this survey.
 again-none = Measure some vehicles first; then they can be clicked again.
 again-to-measure = Go to measuring
+
+## Statistics: the page
+
+statistics-lead = Errors against known heights, and distributions of what was measured.
+statistics-loading = the statistics
+statistics-back = Back to the survey
+statistics-counted = { $measurements ->
+    [one] { $measurements } measurement
+   *[other] { $measurements } measurements
+} of { $vehicles ->
+    [one] { $vehicles } vehicle
+   *[other] { $vehicles } vehicles
+}, { $roofs ->
+    [one] { $roofs } roof
+   *[other] { $roofs } roofs
+} with a manufacturer’s height.
+statistics-left-out = Left out: { $states }.
+statistics-left-out-state = { $state ->
+    [to_review] { NUMBER($count) } to review
+    [reopened] { NUMBER($count) } reopened
+    [rejected] { NUMBER($count) } rejected
+    [accepted] { NUMBER($count) } accepted
+   *[fixed] { NUMBER($count) } fixed
+}
+statistics-none-accepted-title = No accepted measurements yet
+statistics-none-title = No measurements here
+statistics-to-review = Go to the review
+statistics-show-to-review = Show those to review
+statistics-to-measure = Measure vehicles
+statistics-none-accepted = { $count ->
+    [one] Only accepted measurements count, and { $count } measurement waits for review.
+   *[other] Only accepted measurements count, and { $count } measurements wait for review.
+}
+statistics-none-filtered = The filter leaves no measurement; widen it.
+statistics-none = Measure vehicles and have them reviewed; their figures then appear here.
+statistics-eye = Driver’s eye
+statistics-taillight = Taillight, lower limit
+statistics-headlight = Headlight
+statistics-roof = Roof
+
+## Statistics: the filter
+
+statistics-filter = Filter
+statistics-filter-state = Review state
+statistics-filter-state-all = all
+statistics-filter-target = Target
+statistics-filter-target-all = all
+statistics-filter-lighting = Lighting
+statistics-filter-category = Category
+statistics-filter-any = any
+statistics-filter-operator = Operator
+statistics-filter-anybody = anybody
+statistics-filter-first-day = Measured from (UTC)
+statistics-filter-last-day = to
+statistics-filter-correction = Correction
+statistics-correction-inset = inset of each (default)
+statistics-correction-shift = mean error (the paper’s)
+statistics-correction-none = none (inset 0)
+statistics-correction-regression = regression
+statistics-correction-deconvolution = deconvolution
+statistics-filter-rounding = Error table
+statistics-rounding-cm = whole cm (the paper’s)
+statistics-rounding-none = not rounded
+statistics-filter-surveys = Surveys
+statistics-filter-surveys-some = { $count ->
+    [one] { $count } survey
+   *[other] { $count } surveys
+}
+statistics-filter-surveys-none = all surveys
+statistics-filter-surveys-help = Surveys that count; none chosen: all
+statistics-filter-surveys-clear = All surveys
+statistics-reference-u = u of a reference height
+statistics-reference-u-hint = as if within ±{ $limit }, all alike
+statistics-reference-u-inches = Give a number of inches.
+statistics-reference-u-millimetres = Give a number of millimetres.
+
+## Statistics: the error table
+
+statistics-errors-title = Error against manufacturers’ heights
+statistics-errors-save = Error table as CSV
+statistics-errors-head = error = measured − reference
+statistics-bias = bias
+statistics-mae = MAE
+statistics-rmse = RMSE
+statistics-mse = MSE
+statistics-sd = SD
+statistics-correlation = r(error, height)
+statistics-correlation-absolute = r(|error|, height)
+statistics-errors-note = Intervals at 95 % below each figure. SD is that of the signed error, n − 1. Not pooled from other figures.
+statistics-paper-inconsistent = What is inconsistent in the paper’s printed figures
+statistics-paper-note = <strong>{ $group }:</strong> { $note }
+statistics-paper-printed = the paper, as printed
+statistics-stands-for = stands for { $group }
+statistics-no-interval = { $figures }: { $reason }
+statistics-reference-part = By itself it makes a correlation of { $correlation } between error and height, which no camera is to blame for (u of the reference { $u_reference }).
+statistics-bland-altman = Bland and Altman: bias { $bias } { $unit } ({ $bias_interval }), limits of agreement { $lower } ({ $lower_interval }) and { $upper } { $unit } ({ $upper_interval }), n = { $n }.
+
+## Statistics: the figures of the error
+
+statistics-group-daytime = daytime
+statistics-group-low_light = low light
+statistics-group-overall = overall
+statistics-group-unknown = lighting unknown
+statistics-group-n = { $group } n = { $n }
+statistics-nothing = Nothing to draw.
+statistics-nothing-because = Nothing to draw: { $reason }
+statistics-absolute-title = Absolute error, cumulative
+statistics-absolute-says = Share of vehicles with an absolute error of at most so much; { $groups }
+statistics-absolute-note = Bands at 95 % hold everywhere at once. { $groups }.
+statistics-absolute-x = absolute error ({ $unit })
+statistics-relative-title = Relative error, cumulative
+statistics-relative-says = Share of vehicles with an error of at most so many per cent of their height; { $groups }
+statistics-relative-note = Absolute error over the reference height. { $groups }.
+statistics-relative-x = relative error (%)
+statistics-density-title = Signed error, density
+statistics-density-says = Density of the signed error; { $groups }
+statistics-density-note = Gaussian kernel, bandwidth { $bandwidths }; pointwise 95 % band. { $groups }.
+statistics-density-note-rounded = Gaussian kernel, bandwidth { $bandwidths }, at least half of the { $rounding } of rounding; pointwise 95 % band. { $groups }.
+statistics-signed-error = signed error ({ $unit })
+statistics-density-y = density (per { $unit })
+statistics-trend-title = Signed error against true height
+statistics-trend-says = Signed error over the manufacturer's height of { $count ->
+    [one] { $count } vehicle
+   *[other] { $count } vehicles
+}.
+statistics-trend-nothing = Nothing to draw: no vehicle has a reference height.
+statistics-trend-x = manufacturer’s height ({ $unit })
+statistics-trend-legend = regression, 95 % band
+statistics-trend = Slope { $slope } { $small } per { $unit } ({ $slope_interval }), r = { $correlation } ({ $correlation_interval }).
+statistics-trend-absolute = Absolute error: r = { $correlation } ({ $correlation_interval }).
+
+## Statistics: one target
+
+statistics-heights = { $count ->
+    [one] { $count } height
+   *[other] { $count } heights
+}
+statistics-heights-mean = { $count ->
+    [one] { $count } height, corrected mean { $mean }
+   *[other] { $count } heights, corrected mean { $mean }
+}
+statistics-heights-mean-sd = { $count ->
+    [one] { $count } height, corrected mean { $mean }, SD { $sd }
+   *[other] { $count } heights, corrected mean { $mean }, SD { $sd }
+}
+statistics-curve-raw = as the paper measures
+statistics-curve-corrected = corrected
+statistics-legend-raw = as the paper measures (inset 0)
+statistics-target-ecdf-title = { $target }, cumulative
+statistics-target-ecdf-says = Cumulative distribution of { $target } heights as the paper measures them and corrected, { $count ->
+    [one] { $count } vehicle
+   *[other] { $count } vehicles
+}
+statistics-target-ecdf-note = Bands at 95 % hold everywhere at once.
+statistics-target-ecdf-away = { $count ->
+    [one] { $count } standard far outside not drawn.
+   *[other] { $count } standards far outside not drawn.
+}
+statistics-target-nothing = Nothing to draw: no height of this target is left by the filter.
+statistics-height-x = height above the road ({ $unit })
+statistics-target-density-title = { $target }, density
+statistics-target-density-says = Density of corrected { $target } heights
+statistics-target-density-note = Corrected heights, Gaussian kernel, pointwise 95 % band.
+statistics-share = Share of { $target ->
+    [driver_eye] drivers
+    [taillight] taillights
+   *[headlight] headlights
+} below { $height } ({ $standard }): <strong>{ $share }</strong> <muted>({ $low } to { $high }; { NUMBER($below) } of { NUMBER($n) })</muted>
+statistics-percentiles = Percentiles, { $target }
+statistics-percentiles-save = Percentiles as CSV
+statistics-percentile = Percentile
+statistics-percentiles-corrected = corrected ({ $unit })
+statistics-percentiles-raw = as the paper ({ $unit })
+statistics-percentiles-note = 95 % intervals below each value.
+statistics-percentiles-without = { $count ->
+    [one] Why { $count } percentile has none
+   *[other] Why { $count } percentiles have none
+}
+statistics-percentiles-reason = { $percentiles }: { $reason }.
+
+## Statistics: heights by group
+
+statistics-groups-title = Corrected heights by group
+statistics-groups-target = Target
+statistics-groups-by = Grouped by
+statistics-grouping-category = Category
+statistics-grouping-lighting = Lighting
+statistics-grouping-site = Site
+statistics-grouping-operator = Operator
+statistics-groups-head = { $grouping ->
+    [category] category
+    [lighting] lighting
+    [site] site
+   *[operator] operator
+}
+statistics-groups-figure = { $grouping ->
+    [category] { $target } by category
+    [lighting] { $target } by lighting
+    [site] { $target } by site
+   *[operator] { $target } by operator
+}
+statistics-groups-says = Cumulative distributions of { $target } heights by { $grouping ->
+    [category] category
+    [lighting] lighting
+    [site] site
+   *[operator] operator
+}, { $count ->
+    [one] { $count } group
+   *[other] { $count } groups
+}
+statistics-groups-note = The { NUMBER($count) } largest groups of { NUMBER($all) }; the table lists more.
+statistics-groups-nothing = { $grouping ->
+    [category] Nothing to draw: no vehicle has a category.
+    [lighting] Nothing to draw: no vehicle has a lighting.
+    [site] Nothing to draw: no vehicle has a site.
+   *[operator] Nothing to draw: no vehicle has an operator.
+}
+statistics-groups-mean = mean ({ $unit })
+statistics-groups-sd = SD ({ $unit })
+
+## Statistics: standards
+
+statistics-standards-title = Standards drawn in
+statistics-standards-change = Change this survey’s standards
+statistics-standards-one-survey = The table belongs to the survey and goes into its package.
+statistics-standards-surveys = Each survey has a table of its own; choose one survey to change it.
+statistics-standards-address = Ticks and own values are kept in this page’s address.
+statistics-standards-loading = the standards
+statistics-standard-of-eye = driver’s eye
+statistics-standard-of-object = object (taillight, headlight)
+statistics-standards-drawn = drawn
+statistics-standards-standard = standard
+statistics-standards-for = for
+statistics-standards-height = height
+statistics-standards-source = source
+statistics-standards-remove = remove
+statistics-standard-draw = Draw { $standard }, { $what }, { $height }
+statistics-standard-remove = Remove { $standard }
+statistics-standard-own-problem = Give a height above 0 and below 10 m, such as { $example }.
+statistics-standard-own = Own value for
+statistics-standard-height = Height
+statistics-standard-name = Standard
+statistics-standard-for = For
+statistics-standard-source = Source
+statistics-standard-new = New standard
+statistics-standard-new-remove = Remove the new standard
+statistics-standard-problem = Give the height of { $standard }, such as { $example }.
+statistics-standard-new-problem = Give the height of the new standard, such as { $example }.
+statistics-standards-add = Add a standard
+statistics-standards-save = Save for this survey
+
+## Statistics: how many vehicles to measure
+
+statistics-plan-title = How many vehicles to measure
+statistics-plan-percentile = Percentile
+statistics-plan-width = Width of its interval
+statistics-plan-sd = Spread of heights (SD)
+statistics-plan-incomplete = Give three numbers.

@@ -73,6 +73,11 @@ export function anyOf(words: readonly string[]): string {
   return new Intl.ListFormat(region.value, { type: "disjunction" }).format(words);
 }
 
+/** "10, 25 and 90" */
+export function allOf(words: readonly string[]): string {
+  return new Intl.ListFormat(region.value, { type: "conjunction" }).format(words);
+}
+
 /** `say` where key and values were checked before. */
 export function sentence(key: string, values?: Record<string, FluentVariable>): string {
   for (const bundle of bundles.value) {

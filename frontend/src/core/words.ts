@@ -1,6 +1,6 @@
 /** The words of the domain: what can be measured on a vehicle, and the states that things are in. */
 import { wordsOf } from "./messages";
-import type { Target } from "./types";
+import type { Category, Lighting, Target } from "./types";
 
 export const TARGETS: readonly Target[] = ["roof", "driver_eye", "taillight", "headlight", "other"];
 /** A vehicle is measured when it has these three. */
@@ -21,6 +21,21 @@ export const TARGET_HINTS = wordsOf({
   taillight: "target-hint-taillight",
   headlight: "target-hint-headlight",
   other: "target-hint-other",
+});
+
+export const LIGHTING_WORDS: Readonly<Record<Lighting, string>> = wordsOf({
+  daytime: "lighting-daytime",
+  low_light: "lighting-low_light",
+});
+
+export const CATEGORY_WORDS: Readonly<Record<Category, string>> = wordsOf({
+  hatchback: "category-hatchback",
+  saloon: "category-saloon",
+  estate: "category-estate",
+  suv: "category-suv",
+  van: "category-van",
+  lorry: "category-lorry",
+  other: "category-other",
 });
 
 export const STATE_WORDS = wordsOf({

@@ -1,3 +1,4 @@
+import { say } from "../../core/messages";
 import { smallScale } from "../../core/units";
 import {
   type Curve,
@@ -15,10 +16,10 @@ import type { Density, Ecdf } from "../../parts/figures/types";
 import { type Errors, GROUP_WORDS, isThere, type Reason } from "./model";
 import { TrendFigure } from "./TrendFigure";
 
-const CURVES: Record<string, Curve> = {
-  daytime: { word: "daytime", wordAt: 0.72, band: true },
-  low_light: { word: "low light", dash: "7 4", wordAt: 0.5, band: true },
-  overall: { word: "overall", dash: "2 3", faint: true, wordAt: 0.28 },
+const CURVES: Record<string, Omit<Curve, "word">> = {
+  daytime: { wordAt: 0.72, band: true },
+  low_light: { dash: "7 4", wordAt: 0.5, band: true },
+  overall: { dash: "2 3", faint: true, wordAt: 0.28 },
 };
 const GROUPS = Object.keys(CURVES);
 
@@ -37,7 +38,7 @@ function drawn<T extends { n: number }>(parts: Record<string, T | Reason>): Draw
   const there = GROUPS.flatMap((group) => {
     const part = parts[group];
     return part && isThere<T>(part as T | Reason)
-      ? [{ group, part: part as T, curve: CURVES[group] as Curve }]
+      ? [{ group, part: part as T, curve: { ...CURVES[group], word: GROUP_WORDS[group] ?? group } }]
       : [];
   });
   const all = there.find((one) => one.group === "overall");
@@ -51,7 +52,9 @@ function drawn<T extends { n: number }>(parts: Record<string, T | Reason>): Draw
 function reasonOf(parts: Record<string, { n: number } | Reason>): string | null {
   if (drawn(parts as Record<string, { n: number } | Reason>).length > 0) return null;
   const overall = parts["overall"];
-  return overall && "reason" in overall ? `Nothing to draw: ${overall.reason}` : "Nothing to draw.";
+  return overall && "reason" in overall
+    ? say("statistics-nothing-because", { reason: overall.reason })
+    : say("statistics-nothing");
 }
 
 /** The figures of the error: its size, its share of the height, its density, and how it goes with the height. */
@@ -67,7 +70,9 @@ export function ErrorFigures({ errors }: { errors: Errors }) {
 }
 
 function counts(list: readonly Drawn<{ n: number }>[]): string {
-  return list.map((one) => `${GROUP_WORDS[one.group]} n = ${one.part.n}`).join(", ");
+  return list
+    .map(({ group, part }) => say("statistics-group-n", { group: GROUP_WORDS[group] ?? group, n: part.n }))
+    .join(", ");
 }
 
 function AbsoluteFigure({ errors }: { errors: Errors }) {
@@ -75,9 +80,9 @@ function AbsoluteFigure({ errors }: { errors: Errors }) {
   return (
     <PlotFigure
       name="absolute-error-ecdf"
-      title="Absolute error, cumulative"
-      says={`Share of vehicles with an absolute error of at most so much; ${counts(list)}`}
-      note={`Bands at 95 % hold everywhere at once. ${counts(list)}.`}
+      title={say("statistics-absolute-title")}
+      says={say("statistics-absolute-says", { groups: counts(list) })}
+      note={say("statistics-absolute-note", { groups: counts(list) })}
       legend={legendOf(list)}
       reason={reasonOf(errors.absolute)}
       data={errors}
@@ -85,14 +90,14 @@ function AbsoluteFigure({ errors }: { errors: Errors }) {
         const [perX, small] = smallScale(unit);
         return {
           x: {
-            label: `absolute error (${small})`,
+            label: say("statistics-absolute-x", { unit: small }),
             labelArrow: "none",
             labelAnchor: "center",
             labelOffset: 34,
             zero: true,
             nice: true,
           },
-          y: { label: "share of vehicles (%)", labelArrow: "none", grid: true, domain: [0, 100] },
+          y: { label: say("figure-share-of-vehicles"), labelArrow: "none", grid: true, domain: [0, 100] },
           marks: [
             ...list.flatMap((one) => ecdfMarks(plot, one.part, one.curve, perX)),
             ...list.map((one) =>
@@ -114,22 +119,22 @@ function RelativeFigure({ errors }: { errors: Errors }) {
   return (
     <PlotFigure
       name="relative-error-ecdf"
-      title="Relative error, cumulative"
-      says={`Share of vehicles with an error of at most so many per cent of their height; ${counts(list)}`}
-      note={`Absolute error over the reference height. ${counts(list)}.`}
+      title={say("statistics-relative-title")}
+      says={say("statistics-relative-says", { groups: counts(list) })}
+      note={say("statistics-relative-note", { groups: counts(list) })}
       legend={legendOf(list)}
       reason={reasonOf(errors.relative)}
       data={errors}
       options={(plot) => ({
         x: {
-          label: "relative error (%)",
+          label: say("statistics-relative-x"),
           labelArrow: "none",
           labelAnchor: "center",
           labelOffset: 34,
           zero: true,
           nice: true,
         },
-        y: { label: "share of vehicles (%)", labelArrow: "none", grid: true, domain: [0, 100] },
+        y: { label: say("figure-share-of-vehicles"), labelArrow: "none", grid: true, domain: [0, 100] },
         marks: [
           ...list.flatMap((one) => ecdfMarks(plot, one.part, one.curve, 100)),
           ...list.map((one) =>
@@ -145,9 +150,16 @@ function RelativeFigure({ errors }: { errors: Errors }) {
   );
 }
 
-/** Narrower kernels would draw the rounding as a comb. */
-function least(errors: Errors): string {
-  return errors.rounding === "cm" ? `, at least half of the ${fixedRange(0.01)} of rounding` : "";
+const ROUNDING_M = 0.01;
+
+/** How the density is made. A kernel narrower than half of the rounding would draw it as a comb. */
+function densityNote(list: readonly Drawn<Density>[], rounded: boolean): string | undefined {
+  if (list.length === 0) return undefined;
+  const bandwidths = list.map((one) => fixedRange(one.part.bandwidth)).join(", ");
+  const groups = counts(list);
+  return rounded
+    ? say("statistics-density-note-rounded", { bandwidths, groups, rounding: fixedRange(ROUNDING_M) })
+    : say("statistics-density-note", { bandwidths, groups });
 }
 
 function DensityFigure({ errors }: { errors: Errors }) {
@@ -155,21 +167,28 @@ function DensityFigure({ errors }: { errors: Errors }) {
   return (
     <PlotFigure
       name="signed-error-density"
-      title="Signed error, density"
-      says={`Density of the signed error; ${counts(list)}`}
-      note={
-        list.length > 0
-          ? `Gaussian kernel, bandwidth ${list.map((one) => fixedRange(one.part.bandwidth)).join(", ")}${least(errors)}; pointwise 95 % band. ${counts(list)}.`
-          : undefined
-      }
+      title={say("statistics-density-title")}
+      says={say("statistics-density-says", { groups: counts(list) })}
+      note={densityNote(list, errors.rounding === "cm")}
       legend={legendOf(list)}
       reason={reasonOf(errors.density)}
       data={errors}
       options={(plot, unit) => {
         const [perX, small] = smallScale(unit);
         return {
-          x: { label: `signed error (${small})`, labelArrow: "none", labelAnchor: "center", labelOffset: 34 },
-          y: { label: `density (per ${small})`, labelArrow: "none", grid: true, zero: true, nice: true },
+          x: {
+            label: say("statistics-signed-error", { unit: small }),
+            labelArrow: "none",
+            labelAnchor: "center",
+            labelOffset: 34,
+          },
+          y: {
+            label: say("statistics-density-y", { unit: small }),
+            labelArrow: "none",
+            grid: true,
+            zero: true,
+            nice: true,
+          },
           marks: [
             plot.ruleX([0], { stroke: "var(--line-strong)" }),
             ...list.flatMap((one) => densityMarks(plot, one.part, one.curve, perX)),

@@ -1,12 +1,23 @@
 import { Button } from "../../components";
+import { Said } from "../../components/Said";
+import { say, wordsOf } from "../../core/messages";
 import { formatCount, formatSmall, smallScale } from "../../core/units";
 import { csvOf, download } from "../../parts/figures/csv";
 import { NONE, range, scaled, squareScale } from "../../parts/figures/numbers";
 import { type ErrorGroup, type Errors, GROUP_WORDS, isThere } from "./model";
 
+const HEADS = wordsOf({
+  bias_m: "statistics-bias",
+  mae_m: "statistics-mae",
+  rmse_m: "statistics-rmse",
+  mse_m2: "statistics-mse",
+  sd_m: "statistics-sd",
+  pearson_error_vs_height: "statistics-correlation",
+  pearson_abs_error_vs_height: "statistics-correlation-absolute",
+});
+
 interface Column {
-  key: string;
-  head: string;
+  key: keyof typeof HEADS;
   /** Factor and digits. */
   scale: () => [number, number];
   unit: () => string;
@@ -16,47 +27,49 @@ interface Column {
 const length = (): [number, number] => [smallScale()[0], smallScale()[1] === "in" ? 2 : 1];
 const inSmall = () => smallScale()[1];
 const COLUMNS: readonly Column[] = [
-  { key: "bias_m", head: "bias", scale: length, unit: inSmall },
-  { key: "mae_m", head: "MAE", scale: length, unit: inSmall, paper: "mae_m" },
-  { key: "rmse_m", head: "RMSE", scale: length, unit: inSmall, paper: "rmse_m" },
+  { key: "bias_m", scale: length, unit: inSmall },
+  { key: "mae_m", scale: length, unit: inSmall, paper: "mae_m" },
+  { key: "rmse_m", scale: length, unit: inSmall, paper: "rmse_m" },
   {
     key: "mse_m2",
-    head: "MSE",
     scale: () => [squareScale()[0], 2],
     unit: () => squareScale()[1],
     paper: "mse_m2",
   },
-  { key: "sd_m", head: "SD", scale: length, unit: inSmall, paper: "sd_m" },
-  { key: "pearson_error_vs_height", head: "r(error, height)", scale: () => [1, 2], unit: () => "" },
-  { key: "pearson_abs_error_vs_height", head: "r(|error|, height)", scale: () => [1, 2], unit: () => "" },
+  { key: "sd_m", scale: length, unit: inSmall, paper: "sd_m" },
+  { key: "pearson_error_vs_height", scale: () => [1, 2], unit: () => "" },
+  { key: "pearson_abs_error_vs_height", scale: () => [1, 2], unit: () => "" },
 ];
+
+function headOf({ key, unit }: Column): string {
+  return unit() ? say("with-unit", { name: HEADS[key], unit: unit() }) : HEADS[key];
+}
 
 /** The paper's Table 1 for this survey, each figure with its interval, the printed one below it. */
 export function ErrorTable({ errors }: { errors: Errors }) {
   return (
     <section class="panel" aria-labelledby="stat-errors">
       <header class="panel__head">
-        <h2 id="stat-errors">Error against manufacturers’ heights</h2>
+        <h2 id="stat-errors">{say("statistics-errors-title")}</h2>
         <Button
           small
           icon="download"
           class="stat-noprint"
           onClick={() => save(errors)}
-          title="Error table as CSV"
+          title={say("statistics-errors-save")}
         >
-          CSV
+          {say("file-csv")}
         </Button>
       </header>
       <div class="table-scroll">
         <table class="table stat-errors" data-testid="error-table">
           <thead>
             <tr>
-              <th>error = measured − reference</th>
+              <th>{say("statistics-errors-head")}</th>
               <th class="num">n</th>
               {COLUMNS.map((column) => (
                 <th key={column.key} class="num">
-                  {column.head}
-                  {column.unit() && ` (${column.unit()})`}
+                  {headOf(column)}
                 </th>
               ))}
             </tr>
@@ -70,16 +83,15 @@ export function ErrorTable({ errors }: { errors: Errors }) {
       </div>
       <div class="stat-notes small">
         <p>
-          {errors.words} Intervals at 95 % below each figure. SD is that of the signed error, n − 1. Not
-          pooled from other figures.
+          {errors.words} {say("statistics-errors-note")}
         </p>
         <Agreement errors={errors} />
         <details>
-          <summary>What is inconsistent in the paper’s printed figures</summary>
+          <summary>{say("statistics-paper-inconsistent")}</summary>
           <ul>
             {errors.paper.map((one) => (
               <li key={one.group}>
-                <strong>{one.title}:</strong> {one.note}
+                <Said what="statistics-paper-note" values={{ group: one.title, note: one.note }} />
               </li>
             ))}
           </ul>
@@ -96,7 +108,7 @@ function Rows({ group, errors }: { group: ErrorGroup; errors: Errors }) {
       <tr data-testid={`errors-${group.group}`}>
         <th scope="row">
           {GROUP_WORDS[group.group] ?? group.group}
-          <div class="stat-ci">stands for {group.title}</div>
+          <div class="stat-ci">{say("statistics-stands-for", { group: group.title })}</div>
           {group.reason && <div class="stat-ci">{group.reason}</div>}
           <NoIntervals group={group} />
         </th>
@@ -114,7 +126,7 @@ function Rows({ group, errors }: { group: ErrorGroup; errors: Errors }) {
       </tr>
       {paper && (
         <tr class="stat-paper">
-          <td>the paper, as printed</td>
+          <td>{say("statistics-paper-printed")}</td>
           <td class="num">{paper.n}</td>
           {COLUMNS.map((column) => {
             const [factor, digits] = column.scale();
@@ -137,7 +149,10 @@ function NoIntervals({ group }: { group: ErrorGroup }) {
   if (!reason) return null;
   return (
     <div class="stat-ci">
-      {without.map((column) => column.head).join(", ")}: {reason}
+      {say("statistics-no-interval", {
+        figures: without.map((column) => HEADS[column.key]).join(", "),
+        reason,
+      })}
     </div>
   );
 }
@@ -152,12 +167,24 @@ function Agreement({ errors }: { errors: Errors }) {
     <>
       <p data-testid="reference-part">
         {isThere(part)
-          ? `${part.words} By itself it makes a correlation of ${scaled(part.correlation_alone, 1, 2)} between error and height, which no camera is to blame for (u of the reference ${formatSmall(part.u_reference_m)}).`
+          ? `${part.words} ${say("statistics-reference-part", {
+              correlation: scaled(part.correlation_alone, 1, 2),
+              u_reference: formatSmall(part.u_reference_m),
+            })}`
           : part.reason}
       </p>
       <p data-testid="bland-altman">
         {isThere(limits)
-          ? `Bland and Altman: bias ${scaled(limits.bias_m, factor, digits)} ${unit} (${range(limits.bias_ci95, factor, digits)}), limits of agreement ${scaled(limits.lower_m, factor, digits)} (${range(limits.lower_ci95, factor, digits)}) and ${scaled(limits.upper_m, factor, digits)} ${unit} (${range(limits.upper_ci95, factor, digits)}), n = ${limits.n}.`
+          ? say("statistics-bland-altman", {
+              unit,
+              bias: scaled(limits.bias_m, factor, digits),
+              bias_interval: range(limits.bias_ci95, factor, digits) ?? NONE,
+              lower: scaled(limits.lower_m, factor, digits),
+              lower_interval: range(limits.lower_ci95, factor, digits) ?? NONE,
+              upper: scaled(limits.upper_m, factor, digits),
+              upper_interval: range(limits.upper_ci95, factor, digits) ?? NONE,
+              n: limits.n,
+            })
           : limits.reason}
       </p>
     </>
@@ -177,7 +204,7 @@ function save(errors: Errors): void {
     }),
   ]);
   const paper = errors.paper.map((one) => [
-    "Dupuis et al. 2019, as printed",
+    "dupuis_et_al_2019_as_printed",
     one.group,
     one.n,
     ...COLUMNS.flatMap((column) => [column.paper ? one[column.paper] : null, null, null]),

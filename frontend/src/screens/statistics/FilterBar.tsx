@@ -1,24 +1,26 @@
 import { useState } from "preact/hooks";
 import { Button, Field, SelectField, TextField } from "../../components";
 import { query } from "../../core/address";
-import { lengthUnit, parseSmall, plural, smallScale, smallText } from "../../core/units";
+import { say, wordsOf } from "../../core/messages";
+import { lengthUnit, parseSmall, smallScale, smallText } from "../../core/units";
+import { CATEGORY_WORDS, LIGHTING_WORDS, STATE_WORDS } from "../../core/words";
 import { fixedRange } from "../../parts/figures/numbers";
-import { CORRECTIONS, type Correction, narrowed, type SingleName, setFilter, WIDE } from "./filters";
-import { CATEGORY_WORDS, LIGHTING_WORDS, type Statistics, TARGET_TITLES } from "./model";
+import { CORRECTIONS, narrowed, type SingleName, setFilter, WIDE } from "./filters";
+import { type Statistics, TARGET_TITLES } from "./model";
 
-const CORRECTION_WORDS: Record<Correction, string> = {
-  inset: "inset of each (default)",
-  shift: "mean error (the paper’s)",
-  none: "none (inset 0)",
-  regression: "regression",
-  deconvolution: "deconvolution",
-};
+const CORRECTION_WORDS = wordsOf({
+  inset: "statistics-correction-inset",
+  shift: "statistics-correction-shift",
+  none: "statistics-correction-none",
+  regression: "statistics-correction-regression",
+  deconvolution: "statistics-correction-deconvolution",
+});
 
-const STATES = [
-  { value: "", label: "accepted" },
-  { value: "to_review", label: "to review" },
-  { value: "rejected", label: "rejected" },
-  { value: "all", label: "all" },
+const states = () => [
+  { value: "", label: STATE_WORDS.accepted },
+  { value: "to_review", label: STATE_WORDS.to_review },
+  { value: "rejected", label: STATE_WORDS.rejected },
+  { value: "all", label: say("statistics-filter-state-all") },
 ];
 
 /** What counts, and how figures are made. Each change goes into the address, and from there to the server. */
@@ -36,33 +38,41 @@ export function FilterBar({ found }: { found: Statistics | null }) {
     { value: "", label: all },
     ...Object.entries(list).map(([value, label]) => ({ value, label })),
   ];
+  const any = say("statistics-filter-any");
   const operators = found?.operators.map((one) => ({ value: String(one.id), label: one.name })) ?? [];
   return (
     <form
       class="panel stat-filter stat-noprint"
-      aria-label="Filter"
+      aria-label={say("statistics-filter")}
       onSubmit={(event) => event.preventDefault()}
     >
       <Surveys found={found} chosen={at.getAll("survey")} />
-      {choice("state", "Review state", STATES)}
-      {choice("target", "Target", words(TARGET_TITLES, "all"))}
-      {choice("lighting", "Lighting", words(LIGHTING_WORDS, "any"))}
-      {choice("category", "Category", words(CATEGORY_WORDS, "any"))}
-      {choice("operator", "Operator", [{ value: "", label: "anybody" }, ...operators])}
-      <Day name="first_day" label="Measured from (UTC)" value={at.get("first_day") ?? ""} />
-      <Day name="last_day" label="to" value={at.get("last_day") ?? ""} />
-      {choice("correction", "Correction", [
+      {choice("state", say("statistics-filter-state"), states())}
+      {choice(
+        "target",
+        say("statistics-filter-target"),
+        words(TARGET_TITLES, say("statistics-filter-target-all")),
+      )}
+      {choice("lighting", say("statistics-filter-lighting"), words(LIGHTING_WORDS, any))}
+      {choice("category", say("statistics-filter-category"), words(CATEGORY_WORDS, any))}
+      {choice("operator", say("statistics-filter-operator"), [
+        { value: "", label: say("statistics-filter-anybody") },
+        ...operators,
+      ])}
+      <Day name="first_day" label={say("statistics-filter-first-day")} value={at.get("first_day") ?? ""} />
+      <Day name="last_day" label={say("statistics-filter-last-day")} value={at.get("last_day") ?? ""} />
+      {choice("correction", say("statistics-filter-correction"), [
         ...CORRECTIONS.map((one) => ({ value: one === "inset" ? "" : one, label: CORRECTION_WORDS[one] })),
       ])}
-      {choice("rounding", "Error table", [
-        { value: "", label: "whole cm (the paper’s)" },
-        { value: "none", label: "not rounded" },
+      {choice("rounding", say("statistics-filter-rounding"), [
+        { value: "", label: say("statistics-rounding-cm") },
+        { value: "none", label: say("statistics-rounding-none") },
       ])}
       <ReferenceU value={at.get("u_reference_m")} />
       {narrowed(at) && (
         <div class="stat-filter__clear">
           <Button small onClick={() => setFilter(WIDE)}>
-            Clear the filter
+            {say("action-clear-filter")}
           </Button>
         </div>
       )}
@@ -74,20 +84,23 @@ export function FilterBar({ found }: { found: Statistics | null }) {
 function Surveys({ found, chosen }: { found: Statistics | null; chosen: readonly string[] }) {
   const list = found?.surveys ?? [];
   const only = chosen.length === 1 ? list.find((one) => String(one.id) === chosen[0]) : undefined;
-  const word = chosen.length === 0 ? "all surveys" : (only?.name ?? plural(chosen.length, "survey"));
+  const word =
+    chosen.length === 0
+      ? say("statistics-filter-surveys-none")
+      : (only?.name ?? say("statistics-filter-surveys-some", { count: chosen.length }));
   const toggle = (id: string, on: boolean) =>
     setFilter({ survey: on ? [...chosen, id] : chosen.filter((one) => one !== id) });
   return (
     <div class="field">
       <span class="field__label" id="stat-surveys">
-        Surveys
+        {say("statistics-filter-surveys")}
       </span>
       <details class="stat-surveys">
         <summary class="input clip" aria-describedby="stat-surveys">
           {word}
         </summary>
         <fieldset class="stat-surveys__list">
-          <legend class="visually-hidden">Surveys that count; none chosen: all</legend>
+          <legend class="visually-hidden">{say("statistics-filter-surveys-help")}</legend>
           {list.map((one) => (
             <label key={one.id} class="row">
               <input
@@ -100,7 +113,7 @@ function Surveys({ found, chosen }: { found: Statistics | null; chosen: readonly
           ))}
           {chosen.length > 0 && (
             <Button small onClick={() => setFilter({ survey: null })}>
-              All surveys
+              {say("statistics-filter-surveys-clear")}
             </Button>
           )}
         </fieldset>
@@ -136,7 +149,11 @@ function ReferenceU({ value }: { value: string | null }) {
   const send = (typed: string) => {
     const read = typed.trim() ? parseSmall(typed) : USUAL_U_M;
     const wrong = read === null || read < 0;
-    setProblem(wrong ? `Give a number of ${unit === "in" ? "inches" : "millimetres"}.` : null);
+    setProblem(
+      wrong
+        ? say(unit === "in" ? "statistics-reference-u-inches" : "statistics-reference-u-millimetres")
+        : null,
+    );
     if (wrong) return;
     setText(null);
     const metres = Number(read.toFixed(6));
@@ -144,8 +161,8 @@ function ReferenceU({ value }: { value: string | null }) {
   };
   return (
     <TextField
-      label="u of a reference height"
-      hint={`as if within ±${fixedRange(Math.sqrt(3) * now)}, all alike`}
+      label={say("statistics-reference-u")}
+      hint={say("statistics-reference-u-hint", { limit: fixedRange(Math.sqrt(3) * now) })}
       numeric
       unit={unit}
       value={text ?? smallText(now, lengthUnit.value, 2)}

@@ -1,8 +1,9 @@
 import { useState } from "preact/hooks";
 import { Segments } from "../../components";
+import { say, wordsOf } from "../../core/messages";
 import { formatCount, lengthScale } from "../../core/units";
 import { type Curve, ECDF_COLUMNS, ecdfMarks, ecdfRows, ecdfWord } from "../../parts/figures/curves";
-import { NONE, scaled } from "../../parts/figures/numbers";
+import { NONE, percent, scaled } from "../../parts/figures/numbers";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
 import type { Ecdf } from "../../parts/figures/types";
 import { groupWord, isThere, type OfTarget, TARGET_TITLES } from "./model";
@@ -10,13 +11,15 @@ import { groupWord, isThere, type OfTarget, TARGET_TITLES } from "./model";
 const DASHES = [undefined, "8 4", "2 3", "9 3 2 3", "4 4", "12 3 2 3 2 3"];
 const MOST_DRAWN = DASHES.length;
 const MOST_BANDS = 3;
-const GROUPINGS = [
-  { value: "category", label: "Category" },
-  { value: "lighting", label: "Lighting" },
-  { value: "site", label: "Site" },
-  { value: "operator", label: "Operator" },
-] as const;
-type GroupingName = (typeof GROUPINGS)[number]["value"];
+const GROUPINGS = ["category", "lighting", "site", "operator"] as const;
+type GroupingName = (typeof GROUPINGS)[number];
+const GROUPING_WORDS = wordsOf({
+  category: "statistics-grouping-category",
+  lighting: "statistics-grouping-lighting",
+  site: "statistics-grouping-site",
+  operator: "statistics-grouping-operator",
+});
+const PERCENTS = [10, 50, 90];
 
 /** Corrected heights of one target, by category, lighting, site or operator. */
 export function GroupSection({ targets }: { targets: readonly OfTarget[] }) {
@@ -28,45 +31,54 @@ export function GroupSection({ targets }: { targets: readonly OfTarget[] }) {
   const found = target.groups[grouping];
   const groups = found?.groups ?? [];
   const curves = drawn(groups, grouping);
+  const title = TARGET_TITLES[target.target];
   return (
     <section class="panel" aria-labelledby="stat-groups" data-testid="groups">
       <header class="panel__head row--wrap">
-        <h2 id="stat-groups">Corrected heights by group</h2>
+        <h2 id="stat-groups">{say("statistics-groups-title")}</h2>
         <div class="row row--wrap stat-noprint">
           <Segments
-            label="Target"
+            label={say("statistics-groups-target")}
             value={target.target}
             options={there.map((one) => ({ value: one.target, label: TARGET_TITLES[one.target] }))}
             onChange={setChosen}
           />
-          <Segments label="Grouped by" value={grouping} options={GROUPINGS} onChange={setGrouping} />
+          <Segments
+            label={say("statistics-groups-by")}
+            value={grouping}
+            options={GROUPINGS.map((value) => ({ value, label: GROUPING_WORDS[value] }))}
+            onChange={setGrouping}
+          />
         </div>
       </header>
       <div class="stat-groups">
         <PlotFigure
           name={`${target.target}-by-${grouping}`}
-          title={`${TARGET_TITLES[target.target]} by ${grouping}`}
-          says={`Cumulative distributions of ${TARGET_TITLES[target.target]} heights by ${grouping}, ${curves.length} groups`}
+          title={say("statistics-groups-figure", { target: title, grouping })}
+          says={say("statistics-groups-says", { target: title, grouping, count: curves.length })}
           note={
             groups.length > curves.length
-              ? `The ${curves.length} largest groups of ${groups.length + (found?.left_out ?? 0)}; the table lists more.`
+              ? say("statistics-groups-note", {
+                  count: curves.length,
+                  all: groups.length + (found?.left_out ?? 0),
+                })
               : undefined
           }
           legend={curves.map(({ curve }) => ({ word: curve.word, dash: curve.dash, faint: curve.faint }))}
-          reason={curves.length === 0 ? `Nothing to draw: no vehicle has a ${grouping}.` : null}
+          reason={curves.length === 0 ? say("statistics-groups-nothing", { grouping }) : null}
           data={[target, grouping]}
           options={(plot, unit) => {
             const [perX, long] = lengthScale(unit);
             return {
               x: {
-                label: `height above the road (${long})`,
+                label: say("statistics-height-x", { unit: long }),
                 labelArrow: "none",
                 labelAnchor: "center",
                 labelOffset: 34,
                 nice: true,
                 inset: 6,
               },
-              y: { label: "share of vehicles (%)", labelArrow: "none", grid: true, domain: [0, 100] },
+              y: { label: say("figure-share-of-vehicles"), labelArrow: "none", grid: true, domain: [0, 100] },
               marks: [
                 ...curves.flatMap(({ ecdf, curve }) => ecdfMarks(plot, ecdf, curve, perX)),
                 ...curves.map(({ ecdf, curve }) =>
@@ -102,22 +114,23 @@ function drawn(groups: readonly Group[], grouping: string): { ecdf: Ecdf; curve:
     });
 }
 
-function GroupTable({ groups, grouping }: { groups: readonly Group[]; grouping: string }) {
+function GroupTable({ groups, grouping }: { groups: readonly Group[]; grouping: GroupingName }) {
   const [factor, unit] = lengthScale();
-  const at = (one: Group, percent: number) =>
-    one.percentiles.find((p) => p.percent === percent)?.value ?? null;
+  const at = (one: Group, wanted: number) => one.percentiles.find((p) => p.percent === wanted)?.value ?? null;
   return (
     <div class="table-scroll">
       <table class="table">
         <thead>
           <tr>
-            <th>{grouping}</th>
+            <th>{say("statistics-groups-head", { grouping })}</th>
             <th class="num">n</th>
-            <th class="num">mean ({unit})</th>
-            <th class="num">SD ({unit})</th>
-            <th class="num">10 %</th>
-            <th class="num">50 %</th>
-            <th class="num">90 %</th>
+            <th class="num">{say("statistics-groups-mean", { unit })}</th>
+            <th class="num">{say("statistics-groups-sd", { unit })}</th>
+            {PERCENTS.map((one) => (
+              <th key={one} class="num">
+                {percent(one / 100, 0)}
+              </th>
+            ))}
           </tr>
         </thead>
         <tbody>
@@ -127,9 +140,9 @@ function GroupTable({ groups, grouping }: { groups: readonly Group[]; grouping: 
               <td class="num">{formatCount(one.n)}</td>
               <td class="num">{scaled(one.mean_m, factor, 3)}</td>
               <td class="num">{one.sd_m === null ? NONE : scaled(one.sd_m, factor, 3)}</td>
-              {[10, 50, 90].map((percent) => (
-                <td key={percent} class="num">
-                  {scaled(at(one, percent), factor, 3)}
+              {PERCENTS.map((wanted) => (
+                <td key={wanted} class="num">
+                  {scaled(at(one, wanted), factor, 3)}
                 </td>
               ))}
             </tr>

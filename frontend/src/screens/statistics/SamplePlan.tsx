@@ -1,6 +1,7 @@
 import { useEffect, useState } from "preact/hooks";
 import { Problem, TextField } from "../../components";
 import { api } from "../../core/api";
+import { say } from "../../core/messages";
 import { lengthText, lengthUnit, parseLength, parseNumber } from "../../core/units";
 import type { SampleSize } from "./model";
 
@@ -45,14 +46,20 @@ export function SamplePlan({ sdM }: { sdM: number | null }) {
   return (
     <section class="panel stat-noprint" aria-labelledby="stat-plan">
       <header class="panel__head">
-        <h2 id="stat-plan">How many vehicles to measure</h2>
+        <h2 id="stat-plan">{say("statistics-plan-title")}</h2>
       </header>
       <form class="stat-plan" onSubmit={(event) => event.preventDefault()}>
-        <TextField label="Percentile" numeric value={percent} onInput={setPercent} />
-        <TextField label="Width of its interval" numeric unit={unit} value={width} onInput={setWidth} />
-        <TextField label="Spread of heights (SD)" numeric unit={unit} value={sd} onInput={setSd} />
+        <TextField label={say("statistics-plan-percentile")} numeric value={percent} onInput={setPercent} />
+        <TextField
+          label={say("statistics-plan-width")}
+          numeric
+          unit={unit}
+          value={width}
+          onInput={setWidth}
+        />
+        <TextField label={say("statistics-plan-sd")} numeric unit={unit} value={sd} onInput={setSd} />
         <p class="stat-plan__answer" data-testid="sample-size" role="status">
-          {!complete ? "Give three numbers." : error ? "" : found?.words}
+          {!complete ? say("statistics-plan-incomplete") : error ? "" : found?.words}
         </p>
       </form>
       {complete && <Problem error={error} />}

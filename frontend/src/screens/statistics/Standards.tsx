@@ -1,14 +1,13 @@
 import { useState } from "preact/hooks";
 import { Button, SelectField, TextField } from "../../components";
 import { query } from "../../core/address";
+import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import { formatLength, lengthUnit, parseLength } from "../../core/units";
 import type { Standard } from "../../parts/figures/types";
 import { setFilter } from "./filters";
 import { standardKey, STANDARD_OF as WHAT } from "./model";
 import { StandardsEditor } from "./StandardsEditor";
-
-const OWN = "own value";
 
 /** The standards that are switched on in this address. */
 export function switchedOn(standards: readonly Standard[], off: readonly string[]): Standard[] {
@@ -34,10 +33,10 @@ export function Standards({ standards, surveyId, reload }: Props) {
   return (
     <section class="panel stat-noprint" aria-labelledby="stat-standards">
       <header class="panel__head">
-        <h2 id="stat-standards">Standards drawn in</h2>
+        <h2 id="stat-standards">{say("statistics-standards-title")}</h2>
         {surveyId && canWork.value && !editing && (
           <Button small onClick={() => setEditing(true)}>
-            Change this survey’s standards
+            {say("statistics-standards-change")}
           </Button>
         )}
       </header>
@@ -53,10 +52,8 @@ export function Standards({ standards, surveyId, reload }: Props) {
         <Drawn standards={standards} off={off} toggle={toggle} />
       )}
       <p class="stat-notes small">
-        {surveyId
-          ? "The table belongs to the survey and goes into its package. "
-          : "Each survey has a table of its own; choose one survey to change it. "}
-        Ticks and own values are kept in this page’s address.
+        {say(surveyId ? "statistics-standards-one-survey" : "statistics-standards-surveys")}{" "}
+        {say("statistics-standards-address")}
       </p>
       {!editing && <AddOwn />}
     </section>
@@ -75,13 +72,13 @@ function Drawn({ standards, off, toggle }: DrawnProps) {
       <table class="table" data-testid="standards">
         <thead>
           <tr>
-            <th>drawn</th>
-            <th>standard</th>
-            <th>for</th>
-            <th class="num">height</th>
-            <th>source</th>
+            <th>{say("statistics-standards-drawn")}</th>
+            <th>{say("statistics-standards-standard")}</th>
+            <th>{say("statistics-standards-for")}</th>
+            <th class="num">{say("statistics-standards-height")}</th>
+            <th>{say("statistics-standards-source")}</th>
             <th>
-              <span class="visually-hidden">remove</span>
+              <span class="visually-hidden">{say("statistics-standards-remove")}</span>
             </th>
           </tr>
         </thead>
@@ -93,7 +90,11 @@ function Drawn({ standards, off, toggle }: DrawnProps) {
                 <td>
                   <input
                     type="checkbox"
-                    aria-label={`Draw ${one.name}, ${WHAT[one.what]}, ${formatLength(one.height_m, 2)}`}
+                    aria-label={say("statistics-standard-draw", {
+                      standard: one.name,
+                      what: WHAT[one.what],
+                      height: formatLength(one.height_m, 2),
+                    })}
                     checked={!off.includes(key)}
                     onChange={(event) => toggle(key, event.currentTarget.checked)}
                   />
@@ -103,11 +104,11 @@ function Drawn({ standards, off, toggle }: DrawnProps) {
                 <td class="num">{formatLength(one.height_m, 2)}</td>
                 <td>{one.source}</td>
                 <td class="num">
-                  {one.name === OWN && (
+                  {one.name === "own value" && (
                     <Button
                       small
                       icon="close"
-                      label={`Remove ${formatLength(one.height_m, 2)}`}
+                      label={say("statistics-standard-remove", { standard: formatLength(one.height_m, 2) })}
                       onClick={() => remove(one)}
                     />
                   )}
@@ -135,7 +136,7 @@ function AddOwn() {
   const add = () => {
     const metres = parseLength(text);
     if (metres === null || metres <= 0 || metres >= 10) {
-      setProblem(`Give a height above 0 and below 10 m, such as ${formatLength(1.1, 2)}.`);
+      setProblem(say("statistics-standard-own-problem", { example: formatLength(1.1, 2) }));
       return;
     }
     setProblem(null);
@@ -153,13 +154,13 @@ function AddOwn() {
       }}
     >
       <SelectField
-        label="Own value for"
+        label={say("statistics-standard-own")}
         value={what}
         options={(["driver_eye", "object"] as const).map((value) => ({ value, label: WHAT[value] }))}
         onChange={setWhat}
       />
       <TextField
-        label="Height"
+        label={say("statistics-standard-height")}
         numeric
         unit={lengthUnit.value}
         value={text}
@@ -167,7 +168,7 @@ function AddOwn() {
         onInput={setText}
       />
       <Button type="submit" icon="add">
-        Add
+        {say("action-add")}
       </Button>
     </form>
   );

@@ -1,8 +1,9 @@
 import { useState } from "preact/hooks";
 import { Button, Loading, Problem, SelectField, TextField } from "../../components";
 import { api } from "../../core/api";
+import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
-import { lengthText, lengthUnit, parseLength } from "../../core/units";
+import { formatLength, lengthText, lengthUnit, parseLength } from "../../core/units";
 import type { Standard } from "../../parts/figures/types";
 import { STANDARD_OF } from "./model";
 
@@ -25,7 +26,12 @@ export function StandardsEditor({ surveyId, done }: { surveyId: string; done: (s
   const [typed, setTyped] = useState<Row[] | null>(null);
   const [problem, setProblem] = useState<unknown>(null);
   const [busy, setBusy] = useState(false);
-  if (!found.data) return found.error ? <Problem error={found.error} /> : <Loading what="the standards" />;
+  if (!found.data)
+    return found.error ? (
+      <Problem error={found.error} />
+    ) : (
+      <Loading what={say("statistics-standards-loading")} />
+    );
   const { version, standards } = found.data;
   const rows = typed ?? standards.map(rowOf);
   const change = (at: number, changes: Partial<Row>) =>
@@ -33,7 +39,7 @@ export function StandardsEditor({ surveyId, done }: { surveyId: string; done: (s
   const save = async () => {
     const wrong = rows.find((row) => parseLength(row.height) === null);
     if (wrong) {
-      setProblem(new Error(`Give the height of ${wrong.name || "the new standard"}, such as ${example()}.`));
+      setProblem(new Error(heightProblem(wrong)));
       return;
     }
     setBusy(true);
@@ -68,12 +74,12 @@ export function StandardsEditor({ surveyId, done }: { surveyId: string; done: (s
       <Problem error={problem} />
       <div class="row">
         <Button icon="add" onClick={() => setTyped([...rows, EMPTY])}>
-          Add a standard
+          {say("statistics-standards-add")}
         </Button>
         <span class="grow" />
-        <Button onClick={() => done(false)}>Cancel</Button>
+        <Button onClick={() => done(false)}>{say("action-cancel")}</Button>
         <Button type="submit" kind="primary" disabled={busy}>
-          Save for this survey
+          {say("statistics-standards-save")}
         </Button>
       </div>
     </form>
@@ -81,7 +87,15 @@ export function StandardsEditor({ surveyId, done }: { surveyId: string; done: (s
 }
 
 const shown = (metres: number) => lengthText(metres, lengthUnit.value, 3);
-const example = () => `${shown(1.08)} ${lengthUnit.value}`;
+const EXAMPLE_M = 1.08;
+
+function heightProblem({ name }: Row): string {
+  const example = formatLength(EXAMPLE_M, 2);
+  return name
+    ? say("statistics-standard-problem", { standard: name, example })
+    : say("statistics-standard-new-problem", { example });
+}
+
 const rowOf = ({ name, what, height_m, source }: Standard): Row => ({
   name,
   what,
@@ -100,23 +114,23 @@ function RowFields({ row, at, change, remove }: RowProps) {
   const hide = at > 0;
   return (
     <fieldset class="stat-editor__row">
-      <legend class="visually-hidden">{row.name || "New standard"}</legend>
+      <legend class="visually-hidden">{row.name || say("statistics-standard-new")}</legend>
       <TextField
-        label="Standard"
+        label={say("statistics-standard-name")}
         hideLabel={hide}
         value={row.name}
         required
         onInput={(name) => change({ name })}
       />
       <SelectField
-        label="For"
+        label={say("statistics-standard-for")}
         hideLabel={hide}
         value={row.what}
         options={(["driver_eye", "object"] as const).map((value) => ({ value, label: STANDARD_OF[value] }))}
         onChange={(what) => change({ what })}
       />
       <TextField
-        label="Height"
+        label={say("statistics-standard-height")}
         hideLabel={hide}
         numeric
         unit={lengthUnit.value}
@@ -124,12 +138,20 @@ function RowFields({ row, at, change, remove }: RowProps) {
         onInput={(height) => change({ height })}
       />
       <TextField
-        label="Source"
+        label={say("statistics-standard-source")}
         hideLabel={hide}
         value={row.source}
         onInput={(source) => change({ source })}
       />
-      <Button icon="close" label={`Remove ${row.name || "the new standard"}`} onClick={remove} />
+      <Button
+        icon="close"
+        label={
+          row.name
+            ? say("statistics-standard-remove", { standard: row.name })
+            : say("statistics-standard-new-remove")
+        }
+        onClick={remove}
+      />
     </fieldset>
   );
 }

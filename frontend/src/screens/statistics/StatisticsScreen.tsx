@@ -3,8 +3,8 @@ import { useEffect } from "preact/hooks";
 import { Button, Empty, Loading, Problem } from "../../components";
 import { query } from "../../core/address";
 import { api, fromAddress } from "../../core/api";
+import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
-import { formatCount, plural } from "../../core/units";
 import { loadPlot } from "../../parts/figures/PlotFigure";
 import { ErrorFigures } from "./ErrorFigures";
 import { ErrorTable } from "./ErrorTable";
@@ -33,22 +33,20 @@ export default function StatisticsScreen() {
     <div class="page page--alone stat-page">
       <header class="page__head">
         <div>
-          <h1>Statistics</h1>
+          <h1>{say("page-statistics")}</h1>
           <p class="page__lead" data-testid="stat-counted">
-            {data
-              ? countedWords(data)
-              : "Errors against known heights, and distributions of what was measured."}
+            {data ? countedWords(data) : say("statistics-lead")}
           </p>
         </div>
         <div class="row stat-noprint">
-          {only && <Button href={`/surveys/${only}`}>Back to the survey</Button>}
-          <Button onClick={() => window.print()}>Print</Button>
+          {only && <Button href={`/surveys/${only}`}>{say("statistics-back")}</Button>}
+          <Button onClick={() => window.print()}>{say("action-print")}</Button>
         </div>
       </header>
       <p class="stat-printonly small">{location.href}</p>
       <FilterBar found={data} />
       <Problem error={found.error} again={found.reload} />
-      {!data && found.loading && <Loading what="the statistics" />}
+      {!data && found.loading && <Loading what={say("statistics-loading")} />}
       {data && !found.error && (
         <div class="stat-body" aria-busy={found.loading}>
           {data.counted.measurements === 0 ? (
@@ -96,27 +94,15 @@ function Figures({ found, surveyId, reload }: FiguresProps) {
 const ALWAYS: readonly string[] = ["driver_eye", "taillight"];
 const WHAT: Record<string, string> = { driver_eye: "driver_eye", taillight: "object", headlight: "object" };
 
-const LEFT_OUT: Record<string, string> = {
-  to_review: "to review",
-  reopened: "reopened",
-  rejected: "rejected",
-  accepted: "accepted",
-  fixed: "fixed",
-};
+type LeftOut = "to_review" | "reopened" | "rejected" | "accepted" | "fixed";
 
-function leftOutWords({ counted }: Statistics): string {
-  return Object.entries(counted.left_out)
-    .map(([state, count]) => `${formatCount(count)} ${LEFT_OUT[state] ?? state}`)
-    .join(", ");
-}
-
-function countedWords(found: Statistics): string {
-  const { measurements, vehicles, with_reference } = found.counted;
-  const rest = leftOutWords(found);
-  return (
-    `${plural(measurements, "measurement")} of ${plural(vehicles, "vehicle")}, ` +
-    `${plural(with_reference, "roof")} with a manufacturer’s height.${rest ? ` Left out: ${rest}.` : ""}`
+function countedWords({ counted }: Statistics): string {
+  const { measurements, vehicles, with_reference } = counted;
+  const words = say("statistics-counted", { measurements, vehicles, roofs: with_reference });
+  const states = Object.entries(counted.left_out).map(([state, count]) =>
+    say("statistics-left-out-state", { state: state as LeftOut, count }),
   );
+  return states.length > 0 ? `${words} ${say("statistics-left-out", { states: states.join(", ") })}` : words;
 }
 
 /** No measurement is left: says which are there, and what to do. */
@@ -126,30 +112,30 @@ function Nothing({ found, surveyId }: { found: Statistics; surveyId: string | nu
   return (
     <section class="panel">
       <Empty
-        title={waiting > 0 ? "No accepted measurements yet" : "No measurements here"}
+        title={say(waiting > 0 ? "statistics-none-accepted-title" : "statistics-none-title")}
         actions={
           <>
             {surveyId && waiting > 0 && (
               <Button kind="primary" href={`/surveys/${surveyId}/review`}>
-                Go to the review
+                {say("statistics-to-review")}
               </Button>
             )}
             {waiting > 0 && (
-              <Button onClick={() => setFilter({ state: "to_review" })}>Show those to review</Button>
+              <Button onClick={() => setFilter({ state: "to_review" })}>
+                {say("statistics-show-to-review")}
+              </Button>
             )}
-            {filtered && <Button onClick={() => setFilter(WIDE)}>Clear the filter</Button>}
+            {filtered && <Button onClick={() => setFilter(WIDE)}>{say("action-clear-filter")}</Button>}
             {surveyId && waiting === 0 && !filtered && (
-              <Button href={`/surveys/${surveyId}/measure`}>Measure vehicles</Button>
+              <Button href={`/surveys/${surveyId}/measure`}>{say("statistics-to-measure")}</Button>
             )}
           </>
         }
       >
         <p>
           {waiting > 0
-            ? `Only accepted measurements count, and ${plural(waiting, "measurement waits", "measurements wait")} for review.`
-            : filtered
-              ? "The filter leaves no measurement; widen it."
-              : "Measure vehicles and have them reviewed; their figures then appear here."}
+            ? say("statistics-none-accepted", { count: waiting })
+            : say(filtered ? "statistics-none-filtered" : "statistics-none")}
         </p>
       </Empty>
     </section>

@@ -1,5 +1,7 @@
 import { Button, Notice } from "../../components";
-import { formatCount, formatLength, lengthScale, plural } from "../../core/units";
+import { Said } from "../../components/Said";
+import { allOf, say } from "../../core/messages";
+import { fixed, formatLength, lengthScale } from "../../core/units";
 import { csvOf, download } from "../../parts/figures/csv";
 import {
   type Curve,
@@ -18,8 +20,13 @@ import { type Plot, PlotFigure } from "../../parts/figures/PlotFigure";
 import type { Density, Ecdf, Standard } from "../../parts/figures/types";
 import { isThere, type OfTarget, type Percentile, TARGET_TITLES } from "./model";
 
-const RAW: Curve = { word: "as the paper measures", dash: "6 4", faint: true, band: true };
-const CORRECTED: Curve = { word: "corrected", band: true };
+const rawCurve = (): Curve => ({
+  word: say("statistics-curve-raw"),
+  dash: "6 4",
+  faint: true,
+  band: true,
+});
+const correctedCurve = (): Curve => ({ word: say("statistics-curve-corrected"), band: true });
 
 interface Props {
   target: OfTarget;
@@ -39,11 +46,7 @@ export function TargetSection({ target, standards }: Props) {
     >
       <header class="panel__head">
         <h2 id={`stat-${target.target}`}>{title}</h2>
-        <span class="muted small">
-          {formatCount(target.raw.n)} heights
-          {corrected.mean_m !== null && `, corrected mean ${formatLength(corrected.mean_m)}`}
-          {corrected.sd_m !== null && `, SD ${formatLength(corrected.sd_m)}`}
-        </span>
+        <span class="muted small">{heightsWords(target)}</span>
       </header>
       <div class="stat-target__words small">
         <p data-testid={`correction-${target.target}`}>{corrected.reason ?? corrected.words}</p>
@@ -59,37 +62,47 @@ export function TargetSection({ target, standards }: Props) {
   );
 }
 
+function heightsWords({ raw: { n: count }, corrected: { mean_m, sd_m } }: OfTarget): string {
+  if (mean_m === null) return say("statistics-heights", { count });
+  const mean = formatLength(mean_m);
+  if (sd_m === null) return say("statistics-heights-mean", { count, mean });
+  return say("statistics-heights-mean-sd", { count, mean, sd: formatLength(sd_m) });
+}
+
 function EcdfFigure({ target, standards, title }: Props & { title: string }) {
   const raw = isThere<Ecdf>(target.raw.ecdf) ? target.raw.ecdf : null;
   const corrected = isThere<Ecdf>(target.corrected.ecdf) ? target.corrected.ecdf : null;
   const both = [raw, corrected].filter((one) => one !== null);
   const shown = nearby(standards, both);
   const away = standards.length - shown.length;
+  const note = [say("statistics-target-ecdf-note")];
+  if (away > 0) note.push(say("statistics-target-ecdf-away", { count: away }));
+  const { dash, faint } = rawCurve();
   return (
     <PlotFigure
       name={`${target.target}-ecdf`}
-      title={`${title}, cumulative`}
-      says={`Cumulative distribution of ${title} heights as the paper measures them and corrected, ${target.raw.n} vehicles`}
-      note={`Bands at 95 % hold everywhere at once. ${away > 0 ? `${away} standard${away > 1 ? "s" : ""} far outside not drawn.` : ""}`}
-      legend={[{ word: CORRECTED.word }, { word: `${RAW.word} (inset 0)`, dash: RAW.dash, faint: true }]}
-      reason={both.length === 0 ? "Nothing to draw: no height of this target is left by the filter." : null}
+      title={say("statistics-target-ecdf-title", { target: title })}
+      says={say("statistics-target-ecdf-says", { target: title, count: target.raw.n })}
+      note={note.join(" ")}
+      legend={[{ word: correctedCurve().word }, { word: say("statistics-legend-raw"), dash, faint }]}
+      reason={both.length === 0 ? say("statistics-target-nothing") : null}
       data={[target, shown.map((one) => one.name + one.height_m).join()]}
       options={(plot, unit) => {
         const [perX, long] = lengthScale(unit);
         return {
           x: {
-            label: `height above the road (${long})`,
+            label: say("statistics-height-x", { unit: long }),
             labelArrow: "none",
             labelAnchor: "center",
             labelOffset: 34,
             nice: true,
             inset: 16,
           },
-          y: { label: "share of vehicles (%)", labelArrow: "none", grid: true, domain: [0, 100] },
+          y: { label: say("figure-share-of-vehicles"), labelArrow: "none", grid: true, domain: [0, 100] },
           marks: [
             ...standardMarks(plot, shown, perX, long),
-            ...(raw ? ecdfMarks(plot, raw, RAW, perX) : []),
-            ...(corrected ? ecdfMarks(plot, corrected, CORRECTED, perX) : []),
+            ...(raw ? ecdfMarks(plot, raw, rawCurve(), perX) : []),
+            ...(corrected ? ecdfMarks(plot, corrected, correctedCurve(), perX) : []),
             ...words(plot, raw, corrected, perX),
           ],
         };
@@ -105,8 +118,8 @@ function EcdfFigure({ target, standards, title }: Props & { title: string }) {
 /** The words of both curves, on their outer sides. */
 function words(plot: Plot, raw: Ecdf | null, corrected: Ecdf | null, perX: number) {
   const both = [
-    ...(raw ? [{ ecdf: raw, curve: RAW }] : []),
-    ...(corrected ? [{ ecdf: corrected, curve: CORRECTED }] : []),
+    ...(raw ? [{ ecdf: raw, curve: rawCurve() }] : []),
+    ...(corrected ? [{ ecdf: corrected, curve: correctedCurve() }] : []),
   ].sort((a, b) => valueAt(a.ecdf, 0.5) - valueAt(b.ecdf, 0.5));
   return both.map(({ ecdf, curve }, i) => {
     const left = i === 0 && both.length > 1;
@@ -126,23 +139,29 @@ function HeightDensity({ target, title }: { target: OfTarget; title: string }) {
   return (
     <PlotFigure
       name={`${target.target}-density`}
-      title={`${title}, density`}
-      says={`Density of corrected ${title} heights`}
-      note="Corrected heights, Gaussian kernel, pointwise 95 % band."
+      title={say("statistics-target-density-title", { target: title })}
+      says={say("statistics-target-density-says", { target: title })}
+      note={say("statistics-target-density-note")}
       reason={"reason" in target.density ? target.density.reason : null}
       data={target}
       options={(plot, unit) => {
         const [perX, long] = lengthScale(unit);
         return {
           x: {
-            label: `height above the road (${long})`,
+            label: say("statistics-height-x", { unit: long }),
             labelArrow: "none",
             labelAnchor: "center",
             labelOffset: 34,
             nice: true,
           },
-          y: { label: `density (per ${long})`, labelArrow: "none", grid: true, zero: true, nice: true },
-          marks: [...(density ? densityMarks(plot, density, CORRECTED, perX) : [])],
+          y: {
+            label: say("statistics-density-y", { unit: long }),
+            labelArrow: "none",
+            grid: true,
+            zero: true,
+            nice: true,
+          },
+          marks: [...(density ? densityMarks(plot, density, correctedCurve(), perX) : [])],
         };
       }}
       table={() => ({
@@ -153,28 +172,32 @@ function HeightDensity({ target, title }: { target: OfTarget; title: string }) {
   );
 }
 
-const WHO: Record<string, string> = {
-  driver_eye: "drivers",
-  taillight: "taillights",
-  headlight: "headlights",
-};
-
 /** "Which share of drivers sits below it", with its interval. */
 function Shares({ target, standards }: Props) {
+  const of = target.target;
   const names = new Set(standards.map((one) => `${one.name}|${one.height_m}`));
   const shares = target.corrected.shares.filter((one) =>
     names.has(`${one.standard.name}|${one.standard.height_m}`),
   );
-  if (shares.length === 0) return null;
+  if (of === "roof" || shares.length === 0) return null; // no standard speaks of roofs
   return (
     <ul class="stat-shares" data-testid={`shares-${target.target}`}>
       {shares.map((one) => (
         <li key={`${one.standard.name}${one.standard.height_m}`}>
-          Share of {WHO[target.target]} below {formatLength(one.standard.height_m, 2)} ({one.standard.name}):{" "}
-          <strong>{percent(one.share)}</strong>{" "}
-          <span class="muted">
-            ({(100 * one.low).toFixed(1)} to {(100 * one.high).toFixed(1)}; {one.below} of {one.n})
-          </span>
+          <Said
+            what="statistics-share"
+            values={{
+              target: of,
+              height: formatLength(one.standard.height_m, 2),
+              standard: one.standard.name,
+              share: percent(one.share),
+              low: fixed(100 * one.low, 1),
+              high: fixed(100 * one.high, 1),
+              below: one.below,
+              n: one.n,
+            }}
+            parts={{ muted: (text) => <span class="muted">{text}</span> }}
+          />
         </li>
       ))}
     </ul>
@@ -191,10 +214,12 @@ function Percentiles({ target }: { target: OfTarget }) {
     <div class="stat-percentiles">
       <div class="table-scroll">
         <table class="table" data-testid={`percentiles-${target.target}`}>
-          <caption class="visually-hidden">Percentiles, {TARGET_TITLES[target.target]}</caption>
+          <caption class="visually-hidden">
+            {say("statistics-percentiles", { target: TARGET_TITLES[target.target] })}
+          </caption>
           <thead>
             <tr>
-              <th>Percentile</th>
+              <th>{say("statistics-percentile")}</th>
               {shown.map((one) => (
                 <th key={one.percent} class="num">
                   {one.percent}
@@ -204,15 +229,24 @@ function Percentiles({ target }: { target: OfTarget }) {
           </thead>
           <tbody>
             {rows.length > 0 && (
-              <PercentileRow head={`corrected (${unit})`} rows={rows} factor={factor} strong />
+              <PercentileRow
+                head={say("statistics-percentiles-corrected", { unit })}
+                rows={rows}
+                factor={factor}
+                strong
+              />
             )}
-            <PercentileRow head={`as the paper (${unit})`} rows={target.raw.percentiles} factor={factor} />
+            <PercentileRow
+              head={say("statistics-percentiles-raw", { unit })}
+              rows={target.raw.percentiles}
+              factor={factor}
+            />
           </tbody>
         </table>
       </div>
       <div class="row row--apart stat-notes small">
         <div class="grow">
-          95 % intervals below each value.
+          {say("statistics-percentiles-note")}
           <NoIntervals rows={shown} />
         </div>
         <Button
@@ -220,9 +254,9 @@ function Percentiles({ target }: { target: OfTarget }) {
           icon="download"
           class="stat-noprint"
           onClick={() => save(target)}
-          title="Percentiles as CSV"
+          title={say("statistics-percentiles-save")}
         >
-          CSV
+          {say("file-csv")}
         </Button>
       </div>
     </div>
@@ -239,12 +273,12 @@ function NoIntervals({ rows }: { rows: readonly Percentile[] }) {
   return (
     <details>
       <summary>
-        Why {plural([...byReason.values()].flat().length, "percentile has", "percentiles have")} none
+        {say("statistics-percentiles-without", { count: [...byReason.values()].flat().length })}
       </summary>
       <ul>
         {[...byReason].map(([reason, percents]) => (
           <li key={reason}>
-            {percents.join(" and ")}: {reason}.
+            {say("statistics-percentiles-reason", { percentiles: allOf(percents.map(String)), reason })}
           </li>
         ))}
       </ul>

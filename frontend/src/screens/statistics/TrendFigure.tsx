@@ -1,5 +1,6 @@
+import { say } from "../../core/messages";
 import { lengthScale, smallScale } from "../../core/units";
-import { range, scaled } from "../../parts/figures/numbers";
+import { NONE, range, scaled } from "../../parts/figures/numbers";
 import { type LegendEntry, PlotFigure } from "../../parts/figures/PlotFigure";
 import { type Errors, GROUP_WORDS, isThere, type Trend } from "./model";
 
@@ -18,15 +19,15 @@ export function TrendFigure({ errors }: { errors: Errors }) {
     rows.some((row) => row.lighting === one),
   );
   const legend: LegendEntry[] = present.map((one) => ({ word: GROUP_WORDS[one] ?? one, dot: SYMBOLS[one] }));
-  if (line) legend.push({ word: "regression, 95 % band" });
+  if (line) legend.push({ word: say("statistics-trend-legend") });
   return (
     <PlotFigure
       name="error-against-height"
-      title="Signed error against true height"
-      says={`Signed error over the manufacturer's height of ${rows.length} vehicles. ${trendWords(errors)}`}
+      title={say("statistics-trend-title")}
+      says={`${say("statistics-trend-says", { count: rows.length })} ${trendWords(errors)}`}
       note={trendWords(errors)}
       legend={legend}
-      reason={rows.length === 0 ? "Nothing to draw: no vehicle has a reference height." : null}
+      reason={rows.length === 0 ? say("statistics-trend-nothing") : null}
       data={errors}
       options={(plot, unit) => {
         const [perX, long] = lengthScale(unit);
@@ -39,14 +40,20 @@ export function TrendFigure({ errors }: { errors: Errors }) {
         }));
         return {
           x: {
-            label: `manufacturer’s height (${long})`,
+            label: say("statistics-trend-x", { unit: long }),
             labelArrow: "none",
             labelAnchor: "center",
             labelOffset: 34,
             nice: true,
             inset: 4,
           },
-          y: { label: `signed error (${small})`, labelArrow: "none", grid: true, nice: true, inset: 4 },
+          y: {
+            label: say("statistics-signed-error", { unit: small }),
+            labelArrow: "none",
+            grid: true,
+            nice: true,
+            inset: 4,
+          },
           symbol: { domain: Object.keys(SYMBOLS), range: Object.values(SYMBOLS), legend: false },
           marks: [
             plot.ruleY([0], { stroke: "var(--line-strong)" }),
@@ -95,7 +102,20 @@ function trendWords({ trend, absolute_trend }: Errors): string {
   const [factor, small] = smallScale();
   const [toLong, long] = lengthScale();
   const per = factor / toLong;
-  const signed = `Slope ${scaled(trend.slope, per, 1)} ${small} per ${long} (${range(trend.slope_ci95, per, 1)}), r = ${scaled(trend.correlation, 1, 2)} (${range(trend.correlation_ci95, 1, 2)}).`;
+  const signed = say("statistics-trend", {
+    slope: scaled(trend.slope, per, 1),
+    small,
+    unit: long,
+    slope_interval: range(trend.slope_ci95, per, 1) ?? NONE,
+    ...correlationWords(trend),
+  });
   if (!isThere<Trend>(absolute_trend)) return signed;
-  return `${signed} Absolute error: r = ${scaled(absolute_trend.correlation, 1, 2)} (${range(absolute_trend.correlation_ci95, 1, 2)}).`;
+  return `${signed} ${say("statistics-trend-absolute", correlationWords(absolute_trend))}`;
+}
+
+function correlationWords({ correlation, correlation_ci95 }: Trend) {
+  return {
+    correlation: scaled(correlation, 1, 2),
+    correlation_interval: range(correlation_ci95, 1, 2) ?? NONE,
+  };
 }

@@ -3,7 +3,6 @@ import { navigate } from "../../core/address";
 import type { AddressOf } from "../../core/routes";
 
 export const CORRECTIONS = ["inset", "shift", "none", "regression", "deconvolution"] as const;
-export type Correction = (typeof CORRECTIONS)[number];
 
 /** Names that the server takes, some of them more than once. */
 const SINGLE = [

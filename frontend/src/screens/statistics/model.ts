@@ -1,7 +1,9 @@
 /** What the server says of many measurements; lengths in metres. */
 
 import type { components } from "#schema";
-import type { Category, Lighting, Target } from "../../core/types";
+import { wordsOf } from "../../core/messages";
+import type { Category, Lighting } from "../../core/types";
+import { CATEGORY_WORDS, LIGHTING_WORDS } from "../../core/words";
 import type { Standard } from "../../parts/figures/types";
 
 type Schemas = components["schemas"];
@@ -19,31 +21,19 @@ export function isThere<T extends object>(part: T | Reason): part is T {
   return !("reason" in part) || Object.keys(part).length > 1;
 }
 
-export const GROUP_WORDS: Record<string, string> = {
-  daytime: "daytime",
-  low_light: "low light",
-  overall: "overall",
-  unknown: "lighting unknown",
-};
+export const GROUP_WORDS: Readonly<Record<string, string>> = wordsOf({
+  daytime: "statistics-group-daytime",
+  low_light: "statistics-group-low_light",
+  overall: "statistics-group-overall",
+  unknown: "statistics-group-unknown",
+});
 
-export const LIGHTING_WORDS: Record<Lighting, string> = { daytime: "Daytime", low_light: "Low light" };
-
-export const CATEGORY_WORDS: Record<Category, string> = {
-  hatchback: "Hatchback",
-  saloon: "Saloon",
-  estate: "Estate",
-  suv: "SUV",
-  van: "Van",
-  lorry: "Lorry",
-  other: "Other",
-};
-
-export const TARGET_TITLES: Record<Exclude<Target, "other">, string> = {
-  driver_eye: "Driver’s eye",
-  taillight: "Taillight, lower limit",
-  headlight: "Headlight",
-  roof: "Roof",
-};
+export const TARGET_TITLES = wordsOf({
+  driver_eye: "statistics-eye",
+  taillight: "statistics-taillight",
+  headlight: "statistics-headlight",
+  roof: "statistics-roof",
+});
 
 /** The word of a group in a grouping, for people. */
 export function groupWord(grouping: string, word: string): string {
@@ -53,7 +43,10 @@ export function groupWord(grouping: string, word: string): string {
 }
 
 /** What a standard speaks of. */
-export const STANDARD_OF = { driver_eye: "driver’s eye", object: "object (taillight, headlight)" } as const;
+export const STANDARD_OF = wordsOf({
+  driver_eye: "statistics-standard-of-eye",
+  object: "statistics-standard-of-object",
+});
 
 /** A standard's own address in the link: what and name. */
 export function standardKey(one: Standard): string {
