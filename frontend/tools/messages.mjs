@@ -34,6 +34,7 @@ class Facts extends Visitor {
 const PLURALS = new Set(["zero", "one", "two", "few", "many", "other"]);
 
 const resource = new FluentParser().parse(readFileSync(SOURCE, "utf8"));
+const known = new Set();
 const values = [];
 const parts = [];
 for (const entry of resource.body) {
@@ -42,6 +43,11 @@ for (const entry of resource.body) {
     process.exit(1);
   }
   if (entry.type !== "Message" || !entry.value) continue;
+  if (known.has(entry.id.name)) {
+    console.error(`en.ftl: ${entry.id.name} stands there twice`);
+    process.exit(1);
+  }
+  known.add(entry.id.name);
   const facts = new Facts();
   facts.visit(entry.value);
   const fields = [...facts.values].map(([name, type]) => `${name}: ${type}`).join("; ");

@@ -177,15 +177,9 @@ problem-page = Something went wrong in this page; reload it, and tell the admini
 problem-offline = The server cannot be reached.
 keys-reserved = The browser keeps { $chord } for itself; choose another key.
 
-## Components: buttons of dialogs, progress, undo
+## Components: progress, undo
 
-button-cancel = Cancel
-button-close = Close
-button-dismiss = Dismiss
-button-keep = Keep it
-button-try-again = Try again
 loading = Loading { $what }…
-progress-percent = { $percent } %
 job-queued = Waiting for its turn
 job-working = Working
 undo-step = Undo: { $step }
@@ -267,20 +261,86 @@ keys-of = { $command }: { $keys }. Change
 keys-change = Change the key
 keys-press = press a key…
 
+## Boards: the kind of a board and its markers
+
+board-kind = Kind of board
+board-checkerboard = Checkerboard
+board-charuco = ChArUco
+board-dictionary = Dictionary
+board-marker = Marker’s side
+board-marker-problem = Give the side of the black marker, for example { $example }.
+board-marker-too-large = A marker is smaller than its square.
+
+## Did the camera move
+
+drift-title = Did the camera move?
+drift-stopped = The check stopped.
+drift-under-way = Whether the camera moved since its road pose is being looked at.
+drift-not-yet = Whether the camera moved since its road pose has not been looked at.
+drift-holds = Still good, says { $person }: { $reason }
+drift-over-time = Over the recording's time
+drift-again = Look again
+drift-take-back = Take the decision back
+drift-reason = The pose is still good, because
+drift-decide = Decide: still good
+drift-look = frame { $frame }: { $moved_px } px, { $change }
+drift-figure = { $untold ->
+    [0] { $count } frames against the road pose's; worst { $worst } of height for a target { $target } high at { $distance }. The band is what could not be told from standing still.
+   *[other] { $count } frames against the road pose's, { $untold } told nothing; worst { $worst } of height for a target { $target } high at { $distance }. The band is what could not be told from standing still.
+}
+
+## Figures: their downloads and marks
+
+figure-as-svg = { $figure } as SVG
+figure-as-csv = { $figure } as CSV
+figure-standard = { $standards } { $height } { $unit }
+
+## Vehicles: budget, history, catalogue, passes
+
+budget-title = Where the uncertainty comes from
+budget-note = standard uncertainty
+budget-together = together
+revisions-title = History
+revisions-who = { $person }, { $time }
+revisions-review = { $person } – { $reason }
+catalogue-list = { $field } in the catalogue
+passes-find = Find the passes
+passes-find-title = Looks through the video for vehicles; passes that are there or were discarded stay as they are
+passes-failed = The search failed; try it again.
+passes-cancelled = The search for passes in { $recording } was cancelled.
+passes-found = { $recording }: { $message }
+passes-over = { $recording }: the search is over.
+passes-all = All
+passes-to-do = To do
+passes-rejected = Rejected
+passes-measured = Measured
+passes-by-number = by number
+passes-by-time = by time
+passes-by-state = by state
+
 ## Words that many pages need
 
 interval = { $low } to { $high }
 person-system = the system
+person-unknown = unknown
 menu-language = Language
 stage-frame = Frame
 stage-frames = Frames
 action-add = Add
 action-cancel = Cancel
+action-close = Close
+action-dismiss = Dismiss
+action-keep = Keep it
+action-try-again = Try again
 action-clear-filter = Clear the filter
 action-print = Print
 file-csv = CSV
 figure-share-of-vehicles = share of vehicles (%)
 with-unit = { $name } ({ $unit })
+percent = { $percent } %
+value-px = { $value } px
+value-s = { $value } s
+file-svg = SVG
 
 ## Repeats: the page
 

@@ -43,7 +43,7 @@ export function Dialog({ title, onClose, children, actions, wide }: DialogProps)
     >
       <header class="dialog__head">
         <h2 id={id}>{title}</h2>
-        <Button kind="quiet" icon="close" label={say("button-close")} onClick={onClose} />
+        <Button kind="quiet" icon="close" label={say("action-close")} onClick={onClose} />
       </header>
       <div class="dialog__body">{children}</div>
       {actions && <footer class="dialog__foot">{actions}</footer>}
@@ -84,7 +84,7 @@ export function AskDialog() {
       onClose={() => q.answer(false)}
       actions={
         <>
-          <Button onClick={() => q.answer(false)}>{say("button-keep")}</Button>
+          <Button onClick={() => q.answer(false)}>{say("action-keep")}</Button>
           <Button kind="primary" onClick={() => q.answer(true)}>
             {q.action}
           </Button>

@@ -66,7 +66,7 @@ export function Problem({ error, again }: { error: unknown; again?: () => void }
       actions={
         again && (
           <Button small icon="retry" onClick={again}>
-            {say("button-try-again")}
+            {say("action-try-again")}
           </Button>
         )
       }
@@ -92,7 +92,7 @@ export function Progress({ value, label, figure, still }: ProgressProps) {
     <div class={`progress${still ? " progress--still" : ""}`}>
       <div class="progress__words">
         <span>{label}</span>
-        <span class="nowrap">{figure ?? say("progress-percent", { percent })}</span>
+        <span class="nowrap">{figure ?? say("percent", { percent })}</span>
       </div>
       <div
         class="progress__track"
@@ -118,7 +118,7 @@ export function JobProgress({ job, onCancel }: { job: Job; onCancel?: () => void
       </div>
       {onCancel && (
         <Button small onClick={onCancel}>
-          {say("button-cancel")}
+          {say("action-cancel")}
         </Button>
       )}
     </div>

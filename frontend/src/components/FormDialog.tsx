@@ -42,7 +42,7 @@ export function FormDialog({ title, action, onClose, submit, disabled, children 
       onClose={onClose}
       actions={
         <>
-          <Button onClick={onClose}>{say("button-cancel")}</Button>
+          <Button onClick={onClose}>{say("action-cancel")}</Button>
           <Button
             kind="primary"
             busy={busy}

@@ -25,7 +25,7 @@ export function Toasts() {
             kind="quiet"
             small
             icon="close"
-            label={say("button-dismiss")}
+            label={say("action-dismiss")}
             onClick={() => dismiss(toast.id)}
           />
         </div>

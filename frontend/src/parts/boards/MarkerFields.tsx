@@ -1,5 +1,6 @@
 /** Which kind of board, and the markers of one that has them. */
 import { Segments, SelectField, TextField } from "../../components";
+import { say } from "../../core/messages";
 import { type BoardKind, DICTIONARIES, type TypedMarkers } from "./markers";
 import "./markers.css";
 
@@ -14,11 +15,11 @@ interface Props {
 export function KindField({ value, change, disabled }: Pick<Props, "value" | "change" | "disabled">) {
   return (
     <Segments<BoardKind>
-      label="Kind of board"
+      label={say("board-kind")}
       value={value.kind}
       options={[
-        { value: "checkerboard", label: "Checkerboard" },
-        { value: "charuco", label: "ChArUco" },
+        { value: "checkerboard", label: say("board-checkerboard") },
+        { value: "charuco", label: say("board-charuco") },
       ]}
       onChange={(kind) => change({ kind })}
       disabled={disabled}
@@ -31,13 +32,13 @@ export function MarkerFields({ value, unit, problem, change }: Props) {
   return (
     <div class="markers">
       <SelectField
-        label="Dictionary"
+        label={say("board-dictionary")}
         value={value.dictionary}
         options={DICTIONARIES.map((name) => ({ value: name, label: name }))}
         onChange={(dictionary) => change({ dictionary })}
       />
       <TextField
-        label="Marker’s side"
+        label={say("board-marker")}
         numeric
         unit={unit}
         value={value.marker}

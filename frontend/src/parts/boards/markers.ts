@@ -1,4 +1,5 @@
 /** The kind of board and its markers: what both board forms ask for, and what the last board on this machine was. */
+import { say } from "../../core/messages";
 
 export type BoardKind = "checkerboard" | "charuco";
 
@@ -31,8 +32,8 @@ export function markerProblem(
   example: string,
 ): string | null {
   if (kind === "checkerboard") return null;
-  if (marker === null || marker <= 0) return `Give the side of the black marker, for example ${example}.`;
-  if (square !== null && marker >= square) return "A marker is smaller than its square.";
+  if (marker === null || marker <= 0) return say("board-marker-problem", { example });
+  if (square !== null && marker >= square) return say("board-marker-too-large");
   return null;
 }
 

@@ -3,6 +3,7 @@ import { useState } from "preact/hooks";
 import { Button, JobProgress, type MarkShape, Problem, Shape, TextField } from "../../components";
 import { api } from "../../core/api";
 import { useJob } from "../../core/jobs";
+import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
 import { may } from "../../core/session";
 import type { Drift, Job } from "../../core/types";
@@ -26,7 +27,7 @@ export function DriftVerdict({ recordingId, poseId, open }: Props) {
   const [problem, setProblem] = useState<unknown>(null);
   const over = (ended: Job): void => {
     setJobId(null);
-    if (ended.state === "failed") setProblem(new Error(ended.error ?? "The check stopped."));
+    if (ended.state === "failed") setProblem(new Error(ended.error ?? say("drift-stopped")));
     void drift.reload();
   };
   const job = useJob(jobId ?? drift.data?.job?.id ?? null, over, setProblem);
@@ -48,36 +49,31 @@ export function DriftVerdict({ recordingId, poseId, open }: Props) {
       </Button>
     );
   return (
-    <section class="drift" aria-label="Did the camera move?" data-testid="drift">
+    <section class="drift" aria-label={say("drift-title")} data-testid="drift">
       <p class="drift__words">
         <Shape shape={shapeOf(drift.data)} />
-        <span>{check ? inUnits(check.words) : job ? UNDER_WAY : NOT_YET}</span>
+        <span>{check ? inUnits(check.words) : job ? say("drift-under-way") : say("drift-not-yet")}</span>
       </p>
       {decision?.holds && (
-        <p class="small">
-          Still good, says {decision.by}: {decision.reason}
-        </p>
+        <p class="small">{say("drift-holds", { person: decision.by, reason: decision.reason })}</p>
       )}
       {job && <JobProgress job={job} />}
       <Problem error={problem} />
       {check ? (
         <details open={open ?? flagged.length > 0}>
-          <summary>Over the recording's time</summary>
+          <summary>{say("drift-over-time")}</summary>
           <DriftPlot check={check} />
           <div class="row row--wrap">
             <Decide recordingId={recordingId} drift={drift.data} set={drift.set} onProblem={setProblem} />
-            {lookButton("Look again")}
+            {lookButton(say("drift-again"))}
           </div>
         </details>
       ) : (
-        lookButton("Did the camera move?")
+        lookButton(say("drift-title"))
       )}
     </section>
   );
 }
-
-const UNDER_WAY = "Whether the camera moved since its road pose is being looked at.";
-const NOT_YET = "Whether the camera moved since its road pose has not been looked at.";
 
 function shapeOf({ check, flagged }: Drift): MarkShape {
   if (check === null) return "empty";
@@ -114,7 +110,7 @@ function Decide({ recordingId, drift, set, onProblem }: DecideProps) {
           )
         }
       >
-        Take the decision back
+        {say("drift-take-back")}
       </Button>
     );
   }
@@ -133,9 +129,9 @@ function Decide({ recordingId, drift, set, onProblem }: DecideProps) {
         );
       }}
     >
-      <TextField label="The pose is still good, because" value={reason} onInput={setReason} />
+      <TextField label={say("drift-reason")} value={reason} onInput={setReason} />
       <Button small type="submit" disabled={reason.trim() === ""}>
-        Decide: still good
+        {say("drift-decide")}
       </Button>
     </form>
   );

@@ -1,4 +1,5 @@
 /** How far the picture moved over the recording's time: a dot a look, the floor as a band, moved parts shaded. */
+import { say } from "../../core/messages";
 import type { DriftCheck } from "../../core/types";
 import { fixed, formatLength, formatSmall, inUnits } from "../../core/units";
 
@@ -16,7 +17,6 @@ export function DriftPlot({ check }: { check: DriftCheck }) {
   const top = Math.max(...told.map((look) => look.moved_px ?? 0), 2 * floor, 0.1) * 1.1;
   const x = (time_s: number): number => LEFT + (time_s / end) * (WIDTH - LEFT - RIGHT);
   const y = (px: number): number => HEIGHT - BOTTOM - (px / top) * (HEIGHT - TOP - BOTTOM);
-  const untold = check.looks.length - told.length;
   const worst = told.reduce((most, look) => Math.max(most, Math.abs(look.change_m ?? 0)), 0);
   return (
     <figure class="drift__figure">
@@ -46,27 +46,36 @@ export function DriftPlot({ check }: { check: DriftCheck }) {
         <path class="drift__axis" d={`M${LEFT} ${TOP}V${y(0)}H${WIDTH - RIGHT}`} />
         {told.map((look) => (
           <circle key={look.frame} class="drift__dot" cx={x(look.time_s)} cy={y(look.moved_px ?? 0)} r={2.2}>
-            <title>{`frame ${look.frame}: ${fixed(look.moved_px ?? 0, 2)} px, ${formatSmall(look.change_m ?? null)}`}</title>
+            <title>{lookWords(look)}</title>
           </circle>
         ))}
         <text class="drift__word" x={LEFT - 5} y={TOP + 6} text-anchor="end">
-          {fixed(top, top < 1 ? 2 : 1)} px
+          {say("value-px", { value: fixed(top, top < 1 ? 2 : 1) })}
         </text>
         <text class="drift__word" x={LEFT - 5} y={y(0)} text-anchor="end">
           0
         </text>
         <text class="drift__word" x={LEFT} y={HEIGHT - 4}>
-          0 s
+          {say("value-s", { value: "0" })}
         </text>
         <text class="drift__word" x={WIDTH - RIGHT} y={HEIGHT - 4} text-anchor="end">
-          {fixed(end, 0)} s
+          {say("value-s", { value: fixed(end, 0) })}
         </text>
       </svg>
       <figcaption class="small muted">
-        {told.length} frames against the road pose's{untold > 0 ? `, ${untold} told nothing` : ""}; worst{" "}
-        {formatSmall(worst)} of height for a target {formatLength(check.target_m, 2)} high at{" "}
-        {formatLength(check.distance_m, 1)}. The band is what could not be told from standing still.
+        {say("drift-figure", {
+          count: told.length,
+          untold: check.looks.length - told.length,
+          worst: formatSmall(worst),
+          target: formatLength(check.target_m, 2),
+          distance: formatLength(check.distance_m, 1),
+        })}
       </figcaption>
     </figure>
   );
+}
+
+function lookWords({ frame, moved_px, change_m }: DriftCheck["looks"][number]): string {
+  const change = formatSmall(change_m ?? null);
+  return say("drift-look", { frame: String(frame), moved_px: fixed(moved_px ?? 0, 2), change });
 }

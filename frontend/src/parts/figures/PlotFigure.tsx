@@ -1,6 +1,7 @@
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { Button, Problem } from "../../components";
+import { say } from "../../core/messages";
 import { theme } from "../../core/theme";
 import { type LengthUnit, lengthUnit } from "../../core/units";
 import { type Cell, csvOf, download } from "./csv";
@@ -123,11 +124,11 @@ export function PlotFigure({ name, title, says, note, legend, data, options, tab
         <h3>{title}</h3>
         {!reason && (
           <div class="row stat-noprint">
-            <Button small icon="download" onClick={saveSvg} title={`${title} as SVG`}>
-              SVG
+            <Button small icon="download" onClick={saveSvg} title={say("figure-as-svg", { figure: title })}>
+              {say("file-svg")}
             </Button>
-            <Button small icon="download" onClick={saveCsv} title={`${title} as CSV`}>
-              CSV
+            <Button small icon="download" onClick={saveCsv} title={say("figure-as-csv", { figure: title })}>
+              {say("file-csv")}
             </Button>
           </div>
         )}

@@ -1,4 +1,6 @@
 /** Marks of the figures. Dashes, greys and words tell lines apart, never a hue alone: colours belong to the road's axes. */
+import { say } from "../../core/messages";
+import { fixed } from "../../core/units";
 import type { Cell } from "./csv";
 import type { Plot } from "./PlotFigure";
 import type { Density, Ecdf, Standard } from "./types";
@@ -110,7 +112,7 @@ export function standardMarks(
   for (const one of standards) byHeight.set(one.height_m, [...(byHeight.get(one.height_m) ?? []), one.name]);
   const rows = [...byHeight].map(([height, names]) => ({
     x: height * perX,
-    word: `${names.join(", ")} ${(height * perX).toFixed(2)} ${unit}`,
+    word: say("figure-standard", { standards: names.join(", "), height: fixed(height * perX, 2), unit }),
   }));
   return [
     plot.text(rows, {

@@ -1,4 +1,5 @@
 /** Numbers of the tables and axes, in the unit that the person reads. */
+import { say } from "../../core/messages";
 import { fixed, type LengthUnit, lengthUnit, type Scale, smallScale } from "../../core/units";
 import type { Interval } from "./types";
 
@@ -15,12 +16,15 @@ export function scaled(value: number | null, factor: number, digits: number): st
 /** "9.1 to 16.2" */
 export function range(interval: Interval | null, factor: number, digits: number): string | null {
   if (!interval) return null;
-  return `${scaled(interval.low, factor, digits)} to ${scaled(interval.high, factor, digits)}`;
+  return say("interval", {
+    low: scaled(interval.low, factor, digits),
+    high: scaled(interval.high, factor, digits),
+  });
 }
 
 /** "12.3 %" */
 export function percent(share: number, digits = 1): string {
-  return `${fixed(share * 100, digits)} %`;
+  return say("percent", { percent: fixed(share * 100, digits) });
 }
 
 /** "4.2 mm" */

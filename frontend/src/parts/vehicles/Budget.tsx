@@ -1,3 +1,4 @@
+import { say } from "../../core/messages";
 import type { BudgetEntry } from "../../core/types";
 import { formatSmall } from "../../core/units";
 import "./vehicle.css";
@@ -8,7 +9,7 @@ export function Budget({ entries, total_m }: { entries: readonly BudgetEntry[]; 
   return (
     <table class="budget">
       <caption class="small">
-        <strong>Where the uncertainty comes from</strong> <span class="muted">standard uncertainty</span>
+        <strong>{say("budget-title")}</strong> <span class="muted">{say("budget-note")}</span>
       </caption>
       <tbody>
         {entries.map((one) => (
@@ -21,7 +22,7 @@ export function Budget({ entries, total_m }: { entries: readonly BudgetEntry[]; 
           </tr>
         ))}
         <tr class="budget__sum">
-          <th scope="row">together</th>
+          <th scope="row">{say("budget-together")}</th>
           <td aria-hidden="true" />
           <td class="num">{formatSmall(total_m)}</td>
         </tr>

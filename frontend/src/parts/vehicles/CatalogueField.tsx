@@ -4,6 +4,7 @@ import { Field } from "../../components";
 import { TypingHold, useTyping } from "../../components/typing";
 import { api } from "../../core/api";
 import { Latest } from "../../core/latest";
+import { say } from "../../core/messages";
 import type { CatalogueRow } from "../../core/types";
 import { formatLength } from "../../core/units";
 import "./vehicle.css";
@@ -111,7 +112,7 @@ export function CatalogueField(props: CatalogueFieldProps) {
         class="combo__list"
         id={listId}
         role="listbox"
-        aria-label={`${props.label} in the catalogue`}
+        aria-label={say("catalogue-list", { field: props.label })}
         hidden={!open}
       >
         {rows?.map((row, i) => (

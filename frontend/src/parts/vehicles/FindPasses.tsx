@@ -3,6 +3,7 @@ import { useEffect, useState } from "preact/hooks";
 import { Button, JobProgress, Problem } from "../../components";
 import { api } from "../../core/api";
 import { cancelJob, isOver, useJob } from "../../core/jobs";
+import { say } from "../../core/messages";
 import { may } from "../../core/session";
 import { toast } from "../../core/toasts";
 import type { Job, Recording } from "../../core/types";
@@ -27,7 +28,7 @@ export function FindPasses({ recording, found }: Props) {
     jobId,
     (over) => {
       setJobId(null);
-      if (over.state === "failed") setProblem(new Error(over.error ?? "The search failed; try it again."));
+      if (over.state === "failed") setProblem(new Error(over.error ?? say("passes-failed")));
       else toast(told(recording.name, over));
       void found();
     },
@@ -57,10 +58,10 @@ export function FindPasses({ recording, found }: Props) {
           kind="plain"
           icon="search"
           disabled={jobId !== null}
-          title="Looks through the video for vehicles; passes that are there or were discarded stay as they are"
+          title={say("passes-find-title")}
           onClick={() => void start()}
         >
-          Find the passes
+          {say("passes-find")}
         </Button>
       )}
       <Problem error={problem} />
@@ -68,8 +69,10 @@ export function FindPasses({ recording, found }: Props) {
   );
 }
 
-function told(name: string, job: Job): string {
+function told(recording: string, job: Job): string {
   const message = job.result?.message;
-  if (job.state === "cancelled") return `The search for passes in ${name} was cancelled.`;
-  return `${name}: ${typeof message === "string" ? message : "the search is over."}`;
+  if (job.state === "cancelled") return say("passes-cancelled", { recording });
+  return typeof message === "string"
+    ? say("passes-found", { recording, message })
+    : say("passes-over", { recording });
 }

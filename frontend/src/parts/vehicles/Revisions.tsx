@@ -1,14 +1,21 @@
 import { useEffect, useState } from "preact/hooks";
 import { Problem, StateMark } from "../../components";
 import { api } from "../../core/api";
+import { say } from "../../core/messages";
 import { formatMoment } from "../../core/times";
 import type { History, Measurement } from "../../core/types";
 import { formatHeight } from "../../core/units";
+import { STATE_WORDS } from "../../core/words";
 import "./vehicle.css";
 
 function revisionWords(m: Measurement): string {
-  if (m.withdrawn) return "withdrawn";
-  return m.status === "ok" ? formatHeight(m.height_m, m.U95_height_m) : "not measurable";
+  if (m.withdrawn) return STATE_WORDS.withdrawn;
+  return m.status === "ok" ? formatHeight(m.height_m, m.U95_height_m) : STATE_WORDS.not_measurable;
+}
+
+function reviewWords({ reviewer, reason }: History["reviews"][number]): string {
+  const person = reviewer?.name ?? "";
+  return reason ? say("revisions-review", { person, reason }) : person;
 }
 
 /** Every revision with its value and every verdict, newest first. */
@@ -29,7 +36,7 @@ export function Revisions({ id, revision }: { id: number; revision: number }) {
   return (
     <div class="revisions small">
       <p>
-        <strong>History</strong>
+        <strong>{say("revisions-title")}</strong>
       </p>
       <ol>
         {[...history.revisions].reverse().map((m) => (
@@ -39,14 +46,16 @@ export function Revisions({ id, revision }: { id: number; revision: number }) {
               <span class="grow">{revisionWords(m)}</span>
             </span>
             <span class="revisions__who muted">
-              {m.created_by?.name ?? "unknown"}, {formatMoment(m.created_at)}
+              {say("revisions-who", {
+                person: m.created_by?.name ?? say("person-unknown"),
+                time: formatMoment(m.created_at),
+              })}
             </span>
             {history.reviews
               .filter((review) => review.revision === m.revision)
               .map((review) => (
                 <span key={review.id} class="revisions__review">
-                  <StateMark state={review.verdict} /> {review.reviewer?.name}{" "}
-                  {review.reason && `– ${review.reason}`}
+                  <StateMark state={review.verdict} /> {reviewWords(review)}
                 </span>
               ))}
           </li>

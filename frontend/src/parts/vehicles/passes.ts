@@ -1,21 +1,24 @@
 /** The list of passes as the operator wants to see it: filter, order, next and previous. */
+import { wordsOf } from "../../core/messages";
 import type { Vehicle } from "../../core/types";
 
 export type Filter = "all" | "to_do" | "rejected" | "measured";
 export type Order = "number" | "time" | "state";
 
-export const FILTERS: readonly { value: Filter; label: string }[] = [
-  { value: "all", label: "All" },
-  { value: "to_do", label: "To do" },
-  { value: "rejected", label: "Rejected" },
-  { value: "measured", label: "Measured" },
-];
+export const FILTERS: readonly Filter[] = ["all", "to_do", "rejected", "measured"];
+export const FILTER_WORDS = wordsOf({
+  all: "passes-all",
+  to_do: "passes-to-do",
+  rejected: "passes-rejected",
+  measured: "passes-measured",
+});
 
-export const ORDERS: readonly { value: Order; label: string }[] = [
-  { value: "number", label: "by number" },
-  { value: "time", label: "by time" },
-  { value: "state", label: "by state" },
-];
+export const ORDERS: readonly Order[] = ["number", "time", "state"];
+export const ORDER_WORDS = wordsOf({
+  number: "passes-by-number",
+  time: "passes-by-time",
+  state: "passes-by-state",
+});
 
 const RANK: Record<Vehicle["state"], number> = {
   rejected: 0,

@@ -8,7 +8,15 @@ import type { Vehicle } from "../../core/types";
 import { plural } from "../../core/units";
 import { REQUIRED } from "../../core/words";
 import { FindPasses } from "../../parts/vehicles/FindPasses";
-import { FILTERS, type Filter, isOpen, ORDERS, type Order } from "../../parts/vehicles/passes";
+import {
+  FILTER_WORDS,
+  FILTERS,
+  type Filter,
+  isOpen,
+  ORDER_WORDS,
+  ORDERS,
+  type Order,
+} from "../../parts/vehicles/passes";
 import { filter, type MeasureModel, order } from "./model";
 import { readAgain } from "./passes/actions";
 import { PassMark } from "./passes/marks";
@@ -43,8 +51,8 @@ export function PassList({ model }: { model: MeasureModel }) {
             }}
           >
             {FILTERS.map((one) => (
-              <option key={one.value} value={one.value}>
-                {one.label}
+              <option key={one} value={one}>
+                {FILTER_WORDS[one]}
               </option>
             ))}
           </select>
@@ -57,8 +65,8 @@ export function PassList({ model }: { model: MeasureModel }) {
             }}
           >
             {ORDERS.map((one) => (
-              <option key={one.value} value={one.value}>
-                {one.label}
+              <option key={one} value={one}>
+                {ORDER_WORDS[one]}
               </option>
             ))}
           </select>
