@@ -47,7 +47,7 @@ from sightline.infra.web import error_handlers, pages
 from sightline.infra.web.bodies import ErrorBody
 from sightline.infra.web.cookie import SignIn
 from sightline.infra.web.guard import Guard
-from sightline.infra.web.openapi import DESCRIPTION, TITLE, VERSION, operation_id
+from sightline.infra.web.openapi import DESCRIPTION, TITLE, VERSION, Api, operation_id
 from sightline.infra.web.person import Person
 from sightline.infra.web.secret import signing_secret
 from sightline.infra.web.write_gate import WriteGate
@@ -110,9 +110,7 @@ def include_routes(app: FastAPI) -> None:
 
 def describe() -> dict[str, Any]:
     """The OpenAPI document, without opening a database or a media store."""
-    app = FastAPI(
-        title=TITLE, version=VERSION, description=DESCRIPTION, generate_unique_id_function=operation_id
-    )
+    app = Api(title=TITLE, version=VERSION, description=DESCRIPTION, generate_unique_id_function=operation_id)
     include_routes(app)
     return app.openapi()
 
@@ -133,7 +131,7 @@ def create_app(settings: Settings | None = None, services: Services | None = Non
         if own:
             services.close()
 
-    app = FastAPI(
+    app = Api(
         title=TITLE,
         version=VERSION,
         description=DESCRIPTION,

@@ -11,7 +11,8 @@ from pydantic import Field
 from sightline.export import store
 from sightline.export.export_job import request_export
 from sightline.export.records import Export
-from sightline.infra.web.bodies import In, JobBody, Out, WhoBody
+from sightline.infra.audit.records import Who
+from sightline.infra.web.bodies import In, JobBody, Out
 from sightline.infra.web.deps import PathId, Reading, Viewer, Wired, Writing
 from sightline.surveys.store import get_survey
 
@@ -25,7 +26,7 @@ class WantedBody(In):
 class ExportBody(Out):
     id: int
     created_at: datetime
-    created_by: WhoBody | None
+    created_by: Who | None
     size_bytes: int
     sha256: str
     audit_count: int = Field(description="How many events the audit chain in it has.")
@@ -35,7 +36,7 @@ class ExportBody(Out):
 
 
 def body_of(made: Export, survey: str) -> ExportBody:
-    who = None if made.created_by is None else WhoBody.model_validate(made.created_by)
+    who = None if made.created_by is None else made.created_by
     return ExportBody(
         id=made.id,
         created_at=made.created_at,

@@ -71,7 +71,7 @@ def require_rig(rig: Rig) -> None:
 
 
 @dataclass(frozen=True)
-class Estimate:
+class RigEstimate:
     """A rig's constant from n vehicles: value, standard uncertainty, spread of one vehicle; or a reason."""
 
     value: float | None
@@ -104,7 +104,7 @@ class Wheelbase:
     reason: str | None = None
 
 
-def misalignment(motions: Sequence[Registered]) -> Estimate:
+def misalignment(motions: Sequence[Registered]) -> RigEstimate:
     """Row in strip 2 minus row in strip 1, px: the median of what each vehicle's registration found.
 
     A warning where vehicles differ by much more than their own uncertainties: then it is no constant of the
@@ -124,7 +124,7 @@ def misalignment(motions: Sequence[Registered]) -> Estimate:
             f"The vehicles' misalignments scatter by {estimate.spread:.2f} px, so it is no constant: "
             "look whether a camera moved."
         )
-        return Estimate(
+        return RigEstimate(
             value=estimate.value,
             u=estimate.u,
             spread=estimate.spread,
@@ -135,7 +135,7 @@ def misalignment(motions: Sequence[Registered]) -> Estimate:
     return estimate
 
 
-def gain(motions: Sequence[Registered]) -> Estimate:
+def gain(motions: Sequence[Registered]) -> RigEstimate:
     """Grey of strip 2 over grey of strip 1, the median over the vehicles."""
     return _median([one.gain for one in motions if one.status == "ok" and one.gain is not None], "a gain")
 
@@ -150,7 +150,7 @@ def alone(size_m: float, u_m: float | None, baseline_m: float, u_baseline_m: flo
 
 def baseline_ratio(
     measured_m: ArrayLike, u_measured_m: ArrayLike, true_m: ArrayLike, u_true_m: ArrayLike
-) -> Estimate:
+) -> RigEstimate:
     """Measured over true lengths or wheelbases, by weighted mean: 1.01 says the baseline is 1 % long.
     `measured_m`, `u_measured_m`, `true_m`, `u_true_m` (n,), metres.
 
@@ -166,7 +166,9 @@ def baseline_ratio(
     )
     n = len(values)
     if n < LEAST_VEHICLES:
-        return Estimate(None, None, None, n, f"{n} known vehicles are too few; {LEAST_VEHICLES} are needed.")
+        return RigEstimate(
+            None, None, None, n, f"{n} known vehicles are too few; {LEAST_VEHICLES} are needed."
+        )
     ratios = values / truth
     u_ratios = np.hypot(u_values, ratios * u_truth) / truth
     weights = 1 / np.maximum(u_ratios, 1e-9) ** 2
@@ -176,10 +178,10 @@ def baseline_ratio(
     u = sqrt(excess / float(np.sum(weights)))
     spread = float(np.std(ratios, ddof=1))
     if abs(mean - 1) <= 2 * u:
-        return Estimate(mean, u, spread, n)
+        return RigEstimate(mean, u, spread, n)
     share = f"{abs(mean - 1) * 100:.2f} % {'longer' if mean > 1 else 'shorter'}"
     warning = f"Vehicles come out {share} than they are; measure the baseline again (a shadow lengthens too)."
-    return Estimate(value=mean, u=u, spread=spread, n=n, reason=None, warning=warning)
+    return RigEstimate(value=mean, u=u, spread=spread, n=n, reason=None, warning=warning)
 
 
 def wheelbase(motion: Motion, rig: Rig, line_a: float, line_b: float, *, u_line: float = 2.0) -> Wheelbase:
@@ -207,13 +209,13 @@ def wheelbase(motion: Motion, rig: Rig, line_a: float, line_b: float, *, u_line:
     return Wheelbase(float(second - first), hypot(u_clicks, u_motion))
 
 
-def _median(values: Sequence[float], what: str) -> Estimate:
+def _median(values: Sequence[float], what: str) -> RigEstimate:
     n = len(values)
     if n < LEAST_VEHICLES:
-        return Estimate(None, None, None, n, f"{n} vehicles gave {what}; {LEAST_VEHICLES} are needed.")
+        return RigEstimate(None, None, None, n, f"{n} vehicles gave {what}; {LEAST_VEHICLES} are needed.")
     array: NDArray[np.float64] = np.asarray(values, dtype=np.float64)
     middle = float(np.median(array))
     spread = _MAD * float(np.median(np.abs(array - middle)))
     # few vehicles: the spread itself is uncertain, as Student's t widens it
     widened = float(stats.t.ppf(0.975, n - 1) / COVERAGE_95)
-    return Estimate(middle, widened * _MEDIAN * spread / sqrt(n), spread, n)
+    return RigEstimate(middle, widened * _MEDIAN * spread / sqrt(n), spread, n)

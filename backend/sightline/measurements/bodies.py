@@ -1,84 +1,49 @@
 """What measurements take and answer."""
 
+from dataclasses import dataclass
 from datetime import datetime
 from typing import Annotated
 from uuid import UUID
 
-from pydantic import AliasChoices, AliasPath, Field
+from pydantic import Field
 
 from sightline.enums import (
-    MeasurementStatus,
     Target,
-    TravelSource,
-    Verdict,
 )
-from sightline.infra.web.bodies import FrameNumber, Id, In, Out, Point, WhoBody
-from sightline.infra.web.quantities import BudgetEntryBody, InsetM, Revision, SigmaPx, UInsetM
-from sightline.vehicles.bodies import VehicleAlone
+from sightline.infra.audit.records import Who
+from sightline.infra.web.bodies import FrameNumber, Id, In, Point, made_of
+from sightline.infra.web.quantities import InsetM, Revision, SigmaPx, UInsetM
+from sightline.measurements.records import (
+    Measurement,
+    MeasurementValues,
+    ReviewState,
+    VehicleInState,
+    VehicleSheet,
+)
 
 
-class ReviewBody(Out):
-    verdict: Verdict
-    reason: str | None
-    reviewer: WhoBody | None
-    at: datetime | None
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MeasurementBody(MeasurementValues):
+    """The current revision of a measurement: its values, and what stands around them."""
 
-
-class FurtherFrameBody(Out):
-    """The same two points on another frame of the pass."""
-
-    frame: int
-    pts: int
-    time_s: float
-    frame_crc32: int
-    contact: tuple[float, float]
-    target_point: tuple[float, float]
-
-
-class MeasurementBody(Out):
-    """The current revision of a measurement."""
-
-    id: int = Field(description="The measurement (a series of revisions).")
+    id: Annotated[int, Field(description="The measurement (a series of revisions).")]
     revision: int
     revision_id: int
     vehicle_id: int
     recording_id: int
-    repeat_of: int | None = Field(description="The measurement that this one repeats.")
-    target: Target = Field(validation_alias=AliasPath("values", "target"))
-    frame: int = Field(validation_alias=AliasPath("values", "frame"))
-    pts: int = Field(validation_alias=AliasPath("values", "pts"))
-    time_s: float = Field(validation_alias=AliasPath("values", "time_s"))
-    frame_crc32: int = Field(validation_alias=AliasPath("values", "frame_crc32"))
-    contact: tuple[float, float] = Field(validation_alias=AliasPath("values", "contact"))
-    target_point: tuple[float, float] = Field(validation_alias=AliasPath("values", "target_point"))
-    sigma_px: float = Field(validation_alias=AliasPath("values", "sigma_px"))
-    pose_id: int = Field(validation_alias=AliasPath("values", "pose_id"))
-    calibration_id: int = Field(validation_alias=AliasPath("values", "calibration_id"))
-    inset_m: float = Field(validation_alias=AliasPath("values", "inset_m"))
-    u_inset_m: float = Field(validation_alias=AliasPath("values", "u_inset_m"))
-    more_frames: list[FurtherFrameBody] = Field(
-        validation_alias=AliasPath("values", "more_frames"),
-        description="With any, the inset is solved for; `inset_m` is what one frame would assume.",
-    )
-    solved_inset_m: float | None = Field(validation_alias=AliasPath("values", "solved_inset_m"))
-    u_solved_inset_m: float | None = Field(validation_alias=AliasPath("values", "u_solved_inset_m"))
-    height_m: float | None = Field(validation_alias=AliasPath("values", "height_m"))
-    uncorrected_height_m: float | None = Field(validation_alias=AliasPath("values", "uncorrected_height_m"))
-    u_height_m: float | None = Field(validation_alias=AliasPath("values", "u_height_m"))
-    U95_height_m: float | None = Field(validation_alias=AliasPath("values", "U95_height_m"))
-    distance_m: float | None = Field(validation_alias=AliasPath("values", "distance_m"))
-    status: MeasurementStatus = Field(validation_alias=AliasPath("values", "status"))
-    reason: str | None = Field(validation_alias=AliasPath("values", "reason"))
-    flags: list[str] = Field(
-        validation_alias=AliasChoices("all_flags", "flags"),
-        description="As stored, and, derived when read, that the camera had moved on this frame.",
-    )
-    budget: list[BudgetEntryBody] = Field(validation_alias=AliasPath("values", "budget"))
-    code_version: str = Field(validation_alias=AliasPath("values", "code_version"))
-    created_by: WhoBody | None
+    repeat_of: Annotated[int | None, Field(description="The measurement that this one repeats.")]
+    flags: Annotated[
+        list[str],
+        Field(description="As stored, and, derived when read, that the camera had moved on this frame."),
+    ]
+    created_by: Who | None
     created_at: datetime
     withdrawn: bool
-    review: ReviewBody
+    review: ReviewState
+
+
+def measurement_body(found: Measurement) -> MeasurementBody:
+    return made_of(MeasurementBody, found, found.values, flags=found.all_flags)
 
 
 class FurtherClicks(In):
@@ -114,35 +79,6 @@ class SecondFrameWanted(ClicksIn):
     vehicle_id: Id
 
 
-class SpotBody(Out):
-    """Where both points are expected on one frame, and what clicking them there would give."""
-
-    frame: int
-    travel_m: float
-    contact: tuple[float, float]
-    target_point: tuple[float, float]
-    u_height_m: float
-    U95_height_m: float
-    u_solved_inset_m: float
-    assumed_kmh: float | None
-
-
-class SecondFrameAnswer(Out):
-    """The frame proposed with what it would gain; where none would help, why."""
-
-    ok: bool
-    reason: str | None
-    frame: int | None
-    source: TravelSource | None
-    words: str
-    u_now_m: float | None
-    U95_now_m: float | None
-    u_then_m: float | None
-    U95_then_m: float | None
-    u_solved_inset_m: float | None
-    spots: list[SpotBody]
-
-
 class NewMeasurement(ClicksIn):
     client_key: UUID = Field(description="Made by the client; sending it twice stores it once.")
     target: Target
@@ -156,5 +92,13 @@ class ChangedMeasurement(ClicksIn):
     target: Target | None = None
 
 
-class VehicleBody(VehicleAlone):
+@dataclass(frozen=True, slots=True)
+class VehicleBody(VehicleInState):
+    """A vehicle record with its standing measurements."""
+
     measurements: list[MeasurementBody]
+
+
+def vehicle_body(sheet: VehicleSheet) -> VehicleBody:
+    found = [measurement_body(one) for one in sheet.measurements]
+    return made_of(VehicleBody, sheet, measurements=found)

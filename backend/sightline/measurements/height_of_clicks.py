@@ -9,17 +9,18 @@ from __future__ import annotations
 import threading
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Annotated, Any
 
 from cachetools import LRUCache
+from pydantic import Field
 
-from sightline.enums import Target
+from sightline.enums import MeasurementStatus, Target
 from sightline.geometry.documents import pose_from_dict
 from sightline.geometry.height import Height, height_both
 from sightline.geometry.insets import DEFAULT_INSETS
 from sightline.geometry.multiframe import MultiHeight, measure_frames
 from sightline.geometry.road_pose import RoadPose
-from sightline.measurements.records import Clicks
+from sightline.measurements.records import BudgetPart, Clicks
 from sightline.surveys.records import Inset
 
 DEFAULT_SIGMA_PX = 1.0
@@ -45,7 +46,7 @@ class Answer:
     that of the vehicle's travel against the road's X axis.
     """
 
-    status: str
+    status: MeasurementStatus
     reason: str | None
     height_m: float | None
     u_height_m: float | None
@@ -56,7 +57,7 @@ class Answer:
     x_m: float | None
     y_m: float | None
     distance_m: float | None
-    budget: list[dict[str, Any]]
+    budget: list[BudgetPart]
     flags: list[str]
     frames: int = 1
     solved_inset_m: float | None = None
@@ -64,7 +65,7 @@ class Answer:
     heading_rad: float | None = None
     u_heading_rad: float | None = None
     travel_m: float | None = None
-    single: SingleFrame | None = None
+    single: Annotated[SingleFrame | None, Field(description="Beside a height from several frames.")] = None
 
 
 class PoseCache:

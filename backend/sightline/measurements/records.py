@@ -2,9 +2,12 @@
 
 from dataclasses import dataclass
 from datetime import datetime
+from typing import Annotated
+
+from pydantic import Field
+from typing_extensions import TypedDict
 
 from sightline.enums import (
-    JsonObject,
     MeasurementStatus,
     Point,
     Target,
@@ -63,6 +66,13 @@ class Clicks:
         return self.sigma_px, self.inset_m, self.u_inset_m
 
 
+class BudgetPart(TypedDict):
+    """What one source adds to a height's standard uncertainty, metres."""
+
+    source: str
+    u_m: float
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FurtherFrame:
     """The same two points, clicked on another frame of the pass."""
@@ -103,9 +113,12 @@ class MeasurementValues:
     status: MeasurementStatus
     reason: str | None
     flags: list[str]
-    budget: list[JsonObject]
+    budget: list[BudgetPart]
     code_version: str
-    more_frames: tuple[FurtherFrame, ...] = ()
+    more_frames: Annotated[
+        tuple[FurtherFrame, ...],
+        Field(description="With any, the inset is solved for; `inset_m` is what one frame would assume."),
+    ] = ()
     solved_inset_m: float | None = None
     u_solved_inset_m: float | None = None
 
@@ -176,15 +189,21 @@ class ClickSigma:
     id: int
     survey_id: int
     person: Who | None
-    sigma_px: float | None
+    sigma_px: Annotated[float | None, Field(description="None: the usual 1 px.")]
     pairs: int
     created_by: Who | None
     created_at: datetime
 
 
 @dataclass(frozen=True, slots=True)
-class VehicleSheet(Vehicle):
-    """A record with its standing measurements, and what they make of it."""
+class VehicleInState(Vehicle):
+    """A record and how far one has come with it."""
 
     state: VehicleState
+
+
+@dataclass(frozen=True, slots=True)
+class VehicleSheet(VehicleInState):
+    """A record with its standing measurements, which make its state."""
+
     measurements: tuple[Measurement, ...]

@@ -13,6 +13,7 @@ from sightline.measurements.bodies import (
     ClicksIn,
     MeasurementBody,
     NewMeasurement,
+    measurement_body,
 )
 from sightline.measurements.records import ClickedFrame, Clicks
 
@@ -52,13 +53,13 @@ def add_measurement(
         repeat_of=body.repeat_of,
         actor=who.id,
     )
-    return MeasurementBody.model_validate(stored)
+    return measurement_body(stored)
 
 
 @router.get("/measurements/{measurement_id}")
 def get_measurement(measurement_id: PathId, who: Viewer, session: Reading) -> MeasurementBody:
     """The current revision, withdrawn or not."""
-    return MeasurementBody.model_validate(store.get_measurement(session, measurement_id))
+    return measurement_body(store.get_measurement(session, measurement_id))
 
 
 @router.put("/measurements/{measurement_id}")
@@ -73,7 +74,7 @@ def revise_measurement(
     changed = service.store_revision(
         session, measurement_id, body.revision, clicks_of(body, target), actor=who.id
     )
-    return MeasurementBody.model_validate(changed)
+    return measurement_body(changed)
 
 
 @router.delete("/measurements/{measurement_id}")
@@ -85,7 +86,7 @@ def withdraw_measurement(
 ) -> MeasurementBody:
     """A new revision that takes the measurement out of lists and counts; nothing is erased."""
     gone = store.withdraw_measurement(session, measurement_id, seen_revision=revision, actor=who.id)
-    return MeasurementBody.model_validate(gone)
+    return measurement_body(gone)
 
 
 @router.post("/measurements/{measurement_id}/restore")
@@ -94,4 +95,4 @@ def restore_measurement(
 ) -> MeasurementBody:
     """A new revision that brings a withdrawn measurement back."""
     back = store.restore_measurement(session, measurement_id, seen_revision=body.revision, actor=who.id)
-    return MeasurementBody.model_validate(back)
+    return measurement_body(back)

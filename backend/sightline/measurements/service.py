@@ -7,10 +7,10 @@ and inset, so for the same points they are the same number.
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any, cast
+from typing import Any
 from weakref import WeakKeyDictionary
 
-from sightline.enums import MeasurementStatus, Point, Target
+from sightline.enums import Point, Target
 from sightline.errors import BadInput, Conflict
 from sightline.geometry.road_pose import RoadPose
 from sightline.geometry.ruler import Ruler, ruler
@@ -140,7 +140,7 @@ def values_of_clicks(session: Session, context: ClickContext, clicks: Clicks) ->
         u_height_m=found.u_height_m,
         U95_height_m=found.U95_height_m,
         distance_m=found.distance_m,
-        status=cast(MeasurementStatus, found.status),
+        status=found.status,
         reason=found.reason,
         flags=found.flags,
         budget=found.budget,

@@ -1,33 +1,26 @@
 """What reviews take and answer."""
 
-from datetime import datetime
+from dataclasses import dataclass
+from typing import Annotated
 
 from pydantic import Field
 
 from sightline.enums import (
     ReviewVerdict,
 )
-from sightline.infra.web.bodies import FrameNumber, In, Out, Point, Text, WhoBody
+from sightline.infra.web.bodies import FrameNumber, In, Point, Text
 from sightline.infra.web.quantities import Revision
 from sightline.measurements.bodies import MeasurementBody
-from sightline.vehicles.bodies import VehicleAlone
+from sightline.measurements.records import VehicleInState
+from sightline.reviews.records import Review
 
 
-class VerdictGiven(Out):
-    id: int
-    revision: int
-    result_revision: int
-    verdict: ReviewVerdict
-    reason: str | None
-    reviewer: WhoBody | None
-    at: datetime
-
-
-class HistoryBody(Out):
+@dataclass(frozen=True, slots=True)
+class HistoryBody:
     """Everything ever stored about a measurement, oldest first."""
 
     revisions: list[MeasurementBody]
-    reviews: list[VerdictGiven]
+    reviews: tuple[Review, ...]
 
 
 class NewReview(In):
@@ -39,7 +32,12 @@ class NewReview(In):
     target_point: Point | None = None
 
 
-class QueueItemBody(Out):
+@dataclass(frozen=True, slots=True)
+class QueueItemBody:
+    """A measurement and its vehicle, for a reviewer."""
+
     measurement: MeasurementBody
-    vehicle: VehicleAlone
-    mine: bool = Field(description="Whether you made this revision: then somebody else has to review it.")
+    vehicle: VehicleInState
+    mine: Annotated[
+        bool, Field(description="Whether you made this revision: then somebody else has to review it.")
+    ]

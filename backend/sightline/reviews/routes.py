@@ -6,8 +6,9 @@ from fastapi import APIRouter, Query
 from pydantic import Field
 
 from sightline.enums import QueueState
+from sightline.infra.web.bodies import made_of
 from sightline.infra.web.deps import PathId, Reading, Reviewer, Viewer, Writing
-from sightline.measurements.bodies import MeasurementBody
+from sightline.measurements.bodies import MeasurementBody, measurement_body
 from sightline.reviews import query, store
 from sightline.reviews.bodies import HistoryBody, NewReview, QueueItemBody
 from sightline.reviews.service import review
@@ -33,7 +34,7 @@ def review_queue(
     found = store.review_queue(
         session, survey_id, state=state, after=after, only=measurement, limit=limit, actor=who.id
     )
-    return [QueueItemBody.model_validate(item) for item in found]
+    return [made_of(QueueItemBody, item, measurement=measurement_body(item.measurement)) for item in found]
 
 
 @router.post("/measurements/{measurement_id}/reviews", status_code=201)
@@ -52,10 +53,11 @@ def review_measurement(
         target_point=body.target_point,
         actor=who.id,
     )
-    return MeasurementBody.model_validate(judged)
+    return measurement_body(judged)
 
 
 @router.get("/measurements/{measurement_id}/history")
 def measurement_history(measurement_id: PathId, who: Viewer, session: Reading) -> HistoryBody:
     """Every revision and every verdict, oldest first."""
-    return HistoryBody.model_validate(query.measurement_history(session, measurement_id))
+    found = query.measurement_history(session, measurement_id)
+    return HistoryBody([measurement_body(one) for one in found.revisions], found.reviews)

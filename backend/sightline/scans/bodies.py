@@ -19,11 +19,12 @@ from sightline.enums import (
     TimeAxis,
     VehicleOrigin,
 )
-from sightline.infra.web.bodies import Finite, Id, In, JobBody, Name, Out, Text, WhoBody
+from sightline.infra.audit.records import Who
+from sightline.infra.web.bodies import Finite, Id, In, JobBody, Name, Out, Text
 from sightline.infra.web.quantities import Word
 from sightline.linescan import rig
 from sightline.linescan.rig import Limits
-from sightline.measurements.bodies import ReviewBody
+from sightline.measurements.records import ReviewState
 
 Version = Annotated[int, Field(ge=1, le=2**31 - 1, description="The version that you saw.")]
 Line = Annotated[Finite, Field(ge=0, le=1e12, description="Line number, fractional.")]
@@ -138,7 +139,7 @@ class ScanRunBody(Out):
     u_misalignment_px: float | None
     misalignment_words: str | None
     code_version: str
-    created_by: WhoBody | None
+    created_by: Who | None
     created_at: datetime
 
 
@@ -180,9 +181,9 @@ class ScanBody(Out):
     counts: ScanCountsBody
     run: ScanRunBody | None
     version: int
-    created_by: WhoBody | None
+    created_by: Who | None
     created_at: datetime
-    updated_by: WhoBody | None
+    updated_by: Who | None
     updated_at: datetime
 
 
@@ -235,9 +236,9 @@ class ScanMotionBody(Out):
     reason: str | None
     warnings: list[str]
     code_version: str
-    created_by: WhoBody | None
+    created_by: Who | None
     created_at: datetime
-    review: ReviewBody
+    review: ReviewState
     mine: bool = Field(description="You placed its boundaries, so somebody else reviews it.")
 
 
@@ -274,7 +275,7 @@ class ScanVehicleBody(Out):
     notes: str
     version: int
     deleted: bool
-    updated_by: WhoBody | None
+    updated_by: Who | None
     updated_at: datetime
     measurement: ScanMotionBody | None
     gap: GapBody | None = Field(description="null: the first vehicle.")
@@ -304,7 +305,7 @@ class ScanReviewBody(Out):
     revision: int
     verdict: ScanVerdict
     reason: str | None
-    reviewer: WhoBody | None
+    reviewer: Who | None
     at: datetime
 
 

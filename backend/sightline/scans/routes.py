@@ -21,8 +21,7 @@ from sightline.scans.bodies import (
 )
 from sightline.scans.presenters import scan_body
 from sightline.scans.records import ColumnSource, ScanChanges
-from sightline.scans.rig.bodies import RigOfTrafficBody
-from sightline.scans.rig.service import rig_of_traffic
+from sightline.scans.rig.service import RigOfTraffic, rig_of_traffic
 from sightline.scans.store import RIG
 from sightline.surveys.store import get_survey
 
@@ -92,9 +91,9 @@ def get_scan(scan_id: PathId, who: Viewer, session: Reading) -> ScanBody:
 
 
 @router.get("/scans/{scan_id}/rig-of-traffic")
-def get_rig_of_traffic(scan_id: PathId, who: Viewer, session: Reading) -> RigOfTrafficBody:
+def get_rig_of_traffic(scan_id: PathId, who: Viewer, session: Reading) -> RigOfTraffic:
     """What the vehicles that stand say of misalignment, gain and baseline; nothing is changed."""
-    return RigOfTrafficBody.model_validate(rig_of_traffic(session, scan_id))
+    return rig_of_traffic(session, scan_id)
 
 
 @router.patch("/scans/{scan_id}")

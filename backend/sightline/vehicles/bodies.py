@@ -1,11 +1,11 @@
 """What vehicle records take and answer."""
 
-from typing import Annotated, Any
+from typing import Annotated
 
 from pydantic import Field
 
-from sightline.enums import Category, Direction, Lighting, VehicleOrigin, VehicleState
-from sightline.infra.web.bodies import Finite, FrameNumber, In, Out, Text
+from sightline.enums import Category, Lighting
+from sightline.infra.web.bodies import Finite, FrameNumber, In, Text
 from sightline.infra.web.quantities import Word
 from sightline.vehicles.records import MOST_HEIGHT_M
 
@@ -34,27 +34,3 @@ class NewVehicle(VehicleFields):
 
 class ChangedVehicle(VehicleFields):
     version: Annotated[int, Field(ge=1, le=2**31 - 1, description="The version that you saw.")]
-
-
-class VehicleAlone(Out):
-    id: int
-    survey_id: int
-    recording_id: int
-    number: int
-    first_frame: int
-    last_frame: int
-    best_frame: int | None
-    make: str | None
-    model: str | None
-    year: int | None
-    category: Category | None
-    manufacturer_height_m: float | None
-    u_manufacturer_height_m: float | None
-    height_source: str | None
-    lighting: Lighting | None
-    notes: str
-    origin: VehicleOrigin
-    direction: Direction | None = Field(description="Which way it goes in the picture, where that is known.")
-    detection: dict[str, Any] | None = Field(description="What the search for passes saw of it.")
-    version: int
-    state: VehicleState

@@ -2,7 +2,9 @@
 
 from dataclasses import dataclass
 from datetime import datetime
-from typing import TypedDict
+from typing import Annotated, TypedDict
+
+from pydantic import Field
 
 from sightline.enums import Category, Direction, JsonObject, Lighting, VehicleOrigin
 from sightline.infra.audit.records import Who
@@ -31,8 +33,10 @@ class Vehicle:
     lighting: Lighting | None
     notes: str
     origin: VehicleOrigin
-    direction: Direction | None
-    detection: JsonObject | None
+    direction: Annotated[
+        Direction | None, Field(description="Which way it goes in the picture, where that is known.")
+    ]
+    detection: Annotated[JsonObject | None, Field(description="What the search for passes saw of it.")]
     version: int
     updated_by: Who | None
     updated_at: datetime

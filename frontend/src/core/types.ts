@@ -10,8 +10,8 @@ export type Px = [x: number, y: number];
 
 export type Role = Schemas["PersonBody"]["role"];
 export type Target = Schemas["MeasurementBody"]["target"];
-export type Verdict = Schemas["ReviewBody"]["verdict"];
-export type StepKey = Schemas["StepBody"]["key"];
+export type Verdict = Schemas["ReviewState"]["verdict"];
+export type StepKey = Schemas["Step"]["key"];
 export type Lighting = NonNullable<Schemas["VehicleBody"]["lighting"]>;
 export type Category = NonNullable<Schemas["VehicleBody"]["category"]>;
 
@@ -26,7 +26,7 @@ export type Person = Schemas["PersonBody"];
 export type Me = Schemas["Me"];
 
 export type Inset = Schemas["InsetBody"];
-export type Step = Schemas["StepBody"];
+export type Step = Schemas["Step"];
 export type Survey = Schemas["SurveyBody"];
 
 export type CameraDocument = Schemas["CameraDocument"];
@@ -41,7 +41,7 @@ export type Job = Schemas["JobBody"];
 /** What was found of a camera that moved since its road pose. */
 export type Drift = Schemas["DriftBody"];
 export type DriftCheck = NonNullable<Drift["check"]>;
-export type ContactProposal = Schemas["ContactProposalBody"];
+export type ContactProposal = Schemas["ContactProposal"];
 export type Recording = Schemas["RecordingBody"];
 export type UnfinishedUpload = Schemas["UploadBody"];
 
@@ -52,10 +52,10 @@ export type PoseOverlay = Schemas["PoseOverlay"];
 export type Pose = Schemas["PoseBody"];
 
 export type AxesAnswer = Schemas["AxesAnswer"];
-export type BudgetEntry = Schemas["BudgetEntryBody"];
-export type HeightAnswer = Schemas["HeightAnswer"];
+export type BudgetEntry = Schemas["BudgetPart"];
+export type HeightAnswer = Schemas["Answer"];
 /** The second frame proposed: where both points are expected and what it gains. */
-export type SecondFrameAnswer = Schemas["SecondFrameAnswer"];
+export type SecondFrameAnswer = Schemas["Proposal"];
 
 export type Measurement = Schemas["MeasurementBody"];
 export type Vehicle = Schemas["VehicleBody"];
@@ -74,22 +74,22 @@ export type VehicleFields = Pick<
   | "lighting"
   | "notes"
 >;
-export type CatalogueRow = Schemas["EntryBody"];
+export type CatalogueRow = Schemas["CatalogueEntry"];
 export type History = Schemas["HistoryBody"];
 export type ReviewItem = Schemas["QueueItemBody"];
 
 export type Comparison = Schemas["ComparisonBody"];
-export type Repeats = Schemas["FindingsBody"];
-export type RepeatSpread = Schemas["SpreadBody"];
-export type PersonRepeats = Schemas["OfPersonBody"];
-export type TargetRepeats = Schemas["OfTargetBody"];
-export type RepeatDifference = Schemas["DifferenceBody"];
-export type ToClickAgain = Schemas["BlindBody"];
+export type Repeats = Schemas["Findings"];
+export type RepeatSpread = Schemas["Spread"];
+export type PersonRepeats = Schemas["OfPerson"];
+export type TargetRepeats = Schemas["OfTarget"];
+export type RepeatDifference = Schemas["Difference"];
+export type ToClickAgain = Schemas["Blind"];
 
 export type Photograph = Schemas["PhotographBody"];
 export type ExportPackage = Schemas["ExportBody"];
-export type AuditEvent = Schemas["AuditEventBody"];
-export type AuditCheck = Schemas["VerificationBody"];
+export type AuditEvent = Schemas["AuditEvent"];
+export type AuditCheck = Schemas["Verification"];
 
 export type Scan = Schemas["ScanBody"];
 export type ScanVehicle = Schemas["ScanVehicleBody"];

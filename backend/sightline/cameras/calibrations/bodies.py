@@ -11,14 +11,15 @@ from sightline.cameras.calibrations.calibrating import CHECKS
 from sightline.cameras.calibrations.records import Calibration
 from sightline.enums import CalibrationSource, LensModel, Point
 from sightline.geometry.reshoot import places_missing
-from sightline.infra.web.bodies import FrameNumber, Id, Out, WhoBody
+from sightline.infra.audit.records import Who
+from sightline.infra.web.bodies import FrameNumber, Id, Out
 
 
 class CalibrationSummaryBody(Out):
     id: int
     camera_id: int
     created_at: datetime
-    created_by: WhoBody | None
+    created_by: Who | None
     source: CalibrationSource
     trusted: bool
     summary: str

@@ -12,7 +12,7 @@ from sightline.export.report.scan_figures import NAMES, scale_of
 from sightline.export.report.settable import Json, Values
 from sightline.export.report.units import HEIGHT, SMALL, Scale, fixed
 from sightline.export.report.words import GROUPS, LIGHTING, target_words
-from sightline.linescan.rig import Estimate
+from sightline.linescan.rig import RigEstimate
 from sightline.scans.statistics.service import Row, ScanStatistics, Spread
 from sightline.statistics.distributions import Percentile
 from sightline.statistics.errors import ErrorGroup
@@ -120,7 +120,7 @@ def _sizes(found: ScanStatistics, small: Scale) -> list[Json]:
     return [_size(name, groups, ratio, small) for name, groups, ratio in kinds if groups["overall"].n]
 
 
-def _size(name: str, groups: Mapping[str, ErrorGroup], ratio: Estimate, small: Scale) -> Values:
+def _size(name: str, groups: Mapping[str, ErrorGroup], ratio: RigEstimate, small: Scale) -> Values:
     known = ratio.value is not None and ratio.u is not None
     return {
         "name": name,

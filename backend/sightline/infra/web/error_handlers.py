@@ -5,9 +5,9 @@ import logging
 from typing import Any
 
 from fastapi import FastAPI, Request
-from fastapi.encoders import jsonable_encoder
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import JSONResponse
+from pydantic_core import to_jsonable_python
 from sqlalchemy.exc import DataError, OperationalError
 from starlette.exceptions import HTTPException
 
@@ -30,7 +30,7 @@ def answer(
 def known(_request: Request, error: Exception) -> JSONResponse:
     assert isinstance(error, SightlineError)
     current = getattr(error, "current", None)
-    more = {} if current is None else {"current": jsonable_encoder(current)}
+    more = {} if current is None else {"current": to_jsonable_python(current)}
     return answer(error.status, error.code, error.message, **more)
 
 

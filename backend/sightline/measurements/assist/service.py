@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
+from pydantic import Field
 
 from sightline.enums import Point
 from sightline.geometry.contact import propose
@@ -20,10 +22,10 @@ PERSON_PX = 1.0  # what a careful click is worth
 class ContactProposal:
     """A proposal with the wheel that speaks for it, or why there is none (then the rest is None)."""
 
-    contact: list[float] | None
-    outline: list[list[float]]
+    contact: Point | None
+    outline: Annotated[list[Point], Field(description="The wheel's outline, px.")]
     radius_m: float | None
-    expected_px: float | None
+    expected_px: Annotated[float | None, Field(description="How far off the proposal may be.")]
     words: str
     reason: str | None
 
@@ -39,9 +41,10 @@ def contact_near(services: Services, recording_id: int, n: int, pointer: Point) 
         return ContactProposal(
             contact=None, outline=[], radius_m=None, expected_px=None, words=words, reason=found
         )
+    x, y = found.contact_px
     return ContactProposal(
-        contact=[round(value, 2) for value in found.contact_px],
-        outline=np.round(found.outline_px, 2).tolist(),
+        contact=(round(x, 2), round(y, 2)),
+        outline=[(across, down) for across, down in np.round(found.outline_px, 2).tolist()],
         radius_m=found.radius_m,
         expected_px=found.expected_px,
         words=words_of(found.expected_px),

@@ -1,10 +1,8 @@
 """What the live axes and heights take and answer."""
 
-from pydantic import Field
-
-from sightline.enums import MeasurementStatus, Target
+from sightline.enums import Target
 from sightline.infra.web.bodies import FrameNumber, In, Out, Point
-from sightline.infra.web.quantities import BudgetEntryBody, InsetM, UInsetM
+from sightline.infra.web.quantities import InsetM, UInsetM
 from sightline.measurements.bodies import ClicksIn
 from sightline.poses.bodies import AxesBody, Polyline
 
@@ -37,36 +35,3 @@ class AxesAnswer(Out):
 class HeightWanted(ClicksIn):
     target: Target
     frame: FrameNumber = 0
-
-
-class SingleFrameBody(Out):
-    """What the first frame alone would give, with the inset assumed."""
-
-    height_m: float | None
-    u_height_m: float | None
-    U95_height_m: float | None
-
-
-class HeightAnswer(Out):
-    """One height with its uncertainty; where there is none, why."""
-
-    status: MeasurementStatus
-    reason: str | None
-    height_m: float | None
-    u_height_m: float | None
-    U95_height_m: float | None
-    uncorrected_height_m: float | None
-    inset_m: float
-    u_inset_m: float
-    x_m: float | None
-    y_m: float | None
-    distance_m: float | None
-    budget: list[BudgetEntryBody]
-    flags: list[str]
-    frames: int
-    solved_inset_m: float | None
-    u_solved_inset_m: float | None
-    heading_rad: float | None
-    u_heading_rad: float | None
-    travel_m: float | None
-    single: SingleFrameBody | None = Field(description="Beside a height from several frames.")

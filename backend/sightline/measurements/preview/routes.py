@@ -4,8 +4,9 @@ from fastapi import APIRouter
 
 from sightline.infra.web.deps import PathId, Reading, Viewer, Wired
 from sightline.measurements import second_frame
-from sightline.measurements.bodies import SecondFrameAnswer, SecondFrameWanted
-from sightline.measurements.preview.bodies import AxesAnswer, AxesWanted, HeightAnswer, HeightWanted
+from sightline.measurements.bodies import SecondFrameWanted
+from sightline.measurements.height_of_clicks import Answer
+from sightline.measurements.preview.bodies import AxesAnswer, AxesWanted, HeightWanted
 from sightline.measurements.routes import clicks_of
 from sightline.measurements.service import height_at, ruler_at
 
@@ -20,22 +21,21 @@ def axes_through_contact(recording_id: PathId, body: AxesWanted, who: Viewer, se
 
 
 @router.post("/recordings/{recording_id}/geometry/height")
-def height_of_point(recording_id: PathId, body: HeightWanted, who: Viewer, session: Reading) -> HeightAnswer:
+def height_of_point(recording_id: PathId, body: HeightWanted, who: Viewer, session: Reading) -> Answer:
     """The height that these two points would be stored with."""
     clicks = clicks_of(body, body.target)
-    return HeightAnswer.model_validate(height_at(session, recording_id, clicks, actor=who.id))
+    return height_at(session, recording_id, clicks, actor=who.id)
 
 
 @router.post("/recordings/{recording_id}/geometry/second-frame")
 def best_second_frame(
     recording_id: PathId, body: SecondFrameWanted, who: Viewer, session: Reading, services: Wired
-) -> SecondFrameAnswer:
+) -> second_frame.Proposal:
     """The frame of the pass on which clicking the same two points again would gain most, or why none would.
 
     Where the points are expected there is a proposal to look at: it is stored only when it is clicked.
     """
     clicks = clicks_of(body, body.target)
-    found = second_frame.proposal(
+    return second_frame.proposal(
         services, session, recording_id, clicks, vehicle_id=body.vehicle_id, actor=who.id
     )
-    return SecondFrameAnswer.model_validate(found)

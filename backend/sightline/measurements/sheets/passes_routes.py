@@ -7,7 +7,7 @@ from pydantic import Field
 
 from sightline.infra.web.bodies import FrameNumber, Id, In, Out
 from sightline.infra.web.deps import Operator, PathId, Writing
-from sightline.measurements.bodies import VehicleBody
+from sightline.measurements.bodies import VehicleBody, vehicle_body
 from sightline.measurements.sheets import split_join
 from sightline.measurements.sheets.query import get_sheet
 
@@ -35,7 +35,7 @@ class JoinWanted(In):
 def split_pass(vehicle_id: PathId, body: SplitWanted, who: Operator, session: Writing) -> SplitBody:
     """Two passes of one; the vehicle keeps the side on which it was measured."""
     sides = split_join.split(session, vehicle_id, body.frame, version=body.version, actor=who.id)
-    earlier, later = (VehicleBody.model_validate(get_sheet(session, side.id)) for side in sides)
+    earlier, later = (vehicle_body(get_sheet(session, side.id)) for side in sides)
     return SplitBody(earlier=earlier, later=later)
 
 
@@ -50,4 +50,4 @@ def join_passes(vehicle_id: PathId, body: JoinWanted, who: Operator, session: Wr
         other_version=body.other_version,
         actor=who.id,
     )
-    return VehicleBody.model_validate(get_sheet(session, kept.id))
+    return vehicle_body(get_sheet(session, kept.id))

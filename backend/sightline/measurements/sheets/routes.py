@@ -7,7 +7,7 @@ from fastapi import APIRouter, Query
 from sightline.infra.database import Session
 from sightline.infra.web.bodies import Id
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
-from sightline.measurements.bodies import VehicleBody
+from sightline.measurements.bodies import VehicleBody, vehicle_body
 from sightline.measurements.sheets import query
 from sightline.surveys.store import get_survey
 from sightline.vehicles import service, store
@@ -29,7 +29,7 @@ def changes_of(body: VehicleFields) -> VehicleChanges:
 
 def sheet_body(session: Session, vehicle_id: int) -> VehicleBody:
     """A vehicle with its standing measurements, as it goes out."""
-    return VehicleBody.model_validate(query.get_sheet(session, vehicle_id))
+    return vehicle_body(query.get_sheet(session, vehicle_id))
 
 
 @router.get("/surveys/{survey_id}/vehicles")
@@ -42,7 +42,7 @@ def list_vehicles(
     """The vehicles of a survey by number, with their standing measurements."""
     get_survey(session, survey_id)
     found = query.list_sheets(session, survey_id, recording_id=recording_id)
-    return [VehicleBody.model_validate(one) for one in found]
+    return [vehicle_body(one) for one in found]
 
 
 @router.post("/recordings/{recording_id}/vehicles", status_code=201)
@@ -64,7 +64,7 @@ def change_vehicle(vehicle_id: PathId, body: ChangedVehicle, who: Operator, sess
     try:
         service.change_vehicle(session, vehicle_id, changes_of(body), version=body.version, actor=who.id)
     except StaleVersion as error:
-        error.current = sheet_body(session, vehicle_id).model_dump(mode="json")
+        error.current = sheet_body(session, vehicle_id)
         raise
     return sheet_body(session, vehicle_id)
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import groupby
-from typing import get_args
+from typing import Annotated, get_args
 
 import numpy as np
+from pydantic import Field
 
 from sightline.enums import InsetMethod, Target
 from sightline.geometry.inset_trend import (
@@ -76,12 +77,22 @@ class Estimate:
     reason: str | None = None
     inset_m: float | None = None
     u_inset_m: float | None = None
-    spread_m: float | None = None
+    spread_m: Annotated[
+        float | None, Field(description="Standard deviation between vehicles, where it is known.")
+    ] = None
     vehicles: int = 0
-    caution: str | None = None
-    left_out: tuple[VehicleName, ...] = ()
-    difference_m: float | None = None
-    offer: Offer | None = None
+    caution: Annotated[str | None, Field(description="Why it should not be used; null where it can be.")] = (
+        None
+    )
+    left_out: Annotated[
+        tuple[VehicleName, ...], Field(description="Vehicles that do not fit the others.")
+    ] = ()
+    difference_m: Annotated[
+        float | None, Field(description="What it would change the typical height by.")
+    ] = None
+    offer: Annotated[
+        Offer | None, Field(description="What the survey's inset would become, with its note.")
+    ] = None
 
 
 @dataclass(frozen=True)
@@ -92,7 +103,9 @@ class TargetInsets:
     in_force: Inset
     is_default: bool
     measured: int
-    other_insets: int
+    other_insets: Annotated[
+        int, Field(description="Measured as something else (driver on the far side); not used.")
+    ]
     typical_height_m: float | None
     typical_distance_m: float | None
     estimates: tuple[Estimate, ...]

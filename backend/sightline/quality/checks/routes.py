@@ -6,24 +6,22 @@ from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
 from sightline.poses.bodies import PoseOverlay, PoseSummaryBody
 from sightline.quality.checks import insets, store, traffic, turning
 from sightline.quality.checks.bodies import (
-    ChangesBody,
-    InsetCheckBody,
     NewWheelPair,
     PoseCheckBody,
     TrafficCheckBody,
     TurnedPose,
     TurnWanted,
-    WheelPairBody,
 )
+from sightline.quality.checks.records import WheelPair
 from sightline.surveys.store import get_survey
 
 router = APIRouter()
 
 
 @router.get("/surveys/{survey_id}/checks/insets")
-def check_insets(survey_id: PathId, who: Viewer, session: Reading) -> InsetCheckBody:
+def check_insets(survey_id: PathId, who: Viewer, session: Reading) -> insets.InsetCheck:
     """Insets from the survey itself beside those in force, and what they matter."""
-    return InsetCheckBody.model_validate(insets.check_insets(session, survey_id))
+    return insets.check_insets(session, survey_id)
 
 
 @router.get("/surveys/{survey_id}/checks/traffic")
@@ -34,17 +32,17 @@ def check_traffic(survey_id: PathId, who: Viewer, session: Reading) -> TrafficCh
     pairs = store.list_wheel_pairs(session, survey_id)
     return TrafficCheckBody(
         poses=[PoseCheckBody.model_validate(one) for one in found],
-        pairs=[WheelPairBody.model_validate(one) for one in pairs],
+        pairs=list(pairs),
     )
 
 
 @router.post("/vehicles/{vehicle_id}/wheel-pair", status_code=201)
-def add_wheel_pair(vehicle_id: PathId, body: NewWheelPair, who: Operator, session: Writing) -> WheelPairBody:
+def add_wheel_pair(vehicle_id: PathId, body: NewWheelPair, who: Operator, session: Writing) -> WheelPair:
     """Store both tyre contacts of a vehicle on one frame, in place of the pair before.
 
     Refused, saying why, where they give no direction: contacts closer than a metre, or above the horizon.
     """
-    stored = traffic.store_pair(
+    return traffic.store_pair(
         session,
         vehicle_id,
         frame=body.frame,
@@ -53,13 +51,12 @@ def add_wheel_pair(vehicle_id: PathId, body: NewWheelPair, who: Operator, sessio
         second=body.second,
         actor=who.id,
     )
-    return WheelPairBody.model_validate(stored)
 
 
 @router.delete("/vehicles/{vehicle_id}/wheel-pair")
-def withdraw_wheel_pair(vehicle_id: PathId, who: Operator, session: Writing) -> WheelPairBody:
+def withdraw_wheel_pair(vehicle_id: PathId, who: Operator, session: Writing) -> WheelPair:
     """Take a vehicle's tyre contacts out of the check; nothing is erased."""
-    return WheelPairBody.model_validate(store.withdraw_wheel_pair(session, vehicle_id, actor=who.id))
+    return store.withdraw_wheel_pair(session, vehicle_id, actor=who.id)
 
 
 @router.get("/poses/{pose_id}/turn")
@@ -74,7 +71,7 @@ def preview_turn(pose_id: PathId, who: Viewer, session: Reading) -> TurnedPose:
         summary=solved.summary,
         warnings=solved.warnings,
         overlay=PoseOverlay.model_validate(solved.overlay),
-        changes=ChangesBody.model_validate(at.changes),
+        changes=at.changes,
     )
 
 

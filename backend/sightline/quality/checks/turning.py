@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from sightline.enums import Target
 from sightline.errors import Conflict
 from sightline.geometry.arrays import Floats
 from sightline.geometry.height import measure_heights
@@ -31,7 +32,7 @@ class HeightChange:
 
     measurement_id: int
     vehicle_id: int
-    target: str
+    target: Target
     height_m: float
     turned_height_m: float
     difference_m: float

@@ -11,7 +11,7 @@ from sightline.enums import Point, Target
 from sightline.infra.audit.records import Who
 from sightline.infra.database import Session
 from sightline.measurements.height_of_clicks import answer
-from sightline.measurements.records import Clicks, Measurement
+from sightline.measurements.records import BudgetPart, Clicks, Measurement
 from sightline.measurements.service import road_pose
 from sightline.quality.repeats.query import repeats_of_survey
 
@@ -96,8 +96,8 @@ def alone(session: Session, one: Measurement) -> tuple[float | None, float | Non
     return found.height_m, _u_clicks(found.height_m, found.budget)
 
 
-def _u_clicks(height_m: float | None, budget: Iterable[dict[str, object]]) -> float | None:
-    parts = [float(str(entry["u_m"])) for entry in budget if entry["source"] in CLICK_SOURCES]
+def _u_clicks(height_m: float | None, budget: Iterable[BudgetPart]) -> float | None:
+    parts = [entry["u_m"] for entry in budget if entry["source"] in CLICK_SOURCES]
     return sqrt(sum(u * u for u in parts)) if parts and height_m is not None else None
 
 

@@ -8,6 +8,9 @@ from itertools import groupby
 from math import dist, sqrt
 from random import Random
 from statistics import fmean
+from typing import Annotated
+
+from pydantic import Field
 
 from sightline.enums import Point, Target
 from sightline.errors import BadInput
@@ -46,10 +49,10 @@ class OfTarget:
     the picture does to lens, road pose and inset, and how the vehicle sways.
     """
 
-    target: Target | None
+    target: Annotated[Target | None, Field(description="None: all targets together.")]
     gauge: Gauge
     uncertainty_check: UncertaintyCheck
-    another_frame: Spread
+    another_frame: Annotated[Spread, Field(description="The same person on another frame of the pass, m.")]
 
 
 @dataclass(frozen=True)
@@ -61,13 +64,15 @@ class OfPerson:
     """
 
     person: Who
-    pairs: int
-    heights: Spread
-    contact: Spread
-    target_point: Spread
-    sigma: Spread
-    operator_bias_m: float | None
-    items: int
+    pairs: Annotated[int, Field(description="How often they clicked their own measurements again.")]
+    heights: Annotated[Spread, Field(description="Of their own repeats, m.")]
+    contact: Annotated[Spread, Field(description="Each coordinate, px.")]
+    target_point: Annotated[Spread, Field(description="Each coordinate, px.")]
+    sigma: Annotated[Spread, Field(description="Contact and target together, each coordinate, px.")]
+    operator_bias_m: Annotated[
+        float | None, Field(description="Their heights minus the others' of the same items, mean.")
+    ]
+    items: Annotated[int, Field(description="Items that they and others clicked.")]
     chosen: ClickSigma | None
     may_choose: bool
 
@@ -95,7 +100,9 @@ class Findings:
     targets: tuple[OfTarget, ...]
     people: tuple[OfPerson, ...]
     differences: tuple[Difference, ...]
-    not_compared: int
+    not_compared: Annotated[
+        int, Field(description="Repeats with another road pose or inset, or without height.")
+    ]
 
 
 @dataclass(frozen=True)

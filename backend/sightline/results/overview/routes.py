@@ -2,11 +2,10 @@
 
 from fastapi import APIRouter
 
-from sightline.enums import OptionalStepState, StepKey, StepState
-from sightline.infra.web.bodies import Out
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
 from sightline.results.overview.query import survey_overview, survey_overviews
-from sightline.results.overview.records import SurveyOverview
+from sightline.results.overview.records import Step, SurveyCounts, SurveyOverview
+from sightline.scans.records import ScanProgress
 from sightline.surveys import store
 from sightline.surveys.bodies import InsetChanges, NewSurvey, SurveyChange, SurveyFacts
 from sightline.surveys.records import Inset
@@ -14,40 +13,10 @@ from sightline.surveys.records import Inset
 router = APIRouter()
 
 
-class Counts(Out):
-    recordings: int
-    vehicles: int
-    vehicles_measured: int
-    measurements: int
-    to_review: int
-    accepted: int
-    rejected: int
-
-
-class StepBody(Out):
-    key: StepKey
-    state: StepState
-    summary: str
-
-
-class ScanProgressBody(Out):
-    """The line scans: vehicles by what was done with them, and what to do next."""
-
-    state: OptionalStepState
-    summary: str
-    scans: int
-    ready: int
-    vehicles: int
-    to_review: int
-    accepted: int
-    rejected: int
-    not_measurable: int
-
-
 class SurveyBody(SurveyFacts):
-    counts: Counts
-    steps: list[StepBody]
-    scans: ScanProgressBody
+    counts: SurveyCounts
+    steps: tuple[Step, ...]
+    scans: ScanProgress
 
 
 def survey_body(overview: SurveyOverview) -> SurveyBody:

@@ -6,7 +6,8 @@ from typing import Annotated
 from pydantic import Field
 
 from sightline.enums import LineClicksStatus, MeasurementStatus, ScanPoseStatus, Target
-from sightline.infra.web.bodies import Finite, In, Out, WhoBody
+from sightline.infra.audit.records import Who
+from sightline.infra.web.bodies import Finite, In, Out
 from sightline.infra.web.quantities import BudgetEntryBody, InsetM, SigmaPx, UInsetM
 from sightline.scans.bodies import DistanceM, Line
 
@@ -69,7 +70,7 @@ class LinePoseBody(Out):
     u_distance_m: float
     u_lean_rad: float
     solved: SolvedRodBody
-    created_by: WhoBody | None
+    created_by: Who | None
     created_at: datetime
 
 
@@ -157,5 +158,5 @@ class LineHeightBody(Out):
     budget: list[BudgetEntryBody]
     warnings: list[str]
     withdrawn: bool
-    created_by: WhoBody | None
+    created_by: Who | None
     created_at: datetime

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import get_args
+from typing import Annotated, get_args
+
+from pydantic import Field
 
 from sightline.enums import JsonObject, KnownLength
 from sightline.infra.database import Session
-from sightline.linescan.rig import Estimate, alone, baseline_ratio, gain, misalignment
+from sightline.linescan.rig import RigEstimate, alone, baseline_ratio, gain, misalignment
 from sightline.scans.records import Scan, ScanValues, ScanVehicle
 from sightline.scans.store import get_scan, rig_columns
 from sightline.scans.vehicles.store import list_scan_vehicles
@@ -26,11 +28,13 @@ class ImpliedBaseline:
     `ratio`: measured over true with the baseline in force. `differs`: by more than twice its uncertainty.
     """
 
-    of: str
-    ratio: Estimate
+    of: KnownLength
+    ratio: RigEstimate
     baseline_m: float | None
     u_baseline_m: float | None
-    differs: bool
+    differs: Annotated[
+        bool, Field(description="From the baseline in force by more than twice its uncertainty.")
+    ]
     words: str
 
 
@@ -38,8 +42,8 @@ class ImpliedBaseline:
 class RigOfTraffic:
     """Misalignment in px, gain of camera 2 over camera 1, both baselines, and what the last search saw."""
 
-    misalignment: Estimate
-    gain: Estimate
+    misalignment: RigEstimate
+    gain: RigEstimate
     baselines: tuple[ImpliedBaseline, ...]
     order: str | None
 
@@ -62,10 +66,10 @@ def _counts(one: ScanVehicle) -> bool:
     return measured is not None and measured.values.status == "ok" and measured.review.verdict != "rejected"
 
 
-def _misalignment(values: Sequence[ScanValues]) -> Estimate:
+def _misalignment(values: Sequence[ScanValues]) -> RigEstimate:
     free = [one for one in values if one.rig["misalignment_px"] is None]
     if values and not free:
-        return Estimate(None, None, None, 0, _GIVEN)
+        return RigEstimate(None, None, None, 0, _GIVEN)
     return misalignment(free)
 
 
@@ -105,7 +109,7 @@ def _at_vehicle(rig: JsonObject) -> float:
     return float(rig["baseline_m"] + rig["divergence_rad"] * (rig["distance_m"] or 0.0))
 
 
-def _words(of: str, ratio: Estimate) -> str:
+def _words(of: str, ratio: RigEstimate) -> str:
     assert ratio.value is not None and ratio.u is not None
     off, u = 100 * abs(ratio.value - 1), 100 * ratio.u
     which = f"{ratio.n} {of}s"

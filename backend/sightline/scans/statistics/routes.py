@@ -8,7 +8,7 @@ from pydantic import Field
 from sightline.infra.web.bodies import Out
 from sightline.infra.web.deps import PathId, Reading, Viewer
 from sightline.infra.web.figures import DensityBody, EcdfBody, FigureBody, PercentileBody, ReasonBody
-from sightline.scans.rig.bodies import RigEstimateBody
+from sightline.linescan.rig import RigEstimate
 from sightline.scans.statistics.figures import scan_statistics
 from sightline.scans.statistics.paper import NOTE, TABLE_I
 from sightline.scans.statistics.service import ScanStatistics, Spread
@@ -74,8 +74,8 @@ class ScanStatisticsBody(Out):
     counted: dict[str, int]
     length_errors: list[ScanErrorGroupBody]
     wheelbase_errors: list[ScanErrorGroupBody]
-    length_ratio: RigEstimateBody = Field(description=_RATIO)
-    wheelbase_ratio: RigEstimateBody = Field(description=_RATIO)
+    length_ratio: RigEstimate = Field(description=_RATIO)
+    wheelbase_ratio: RigEstimate = Field(description=_RATIO)
     spreads: list[ScanSpreadBody] = Field(description="Speed, length, time gap, distance gap, headway.")
     table: list[ScanRowBody]
     paper: list[PaperCarBody]
@@ -100,8 +100,8 @@ def _body(found: ScanStatistics) -> ScanStatisticsBody:
         counted=found.counted,
         length_errors=_errors(found.length_errors),
         wheelbase_errors=_errors(found.wheelbase_errors),
-        length_ratio=RigEstimateBody.model_validate(found.length_ratio),
-        wheelbase_ratio=RigEstimateBody.model_validate(found.wheelbase_ratio),
+        length_ratio=found.length_ratio,
+        wheelbase_ratio=found.wheelbase_ratio,
         spreads=[_spread(one) for one in found.spreads],
         table=[ScanRowBody.model_validate(one) for one in found.table],
         paper=[PaperCarBody.model_validate(one) for one in TABLE_I],

@@ -13,7 +13,7 @@ from typing import get_args
 import numpy as np
 
 from sightline.enums import ScanVehicleState
-from sightline.linescan.rig import Estimate, alone, baseline_ratio
+from sightline.linescan.rig import RigEstimate, alone, baseline_ratio
 from sightline.statistics.distributions import (
     Density,
     Ecdf,
@@ -101,8 +101,8 @@ class ScanStatistics:
     counted: dict[str, int]
     length_errors: dict[str, ErrorGroup]
     wheelbase_errors: dict[str, ErrorGroup]
-    length_ratio: Estimate
-    wheelbase_ratio: Estimate
+    length_ratio: RigEstimate
+    wheelbase_ratio: RigEstimate
     spreads: tuple[Spread, ...]
     table: tuple[Row, ...]
 
@@ -191,7 +191,7 @@ def _errors(chosen: Sequence[VehicleMotion], name: str) -> dict[str, ErrorGroup]
     return error_table(measured, true, [one.lighting for one in pairs], "none")
 
 
-def _ratio(chosen: Sequence[VehicleMotion], name: str) -> Estimate:
+def _ratio(chosen: Sequence[VehicleMotion], name: str) -> RigEstimate:
     """Measured over true, which tells of a wrong baseline."""
     pairs = _pairs(chosen, name)
     return baseline_ratio(

@@ -6,7 +6,8 @@ from typing import Annotated
 from fastapi import APIRouter, Form, Query, Request, Response, UploadFile
 from pydantic import Field
 
-from sightline.infra.web.bodies import Id, In, Out, WhoBody
+from sightline.infra.audit.records import Who
+from sightline.infra.web.bodies import Id, In, Out
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired, Writing
 from sightline.infra.web.pictures import JPEG, jpeg_once
 from sightline.infra.web.uploaded import clean_name, whole_file
@@ -33,7 +34,7 @@ class PhotographBody(Out):
     sha256: str
     version: int
     created_at: datetime
-    created_by: WhoBody | None
+    created_by: Who | None
     url: str
 
 

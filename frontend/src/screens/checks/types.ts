@@ -4,10 +4,10 @@ import type { Target } from "../../core/types";
 
 type Schemas = components["schemas"];
 
-export type InsetCheck = Schemas["InsetCheckBody"];
-export type TargetInsets = Schemas["TargetInsetsBody"];
-export type Estimate = Schemas["EstimateBody"];
-export type WheelPair = Schemas["WheelPairBody"];
+export type InsetCheck = Schemas["InsetCheck"];
+export type TargetInsets = Schemas["TargetInsets"];
+export type Estimate = Schemas["Estimate"];
+export type WheelPair = Schemas["WheelPair"];
 export type TrafficCheck = Schemas["TrafficCheckBody"];
 export type TurnedPose = Schemas["TurnedPose"];
 

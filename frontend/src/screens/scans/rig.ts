@@ -3,7 +3,7 @@ import type { components } from "#schema";
 import type { Scan } from "../../core/types";
 import { fixed, lengthScale, parseLength, parseNumber } from "../../core/units";
 
-export type RigOfTraffic = components["schemas"]["RigOfTrafficBody"];
+export type RigOfTraffic = components["schemas"]["RigOfTraffic"];
 
 export interface RigTyped {
   baseline: string;
