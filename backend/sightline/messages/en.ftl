@@ -318,6 +318,39 @@ passes-by-number = by number
 passes-by-time = by time
 passes-by-state = by state
 
+## The picture: frame, loupe, timeline, transport
+
+viewer-frame = frame { $frame }
+viewer-frame-label = Frame { $frame }
+viewer-frame-at = frame { $frame }, { $time }
+viewer-stand-in = thumbnail of frame { $thumbnail }; frame { $frame } is coming
+viewer-what = frame
+viewer-layers = Axes and points over the picture
+viewer-bright = display only: brightened
+viewer-pointer = x { $x } y { $y }
+viewer-wrong-frame = The server sent frame { $served } for frame { $frame }, so it is not shown; ingest the recording again.
+viewer-slid = Nothing was placed: the pointer moved on while the button was down. Space and a drag move the picture.
+viewer-changed = Nothing was placed: another picture came while the button was down. Click again.
+viewer-first-corner = first
+timeline-label = Position in the recording
+timeline-decoded = Decoded on the server
+transport-play = Play
+transport-stop = Stop
+transport-frame = frame
+transport-of = of { $last_frame }
+transport-vfr = VFR
+transport-vfr-title = The frame rate of this recording varies; times come from each frame's own stamp.
+blind-elsewhere = Another frame than the one to click on; that is { $frame }.
+blind-contact = click where the tyre meets the road
+blind-target = { $target ->
+    [roof] click { target-hint-roof }
+    [driver_eye] click { target-hint-driver_eye }
+    [taillight] click { target-hint-taillight }
+    [headlight] click { target-hint-headlight }
+   *[other] click { target-hint-other }
+}
+blind-wrong-frame = Click on frame { $frame }, where the first clicks are.
+
 ## Words that many pages need
 
 interval = { $low } to { $high }

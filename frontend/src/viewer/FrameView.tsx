@@ -1,7 +1,8 @@
 /** The frame of a recording on its stage: the picture, what the tools draw, the loupe, and whether it is still on its way. */
 import { useSignalEffect } from "@preact/signals";
 import type { ComponentChildren } from "preact";
-import { BRIGHT_WORDS, bright } from "./display";
+import { say } from "../core/messages";
+import { bright } from "./display";
 import { Loupe } from "./Loupe";
 import { Picture } from "./Picture";
 import type { Player } from "./player";
@@ -33,8 +34,8 @@ export function FrameView({ player, stage, children, above, describedBy }: Frame
       stage={stage}
       class="frame-view"
       testId="frame-view"
-      what="frame"
-      label={`Frame ${player.frame.value}`}
+      what={say("viewer-what")}
+      label={say("viewer-frame-label", { frame: String(player.frame.value) })}
       describedBy={describedBy}
       blocked={() => player.preview.value !== null}
       subject={() => player.shown.value?.frame}
@@ -46,7 +47,7 @@ export function FrameView({ player, stage, children, above, describedBy }: Frame
           {above}
           {bright.value && (
             <p class="frame-display" data-testid="display-only">
-              {BRIGHT_WORDS}
+              {say("viewer-bright")}
             </p>
           )}
           <Loupe player={player} stage={stage} />
@@ -66,22 +67,23 @@ function FrameState({ player }: { player: Player }) {
       <div class="frame-problem" role="alert">
         <p>{problem}</p>
         <button type="button" class="btn" onClick={() => player.retry()}>
-          Try again
+          {say("action-try-again")}
         </button>
       </div>
     );
   }
   const waiting = player.loading.value;
+  const frame = String(player.frame.value);
   const preview = player.preview.value;
   if (preview)
     return (
       <div class="frame-loading frame-loading--on" role="status" data-testid="stand-in">
-        <span class="spinner" /> thumbnail of frame {preview.frame}; frame {player.frame.value} is coming
+        <span class="spinner" /> {say("viewer-stand-in", { thumbnail: String(preview.frame), frame })}
       </div>
     );
   return (
     <div class={`frame-loading${waiting ? " frame-loading--on" : ""}`} aria-hidden={!waiting}>
-      <span class="spinner" /> frame {player.frame.value}
+      <span class="spinner" /> {say("viewer-frame", { frame })}
     </div>
   );
 }

@@ -1,8 +1,10 @@
 /** Eight times the pixels under the pointer, lossless, with the exact position. Held with Z, switched, or while dragging. */
 import { useSignal, useSignalEffect } from "@preact/signals";
 import { useEffect, useMemo, useRef } from "preact/hooks";
+import { say } from "../core/messages";
+import { fixed } from "../core/units";
 import { BitmapCache } from "./bitmapCache";
-import { BRIGHT_WORDS, bright } from "./display";
+import { bright } from "./display";
 import { type Crop, cropUrl, fetchPicture } from "./frames";
 import type { Player } from "./player";
 import type { ImagePoint } from "./points";
@@ -40,8 +42,8 @@ export function Loupe({ player, stage }: { player: Player; stage: FrameStage }) 
     <div class="loupe" style={place(stage, at)} aria-hidden="true" data-testid="loupe">
       <canvas ref={canvas} width={SIDE_PX} height={SIDE_PX} />
       <p>
-        x {at[0].toFixed(1)} y {at[1].toFixed(1)}
-        {bright.value && <span class="loupe__display">{BRIGHT_WORDS}</span>}
+        {say("viewer-pointer", { x: fixed(at[0], 1), y: fixed(at[1], 1) })}
+        {bright.value && <span class="loupe__display">{say("viewer-bright")}</span>}
       </p>
     </div>
   );

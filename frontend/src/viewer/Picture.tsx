@@ -2,6 +2,7 @@
 import { useSignalEffect } from "@preact/signals";
 import type { ComponentChildren, TargetedPointerEvent } from "preact";
 import { useEffect, useMemo, useRef } from "preact/hooks";
+import { say } from "../core/messages";
 import { type GestureOptions, Gestures } from "./gestures";
 import { CursorCross } from "./Overlay";
 import { screenPoint } from "./points";
@@ -84,7 +85,7 @@ export function Picture<P, V extends View<P, V>>(props: PictureProps<P, V>) {
     >
       <canvas ref={canvas} />
       <svg class="frame-overlay" aria-hidden="true">
-        <title>Axes and points over the picture</title>
+        <title>{say("viewer-layers")}</title>
         {props.children}
         {[...tools].reverse().map((tool) => tool.layers?.())}
         {cursor !== null && (

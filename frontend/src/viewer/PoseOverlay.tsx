@@ -1,4 +1,5 @@
 /** The found board with its corner order, and the road as the pose sees it. */
+import { say } from "../core/messages";
 import type { BoardFinding, PoseOverlay, Px } from "../core/types";
 import { formatLength } from "../core/units";
 import { AxesLayer, InImage, Line, Word } from "./Overlay";
@@ -57,7 +58,16 @@ export function FoundBoard({ finding, stage }: { finding: BoardFinding; stage: F
       })}
       {first && rowEnd && <Arrow from={first} to={rowEnd} stage={stage} />}
       {first && columnEnd && <Arrow from={first} to={columnEnd} stage={stage} />}
-      {first && <Word stage={stage} at={fromServer(first)} text="first" dx={-12} dy={-12} strong />}
+      {first && (
+        <Word
+          stage={stage}
+          at={fromServer(first)}
+          text={say("viewer-first-corner")}
+          dx={-12}
+          dy={-12}
+          strong
+        />
+      )}
     </g>
   );
 }

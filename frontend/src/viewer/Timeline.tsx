@@ -1,6 +1,7 @@
 /** The recording as a strip: thumbnails, spans (passes, the board), what is loaded, where we are. Click or drag to go. */
 import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
+import { say } from "../core/messages";
 import { formatFrameTime } from "../core/times";
 import type { Recording } from "../core/types";
 import { nearestThumb } from "./ahead";
@@ -59,7 +60,7 @@ export function Timeline({ player, spans }: { player: Player; spans: readonly Sp
       class="timeline"
       role="slider"
       tabIndex={0}
-      aria-label="Position in the recording"
+      aria-label={say("timeline-label")}
       aria-valuemin={0}
       aria-valuemax={Math.max(0, count - 1)}
       aria-valuenow={player.frame.value}
@@ -87,7 +88,7 @@ export function Timeline({ player, spans }: { player: Player; spans: readonly Sp
       {player.ready.value.map(([first, last]) => (
         <div
           class="timeline__ready"
-          title="Decoded on the server"
+          title={say("timeline-decoded")}
           style={{ left: place(first), width: place(last - first + 1) }}
         />
       ))}
@@ -107,9 +108,12 @@ export function Timeline({ player, spans }: { player: Player; spans: readonly Sp
   );
 }
 
-function describe(player: Player, frame: number): string {
-  const time = player.timeOf(frame);
-  return time === null ? `frame ${frame}` : `frame ${frame}, ${formatFrameTime(time)}`;
+function describe(player: Player, index: number): string {
+  const time = player.timeOf(index);
+  const frame = String(index);
+  return time === null
+    ? say("viewer-frame", { frame })
+    : say("viewer-frame-at", { frame, time: formatFrameTime(time) });
 }
 
 /** As many thumbnails as fit, spread evenly over the recording. */

@@ -1,7 +1,8 @@
 /** Step buttons, play, the frame box, the time. */
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { Button } from "../components";
-import { type ActionId, hint } from "../core/commands";
+import { type ActionId, commandName, hint } from "../core/commands";
+import { say } from "../core/messages";
 import { formatFrameTime } from "../core/times";
 import type { Player } from "./player";
 import type { FrameStage } from "./stage";
@@ -12,6 +13,7 @@ export function Transport({ player, stage }: { player: Player; stage: FrameStage
   const frame = player.frame.value;
   const time = player.timeOf(frame);
   const count = player.count.value;
+  const playWords = say(player.playing.value ? "transport-stop" : "transport-play");
   const go = (): void => {
     const wanted = Number.parseInt(box.current?.value ?? "", 10);
     if (Number.isFinite(wanted)) player.go(wanted);
@@ -33,27 +35,27 @@ export function Transport({ player, stage }: { player: Player; stage: FrameStage
   }, [frame]);
   return (
     <div class="transport">
-      <Step label="Ten frames back" action="framePreviousTen" text="−10" onClick={() => player.step(-10)} />
-      <Step label="Previous frame" action="framePrevious" text="−1" onClick={() => player.step(-1)} />
+      <Step action="framePreviousTen" text="−10" onClick={() => player.step(-10)} />
+      <Step action="framePrevious" text="−1" onClick={() => player.step(-1)} />
       <Button
         small
         kind="quiet"
         icon={player.playing.value ? "pause" : "play"}
-        label={player.playing.value ? "Stop" : "Play"}
-        title={`${player.playing.value ? "Stop" : "Play"}${hint("play")}`}
+        label={playWords}
+        title={playWords + hint("play")}
         onClick={() => player.toggle()}
       />
-      <Step label="Next frame" action="frameNext" text="+1" onClick={() => player.step(1)} />
-      <Step label="Ten frames on" action="frameNextTen" text="+10" onClick={() => player.step(10)} />
+      <Step action="frameNext" text="+1" onClick={() => player.step(1)} />
+      <Step action="frameNextTen" text="+10" onClick={() => player.step(10)} />
       <label class="transport__frame">
-        <span class="small muted">frame</span>
+        <span class="small muted">{say("transport-frame")}</span>
         <input
           ref={box}
           class="input input--num"
           data-testid="frame-box"
           inputMode="numeric"
           defaultValue={frame}
-          title={`Go to a frame${hint("frameGo")}`}
+          title={commandName("frameGo") + hint("frameGo")}
           onFocus={(event) => {
             typed.current = false;
             event.currentTarget.select();
@@ -70,26 +72,26 @@ export function Transport({ player, stage }: { player: Player; stage: FrameStage
             stage.focus();
           }}
         />
-        <span class="small muted nowrap">{count === null ? "" : `of ${count - 1}`}</span>
+        <span class="small muted nowrap">
+          {count === null ? "" : say("transport-of", { last_frame: String(count - 1) })}
+        </span>
       </label>
       <span class="transport__time nowrap">{time === null ? "" : formatFrameTime(time)}</span>
       {player.vfr.value && (
-        <span
-          class="badge"
-          title="The frame rate of this recording varies; times come from each frame's own stamp."
-        >
-          VFR
+        <span class="badge" title={say("transport-vfr-title")}>
+          {say("transport-vfr")}
         </span>
       )}
     </div>
   );
 }
 
-function Step(props: { label: string; action: ActionId; text: string; onClick(): void }) {
+function Step(props: { action: ActionId; text: string; onClick(): void }) {
+  const label = commandName(props.action);
   return (
-    <Button small kind="quiet" title={`${props.label}${hint(props.action)}`} onClick={props.onClick}>
+    <Button small kind="quiet" title={label + hint(props.action)} onClick={props.onClick}>
       <span aria-hidden="true">{props.text}</span>
-      <span class="visually-hidden">{props.label}</span>
+      <span class="visually-hidden">{label}</span>
     </Button>
   );
 }

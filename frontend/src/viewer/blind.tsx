@@ -1,10 +1,10 @@
 /** Clicking again without seeing: contact, then target, on one frame; stored as a repeat of what was clicked first. */
 import { computed, signal } from "@preact/signals";
 import { api } from "../core/api";
+import { say } from "../core/messages";
 import { newKey } from "../core/random";
 import { toast, toastProblem } from "../core/toasts";
 import type { Measurement, Target } from "../core/types";
-import { TARGET_HINTS } from "../core/words";
 import { linesShown } from "./display";
 import type { Geometry } from "./geometry";
 import { AxesLayer, PointMark } from "./Overlay";
@@ -43,10 +43,8 @@ export class BlindClicks implements Tool<ImagePoint> {
   readonly hint = computed(() => {
     const wanted = this.wanted.value;
     if (!wanted) return null;
-    if (!this.here.value) return `Another frame than the one to click on; that is ${wanted.frame}.`;
-    return this.contact.value
-      ? `click ${TARGET_HINTS[wanted.target]}`
-      : "click where the tyre meets the road";
+    if (!this.here.value) return say("blind-elsewhere", { frame: String(wanted.frame) });
+    return this.contact.value ? say("blind-target", { target: wanted.target }) : say("blind-contact");
   });
 
   constructor(
@@ -67,7 +65,7 @@ export class BlindClicks implements Tool<ImagePoint> {
     if (!wanted) return false;
     if (this.busy.value) return true;
     const contact = this.contact.value;
-    if (!this.here.value) toast(`Click on frame ${wanted.frame}, where the first clicks are.`);
+    if (!this.here.value) toast(say("blind-wrong-frame", { frame: String(wanted.frame) }));
     else if (contact) void this.store(wanted, contact, point);
     else {
       this.contact.value = point;

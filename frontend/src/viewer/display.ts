@@ -7,8 +7,6 @@ export const bright = stored<boolean>("bright", false, (value) => typeof value =
 /** Whether the lines of the road's axes are drawn over the picture. */
 export const linesShown = stored<boolean>("lines", true);
 
-export const BRIGHT_WORDS = "display only: brightened";
-
 export function set(switched: Signal<boolean>, on: boolean): void {
   switched.value = on;
 }

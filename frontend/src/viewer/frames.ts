@@ -1,5 +1,7 @@
 /** Fetches stills and lossless crops of one recording; the server is the only decoder. */
+
 import { ApiError, toApiError } from "../core/api";
+import { say } from "../core/messages";
 import { displayQuery } from "./display";
 
 /** Address of a frame; with its checksum it may be kept for ever. */
@@ -35,11 +37,7 @@ export async function fetchFrame(url: string, frame: number, signal: AbortSignal
   if (!answer.ok) throw toApiError(answer.status, await answer.json().catch(() => null));
   const served = answer.headers.get("Sightline-Frame");
   if (served !== null && Number(served) !== frame) {
-    throw new ApiError(
-      `The server sent frame ${served} for frame ${frame}, so it is not shown; ingest the recording again.`,
-      500,
-      "wrong_frame",
-    );
+    throw new ApiError(say("viewer-wrong-frame", { served, frame: String(frame) }), 500, "wrong_frame");
   }
   return createImageBitmap(await answer.blob());
 }

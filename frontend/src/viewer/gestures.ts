@@ -1,4 +1,5 @@
 /** The pointer on a picture, once for frames and strips: press, slide, drag of a handle, pan, wheel. */
+import { say } from "../core/messages";
 import { toast } from "../core/toasts";
 import { type ScreenPoint, screenDistance, screenPoint } from "./points";
 import type { Grabbed, PictureStage } from "./stage";
@@ -166,12 +167,7 @@ export class Gestures<P, V extends View<P, V>> {
     const { stage } = this;
     if (!stage.view.value.contains(press.at)) return;
     if (slid || press.subject !== this.options.subject?.()) {
-      if (stage.placing.value)
-        toast(
-          slid
-            ? "Nothing was placed: the pointer moved on while the button was down. Space and a drag move the picture."
-            : "Nothing was placed: another picture came while the button was down. Click again.",
-        );
+      if (stage.placing.value) toast(say(slid ? "viewer-slid" : "viewer-changed"));
       return;
     }
     stage.place(press.at);
