@@ -16,7 +16,6 @@ const NOT_YET = [
   "src/screens/export",
   "src/screens/measure",
   "src/screens/people",
-  "src/screens/planning",
   "src/screens/pose",
   "src/screens/recordings",
   "src/screens/review",

@@ -374,6 +374,8 @@ percent = { $percent } %
 value-px = { $value } px
 value-s = { $value } s
 file-svg = SVG
+unit-px = px
+unit-hz = Hz
 
 ## Repeats: the page
 
@@ -728,3 +730,112 @@ statistics-plan-percentile = Percentile
 statistics-plan-width = Width of its interval
 statistics-plan-sd = Spread of heights (SD)
 statistics-plan-incomplete = Give three numbers.
+
+## Planning: the page
+
+planning-lead-heights = What a height will be worth from here, before anything is filmed.
+planning-lead-lines = What the speed of a vehicle will be worth with two line cameras, before anything is recorded.
+planning-nothing-stored = Nothing on this page is stored; its address holds every value, so a link to it can be passed on.
+planning-title-lines = Plan the line rate
+planning-what = What is planned
+planning-what-heights = Heights, by video
+planning-what-lines = Speeds, by line scan
+planning-loading-cameras = the cameras
+planning-loading-rig = the survey's rig
+planning-loading = the plan
+planning-advice = Advice
+planning-lens-exact = The lens is taken as exactly known.
+planning-lens-exact-plain = The lens is taken as exactly known, and without distortion.
+planning-lens-calibrated = A calibration adds its own uncertainty, most of it away from the board.
+planning-roof = Roof
+planning-driver_eye = Driver’s eye, near side
+planning-driver_eye_far = Driver’s eye, far side
+planning-taillight = Taillight
+planning-headlight = Headlight
+
+## Planning: what is planned with
+
+planning-width = Picture width
+planning-height = Picture height
+planning-field-of-view = Horizontal field of view
+planning-camera-height = Camera above road
+planning-distance = To the wheel track
+planning-board-distance = To the board
+planning-board-distance-usual = wheel track
+planning-direction = Turned along road
+planning-sigma = Click sigma
+planning-travel = Two-frame travel
+planning-camera = Camera
+planning-calibration = { $camera }: { $calibration }
+planning-calibration-in-use = { $camera }: { $calibration } (in use)
+planning-calibration-unknown = calibration { $id }
+planning-camera-plain = A camera that is not calibrated yet
+planning-number-problem = Give a number.
+planning-speed = Fastest vehicle
+planning-error = Speed off by
+planning-baseline = Baseline
+planning-u-baseline = Its u (k = 1)
+planning-line-rate = Camera’s line rate
+planning-line-rate-usual = what it takes
+
+## Planning: the table of targets
+
+planning-targets-title = What each target will be worth
+planning-target = Target
+planning-planned-height = planned height
+planning-inset = inset
+planning-two-frames = U95, two frames
+planning-inset-ignored = error, inset ignored
+planning-targets-note = Heights and insets are estimates; the survey’s own insets are used. Two frames: the vehicle has moved { $travel } between them, and the inset is solved for instead of assumed.
+planning-parts-title = Contributions to u, one frame
+planning-parts-label = Contributions to u
+planning-parts-source = Source
+planning-parts-sum = u, root of the sum of squares
+
+## Planning: figures and drawings
+
+planning-figure-distance-title = U95 of vehicles at other distances
+planning-figure-distance-note = One frame; camera, board and pose as planned. A line ends where the picture ends.
+planning-figure-distance-label = U95 of vehicles at other distances, U95 in { $small } over distance across the road to the wheel track in { $unit }
+planning-figure-distance-x = distance across the road to the wheel track ({ $unit })
+planning-figure-distance-y = U95 ({ $unit })
+planning-figure-bias-title = Error of a driver’s eye whose inset is ignored
+planning-figure-bias-note = It vanishes for a camera at the eye’s height.
+planning-figure-bias-label = Error of a driver’s eye whose inset is ignored, error in { $small } over camera above the road in { $unit }
+planning-figure-bias-x = camera above the road ({ $unit })
+planning-figure-bias-y = error ({ $unit })
+planning-figure-bar = The bar marks the planned place.
+planning-along-title = The site, seen along the road
+planning-along-note = To scale. The wedge is what the picture shows above and below; dots are the targets.
+planning-along-label = Cross-section: camera { $camera_height } above the road, board at { $board_distance }, wheel track at { $distance }
+planning-above-title = The site from above
+planning-above-note = To scale. The picture shows { $shown } of the wheel track with road and a driver’s eye in it.
+planning-above-label = From above: the camera looks across the road, square to it, a car in the lane
+planning-above-label-turned = { $turned_deg ->
+    [one] From above: the camera looks across the road, turned { $turned_deg } degree along the road, a car in the lane
+   *[other] From above: the camera looks across the road, turned { $turned_deg } degrees along the road, a car in the lane
+}
+planning-wheel-track = wheel track { $distance }
+planning-wheel-track-and-board = wheel track and board { $distance }
+planning-board = board { $distance }
+
+## Planning: the line rate
+
+planning-speed-title = What a speed will be worth
+planning-lines = At { $speed } a vehicle takes <strong>{ $lines } lines</strong> from camera 1 to camera 2 at { $line_rate_hz } lines a second, { $one_line } of road a line.
+planning-one-line = One line more or less changes its speed by <strong>{ $speed }</strong>.
+planning-speed-u = Read to whole lines its standard uncertainty is { $u_lines } from the lines and { $u_baseline } from the baseline: <strong>{ $speed }</strong> in 95 of 100 cases.
+planning-forms-title = As printed and as corrected
+planning-forms-label = Both forms of equation (2)
+planning-forms-equation = equation (2)
+planning-forms-printed = as printed: its right side
+planning-forms-corrected = corrected: its middle term
+planning-forms-error = error of the speed
+planning-forms-says = what it says
+planning-forms-says-printed = n + 2 lines are counted for n, divided by n + 2. The paper’s own 6600 Hz and 1.3 % come from it.
+planning-forms-says-corrected = n + 2 lines are counted for n, divided by n as the middle term 2 s / (b f) is. A little more careful.
+planning-forms-line-rate = line rate for { $error }
+planning-forms-line-rate-value = { $line_rate_hz } Hz
+planning-forms-error-at = error at { $line_rate_hz } Hz
+planning-forms-error-value = { $error }, { $speed }
+planning-forms-note = n = b f / s: the lines from camera 1 to camera 2, of the baseline b, the line rate f and the speed s.

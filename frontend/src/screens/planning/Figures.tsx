@@ -1,5 +1,6 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { Problem } from "../../components";
+import { say } from "../../core/messages";
 import { theme } from "../../core/theme";
 import { lengthScale, lengthUnit, smallScale } from "../../core/units";
 import { type Curve, type Plan, wordOf } from "./model";
@@ -26,11 +27,14 @@ const SYMBOLS: Record<string, string> = {
 export function DistanceFigure({ plan }: { plan: Plan }) {
   return (
     <Figure
-      title="U95 of vehicles at other distances"
-      note="One frame; camera, board and pose as planned. A line ends where the picture ends."
+      title={say("planning-figure-distance-title")}
+      note={say("planning-figure-distance-note")}
       curves={plan.U95_over_distance}
-      across="distance across the road to the wheel track"
-      up="U95"
+      words={(unit, small) => ({
+        label: say("planning-figure-distance-label", { unit, small }),
+        x: say("planning-figure-distance-x", { unit }),
+        y: say("planning-figure-distance-y", { unit: small }),
+      })}
       marker={plan.site.distance_m}
       fromZero
     />
@@ -41,11 +45,14 @@ export function DistanceFigure({ plan }: { plan: Plan }) {
 export function BiasFigure({ plan }: { plan: Plan }) {
   return (
     <Figure
-      title="Error of a driver’s eye whose inset is ignored"
-      note="It vanishes for a camera at the eye’s height."
+      title={say("planning-figure-bias-title")}
+      note={say("planning-figure-bias-note")}
       curves={plan.bias_over_camera_height}
-      across="camera above the road"
-      up="error"
+      words={(unit, small) => ({
+        label: say("planning-figure-bias-label", { unit, small }),
+        x: say("planning-figure-bias-x", { unit }),
+        y: say("planning-figure-bias-y", { unit: small }),
+      })}
       marker={plan.site.camera_height_m}
     />
   );
@@ -55,8 +62,8 @@ interface FigureProps {
   title: string;
   note: string;
   curves: readonly Curve[];
-  across: string;
-  up: string;
+  /** What the picture shows for those who do not see it, and its axes; `unit` across, `small` up. */
+  words: (unit: string, small: string) => { label: string; x: string; y: string };
   /** The planned place. */
   marker: number;
   fromZero?: boolean;
@@ -68,7 +75,7 @@ interface Point {
   target: string;
 }
 
-function Figure({ title, note, curves, across, up, marker, fromZero }: FigureProps) {
+function Figure({ title, note, curves, words, marker, fromZero }: FigureProps) {
   const [plot, setPlot] = useState<Plot | null>(null);
   const [problem, setProblem] = useState<unknown>(null);
   const box = useRef<HTMLDivElement>(null);
@@ -94,16 +101,17 @@ function Figure({ title, note, curves, across, up, marker, fromZero }: FigurePro
       }),
     );
     const targets = curves.map((curve) => curve.target);
+    const { label, x, y } = words(unit, small);
     const drawn = plot.plot({
       width,
       height: 300,
       marginLeft: 48,
       marginBottom: 40,
-      ariaLabel: `${title}, ${up} in ${small} over ${across} in ${unit}`,
+      ariaLabel: label,
       className: "figure",
       style: { background: "transparent", color: "var(--ink)", fontSize: "12px", fontFamily: "var(--font)" },
-      x: { label: `${across} (${unit})`, labelArrow: "none", labelAnchor: "center" },
-      y: { label: `${up} (${small})`, labelArrow: "none", grid: true, zero: fromZero, nice: true },
+      x: { label: x, labelArrow: "none", labelAnchor: "center" },
+      y: { label: y, labelArrow: "none", grid: true, zero: fromZero, nice: true },
       symbol: { domain: targets, range: targets.map((one) => SYMBOLS[one] ?? "circle"), legend: false },
       marks: [
         plot.ruleX([marker * perX], { stroke: "var(--accent)", strokeWidth: 3 }),
@@ -138,7 +146,9 @@ function Figure({ title, note, curves, across, up, marker, fromZero }: FigurePro
       <Legend targets={curves.map((curve) => curve.target)} />
       <Problem error={problem} />
       <div ref={box} class="plan-figure__box" data-testid="plan-figure" />
-      <figcaption class="field__hint">{note} The bar marks the planned place.</figcaption>
+      <figcaption class="field__hint">
+        {note} {say("planning-figure-bar")}
+      </figcaption>
     </figure>
   );
 }

@@ -3,8 +3,10 @@
 import type { ComponentChildren } from "preact";
 import { useEffect } from "preact/hooks";
 import { Loading, Problem, TableScroll } from "../../components";
+import { Said } from "../../components/Said";
 import { current, query, setQuery } from "../../core/address";
 import { api } from "../../core/api";
+import { region, say } from "../../core/messages";
 import { useResource } from "../../core/resource";
 import { fixed, formatCount, formatSmall, formatSpeed, lengthUnit, speedScale } from "../../core/units";
 import { Advice } from "./Advice";
@@ -26,7 +28,7 @@ export function LineRate({ surveyId }: { surveyId: number }) {
     return scans.error ? (
       <Problem error={scans.error} again={scans.reload} />
     ) : (
-      <Loading what="the survey's rig" />
+      <Loading what={say("planning-loading-rig")} />
     );
   return (
     <>
@@ -41,16 +43,16 @@ function Form({ values }: { values: Values }) {
   return (
     <form class="panel plan-form" onSubmit={(event) => event.preventDefault()}>
       <div class="plan-form__lines">
-        <Value name="speed_mps" label="Fastest vehicle" unit={speedScale()[1]} values={values} />
-        <Value name="error" label="Speed off by" unit="%" values={values} />
-        <Value name="baseline_m" label="Baseline" unit={length} values={values} />
-        <Value name="u_baseline_m" label="Its u (k = 1)" unit={length} values={values} />
+        <Value name="speed_mps" label={say("planning-speed")} unit={speedScale()[1]} values={values} />
+        <Value name="error" label={say("planning-error")} unit="%" values={values} />
+        <Value name="baseline_m" label={say("planning-baseline")} unit={length} values={values} />
+        <Value name="u_baseline_m" label={say("planning-u-baseline")} unit={length} values={values} />
         <Value
           name="line_rate_hz"
-          label="Camera’s line rate"
-          unit="Hz"
+          label={say("planning-line-rate")}
+          unit={say("unit-hz")}
           values={values}
-          placeholder="what it takes"
+          placeholder={say("planning-line-rate-usual")}
         />
       </div>
     </form>
@@ -61,11 +63,24 @@ function Form({ values }: { values: Values }) {
 function Planned({ values }: { values: Values }) {
   const plan = useResource((signal) => askLinePlan(values, signal), [JSON.stringify(values)], { keep: true });
   if (plan.error) return <Problem error={plan.error} />;
-  if (!plan.data) return <Loading what="the plan" />;
+  if (!plan.data) return <Loading what={say("planning-loading")} />;
   return <Result plan={plan.data} />;
 }
 
-const percent = (share: number) => `${Number((share * 100).toPrecision(3))}\u00a0%`;
+/** "1.3 %" */
+function percent(share: number): string {
+  const digits = new Intl.NumberFormat(region.value, { maximumSignificantDigits: 3 });
+  return `${digits.format(share * 100)}\u00a0%`;
+}
+
+const lineRateWords = (line_rate_hz: number) =>
+  say("planning-forms-line-rate-value", { line_rate_hz: formatCount(line_rate_hz) });
+
+const errorWords = (one: { error: number; error_mps: number }) =>
+  say("planning-forms-error-value", {
+    error: percent(one.error),
+    speed: formatSpeed(one.error_mps, null, 2),
+  });
 
 function Result({ plan }: { plan: LinePlan }) {
   const { printed, corrected } = plan;
@@ -73,57 +88,63 @@ function Result({ plan }: { plan: LinePlan }) {
     <div class="stack" data-testid="line-plan">
       <section class="panel" aria-labelledby="plan-speed">
         <div class="panel__head">
-          <h2 id="plan-speed">What a speed will be worth</h2>
+          <h2 id="plan-speed">{say("planning-speed-title")}</h2>
         </div>
         <p class="panel__body plan-line__words">
-          At {formatSpeed(plan.speed_mps)} a vehicle takes <b>{fixed(plan.lines, 1)} lines</b> from camera 1
-          to camera 2 at {formatCount(plan.line_rate_hz)} lines a second, {formatSmall(plan.one_line_m)} of
-          road a line. One line more or less changes its speed by{" "}
-          <b>{formatSpeed(plan.one_line_mps, null, 2)}</b>. Read to whole lines its standard uncertainty is{" "}
-          {formatSpeed(plan.u_lines_mps, null, 2)} from the lines and{" "}
-          {formatSpeed(plan.u_baseline_mps, null, 2)} from the baseline:{" "}
-          <b>{formatSpeed(plan.speed_mps, plan.U95_speed_mps, 2)}</b> in 95 of 100 cases.
+          <Said
+            what="planning-lines"
+            values={{
+              speed: formatSpeed(plan.speed_mps),
+              lines: fixed(plan.lines, 1),
+              line_rate_hz: formatCount(plan.line_rate_hz),
+              one_line: formatSmall(plan.one_line_m),
+            }}
+          />{" "}
+          <Said what="planning-one-line" values={{ speed: formatSpeed(plan.one_line_mps, null, 2) }} />{" "}
+          <Said
+            what="planning-speed-u"
+            values={{
+              u_lines: formatSpeed(plan.u_lines_mps, null, 2),
+              u_baseline: formatSpeed(plan.u_baseline_mps, null, 2),
+              speed: formatSpeed(plan.speed_mps, plan.U95_speed_mps, 2),
+            }}
+          />
         </p>
       </section>
       <section class="panel" aria-labelledby="plan-lines">
         <div class="panel__head">
-          <h2 id="plan-lines">As printed and as corrected</h2>
+          <h2 id="plan-lines">{say("planning-forms-title")}</h2>
         </div>
-        <TableScroll label="Both forms of equation (2)">
+        <TableScroll label={say("planning-forms-label")}>
           <table class="table plan-lines">
             <thead>
               <tr>
-                <th>equation (2)</th>
-                <th>as printed: its right side</th>
-                <th>corrected: its middle term</th>
+                <th>{say("planning-forms-equation")}</th>
+                <th>{say("planning-forms-printed")}</th>
+                <th>{say("planning-forms-corrected")}</th>
               </tr>
             </thead>
             <tbody>
-              <Row what="error of the speed" printed="2 / (n + 2)" corrected="2 / n" />
+              <Row what={say("planning-forms-error")} printed="2 / (n + 2)" corrected="2 / n" />
               <Row
-                what="what it says"
-                printed={
-                  "n + 2 lines are counted for n, divided by n + 2. The paper’s own 6600\u00a0Hz and 1.3\u00a0% come from it."
-                }
-                corrected="n + 2 lines are counted for n, divided by n as the middle term 2 s / (b f) is. A little more careful."
+                what={say("planning-forms-says")}
+                printed={say("planning-forms-says-printed")}
+                corrected={say("planning-forms-says-corrected")}
               />
               <Row
-                what={`line rate for ${percent(plan.error)}`}
-                printed={<b>{formatCount(printed.line_rate_hz)} Hz</b>}
-                corrected={<b>{formatCount(corrected.line_rate_hz)} Hz</b>}
+                what={say("planning-forms-line-rate", { error: percent(plan.error) })}
+                printed={<b>{lineRateWords(printed.line_rate_hz)}</b>}
+                corrected={<b>{lineRateWords(corrected.line_rate_hz)}</b>}
               />
               <Row
-                what={`error at ${formatCount(plan.line_rate_hz)} Hz`}
-                printed={`${percent(printed.error)}, ${formatSpeed(printed.error_mps, null, 2)}`}
-                corrected={`${percent(corrected.error)}, ${formatSpeed(corrected.error_mps, null, 2)}`}
+                what={say("planning-forms-error-at", { line_rate_hz: formatCount(plan.line_rate_hz) })}
+                printed={errorWords(printed)}
+                corrected={errorWords(corrected)}
               />
             </tbody>
           </table>
         </TableScroll>
-        <p class="plan-note field__hint">
-          n = b f / s: the lines from camera 1 to camera 2, of the baseline b, the line rate f and the speed
-          s.
-        </p>
+        <p class="plan-note field__hint">{say("planning-forms-note")}</p>
       </section>
       <Advice sentences={plan.advice} />
     </div>

@@ -1,6 +1,7 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { SelectField, TextField } from "../../components";
 import { setQuery } from "../../core/address";
+import { say } from "../../core/messages";
 import type { Camera } from "../../core/types";
 import { lengthUnit } from "../../core/units";
 import { type Name, shown, typed, type Values, withCamera } from "./values";
@@ -13,31 +14,32 @@ interface Props {
 /** What is planned with. Each change goes into the address, and from there to the server. */
 export function PlanForm({ cameras, values }: Props) {
   const length = lengthUnit.value;
+  const px = say("unit-px");
   return (
     <form class="panel plan-form" onSubmit={(event) => event.preventDefault()}>
       <div class="plan-form__camera">
         <CameraChoice cameras={cameras} values={values} />
         {!values.calibration_id && (
           <>
-            <Value name="width_px" label="Picture width" unit="px" values={values} />
-            <Value name="height_px" label="Picture height" unit="px" values={values} />
-            <Value name="field_of_view_deg" label="Horizontal field of view" unit="°" values={values} />
+            <Value name="width_px" label={say("planning-width")} unit={px} values={values} />
+            <Value name="height_px" label={say("planning-height")} unit={px} values={values} />
+            <Value name="field_of_view_deg" label={say("planning-field-of-view")} unit="°" values={values} />
           </>
         )}
       </div>
       <div class="plan-form__place">
-        <Value name="camera_height_m" label="Camera above road" unit={length} values={values} />
-        <Value name="distance_m" label="To the wheel track" unit={length} values={values} />
+        <Value name="camera_height_m" label={say("planning-camera-height")} unit={length} values={values} />
+        <Value name="distance_m" label={say("planning-distance")} unit={length} values={values} />
         <Value
           name="board_distance_m"
-          label="To the board"
+          label={say("planning-board-distance")}
           unit={length}
           values={values}
-          placeholder="wheel track"
+          placeholder={say("planning-board-distance-usual")}
         />
-        <Value name="direction_deg" label="Turned along road" unit="°" values={values} />
-        <Value name="sigma_px" label="Click sigma" unit="px" values={values} />
-        <Value name="travel_m" label="Two-frame travel" unit={length} values={values} />
+        <Value name="direction_deg" label={say("planning-direction")} unit="°" values={values} />
+        <Value name="sigma_px" label={say("planning-sigma")} unit={px} values={values} />
+        <Value name="travel_m" label={say("planning-travel")} unit={length} values={values} />
       </div>
     </form>
   );
@@ -47,19 +49,22 @@ function CameraChoice({ cameras, values }: Props) {
   const options = cameras.flatMap((camera) =>
     camera.calibrations.map((one) => ({
       value: String(one.id),
-      label: `${camera.name}: ${one.summary}${one.id === camera.current_calibration_id ? " (in use)" : ""}`,
+      label: say(
+        one.id === camera.current_calibration_id ? "planning-calibration-in-use" : "planning-calibration",
+        { camera: camera.name, calibration: one.summary },
+      ),
     })),
   );
   const chosen = values.calibration_id ?? "plain";
   const known = chosen === "plain" || options.some((option) => option.value === chosen);
   return (
     <SelectField
-      label="Camera"
+      label={say("planning-camera")}
       value={chosen}
       options={[
         ...options.reverse(),
-        ...(known ? [] : [{ value: chosen, label: `calibration ${chosen}` }]),
-        { value: "plain", label: "A camera that is not calibrated yet" },
+        ...(known ? [] : [{ value: chosen, label: say("planning-calibration-unknown", { id: chosen }) }]),
+        { value: "plain", label: say("planning-camera-plain") },
       ]}
       onChange={(choice) => setQuery(withCamera(choice))}
     />
@@ -86,7 +91,7 @@ export function Value({ name, label, unit, values, placeholder, hint }: ValuePro
   const sent = useRef(values[name] ?? "");
   useEffect(() => {
     // changed from outside: another unit, another camera
-    if (sent.current !== (values[name] ?? "") || unit !== "px")
+    if (sent.current !== (values[name] ?? "") || !name.endsWith("_px"))
       setText((old) => same(name, old, values) ?? stands);
     sent.current = values[name] ?? "";
   }, [values[name], stands]);
@@ -107,7 +112,7 @@ export function Value({ name, label, unit, values, placeholder, hint }: ValuePro
       value={text}
       placeholder={placeholder}
       hint={hint}
-      problem={wrong ? "Give a number." : null}
+      problem={wrong ? say("planning-number-problem") : null}
       onInput={(value) => {
         setText(value);
         clearTimeout(timer.current);

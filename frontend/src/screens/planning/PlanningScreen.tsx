@@ -2,6 +2,7 @@ import { useEffect } from "preact/hooks";
 import { Loading, Notice, Problem, Segments } from "../../components";
 import { current, query, setQuery } from "../../core/address";
 import { api } from "../../core/api";
+import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useResource } from "../../core/resource";
 import { Advice } from "./Advice";
@@ -23,20 +24,18 @@ export default function PlanningScreen({ surveyId }: ScreenProps) {
     <div class="page">
       <header class="page__head">
         <div>
-          <h1>{what === "heights" ? "Plan the site" : "Plan the line rate"}</h1>
+          <h1>{say(what === "heights" ? "page-planning" : "planning-title-lines")}</h1>
           <p class="page__lead">
-            {what === "heights"
-              ? "What a height will be worth from here, before anything is filmed. "
-              : "What the speed of a vehicle will be worth with two line cameras, before anything is recorded. "}
-            Nothing on this page is stored; its address holds every value, so a link to it can be passed on.
+            {say(what === "heights" ? "planning-lead-heights" : "planning-lead-lines")}{" "}
+            {say("planning-nothing-stored")}
           </p>
         </div>
         <Segments<What>
-          label="What is planned"
+          label={say("planning-what")}
           value={what}
           options={[
-            { value: "heights", label: "Heights, by video" },
-            { value: "lines", label: "Speeds, by line scan" },
+            { value: "heights", label: say("planning-what-heights") },
+            { value: "lines", label: say("planning-what-lines") },
           ]}
           onChange={(next) => setQuery({ plan: next === "lines" ? next : null })}
         />
@@ -67,7 +66,7 @@ function Heights({ surveyId }: { surveyId: number }) {
           <Planned surveyId={surveyId} values={values} />
         </>
       ) : (
-        !cameras.error && <Loading what="the cameras" />
+        !cameras.error && <Loading what={say("planning-loading-cameras")} />
       )}
     </>
   );
@@ -83,7 +82,7 @@ function Planned({ surveyId, values }: { surveyId: number; values: Values }) {
     },
   );
   if (plan.error) return <Problem error={plan.error} />;
-  if (!plan.data) return <Loading what="the plan" />;
+  if (!plan.data) return <Loading what={say("planning-loading")} />;
   return <Result plan={plan.data} />;
 }
 
@@ -92,9 +91,8 @@ function Result({ plan }: { plan: Plan }) {
     <>
       {!plan.camera.lens_known && (
         <Notice>
-          The lens is taken as exactly known
-          {plan.camera.calibration_id === null && ", and without distortion"}. A calibration adds its own
-          uncertainty, most of it away from the board.
+          {say(plan.camera.calibration_id === null ? "planning-lens-exact-plain" : "planning-lens-exact")}{" "}
+          {say("planning-lens-calibrated")}
         </Notice>
       )}
       <TargetTable targets={plan.targets} travelM={plan.site.travel_m} />

@@ -1,4 +1,5 @@
 import type { ComponentChildren } from "preact";
+import { say } from "../../core/messages";
 import { formatLength } from "../../core/units";
 import type { Plan } from "./model";
 
@@ -19,11 +20,9 @@ interface Frame {
 export function SiteAlong({ plan }: { plan: Plan }) {
   return (
     <figure class="panel plan-figure">
-      <h2>The site, seen along the road</h2>
+      <h2>{say("planning-along-title")}</h2>
       <Elevation plan={plan} />
-      <figcaption class="field__hint">
-        To scale. The wedge is what the picture shows above and below; dots are the targets.
-      </figcaption>
+      <figcaption class="field__hint">{say("planning-along-note")}</figcaption>
     </figure>
   );
 }
@@ -32,11 +31,10 @@ export function SiteAlong({ plan }: { plan: Plan }) {
 export function SiteAbove({ plan }: { plan: Plan }) {
   return (
     <figure class="panel plan-figure">
-      <h2>The site from above</h2>
+      <h2>{say("planning-above-title")}</h2>
       <FromAbove plan={plan} />
       <figcaption class="field__hint">
-        To scale. The picture shows {formatLength(plan.track_shown_m, 1)} of the wheel track with road and a
-        driver’s eye in it.
+        {say("planning-above-note", { shown: formatLength(plan.track_shown_m, 1) })}
       </figcaption>
     </figure>
   );
@@ -193,14 +191,16 @@ function Distances({ frame, plan, at }: { frame: Frame; plan: Plan; at: number }
         frame={frame}
         to={distance_m}
         at={at + 22}
-        words={`${apart ? "wheel track" : "wheel track and board"} ${formatLength(distance_m, 2)}`}
+        words={say(apart ? "planning-wheel-track" : "planning-wheel-track-and-board", {
+          distance: formatLength(distance_m, 2),
+        })}
       />
       {apart && (
         <Dimension
           frame={frame}
           to={board_distance_m}
           at={at + 48}
-          words={`board ${formatLength(board_distance_m, 2)}`}
+          words={say("planning-board", { distance: formatLength(board_distance_m, 2) })}
         />
       )}
     </>
@@ -237,15 +237,15 @@ function carPath({ x, y }: Frame, from: number, roof: number): string {
 }
 
 function elevationWords({ site }: Plan): string {
-  return (
-    `Cross-section: camera ${formatLength(site.camera_height_m, 2)} above the road, ` +
-    `board at ${formatLength(site.board_distance_m, 2)}, wheel track at ${formatLength(site.distance_m, 2)}`
-  );
+  return say("planning-along-label", {
+    camera_height: formatLength(site.camera_height_m, 2),
+    board_distance: formatLength(site.board_distance_m, 2),
+    distance: formatLength(site.distance_m, 2),
+  });
 }
 
 function aboveWords({ site }: Plan): string {
-  const turned = site.direction_deg
-    ? `, turned ${site.direction_deg} degrees along the road`
-    : ", square to it";
-  return `From above: the camera looks across the road${turned}, a car in the lane`;
+  return site.direction_deg
+    ? say("planning-above-label-turned", { turned_deg: site.direction_deg })
+    : say("planning-above-label");
 }

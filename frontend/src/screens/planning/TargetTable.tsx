@@ -1,5 +1,6 @@
 import { useState } from "preact/hooks";
 import { TableScroll } from "../../components";
+import { say } from "../../core/messages";
 import { formatHeight, formatLength, formatSmall } from "../../core/units";
 import { type PlannedTarget, wordOf } from "./model";
 
@@ -13,19 +14,19 @@ export function TargetTable({ targets, travelM }: Props) {
   return (
     <section class="panel" aria-labelledby="plan-targets">
       <div class="panel__head">
-        <h2 id="plan-targets">What each target will be worth</h2>
+        <h2 id="plan-targets">{say("planning-targets-title")}</h2>
       </div>
-      <TableScroll label="What each target will be worth">
+      <TableScroll label={say("planning-targets-title")}>
         <table class="table">
           <thead>
             <tr>
-              <th>Target</th>
-              <th class="num">planned height</th>
-              <th class="num">inset</th>
+              <th>{say("planning-target")}</th>
+              <th class="num">{say("planning-planned-height")}</th>
+              <th class="num">{say("planning-inset")}</th>
               <th class="num">u</th>
               <th class="num">U95</th>
-              <th class="num">U95, two frames</th>
-              <th class="num">error, inset ignored</th>
+              <th class="num">{say("planning-two-frames")}</th>
+              <th class="num">{say("planning-inset-ignored")}</th>
             </tr>
           </thead>
           <tbody>
@@ -36,8 +37,7 @@ export function TargetTable({ targets, travelM }: Props) {
         </table>
       </TableScroll>
       <p class="field__hint plan-note">
-        Heights and insets are estimates; the survey’s own insets are used. Two frames: the vehicle has moved{" "}
-        {formatLength(travelM, 2)} between them, and the inset is solved for instead of assumed.
+        {say("planning-targets-note", { travel: formatLength(travelM, 2) })}
       </p>
       <Contributions targets={targets} />
     </section>
@@ -73,12 +73,12 @@ function Contributions({ targets }: { targets: readonly PlannedTarget[] }) {
   if (sources.length === 0) return null;
   return (
     <details class="plan-parts" open={open} onToggle={(event) => setOpen(event.currentTarget.open)}>
-      <summary>Contributions to u, one frame</summary>
-      <TableScroll label="Contributions to u">
+      <summary>{say("planning-parts-title")}</summary>
+      <TableScroll label={say("planning-parts-label")}>
         <table class="table">
           <thead>
             <tr>
-              <th>Source</th>
+              <th>{say("planning-parts-source")}</th>
               {measured.map((one) => (
                 <th key={one.target} class="num">
                   {wordOf(one.target)}
@@ -96,7 +96,7 @@ function Contributions({ targets }: { targets: readonly PlannedTarget[] }) {
               </tr>
             ))}
             <tr class="plan-parts__sum">
-              <td>u, root of the sum of squares</td>
+              <td>{say("planning-parts-sum")}</td>
               {measured.map((one) => (
                 <td key={one.target} class="num">
                   {formatSmall(one.u_height_m)}

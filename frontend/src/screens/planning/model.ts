@@ -1,4 +1,5 @@
 import type { components } from "#schema";
+import { wordsOf } from "../../core/messages";
 
 type Schemas = components["schemas"];
 export type Plan = Schemas["PlanBody"];
@@ -6,13 +7,13 @@ export type PlannedTarget = Schemas["PlannedTargetBody"];
 export type LinePlan = Schemas["LinePlanBody"];
 export type Curve = Schemas["CurveBody"];
 
-const TARGET_WORDS: Record<string, string> = {
-  roof: "Roof",
-  driver_eye: "Driver’s eye, near side",
-  driver_eye_far: "Driver’s eye, far side",
-  taillight: "Taillight",
-  headlight: "Headlight",
-};
+const TARGET_WORDS: Readonly<Record<string, string>> = wordsOf({
+  roof: "planning-roof",
+  driver_eye: "planning-driver_eye",
+  driver_eye_far: "planning-driver_eye_far",
+  taillight: "planning-taillight",
+  headlight: "planning-headlight",
+});
 
 export function wordOf(target: string): string {
   return TARGET_WORDS[target] ?? target;
