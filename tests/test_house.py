@@ -217,3 +217,31 @@ def test_a_table_by_the_words_of_a_list_is_not_a_second_list() -> None:
         retyped_lists('RANK: dict[Role, int] = {"viewer": 0, "operator": 1, "reviewer": 2, "admin": 3}') == []
     )
     assert retyped_lists('NEEDED: tuple[Target, ...] = ("roof", "taillight")') == []
+
+
+MOST_PLACES = 7
+
+
+def declares(source: str, name: str) -> bool:
+    """Whether a module writes a field's name down: as a field, a text or a keyword; reading it is free."""
+    for node in ast.walk(ast.parse(source)):
+        match node:
+            case ast.AnnAssign(target=ast.Name(id=said)) | ast.Constant(value=said) | ast.keyword(arg=said):
+                if said == name:
+                    return True
+    return False
+
+
+def test_a_result_of_a_measurement_is_written_down_in_seven_places_at_most() -> None:
+    """Record, computation, table, migration, package, and the statistics of a database and of a package."""
+    name = "uncorrected_height_m"
+    modules = tracked("backend/*.py", "migrations/*.py")
+    places = [str(path.relative_to(ROOT)) for path in modules if declares(path.read_text(), name)]
+    assert "backend/sightline/measurements/records.py" in places
+    assert len(places) <= MOST_PLACES, places
+
+
+@pytest.mark.parametrize("planted", ["class A:\n    x_m: float", 'Column("x_m", Float)', "made(x_m=1.0)"])
+def test_a_planted_place_is_counted(planted: str) -> None:
+    assert declares(planted, "x_m")
+    assert not declares("height = record.x_m\nx_mm = 1", "x_m")

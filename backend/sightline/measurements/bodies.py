@@ -11,7 +11,8 @@ from sightline.enums import (
     Target,
 )
 from sightline.infra.audit.records import Who
-from sightline.infra.web.bodies import FrameNumber, Id, In, Point, made_of
+from sightline.infra.by_name import filled_from
+from sightline.infra.web.bodies import FrameNumber, Id, In, Point
 from sightline.infra.web.quantities import InsetM, Revision, SigmaPx, UInsetM
 from sightline.measurements.records import (
     Measurement,
@@ -43,7 +44,7 @@ class MeasurementBody(MeasurementValues):
 
 
 def measurement_body(found: Measurement) -> MeasurementBody:
-    return made_of(MeasurementBody, found, found.values, flags=found.all_flags)
+    return filled_from(MeasurementBody, found, found.values, flags=found.all_flags)
 
 
 class FurtherClicks(In):
@@ -101,4 +102,4 @@ class VehicleBody(VehicleInState):
 
 def vehicle_body(sheet: VehicleSheet) -> VehicleBody:
     found = [measurement_body(one) for one in sheet.measurements]
-    return made_of(VehicleBody, sheet, measurements=found)
+    return filled_from(VehicleBody, sheet, measurements=found)

@@ -14,13 +14,13 @@ from typing import Annotated, Any
 from cachetools import LRUCache
 from pydantic import Field
 
-from sightline.enums import MeasurementStatus, Target
+from sightline.enums import Target
 from sightline.geometry.documents import pose_from_dict
 from sightline.geometry.height import Height, height_both
 from sightline.geometry.insets import DEFAULT_INSETS
 from sightline.geometry.multiframe import MultiHeight, measure_frames
 from sightline.geometry.road_pose import RoadPose
-from sightline.measurements.records import BudgetPart, Clicks
+from sightline.measurements.records import Clicks, HeightOfClicks
 from sightline.surveys.records import Inset
 
 DEFAULT_SIGMA_PX = 1.0
@@ -38,30 +38,16 @@ class SingleFrame:
     U95_height_m: float | None
 
 
-@dataclass(frozen=True)
-class Answer:
-    """One height with its uncertainty and budget, or why there is none (then every number is None).
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Answer(HeightOfClicks):
+    """A height as it is answered while clicking: where the vehicle stands on the road, m, and how it goes.
 
-    `inset_m` is the inset assumed for one frame; `solved_inset_m` the one found from several. The heading is
-    that of the vehicle's travel against the road's X axis.
+    The heading is that of the vehicle's travel against the road's X axis.
     """
 
-    status: MeasurementStatus
-    reason: str | None
-    height_m: float | None
-    u_height_m: float | None
-    U95_height_m: float | None
-    uncorrected_height_m: float | None
-    inset_m: float
-    u_inset_m: float
     x_m: float | None
     y_m: float | None
-    distance_m: float | None
-    budget: list[BudgetPart]
-    flags: list[str]
     frames: int = 1
-    solved_inset_m: float | None = None
-    u_solved_inset_m: float | None = None
     heading_rad: float | None = None
     u_heading_rad: float | None = None
     travel_m: float | None = None

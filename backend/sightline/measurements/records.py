@@ -74,6 +74,29 @@ class BudgetPart(TypedDict):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class HeightOfClicks:
+    """One height with its uncertainty and budget, or why there is none (then every number is None).
+
+    `inset_m` is the inset assumed for one frame; `solved_inset_m` the one found from several.
+    `uncorrected_height_m` is the first frame's with an inset of 0.
+    """
+
+    status: MeasurementStatus
+    reason: str | None
+    height_m: float | None
+    u_height_m: float | None
+    U95_height_m: float | None
+    uncorrected_height_m: float | None
+    inset_m: float
+    u_inset_m: float
+    distance_m: float | None
+    budget: list[BudgetPart]
+    flags: list[str]
+    solved_inset_m: float | None = None
+    u_solved_inset_m: float | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class FurtherFrame:
     """The same two points, clicked on another frame of the pass."""
 
@@ -86,7 +109,7 @@ class FurtherFrame:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class MeasurementValues:
+class MeasurementValues(HeightOfClicks):
     """The content of one revision: what was clicked, on what, and the height computed from it.
 
     Points are (x, y) in pixels of the frame; `frame_crc32` is of its decoded luma. A name that ends in _m
@@ -103,24 +126,11 @@ class MeasurementValues:
     sigma_px: float
     pose_id: int
     calibration_id: int
-    inset_m: float
-    u_inset_m: float
-    height_m: float | None
-    uncorrected_height_m: float | None
-    u_height_m: float | None
-    U95_height_m: float | None
-    distance_m: float | None
-    status: MeasurementStatus
-    reason: str | None
-    flags: list[str]
-    budget: list[BudgetPart]
     code_version: str
     more_frames: Annotated[
         tuple[FurtherFrame, ...],
         Field(description="With any, the inset is solved for; `inset_m` is what one frame would assume."),
     ] = ()
-    solved_inset_m: float | None = None
-    u_solved_inset_m: float | None = None
 
     @property
     def frames(self) -> tuple[int, ...]:

@@ -1,7 +1,7 @@
 """Measurements: from clicks on a stored recording to a stored height, and what is shown before the click.
 
-The preview and the stored number come from the same function (`answering.answer`) with the same pose, sigma
-and inset, so for the same points they are the same number.
+The preview and the stored number come from the same function (`height_of_clicks.answer`) with the same pose,
+sigma and inset, so for the same points they are the same number.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from sightline.enums import Point, Target
 from sightline.errors import BadInput, Conflict
 from sightline.geometry.road_pose import RoadPose
 from sightline.geometry.ruler import Ruler, ruler
+from sightline.infra.by_name import filled_from
 from sightline.infra.database import Session
 from sightline.infra.version import code_version
 from sightline.measurements.click_context_query import (
@@ -119,35 +120,19 @@ def values_of_clicks(session: Session, context: ClickContext, clicks: Clicks) ->
     """
     pose, pose_id, calibration_id = pose_in_force(session, context)
     clicks = clicks_in_context(clicks, context)
-    sigma_px, inset_m, u_inset_m = clicks.assumed()
     found = answer(pose, clicks)
     frame = context.frame(clicks.frame)
-    return MeasurementValues(
-        target=clicks.target,
-        frame=frame.n,
+    return filled_from(
+        MeasurementValues,
+        found,
+        clicks,
         pts=frame.pts,
         time_s=frame.time_s,
         frame_crc32=frame.crc32,
-        contact=clicks.contact,
-        target_point=clicks.target_point,
-        sigma_px=sigma_px,
         pose_id=pose_id,
         calibration_id=calibration_id,
-        inset_m=inset_m,
-        u_inset_m=u_inset_m,
-        height_m=found.height_m,
-        uncorrected_height_m=found.uncorrected_height_m,
-        u_height_m=found.u_height_m,
-        U95_height_m=found.U95_height_m,
-        distance_m=found.distance_m,
-        status=found.status,
-        reason=found.reason,
-        flags=found.flags,
-        budget=found.budget,
         code_version=code_version(),
         more_frames=tuple(_further(context, one) for one in clicks.more_frames),
-        solved_inset_m=found.solved_inset_m,
-        u_solved_inset_m=found.u_solved_inset_m,
     )
 
 

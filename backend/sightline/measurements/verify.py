@@ -7,7 +7,7 @@ import json
 import math
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from itertools import groupby
 from typing import Any, cast
 
@@ -22,14 +22,19 @@ from sightline.infra.csv_package.files import number as figure_of
 from sightline.infra.csv_package.schema import metres_text, safe_text
 from sightline.measurements.csv import clicks_path
 from sightline.measurements.height_of_clicks import Answer, answer
-from sightline.measurements.records import ClickedFrame, Clicks
+from sightline.measurements.records import ClickedFrame, Clicks, HeightOfClicks
 from sightline.poses.csv import pose_path
 
 Row = Mapping[str, str]
 # Half of the last decimal that a CSV carries, and a hair for the rounding of the last binary digit.
 _HEIGHT_TOLERANCE_M = 0.51e-6
 _FURTHER = re.compile(r"(?:contact|target)(\d+)_[xy]_px")
-_RECOMPUTED = ("height_m", "uncorrected_height_m", "distance_m", "solved_inset_m")
+# Lengths that the clicks give; an inset is given with them, uncertainties are held against their budget.
+_RECOMPUTED = tuple(
+    one.name
+    for one in fields(HeightOfClicks)
+    if one.name.endswith("_m") and not one.name.startswith(("u_", "U95_", "inset"))
+)
 _ONLY_CURRENT = ("id", "verdict", "review_reason", "reviewer_id", "reviewed_at")
 
 

@@ -6,7 +6,7 @@ from fastapi import APIRouter, Query
 from pydantic import Field
 
 from sightline.enums import QueueState
-from sightline.infra.web.bodies import made_of
+from sightline.infra.by_name import filled_from
 from sightline.infra.web.deps import PathId, Reading, Reviewer, Viewer, Writing
 from sightline.measurements.bodies import MeasurementBody, measurement_body
 from sightline.reviews import query, store
@@ -34,7 +34,9 @@ def review_queue(
     found = store.review_queue(
         session, survey_id, state=state, after=after, only=measurement, limit=limit, actor=who.id
     )
-    return [made_of(QueueItemBody, item, measurement=measurement_body(item.measurement)) for item in found]
+    return [
+        filled_from(QueueItemBody, item, measurement=measurement_body(item.measurement)) for item in found
+    ]
 
 
 @router.post("/measurements/{measurement_id}/reviews", status_code=201)

@@ -1,10 +1,7 @@
 """Bodies that every route module shares: the strict base, the error, points, who, and the job."""
 
-from collections.abc import Callable, Iterable
-from dataclasses import fields
 from datetime import datetime
-from operator import attrgetter
-from typing import Annotated, Any, TypeVar
+from typing import Annotated, Any
 
 from pydantic import BaseModel, ConfigDict, Field, field_validator
 
@@ -38,42 +35,6 @@ class Out(BaseModel):
 
     # what has a default goes out all the same, and its description says so
     model_config = ConfigDict(from_attributes=True, json_schema_serialization_defaults_required=True)
-
-
-B = TypeVar("B")
-_Taker = tuple[list[str], Callable[[object], Iterable[object]]]
-_TAKERS: dict[tuple[object, ...], list[_Taker]] = {}  # as many as there are kinds of answers
-
-
-def made_of(body: type[B], *records: object, **more: object) -> B:
-    """An answer (a dataclass) with what the records hold under its fields' names, and `more` besides.
-
-    Of two records that hold a name the first counts. Raises TypeError where neither holds one.
-    """
-    key = (body, *(type(record) for record in records), *more)
-    take = _TAKERS.get(key) or _TAKERS.setdefault(key, _takers(body, records, more))
-    for record, (names, values_of) in zip(records, take, strict=True):
-        more.update(zip(names, values_of(record), strict=True))
-    return body(**more)
-
-
-def _takers(body: Any, records: Iterable[Any], given: Iterable[str]) -> list[_Taker]:
-    """Of each record the names that are taken from it, and what takes their values."""
-    wanted = [field.name for field in fields(body) if field.name not in given]
-    takers: list[_Taker] = []
-    for record in records:
-        held = {field.name for field in fields(record)}
-        names = [name for name in wanted if name in held]
-        wanted = [name for name in wanted if name not in held]
-        takers.append((names, _values_getter(names)))
-    return takers
-
-
-def _values_getter(names: list[str]) -> Callable[[object], Iterable[object]]:
-    """One call for all names of a record: a list of thousands of measurements is an ordinary answer."""
-    if len(names) > 1:
-        return attrgetter(*names)
-    return lambda record: [getattr(record, name) for name in names]
 
 
 class ErrorDetail(Out):

@@ -6,7 +6,8 @@ from typing import Annotated
 from fastapi import APIRouter, Query
 from pydantic import Field
 
-from sightline.infra.web.bodies import In, made_of
+from sightline.infra.by_name import filled_from
+from sightline.infra.web.bodies import In
 from sightline.infra.web.deps import Operator, PathId, Reading, Reviewer, Viewer, Writing
 from sightline.measurements.bodies import MeasurementBody, measurement_body
 from sightline.measurements.records import ClickSigma
@@ -57,7 +58,7 @@ def sample_to_click_again(
 def repeats_of_measurement(measurement_id: PathId, who: Viewer, session: Reading) -> list[ComparisonBody]:
     """The repeats of a measurement, each with its difference and what the clicks let one expect (k = 2)."""
     found = service.comparisons(session, measurement_id)
-    return [made_of(ComparisonBody, one, repeat=measurement_body(one.repeat)) for one in found]
+    return [filled_from(ComparisonBody, one, repeat=measurement_body(one.repeat)) for one in found]
 
 
 @router.put("/surveys/{survey_id}/people/{person_id}/click-sigma")

@@ -1,0 +1,41 @@
+"""Records filled from others by the names of their fields: what two of them share is written down once."""
+
+from collections.abc import Callable, Iterable
+from dataclasses import fields
+from operator import attrgetter
+from typing import Any, TypeVar
+
+T = TypeVar("T")
+_Taker = tuple[list[str], Callable[[object], Iterable[object]]]
+_TAKERS: dict[tuple[object, ...], list[_Taker]] = {}  # as many as there are kinds of records
+
+
+def filled_from(kind: type[T], *records: object, **more: object) -> T:
+    """A dataclass with what the records hold under its fields' names, and `more` besides.
+
+    Of two records that hold a name the first counts. Raises TypeError where neither holds one.
+    """
+    key = (kind, *(type(record) for record in records), *more)
+    take = _TAKERS.get(key) or _TAKERS.setdefault(key, _takers(kind, records, more))
+    for record, (names, values_of) in zip(records, take, strict=True):
+        more.update(zip(names, values_of(record), strict=True))
+    return kind(**more)
+
+
+def _takers(kind: Any, records: Iterable[Any], given: Iterable[str]) -> list[_Taker]:
+    """Of each record the names that are taken from it, and what takes their values."""
+    wanted = [field.name for field in fields(kind) if field.name not in given]
+    takers: list[_Taker] = []
+    for record in records:
+        held = {field.name for field in fields(record)}
+        names = [name for name in wanted if name in held]
+        wanted = [name for name in wanted if name not in held]
+        takers.append((names, _values_getter(names)))
+    return takers
+
+
+def _values_getter(names: list[str]) -> Callable[[object], Iterable[object]]:
+    """One call for all names of a record: a list of thousands of measurements is an ordinary answer."""
+    if len(names) > 1:
+        return attrgetter(*names)
+    return lambda record: [getattr(record, name) for name in names]
