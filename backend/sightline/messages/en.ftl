@@ -839,3 +839,135 @@ planning-forms-line-rate-value = { $line_rate_hz } Hz
 planning-forms-error-at = error at { $line_rate_hz } Hz
 planning-forms-error-value = { $error }, { $speed }
 planning-forms-note = n = b f / s: the lines from camera 1 to camera 2, of the baseline b, the line rate f and the speed s.
+
+## Survey: the overview
+
+survey-loading = the survey
+survey-demonstration = demonstration
+survey-edit = Edit
+survey-camera = Calibrate the camera
+survey-recordings = Bring in the recordings
+survey-pose = Find the road
+survey-vehicles = Measure the vehicles
+survey-review = Review the measurements
+survey-results = Export the results
+survey-camera-go = Calibrate
+survey-recordings-go = Add recordings
+survey-pose-go = Find the road
+survey-vehicles-go = Measure
+survey-review-go = Review
+survey-results-go = Export
+survey-open = Open
+survey-statistics = <link>Statistics</link>: errors, distributions, percentiles.
+survey-scans-none = <link>Line scans</link>: { $summary }
+survey-scans-label = Line scans, a way of their own beside these steps
+survey-scans = Line scans
+survey-scan-results = <link>Results</link>: speeds, gaps, lengths against the makers’.
+survey-count-scans = { $count ->
+    [one] line scan
+   *[other] line scans
+}
+survey-count-recordings = { $count ->
+    [one] recording
+   *[other] recordings
+}
+survey-count-vehicles = { $count ->
+    [one] vehicle
+   *[other] vehicles
+}
+survey-count-measured = of { NUMBER($count) } measured
+survey-count-measurements = { $count ->
+    [one] measurement
+   *[other] measurements
+}
+
+## Survey: editing it
+
+survey-edit-title = Edit the survey
+survey-edit-save = Save
+survey-name = Name
+survey-name-problem = A survey needs a name.
+survey-site = Site
+survey-description = Description
+survey-insets = Insets
+survey-insets-help = How far each target lies behind the plane through the tyres’ outer faces, away from the camera. Used for every new measurement; the second figure is its standard uncertainty.
+survey-insets-target = Target
+survey-insets-inset = inset ({ $unit })
+survey-insets-u = ± u ({ $unit })
+survey-inset-label = { $target }: inset in { $unit ->
+    [ft] feet
+   *[m] metres
+}
+survey-inset-u-label = { $target }: uncertainty in { $unit ->
+    [ft] feet
+   *[m] metres
+}
+survey-inset-problem = { $target }: give the inset and its uncertainty as numbers in { $unit ->
+    [ft] feet
+   *[m] metres
+}, for example { $inset } and { $u_inset }.
+
+## Survey: photographs of the set-up
+
+photographs-title = Photographs of the set-up
+photographs-help = The rig, the road, the board in place. The report and the package show them.
+photographs-choose = Choose photographs to add
+photographs-drop = Drop photographs here, or choose them
+photographs-adding = Adding { $count } …
+photographs-hint = JPEG, PNG, WebP or TIFF. Kept at 1600 pixels a side at most, without the place where they were taken.
+photographs-open = Open { $photograph }
+photographs-what = What it shows
+photographs-caption = Caption of { $photograph }
+photographs-left = Move { $photograph } to the left
+photographs-right = Move { $photograph } to the right
+photographs-remove = Take out { $photograph }
+photographs-removed = { $photograph } was taken out.
+
+## Surveys: the page
+
+surveys-lead = One survey is one campaign at one site: its camera, recordings, vehicles and people.
+surveys-loading = surveys
+surveys-new = New survey
+surveys-new-make = Make the survey
+surveys-new-name = Name
+surveys-new-name-example = Rouen south, lane 1
+surveys-new-name-problem = Give the survey a name, for example the road and the lane.
+surveys-new-site = Site
+surveys-new-site-example = D938, km 12.4, towards the south
+surveys-new-description = Description
+surveys-new-description-hint = What whoever opens it in five years should know.
+surveys-choose-password = Choose a password
+surveys-link-used = Your sign-in link is used up now; choose a password to be able to come back.
+surveys-demo-failed = The demonstration survey could not be made.
+surveys-demo-first = The demonstration survey is rendered from a known scene, so every height you measure in it can be compared with the truth. Try the work there first; then make a survey of your own.
+surveys-demo-open = Open the demonstration survey
+surveys-demo-title = Demonstration survey
+surveys-demo-being-made = being made
+surveys-demo-wait = Rendering a road, a checkerboard and some forty vehicles; this takes about a minute.
+surveys-none-title = No surveys yet
+surveys-none-make = Make a survey for a site, then calibrate its camera, drop in the day's video, and measure. The demonstration survey has all of that in it already.
+surveys-none = Nobody has made a survey yet. An operator can make the first one.
+surveys-card = <made>{ $recordings ->
+    [one] { $recordings } recording
+   *[other] { $recordings } recordings
+} · { $day }</made>
+surveys-card-with-site = { $site } · <made>{ $recordings ->
+    [one] { $recordings } recording
+   *[other] { $recordings } recordings
+} · { $day }</made>
+surveys-vehicles-measured = Vehicles measured
+surveys-heights-reviewed = Heights reviewed
+surveys-scans-reviewed = Scans reviewed
+surveys-scans = Line scans: { $summary }
+surveys-all-done = All steps done
+surveys-tally = { NUMBER($done) } <muted>of { NUMBER($all) }</muted>
+
+## Sign in: the page
+
+signin-loading = your account
+signin-link-title = Your sign-in link
+signin-with-password = Sign in with a password
+signin-email = E-mail
+signin-password = Password
+signin-submit = Sign in
+signin-help = No password yet? Use the one-time link: the server prints it when it first starts, and an administrator makes one for each new person.

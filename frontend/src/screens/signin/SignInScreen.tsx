@@ -2,8 +2,10 @@ import { useEffect, useState } from "preact/hooks";
 import { Button, Loading, Mark, Notice, TextField } from "../../components";
 import { navigate, query } from "../../core/address";
 import { ApiError, api, explain } from "../../core/api";
+import { say } from "../../core/messages";
 import { me, safeNext } from "../../core/session";
 import type { Me } from "../../core/types";
+import { formatHeight } from "../../core/units";
 import "./signin.css";
 
 /** Signs in with a one-time link (`/sign-in?token=...`) or with e-mail and password. */
@@ -14,7 +16,7 @@ export default function SignInScreen() {
       <div class="signin__card">
         <div class="signin__mark">
           <Mark size={32} />
-          <span>Sightline</span>
+          <span>{say("app-name")}</span>
         </div>
         {token ? <LinkSignIn token={token} /> : <PasswordSignIn />}
       </div>
@@ -40,17 +42,17 @@ function LinkSignIn({ token }: { token: string }) {
     }
   };
   useEffect(() => void go(), []);
-  if (problem === null) return <Loading what="your account" />;
+  if (problem === null) return <Loading what={say("signin-loading")} />;
   const used = problem instanceof ApiError && problem.status === 401;
   return (
     <>
-      <h1>Your sign-in link</h1>
+      <h1>{say("signin-link-title")}</h1>
       <Notice kind="problem">{explain(problem)}</Notice>
       {used ? (
-        <Button href="/sign-in">Sign in with a password</Button>
+        <Button href="/sign-in">{say("signin-with-password")}</Button>
       ) : (
         <Button kind="primary" onClick={() => void go()}>
-          Try again
+          {say("action-try-again")}
         </Button>
       )}
     </>
@@ -78,10 +80,10 @@ function PasswordSignIn() {
   };
   return (
     <form class="stack" onSubmit={submit}>
-      <h1>Sign in</h1>
+      <h1>{say("page-sign-in")}</h1>
       {problem !== null && <Notice kind="problem">{explain(problem)}</Notice>}
       <TextField
-        label="E-mail"
+        label={say("signin-email")}
         type="email"
         value={email}
         onInput={setEmail}
@@ -89,7 +91,7 @@ function PasswordSignIn() {
         required
       />
       <TextField
-        label="Password"
+        label={say("signin-password")}
         type="password"
         value={password}
         onInput={setPassword}
@@ -97,12 +99,9 @@ function PasswordSignIn() {
         required
       />
       <Button kind="primary" type="submit" busy={busy}>
-        Sign in
+        {say("signin-submit")}
       </Button>
-      <p class="field__hint">
-        No password yet? Use the one-time link: the server prints it when it first starts, and an
-        administrator makes one for each new person.
-      </p>
+      <p class="field__hint">{say("signin-help")}</p>
     </form>
   );
 }
@@ -154,7 +153,7 @@ function SightDrawing() {
       </g>
       <g fill="var(--stage-ink)" font-size="15" style="font-variant-numeric: tabular-nums">
         <text x="700" y="358" text-anchor="end">
-          1.618 ± 0.013 m
+          {formatHeight(1.618, 0.013)}
         </text>
       </g>
     </svg>

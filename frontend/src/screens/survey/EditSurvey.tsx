@@ -1,17 +1,11 @@
 import { useState } from "preact/hooks";
 import { FormDialog, TextField } from "../../components";
 import { api } from "../../core/api";
+import { say } from "../../core/messages";
 import { refreshSurvey } from "../../core/survey";
 import type { Inset, Survey, Target } from "../../core/types";
 import { lengthText, lengthUnit, parseLength } from "../../core/units";
-
-const TARGETS: { key: Target; label: string }[] = [
-  { key: "roof", label: "Roof" },
-  { key: "driver_eye", label: "Driver’s eye" },
-  { key: "taillight", label: "Taillight" },
-  { key: "headlight", label: "Headlight" },
-  { key: "other", label: "Other" },
-];
+import { TARGET_WORDS, TARGETS } from "../../core/words";
 
 type Typed = Record<Target, { inset: string; u: string }>;
 
@@ -44,44 +38,47 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
     await refreshSurvey();
     close();
   };
+  const unit = lengthUnit.value;
   const change = (key: Target, part: "inset" | "u", value: string) =>
     setInsets({ ...insets, [key]: { ...insets[key], [part]: value } });
   return (
-    <FormDialog title="Edit the survey" action="Save" onClose={close} submit={submit}>
+    <FormDialog
+      title={say("survey-edit-title")}
+      action={say("survey-edit-save")}
+      onClose={close}
+      submit={submit}
+    >
       <TextField
-        label="Name"
+        label={say("survey-name")}
         value={name}
         onInput={setName}
-        problem={name.trim() ? null : "A survey needs a name."}
+        problem={name.trim() ? null : say("survey-name-problem")}
       />
-      <TextField label="Site" value={site} onInput={setSite} />
-      <TextField label="Description" value={description} onInput={setDescription} rows={3} />
+      <TextField label={say("survey-site")} value={site} onInput={setSite} />
+      <TextField label={say("survey-description")} value={description} onInput={setDescription} rows={3} />
       <fieldset class="insets">
-        <legend>Insets</legend>
-        <p class="field__hint">
-          How far each target lies behind the plane through the tyres’ outer faces, away from the camera. Used
-          for every new measurement; the second figure is its standard uncertainty.
-        </p>
+        <legend>{say("survey-insets")}</legend>
+        <p class="field__hint">{say("survey-insets-help")}</p>
         <table class="table">
           <thead>
             <tr>
-              <th>Target</th>
-              <th class="num">inset ({lengthUnit.value})</th>
-              <th class="num">± u ({lengthUnit.value})</th>
+              <th>{say("survey-insets-target")}</th>
+              <th class="num">{say("survey-insets-inset", { unit })}</th>
+              <th class="num">{say("survey-insets-u", { unit })}</th>
             </tr>
           </thead>
           <tbody>
-            {TARGETS.map(({ key, label }) => (
+            {TARGETS.map((key) => (
               <tr key={key}>
                 <td>
-                  {label}
+                  {TARGET_WORDS[key]}
                   {survey.insets[key]?.note && <div class="field__hint">{survey.insets[key].note}</div>}
                 </td>
                 <td>
                   <TextField
                     hideLabel
                     numeric
-                    label={`${label}: inset in ${unitWord()}`}
+                    label={say("survey-inset-label", { target: TARGET_WORDS[key], unit })}
                     value={insets[key].inset}
                     onInput={(v) => change(key, "inset", v)}
                   />
@@ -90,7 +87,7 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
                   <TextField
                     hideLabel
                     numeric
-                    label={`${label}: uncertainty in ${unitWord()}`}
+                    label={say("survey-inset-u-label", { target: TARGET_WORDS[key], unit })}
                     value={insets[key].u}
                     onInput={(v) => change(key, "u", v)}
                   />
@@ -107,7 +104,7 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
 
 function typedInsets(survey: Survey): Typed {
   const typed = {} as Typed;
-  for (const { key } of TARGETS) {
+  for (const key of TARGETS) {
     const inset = survey.insets[key];
     typed[key] = { inset: lengthText(inset?.inset_m ?? 0), u: lengthText(inset?.u_inset_m ?? 0) };
   }
@@ -116,13 +113,15 @@ function typedInsets(survey: Survey): Typed {
 
 function readInsets(typed: Typed, survey: Survey): Record<Target, Inset> | string {
   const read = {} as Record<Target, Inset>;
-  for (const { key, label } of TARGETS) {
+  for (const key of TARGETS) {
     const before = survey.insets[key];
     const inset_m = metresOf(typed[key].inset, before?.inset_m);
     const u_inset_m = metresOf(typed[key].u, before?.u_inset_m);
     if (inset_m === null || u_inset_m === null || u_inset_m < 0) {
-      const example = `${lengthText(0.12, lengthUnit.value, 2)} and ${lengthText(0.05, lengthUnit.value, 2)}`;
-      return `${label}: give the inset and its uncertainty as numbers in ${unitWord()}, for example ${example}.`;
+      const unit = lengthUnit.value;
+      const inset = lengthText(0.12, unit, 2);
+      const u_inset = lengthText(0.05, unit, 2);
+      return say("survey-inset-problem", { target: TARGET_WORDS[key], unit, inset, u_inset });
     }
     read[key] = { inset_m, u_inset_m, note: before?.note ?? "" };
   }
@@ -132,8 +131,4 @@ function readInsets(typed: Typed, survey: Survey): Record<Target, Inset> | strin
 /** A typed length; one that was left as it stood is not rounded by having been shown. */
 function metresOf(text: string, before: number | undefined): number | null {
   return before !== undefined && text === lengthText(before) ? before : parseLength(text);
-}
-
-function unitWord(): string {
-  return lengthUnit.value === "ft" ? "feet" : "metres";
 }

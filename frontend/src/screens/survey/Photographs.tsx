@@ -1,6 +1,7 @@
 import { useEffect, useState } from "preact/hooks";
 import { Button, DropFiles, Icon, Problem } from "../../components";
 import { api, explain } from "../../core/api";
+import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
 import { may } from "../../core/session";
 import { toast, toastProblem } from "../../core/toasts";
@@ -20,8 +21,8 @@ export function Photographs({ surveyId }: { surveyId: number }) {
   if (read.data.length === 0 && !mayChange) return null;
   return (
     <section class="photographs" aria-labelledby="photographs-title">
-      <h2 id="photographs-title">Photographs of the set-up</h2>
-      <p class="muted">The rig, the road, the board in place. The report and the package show them.</p>
+      <h2 id="photographs-title">{say("photographs-title")}</h2>
+      <p class="muted">{say("photographs-help")}</p>
       {read.data.length > 0 && (
         <ol class="photographs__list">
           {read.data.map((one, place, all) => (
@@ -45,9 +46,11 @@ export function Photographs({ surveyId }: { surveyId: number }) {
       ))}
       {mayChange && (
         <DropFiles
-          label="Choose photographs to add"
-          title={work.waiting > 0 ? `Adding ${work.waiting} …` : "Drop photographs here, or choose them"}
-          hint="JPEG, PNG, WebP or TIFF. Kept at 1600 pixels a side at most, without the place where they were taken."
+          label={say("photographs-choose")}
+          title={
+            work.waiting > 0 ? say("photographs-adding", { count: work.waiting }) : say("photographs-drop")
+          }
+          hint={say("photographs-hint")}
           accept="image/jpeg,image/png,image/webp,image/tiff,.jpg,.jpeg,.png,.webp,.tif,.tiff"
           disabled={work.waiting > 0}
           add={work.add}
@@ -69,11 +72,17 @@ interface CardProps {
 function Card({ one, mayChange, earlier, later, caption, remove }: CardProps) {
   const [text, setText] = useState(one.caption);
   useEffect(() => setText(one.caption), [one.caption]);
-  const words = one.caption || one.name;
+  const photograph = one.caption || one.name;
   return (
     <li class="photograph">
-      <a class="photograph__picture" href={one.url} target="_blank" rel="noreferrer" title={`Open ${words}`}>
-        <img src={one.url} alt={words} loading="lazy" />
+      <a
+        class="photograph__picture"
+        href={one.url}
+        target="_blank"
+        rel="noreferrer"
+        title={say("photographs-open", { photograph })}
+      >
+        <img src={one.url} alt={photograph} loading="lazy" />
       </a>
       {mayChange ? (
         <>
@@ -82,8 +91,8 @@ function Card({ one, mayChange, earlier, later, caption, remove }: CardProps) {
             rows={2}
             value={text}
             maxLength={500}
-            placeholder="What it shows"
-            aria-label={`Caption of ${one.name}`}
+            placeholder={say("photographs-what")}
+            aria-label={say("photographs-caption", { photograph: one.name })}
             onInput={(event) => setText(event.currentTarget.value)}
             onChange={(event) => caption(event.currentTarget.value)}
           />
@@ -95,7 +104,7 @@ function Card({ one, mayChange, earlier, later, caption, remove }: CardProps) {
               small
               kind="quiet"
               icon="left"
-              label={`Move ${words} to the left`}
+              label={say("photographs-left", { photograph })}
               disabled={!earlier}
               onClick={() => earlier?.()}
             />
@@ -103,15 +112,21 @@ function Card({ one, mayChange, earlier, later, caption, remove }: CardProps) {
               small
               kind="quiet"
               icon="right"
-              label={`Move ${words} to the right`}
+              label={say("photographs-right", { photograph })}
               disabled={!later}
               onClick={() => later?.()}
             />
-            <Button small kind="quiet" icon="close" label={`Take out ${words}`} onClick={remove} />
+            <Button
+              small
+              kind="quiet"
+              icon="close"
+              label={say("photographs-remove", { photograph })}
+              onClick={remove}
+            />
           </div>
         </>
       ) : (
-        <p>{words}</p>
+        <p>{photograph}</p>
       )}
     </li>
   );
@@ -173,7 +188,9 @@ function usePhotographs(
         });
         const back = () =>
           run(() => api.write("POST /photographs/{photograph_id}/restore", { photograph_id: one.id }));
-        toast(`${one.caption || one.name} was taken out.`, { action: { label: "Undo", run: back } });
+        toast(say("photographs-removed", { photograph: one.caption || one.name }), {
+          action: { label: say("command-undo"), run: back },
+        });
       }),
   };
 }

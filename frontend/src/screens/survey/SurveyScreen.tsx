@@ -1,13 +1,16 @@
 import { useState } from "preact/hooks";
 import { Button, Icon, JobProgress, Loading, Shape } from "../../components";
+import { Said } from "../../components/Said";
 import { api } from "../../core/api";
 import { isOver } from "../../core/jobs";
+import { say, wordsOf } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useEvery, useResource } from "../../core/resource";
 import { may } from "../../core/session";
 import { survey as openSurvey, refreshSurvey } from "../../core/survey";
 import type { Step, Survey } from "../../core/types";
 import { formatCount } from "../../core/units";
+import { STATE_WORDS } from "../../core/words";
 import { entryOfStep } from "../../core/work";
 import { EditSurvey } from "./EditSurvey";
 import { Photographs } from "./Photographs";
@@ -23,21 +26,22 @@ export default function SurveyScreen({ surveyId }: ScreenProps) {
     await refreshSurvey();
   });
   const survey = openSurvey.value;
-  if (!survey || survey.id !== surveyId) return <Loading what="the survey" />;
+  if (!survey || survey.id !== surveyId) return <Loading what={say("survey-loading")} />;
   return (
     <div class="page">
       <header class="page__head">
         <div>
           <h1>
-            {survey.name} {survey.is_demo && <span class="badge title-badge">demonstration</span>}
+            {survey.name}{" "}
+            {survey.is_demo && <span class="badge title-badge">{say("survey-demonstration")}</span>}
           </h1>
           {survey.site && <p class="page__lead">{survey.site}</p>}
           {survey.description && <p class="page__lead">{survey.description}</p>}
         </div>
-        <Button href={`/surveys/${survey.id}/planning`}>Plan the site</Button>
-        <Button href={`/surveys/${survey.id}/checks`}>Checks</Button>
-        <Button href={`/surveys/${survey.id}/repeats`}>Repeats</Button>
-        {may("operator") && <Button onClick={() => setEditing(true)}>Edit</Button>}
+        <Button href={`/surveys/${survey.id}/planning`}>{say("page-planning")}</Button>
+        <Button href={`/surveys/${survey.id}/checks`}>{say("page-checks")}</Button>
+        <Button href={`/surveys/${survey.id}/repeats`}>{say("page-repeats")}</Button>
+        {may("operator") && <Button onClick={() => setEditing(true)}>{say("survey-edit")}</Button>}
       </header>
       {running.map((job) => (
         <div class="panel panel__body" key={job.id}>
@@ -63,67 +67,69 @@ function LineScans({ survey }: { survey: Survey }) {
   if (scans.state === "none")
     return (
       <p class="muted" data-testid="line-scans">
-        <a href={href}>Line scans</a>: {scans.summary}
+        <Said
+          what="survey-scans-none"
+          values={{ summary: scans.summary }}
+          parts={{ link: (text) => <a href={href}>{text}</a> }}
+        />
       </p>
     );
   return (
-    <section
-      class="steps"
-      aria-label="Line scans, a way of their own beside these steps"
-      data-testid="line-scans"
-    >
+    <section class="steps" aria-label={say("survey-scans-label")} data-testid="line-scans">
       <div class={`step step--${scans.state === "done" ? "done" : "next"}`}>
         <span class="step__number step__number--plain" aria-hidden="true">
           {scans.state === "done" ? <Shape shape="check" size={24} /> : <Icon name="scan" size={20} />}
         </span>
         <div class="step__words">
           <h2>
-            <a href={href}>Line scans</a>
-            <span class="step__state">{scans.state === "done" ? "done" : "to do"}</span>
+            <a href={href}>{say("survey-scans")}</a>
+            <span class="step__state">{scans.state === "done" ? STATE_WORDS.done : STATE_WORDS.to_do}</span>
           </h2>
           <p>{scans.summary}</p>
           {scans.accepted > 0 && (
             <p>
-              <a href={`${href}/results`}>Results</a>: speeds, gaps, lengths against the makers’.
+              <Said
+                what="survey-scan-results"
+                parts={{ link: (text) => <a href={`${href}/results`}>{text}</a> }}
+              />
             </p>
           )}
         </div>
         <Figures
           figures={[
-            [scans.scans, scans.scans === 1 ? "line scan" : "line scans"],
-            [scans.vehicles, "vehicles"],
-            [scans.to_review, "to review"],
-            [scans.accepted, "accepted"],
+            [scans.scans, say("survey-count-scans", { count: scans.scans })],
+            [scans.vehicles, say("survey-count-vehicles", { count: scans.vehicles })],
+            [scans.to_review, STATE_WORDS.to_review],
+            [scans.accepted, STATE_WORDS.accepted],
           ]}
         />
-        <Button href={href}>Open</Button>
+        <Button href={href}>{say("survey-open")}</Button>
       </div>
     </section>
   );
 }
 
-const TITLES: Record<Step["key"], string> = {
-  camera: "Calibrate the camera",
-  recordings: "Bring in the recordings",
-  pose: "Find the road",
-  vehicles: "Measure the vehicles",
-  review: "Review the measurements",
-  results: "Export the results",
-};
+const TITLES: Readonly<Record<Step["key"], string>> = wordsOf({
+  camera: "survey-camera",
+  recordings: "survey-recordings",
+  pose: "survey-pose",
+  vehicles: "survey-vehicles",
+  review: "survey-review",
+  results: "survey-results",
+});
 
-const VERBS: Record<Step["key"], string> = {
-  camera: "Calibrate",
-  recordings: "Add recordings",
-  pose: "Find the road",
-  vehicles: "Measure",
-  review: "Review",
-  results: "Export",
-};
+const VERBS: Readonly<Record<Step["key"], string>> = wordsOf({
+  camera: "survey-camera-go",
+  recordings: "survey-recordings-go",
+  pose: "survey-pose-go",
+  vehicles: "survey-vehicles-go",
+  review: "survey-review-go",
+  results: "survey-results-go",
+});
 
 function StepRow({ step, index, survey }: { step: Step; index: number; survey: Survey }) {
   const entry = entryOfStep(step.key);
   const href = `/surveys/${survey.id}${entry?.path ?? ""}`;
-  const word = { done: "done", next: "next", waiting: "waiting" }[step.state];
   return (
     <li class={`step step--${step.state}`}>
       <span class="step__number" aria-hidden="true">
@@ -132,18 +138,21 @@ function StepRow({ step, index, survey }: { step: Step; index: number; survey: S
       <div class="step__words">
         <h2>
           <a href={href}>{TITLES[step.key]}</a>
-          <span class="step__state">{word}</span>
+          <span class="step__state">{STATE_WORDS[step.state]}</span>
         </h2>
         <p>{step.summary}</p>
         {step.key === "results" && (
           <p>
-            <a href={`/statistics?survey=${survey.id}`}>Statistics</a>: errors, distributions, percentiles.
+            <Said
+              what="survey-statistics"
+              parts={{ link: (text) => <a href={`/statistics?survey=${survey.id}`}>{text}</a> }}
+            />
           </p>
         )}
       </div>
       <Counts step={step} survey={survey} />
       <Button kind={step.state === "next" ? "primary" : "plain"} href={href}>
-        {step.state === "done" ? "Open" : VERBS[step.key]}
+        {step.state === "done" ? say("survey-open") : VERBS[step.key]}
       </Button>
     </li>
   );
@@ -153,16 +162,16 @@ function Counts({ step, survey }: { step: Step; survey: Survey }) {
   const { counts } = survey;
   const figures: [number, string][] = {
     camera: [],
-    recordings: [[counts.recordings, "recordings"]],
+    recordings: [[counts.recordings, say("survey-count-recordings", { count: counts.recordings })]],
     pose: [],
     vehicles: [
-      [counts.vehicles_measured, `of ${formatCount(counts.vehicles)} measured`],
-      [counts.measurements, "measurements"],
+      [counts.vehicles_measured, say("survey-count-measured", { count: counts.vehicles })],
+      [counts.measurements, say("survey-count-measurements", { count: counts.measurements })],
     ],
     review: [
-      [counts.to_review, "to review"],
-      [counts.accepted, "accepted"],
-      [counts.rejected, "rejected"],
+      [counts.to_review, STATE_WORDS.to_review],
+      [counts.accepted, STATE_WORDS.accepted],
+      [counts.rejected, STATE_WORDS.rejected],
     ],
     results: [],
   }[step.key] as [number, string][];

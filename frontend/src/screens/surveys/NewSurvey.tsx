@@ -2,6 +2,7 @@ import { useState } from "preact/hooks";
 import { FormDialog, TextField } from "../../components";
 import { navigate } from "../../core/address";
 import { api } from "../../core/api";
+import { say } from "../../core/messages";
 
 export function NewSurvey({ close }: { close: () => void }) {
   const [name, setName] = useState("");
@@ -21,23 +22,26 @@ export function NewSurvey({ close }: { close: () => void }) {
     navigate(`/surveys/${made.id}`);
   };
   return (
-    <FormDialog title="New survey" action="Make the survey" onClose={close} submit={submit}>
+    <FormDialog title={say("surveys-new")} action={say("surveys-new-make")} onClose={close} submit={submit}>
       <TextField
-        label="Name"
+        label={say("surveys-new-name")}
         value={name}
         onInput={setName}
-        placeholder="Rouen south, lane 1"
-        problem={
-          missing && !name.trim() ? "Give the survey a name, for example the road and the lane." : null
-        }
+        placeholder={say("surveys-new-name-example")}
+        problem={missing && !name.trim() ? say("surveys-new-name-problem") : null}
       />
-      <TextField label="Site" value={site} onInput={setSite} placeholder="D938, km 12.4, towards the south" />
       <TextField
-        label="Description"
+        label={say("surveys-new-site")}
+        value={site}
+        onInput={setSite}
+        placeholder={say("surveys-new-site-example")}
+      />
+      <TextField
+        label={say("surveys-new-description")}
         value={description}
         onInput={setDescription}
         rows={3}
-        hint="What whoever opens it in five years should know."
+        hint={say("surveys-new-description-hint")}
       />
     </FormDialog>
   );

@@ -1,13 +1,14 @@
 import type { ComponentChildren } from "preact";
 import { useState } from "preact/hooks";
 import { Button, Empty, JobProgress, Loading, Notice, Problem, StateMark } from "../../components";
+import { Said } from "../../components/Said";
 import { api } from "../../core/api";
 import { isOver } from "../../core/jobs";
+import { say } from "../../core/messages";
 import { useEvery, useResource } from "../../core/resource";
 import { may, me } from "../../core/session";
 import { formatDay } from "../../core/times";
 import type { Job, Survey } from "../../core/types";
-import { formatCount, plural } from "../../core/units";
 import { NewSurvey } from "./NewSurvey";
 import "./surveys.css";
 
@@ -30,7 +31,7 @@ export default function SurveysScreen() {
       </div>
     );
   }
-  if (!surveys.data) return <Loading what="surveys" />;
+  if (!surveys.data) return <Loading what={say("surveys-loading")} />;
   return (
     <SurveyList surveys={surveys.data} lastDemo={lastDemo}>
       <Problem error={surveys.error} again={surveys.reload} />
@@ -57,27 +58,18 @@ function SurveyList({ surveys, lastDemo, children }: SurveyListProps) {
     <div class="page page--alone">
       <header class="page__head">
         <div>
-          <h1>Surveys</h1>
-          {!nothing && (
-            <p class="page__lead">
-              One survey is one campaign at one site: its camera, recordings, vehicles and people.
-            </p>
-          )}
+          <h1>{say("page-surveys")}</h1>
+          {!nothing && <p class="page__lead">{say("surveys-lead")}</p>}
         </div>
         {!nothing && may("operator") && <AddSurvey primary={!onlyDemo} make={make} />}
       </header>
       {me.value?.needs_password && <ChoosePassword />}
       {children}
       {lastDemo?.state === "failed" && !demo && (
-        <Notice kind="problem">{lastDemo.error ?? "The demonstration survey could not be made."}</Notice>
+        <Notice kind="problem">{lastDemo.error ?? say("surveys-demo-failed")}</Notice>
       )}
       {nothing ? <NoSurvey make={make} /> : <Cards demoJob={demoJob} surveys={listed} />}
-      {onlyDemo && demo && may("operator") && (
-        <p class="muted">
-          The demonstration survey is rendered from a known scene, so every height you measure in it can be
-          compared with the truth. Try the work there first; then make a survey of your own.
-        </p>
-      )}
+      {onlyDemo && demo && may("operator") && <p class="muted">{say("surveys-demo-first")}</p>}
       {making && <NewSurvey close={() => setMaking(false)} />}
     </div>
   );
@@ -86,7 +78,7 @@ function SurveyList({ surveys, lastDemo, children }: SurveyListProps) {
 function AddSurvey({ primary, make }: { primary: boolean; make: () => void }) {
   return (
     <Button kind={primary ? "primary" : "plain"} icon="add" onClick={make}>
-      New survey
+      {say("surveys-new")}
     </Button>
   );
 }
@@ -94,14 +86,10 @@ function AddSurvey({ primary, make }: { primary: boolean; make: () => void }) {
 function ChoosePassword() {
   const toAccount = (
     <Button small href="/account">
-      Choose a password
+      {say("surveys-choose-password")}
     </Button>
   );
-  return (
-    <Notice actions={toAccount}>
-      Your sign-in link is used up now; choose a password to be able to come back.
-    </Notice>
-  );
+  return <Notice actions={toAccount}>{say("surveys-link-used")}</Notice>;
 }
 
 function Cards({ demoJob, surveys }: { demoJob: Job | null; surveys: readonly Survey[] }) {
@@ -126,27 +114,23 @@ function NoSurvey({ make }: { make: () => void }) {
   return (
     <div class="panel">
       <Empty
-        title="No surveys yet"
+        title={say("surveys-none-title")}
         actions={
           <>
             {demoId !== null && (
               <Button kind="primary" href={`/surveys/${demoId}`}>
-                Open the demonstration survey
+                {say("surveys-demo-open")}
               </Button>
             )}
             {may("operator") && (
               <Button kind={demoId === null ? "primary" : "plain"} icon="add" onClick={make}>
-                New survey
+                {say("surveys-new")}
               </Button>
             )}
           </>
         }
       >
-        <p>
-          {may("operator")
-            ? "Make a survey for a site, then calibrate its camera, drop in the day's video, and measure. The demonstration survey has all of that in it already."
-            : "Nobody has made a survey yet. An operator can make the first one."}
-        </p>
+        <p>{say(may("operator") ? "surveys-none-make" : "surveys-none")}</p>
       </Empty>
     </div>
   );
@@ -158,6 +142,8 @@ function SurveyCard({ survey }: { survey: Survey }) {
   const { scans } = survey;
   const reviewed = counts.accepted + counts.rejected;
   const scanned = scans.accepted + scans.rejected;
+  const made = { recordings: counts.recordings, day: formatDay(survey.created_at) };
+  const parts = { made: (text: string) => <span title={survey.created_at}>{text}</span> };
   return (
     <article class="card">
       <header>
@@ -166,26 +152,33 @@ function SurveyCard({ survey }: { survey: Survey }) {
             {survey.name}
           </a>
         </h2>
-        {survey.is_demo && <span class="badge">demonstration</span>}
+        {survey.is_demo && <span class="badge">{say("survey-demonstration")}</span>}
       </header>
       <p class="muted clip">
-        {survey.site && `${survey.site} · `}
-        <span title={survey.created_at}>
-          {plural(counts.recordings, "recording")} · {formatDay(survey.created_at)}
-        </span>
+        {survey.site ? (
+          <Said what="surveys-card-with-site" values={{ site: survey.site, ...made }} parts={parts} />
+        ) : (
+          <Said what="surveys-card" values={made} parts={parts} />
+        )}
       </p>
       <div class="card__bars">
-        <Tally label="Vehicles measured" done={counts.vehicles_measured} of={counts.vehicles} />
-        <Tally label="Heights reviewed" done={reviewed} of={reviewed + counts.to_review} />
-        {scans.scans > 0 && <Tally label="Scans reviewed" done={scanned} of={scanned + scans.to_review} />}
+        <Tally
+          label={say("surveys-vehicles-measured")}
+          done={counts.vehicles_measured}
+          of={counts.vehicles}
+        />
+        <Tally label={say("surveys-heights-reviewed")} done={reviewed} of={reviewed + counts.to_review} />
+        {scans.scans > 0 && (
+          <Tally label={say("surveys-scans-reviewed")} done={scanned} of={scanned + scans.to_review} />
+        )}
       </div>
       <footer>
         {next ? (
           <StateMark state="next" word={next.summary} />
         ) : scans.state === "open" ? (
-          <StateMark state="next" word={`Line scans: ${scans.summary}`} />
+          <StateMark state="next" word={say("surveys-scans", { summary: scans.summary })} />
         ) : (
-          <StateMark state="done" word="All steps done" />
+          <StateMark state="done" word={say("surveys-all-done")} />
         )}
       </footer>
     </article>
@@ -198,7 +191,11 @@ function Tally({ label, done, of }: { label: string; done: number; of: number })
     <div class="tally">
       <span class="tally__label">{label}</span>
       <span class="tally__figure">
-        {formatCount(done)} <span class="muted">of {formatCount(of)}</span>
+        <Said
+          what="surveys-tally"
+          values={{ done, all: of }}
+          parts={{ muted: (text) => <span class="muted">{text}</span> }}
+        />
       </span>
       <span class="tally__track" aria-hidden="true">
         <span style={{ width: `${share * 100}%` }} />
@@ -211,12 +208,10 @@ function DemoCard({ job }: { job: Job }) {
   return (
     <article class="card">
       <header>
-        <h2>Demonstration survey</h2>
-        <span class="badge">being made</span>
+        <h2>{say("surveys-demo-title")}</h2>
+        <span class="badge">{say("surveys-demo-being-made")}</span>
       </header>
-      <p class="muted">
-        Rendering a road, a checkerboard and some forty vehicles; this takes about a minute.
-      </p>
+      <p class="muted">{say("surveys-demo-wait")}</p>
       <JobProgress job={job} />
     </article>
   );
