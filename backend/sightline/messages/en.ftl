@@ -351,6 +351,200 @@ blind-target = { $target ->
 }
 blind-wrong-frame = Click on frame { $frame }, where the first clicks are.
 
+## Camera: the page
+
+camera-lead = A body and lens at one setting of zoom and focus. Calibrating it tells how the lens bends the picture, and how well that is known.
+camera-another = Another camera
+camera-loading-all = cameras
+camera-loading = the camera
+camera-none-title = No camera yet
+camera-none = Name the camera that filmed this site. Then drop in some fifteen pictures of a checkerboard, taken with it at the same zoom and focus, or a file with its calibration from another tool.
+camera-add-first = Add the camera
+camera-list = Cameras
+camera-add = Add a camera
+camera-name = Camera { $number }
+camera-name-problem = A camera needs a name.
+camera-notes-hint = Body, lens, zoom and focus setting: what must stay the same for the calibration to hold.
+
+## Camera: calibrating
+
+camera-calibrate = Calibrate
+camera-calibrate-again = Calibrate again
+camera-where-boards = Where the boards are
+camera-from-pictures = From pictures
+camera-from-recording = From a recording
+camera-choose-pictures = Choose pictures of the checkerboard
+camera-drop-pictures = Drop pictures of the checkerboard here, or click to choose
+camera-drop-hint = Same camera, same zoom and focus. Tilt the board, bring it into every corner, keep it sharp.
+camera-found-in = { $count ->
+    [one] The board was found in <strong>{ $found }</strong> of { $count } image.
+   *[other] The board was found in <strong>{ $found }</strong> of { $count } images.
+}
+camera-too-few = At least three are needed; twelve to twenty from different sides give a good calibration.
+camera-more-better = That will do; twelve to twenty, with the board tilted and in every corner of the picture, do better.
+camera-other-board = The images were searched for another board; look again for { $columns } × { $rows } inner corners.
+camera-other-board-markers = The images were searched for another board; look again for { $columns } × { $rows } inner corners and markers of { $dictionary }.
+camera-look-again = Look again
+camera-to-go = { $count ->
+    [one] { $count } image to go
+   *[other] { $count } images to go
+}
+camera-import = Import a calibration file
+camera-import-title = OpenCV YAML or JSON, ROS camera_info, Kalibr, mrcal
+camera-imported = { $file } was read.
+camera-failed = The calibration failed; try again.
+camera-recording = Recording
+camera-recording-frames = { $count ->
+    [one] { $recording } ({ $count } frame)
+   *[other] { $recording } ({ $count } frames)
+}
+camera-every = Every n-th frame
+camera-first-frame = First frame
+camera-last-frame = Last frame
+camera-no-recording = No recording is ready; <link>bring in the clip</link> in which the board is moved about.
+camera-every-problem = Take every n-th frame, with n a whole number from 1.
+camera-frames-problem = Give the first and last frame as whole numbers.
+camera-frames-order = The last frame lies before the first.
+camera-frames-end = The recording ends with frame { $last_frame }.
+camera-lens = Lens
+camera-lens-brown = Ordinary lens
+camera-lens-fisheye = Fisheye
+camera-lens-brown-hint = Pinhole with Brown distortion: up to about 100° of view.
+camera-lens-fisheye-hint = Equidistant with four terms: for lenses that see more than about 100°.
+camera-board = Board
+camera-board-flat = Flat board
+camera-board-bent = May be bent
+camera-board-flat-hint = On a stiff plate. The result says how flat it was.
+camera-board-bent-hint = Paper on a wall or thin sheet: its shape is solved for too. Needs six views, better 15.
+camera-three-images = Three images with the board are the least; the button wakes up then.
+camera-corners-found = { $count ->
+    [one] { $count } corner found in { $image }
+   *[other] { $count } corners found in { $image }
+}
+camera-remove = Remove { $image }
+camera-found-some = { $found } of { $all } found
+camera-found-all = { $columns } × { $rows } found
+
+## Camera: the board
+
+camera-inner-corners = Count the <strong>inner corners</strong>: the points where four squares meet. A board of 10 by 7 squares has 9 by 6.
+camera-charuco-corners = Makers of ChArUco boards often state the squares: one less each way. Part of the board in a picture is enough.
+camera-columns = Columns
+camera-rows = Rows
+camera-square = Side of one square
+camera-square-hint = Measure across ten squares with a ruler and divide by ten: printers rarely keep the size.
+camera-square-problem = { $unit ->
+    [ft] Give the side of one square in inches, for example { $example }.
+   *[m] Give the side of one square in millimetres, for example { $example }.
+}
+camera-count-problem = { $what ->
+    [rows] Give the number of rows as a whole number.
+   *[columns] Give the number of columns as a whole number.
+}
+camera-count-range = { $what ->
+    [rows] Between 3 and 50 rows can be found; count the inner corners again.
+   *[columns] Between 3 and 50 columns can be found; count the inner corners again.
+}
+camera-drawing = { $kind ->
+    [charuco] A ChArUco board, markers in its white squares, with { $columns } inner corners across and { $rows } down: the points where four squares meet. The outer edge does not count.
+   *[checkerboard] A board with { $columns } inner corners across and { $rows } down: the points where four squares meet. The outer edge does not count.
+}
+camera-drawing-columns = { $count ->
+    [one] { $count } column
+   *[other] { $count } columns
+}
+camera-drawing-rows = { $count ->
+    [one] { $count } row
+   *[other] { $count } rows
+}
+camera-drawing-square = square { $side }
+
+## Camera: a calibration
+
+camera-calibration = Calibration
+camera-calibrations = Calibrations
+camera-loading-calibration = the calibration
+camera-trusted = This calibration can be trusted
+camera-not-trusted = This calibration is not to be trusted
+camera-made = { $source ->
+    [import] Imported { $time }
+    [clip] From a recording { $time }
+   *[images] From images { $time }
+}
+camera-made-by = { $source ->
+    [import] Imported { $time }, { $person }
+    [clip] From a recording { $time }, { $person }
+   *[images] From images { $time }, { $person }
+}
+camera-in-use = in use
+camera-use = Use this one
+camera-residual = residual (rms)
+camera-not-told = not told
+camera-views-used = { $count ->
+    [one] { $used } of { $count } view used
+   *[other] { $used } of { $count } views used
+}
+camera-picture = picture
+camera-across = { $model ->
+    [fisheye] fisheye, about { $angle }° across
+   *[brown] ordinary lens, about { $angle }° across
+}
+camera-u = ± { $u }
+camera-u-note = ± is one standard uncertainty (k = 1).
+camera-fx = focal length, across
+camera-fy = focal length, down
+camera-cx = optical centre, across
+camera-cy = optical centre, down
+camera-distortion = distortion { $name }
+camera-coverage-unknown = Which parts of the picture the boards covered is not known for this calibration.
+camera-coverage = Where corners were seen: { $percent } % of the picture.
+camera-coverage-label = Coverage of the picture: { $empty } of { $all } parts hold no corner
+camera-coverage-cell = { $count ->
+    [one] { $count } corner
+   *[other] { $count } corners
+}
+camera-covered = Every part of the picture was covered well enough.
+camera-reshoot = What to shoot again
+camera-residuals = Residual of each view
+camera-left-out = { $count ->
+    [one] { $count } view left out
+   *[other] { $count } views left out
+}
+camera-no-reason = no reason told
+camera-residuals-label = Residuals of { $file }, the longest { $longest_px } pixels
+camera-worst-view = Worst view.
+camera-residuals-drawn = { $file }: residuals drawn { $times } times as long; the longest is { $longest_px } px.
+camera-history-made = made
+camera-history-by = by
+camera-history-from = from
+camera-history-verdict = verdict
+camera-history-summary = summary
+camera-history-show = show
+camera-history-shown = shown
+camera-show = Show
+camera-source-images = images
+camera-source-clip = a recording
+camera-source-import = a file
+
+## Camera: the checks of a calibration
+
+camera-checks = Checks
+camera-halves = Two halves, calibrated apart
+camera-halves-not-done = Not done. { $reason }
+camera-halves-nothing = The picture shows too little of such a scene to compare a height.
+camera-halves-differ = Two halves of the pictures, calibrated apart, differ by { $differences } in a height.
+camera-difference-at = { $difference } at { $distance }
+camera-held-out = Residual of pictures that did not help to find the lens: { $held_out }; of those that did: { $fit }.
+camera-under = under { $length }
+camera-vehicle-at = vehicle at
+camera-heights-differ = heights differ by
+camera-expected = expected (k = 1)
+camera-not-in-picture = not in the picture
+camera-halves-note = An eye at { $eye }, camera level at { $camera }, board at { $board }, the same clicks through either half. Expected is what the noise of the corners alone would make.
+camera-flatness = Flatness of the board
+camera-board-solved = Solved for: the board bends by { $bow }; taken as flat the residual is { $flat }, with its shape solved for { $bent }.
+camera-board-taken-flat = Taken as flat. From the pictures it bends by { $bow }; taken as flat the residual is { $flat }, with its shape solved for { $bent }.
+
 ## Words that many pages need
 
 interval = { $low } to { $high }
@@ -359,6 +553,8 @@ person-unknown = unknown
 menu-language = Language
 stage-frame = Frame
 stage-frames = Frames
+field-name = Name
+field-notes = Notes
 action-add = Add
 action-cancel = Cancel
 action-close = Close

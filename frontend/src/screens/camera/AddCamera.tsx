@@ -1,6 +1,7 @@
 import { useState } from "preact/hooks";
 import { FormDialog, TextField } from "../../components";
 import { api } from "../../core/api";
+import { say } from "../../core/messages";
 import type { Camera } from "../../core/types";
 
 interface AddProps {
@@ -11,7 +12,7 @@ interface AddProps {
 }
 
 export function AddCamera({ surveyId, count, close, added }: AddProps) {
-  const [name, setName] = useState(count === 0 ? "Camera 1" : `Camera ${count + 1}`);
+  const [name, setName] = useState(() => say("camera-name", { number: String(count + 1) }));
   const [notes, setNotes] = useState("");
   const submit = async () => {
     await added(
@@ -23,19 +24,25 @@ export function AddCamera({ surveyId, count, close, added }: AddProps) {
     );
   };
   return (
-    <FormDialog title="Add a camera" action="Add" onClose={close} submit={submit} disabled={!name.trim()}>
+    <FormDialog
+      title={say("camera-add")}
+      action={say("action-add")}
+      onClose={close}
+      submit={submit}
+      disabled={!name.trim()}
+    >
       <TextField
-        label="Name"
+        label={say("field-name")}
         value={name}
         onInput={setName}
-        problem={name.trim() ? null : "A camera needs a name."}
+        problem={name.trim() ? null : say("camera-name-problem")}
       />
       <TextField
-        label="Notes"
+        label={say("field-notes")}
         value={notes}
         onInput={setNotes}
         rows={2}
-        hint="Body, lens, zoom and focus setting: what must stay the same for the calibration to hold."
+        hint={say("camera-notes-hint")}
       />
     </FormDialog>
   );

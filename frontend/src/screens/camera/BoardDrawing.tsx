@@ -1,3 +1,4 @@
+import { say } from "../../core/messages";
 import { markerPath } from "../../parts/boards/markers";
 
 interface Props {
@@ -29,6 +30,7 @@ export function BoardDrawing({ columns, rows, square, markers, share }: Props) {
   }
   const corners: [number, number][] = [];
   for (let r = 1; r <= m; r++) for (let c = 1; c <= n; c++) corners.push([x0 + c * u, y0 + r * u]);
+  const kind = markers ? "charuco" : "checkerboard";
   const label = { "font-size": 11, fill: "var(--ink)", "text-anchor": "middle" } as const;
   return (
     <svg
@@ -36,7 +38,7 @@ export function BoardDrawing({ columns, rows, square, markers, share }: Props) {
       width={x0 + width + 40}
       height={y0 + height + 24}
       role="img"
-      aria-label={`A ${markers ? "ChArUco board, markers in its white squares," : "board"} with ${columns} inner corners across and ${rows} down: the points where four squares meet. The outer edge does not count.`}
+      aria-label={say("camera-drawing", { kind, columns, rows })}
     >
       <rect x={x0} y={y0} width={width} height={height} fill="#fff" stroke="var(--line-strong)" />
       <path d={squares.join("")} fill="#3a3b37" />
@@ -56,17 +58,17 @@ export function BoardDrawing({ columns, rows, square, markers, share }: Props) {
         stroke="var(--ink-2)"
       />
       <text x={x0 + width / 2} y="10" {...label}>
-        {columns} columns
+        {say("camera-drawing-columns", { count: columns })}
       </text>
       <text x="12" y={y0 + height / 2} transform={`rotate(-90 12 ${y0 + height / 2})`} {...label}>
-        <tspan dy="4">{rows} rows</tspan>
+        <tspan dy="4">{say("camera-drawing-rows", { count: rows })}</tspan>
       </text>
       <path
         d={`M${x0 + width - u} ${y0 + height + 6}h${u}M${x0 + width - u} ${y0 + height + 3}v6M${x0 + width} ${y0 + height + 3}v6`}
         stroke="var(--ink-2)"
       />
       <text x={x0 + width - u / 2} y={y0 + height + 20} {...label} text-anchor="end" dx={u / 2 + 4}>
-        square {square}
+        {say("camera-drawing-square", { side: square })}
       </text>
     </svg>
   );

@@ -1,5 +1,7 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { TextField } from "../../components";
+import { Said } from "../../components/Said";
+import { say } from "../../core/messages";
 import type { CameraDetail } from "../../core/types";
 import { lengthUnit, parseNumber, parseSmall, smallScale, smallText } from "../../core/units";
 import { KindField, MarkerFields } from "../../parts/boards/MarkerFields";
@@ -68,28 +70,25 @@ export function BoardFields({ board, change }: { board: TypedBoard; change: (boa
       <div class="board__fields">
         <KindField value={board} change={set} />
         <p>
-          Count the <strong>inner corners</strong>: the points where four squares meet. A board of 10 by 7
-          squares has 9 by 6.{" "}
-          {board.kind === "charuco" &&
-            "Makers of ChArUco boards often state the squares: one less each way. Part of the board in a picture is enough."}
+          <Said what="camera-inner-corners" /> {board.kind === "charuco" && say("camera-charuco-corners")}
         </p>
         <div class="board__inputs">
           <TextField
-            label="Columns"
+            label={say("camera-columns")}
             numeric
             value={board.columns}
             onInput={(columns) => set({ columns })}
             problem={problems.columns}
           />
           <TextField
-            label="Rows"
+            label={say("camera-rows")}
             numeric
             value={board.rows}
             onInput={(rows) => set({ rows })}
             problem={problems.rows}
           />
           <TextField
-            label="Side of one square"
+            label={say("camera-square")}
             numeric
             unit={unit}
             value={board.square}
@@ -98,9 +97,7 @@ export function BoardFields({ board, change }: { board: TypedBoard; change: (boa
           />
         </div>
         <MarkerFields value={board} unit={unit} problem={problems.marker} change={set} />
-        <p class="field__hint">
-          Measure across ten squares with a ruler and divide by ten: printers rarely keep the size.
-        </p>
+        <p class="field__hint">{say("camera-square-hint")}</p>
       </div>
       <BoardDrawing
         columns={Number(board.columns) || 9}

@@ -1,8 +1,10 @@
 import { useState } from "preact/hooks";
 import { Button, Segments, SelectField, TextField } from "../../components";
+import { Said } from "../../components/Said";
 import { api } from "../../core/api";
+import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
-import { parseNumber, plural } from "../../core/units";
+import { parseNumber } from "../../core/units";
 
 export interface Recipe {
   model: "brown" | "fisheye";
@@ -55,18 +57,27 @@ export function CalibrateForm({ surveyId, source, usable, ready, busy, calibrate
         (clip ? (
           <div class="calibrate__clip">
             <SelectField
-              label="Recording"
+              label={say("camera-recording")}
               value={String(clip.id)}
               options={usableClips.map((recording) => ({
                 value: String(recording.id),
-                label: `${recording.name} (${plural(recording.frame_count ?? 0, "frame")})`,
+                label: say("camera-recording-frames", {
+                  recording: recording.name,
+                  count: recording.frame_count ?? 0,
+                }),
               }))}
               onChange={setRecordingId}
             />
-            <TextField label="Every n-th frame" numeric value={every} onInput={setEvery} />
-            <TextField label="First frame" numeric value={first} onInput={setFirst} placeholder="0" />
+            <TextField label={say("camera-every")} numeric value={every} onInput={setEvery} />
             <TextField
-              label="Last frame"
+              label={say("camera-first-frame")}
+              numeric
+              value={first}
+              onInput={setFirst}
+              placeholder="0"
+            />
+            <TextField
+              label={say("camera-last-frame")}
               numeric
               value={last}
               onInput={setLast}
@@ -76,48 +87,44 @@ export function CalibrateForm({ surveyId, source, usable, ready, busy, calibrate
           </div>
         ) : (
           <p class="muted">
-            No recording is ready; <a href={`/surveys/${surveyId}/recordings`}>bring in the clip</a> in which
-            the board is moved about.
+            <Said
+              what="camera-no-recording"
+              parts={{ link: (text) => <a href={`/surveys/${surveyId}/recordings`}>{text}</a> }}
+            />
           </p>
         ))}
       <div class="row row--wrap calibrate__choices">
         <Segments
-          label="Lens"
+          label={say("camera-lens")}
           value={model}
           onChange={setModel}
           options={[
-            { value: "brown", label: "Ordinary lens" },
-            { value: "fisheye", label: "Fisheye" },
+            { value: "brown", label: say("camera-lens-brown") },
+            { value: "fisheye", label: say("camera-lens-fisheye") },
           ]}
         />
         <span class="muted small grow">
-          {model === "brown"
-            ? "Pinhole with Brown distortion: up to about 100° of view."
-            : "Equidistant with four terms: for lenses that see more than about 100°."}
+          {say(model === "brown" ? "camera-lens-brown-hint" : "camera-lens-fisheye-hint")}
         </span>
       </div>
       <div class="row row--wrap calibrate__choices">
         <Segments
-          label="Board"
+          label={say("camera-board")}
           value={shape}
           onChange={setShape}
           options={[
-            { value: "flat", label: "Flat board" },
-            { value: "bent", label: "May be bent" },
+            { value: "flat", label: say("camera-board-flat") },
+            { value: "bent", label: say("camera-board-bent") },
           ]}
         />
         <span class="muted small grow">
-          {shape === "flat"
-            ? "On a stiff plate. The result says how flat it was."
-            : "Paper on a wall or thin sheet: its shape is solved for too. Needs six views, better 15."}
+          {say(shape === "flat" ? "camera-board-flat-hint" : "camera-board-bent-hint")}
         </span>
         <Button kind="primary" busy={busy} disabled={!possible} onClick={go}>
-          Calibrate
+          {say("camera-calibrate")}
         </Button>
       </div>
-      {source === "images" && usable < 3 && (
-        <p class="muted small">Three images with the board are the least; the button wakes up then.</p>
-      )}
+      {source === "images" && usable < 3 && <p class="muted small">{say("camera-three-images")}</p>}
     </div>
   );
 }
@@ -130,9 +137,9 @@ export function readSpan(first: string, last: string, every: string, frames: num
   const to = number(last, frames - 1);
   const whole = (value: number | null): value is number =>
     value !== null && Number.isInteger(value) && value >= 0;
-  if (!whole(step) || step < 1) return "Take every n-th frame, with n a whole number from 1.";
-  if (!whole(from) || !whole(to)) return "Give the first and last frame as whole numbers.";
-  if (to < from) return "The last frame lies before the first.";
-  if (to >= frames) return `The recording ends with frame ${frames - 1}.`;
+  if (!whole(step) || step < 1) return say("camera-every-problem");
+  if (!whole(from) || !whole(to)) return say("camera-frames-problem");
+  if (to < from) return say("camera-frames-order");
+  if (to >= frames) return say("camera-frames-end", { last_frame: String(frames - 1) });
   return { every: step, first_frame: from, last_frame: to };
 }

@@ -1,12 +1,14 @@
 import { useState } from "preact/hooks";
 import { Button, Loading, Notice, Problem, StateMark } from "../../components";
 import { api } from "../../core/api";
+import { say, wordsOf } from "../../core/messages";
 import { useResource } from "../../core/resource";
 import { formatMoment } from "../../core/times";
 import type { Calibration, CameraDetail, CameraView } from "../../core/types";
-import { fixed, plural } from "../../core/units";
+import { fixed } from "../../core/units";
 import { Checks } from "./Checks";
 import { CoverageMap } from "./CoverageMap";
+import { px } from "./checks";
 import { angleOfView, coveredShare, type Figure, figuresOf, worstView } from "./lens";
 import { ViewPicture } from "./ViewPicture";
 
@@ -27,32 +29,28 @@ export function CalibrationPanel({ id, camera, makeCurrent }: Props) {
       <Problem error={calibration.error} again={calibration.reload} />
     ) : (
       <div class="panel result-awaited">
-        <Loading what="the calibration" />
+        <Loading what={say("camera-loading-calibration")} />
       </div>
     );
   }
   const c = calibration.data;
   const inUse = camera.current_calibration_id === c.id;
   return (
-    <section class="panel" aria-label="Calibration">
+    <section class="panel" aria-label={say("camera-calibration")}>
       <header class="panel__head">
         <div>
           <h2 class="row">
             <StateMark
               state={c.trusted ? "trusted" : "not_trusted"}
-              word={c.trusted ? "This calibration can be trusted" : "This calibration is not to be trusted"}
+              word={say(c.trusted ? "camera-trusted" : "camera-not-trusted")}
             />
           </h2>
-          <p class="muted small">
-            {c.source === "import" ? "Imported" : c.source === "clip" ? "From a recording" : "From images"},{" "}
-            {formatMoment(c.created_at)}
-            {c.created_by && `, ${c.created_by.name}`}
-          </p>
+          <p class="muted small">{madeWords(c)}</p>
         </div>
         {inUse ? (
-          <span class="badge badge--solid">in use</span>
+          <span class="badge badge--solid">{say("camera-in-use")}</span>
         ) : (
-          makeCurrent && <Button onClick={() => void makeCurrent(c.id)}>Use this one</Button>
+          makeCurrent && <Button onClick={() => void makeCurrent(c.id)}>{say("camera-use")}</Button>
         )}
       </header>
       <div class="panel__body stack">
@@ -73,6 +71,13 @@ export function CalibrationPanel({ id, camera, makeCurrent }: Props) {
   );
 }
 
+function madeWords({ source, created_at, created_by }: Calibration): string {
+  const time = formatMoment(created_at);
+  return created_by
+    ? say("camera-made-by", { source, time, person: created_by.name })
+    : say("camera-made", { source, time });
+}
+
 function Figures({ calibration }: { calibration: Calibration }) {
   const { document: lens, views } = calibration;
   const used = views.filter((view) => view.used).length;
@@ -83,18 +88,19 @@ function Figures({ calibration }: { calibration: Calibration }) {
       <table class="table figures">
         <tbody>
           <tr>
-            <th scope="row">residual (rms)</th>
-            <td class="num">{lens.rms_px === null ? "not told" : `${lens.rms_px.toFixed(3)} px`}</td>
-            <td class="muted">{views.length > 0 && `${used} of ${plural(views.length, "view")} used`}</td>
+            <th scope="row">{say("camera-residual")}</th>
+            <td class="num">{lens.rms_px === null ? say("camera-not-told") : px(lens.rms_px)}</td>
+            <td class="muted">
+              {views.length > 0 && say("camera-views-used", { used, count: views.length })}
+            </td>
           </tr>
           <tr>
-            <th scope="row">picture</th>
+            <th scope="row">{say("camera-picture")}</th>
             <td class="num">
               {lens.width_px} × {lens.height_px}
             </td>
             <td class="muted">
-              {lens.model === "fisheye" ? "fisheye" : "ordinary lens"}, about {angleOfView(lens).toFixed(0)}°
-              across
+              {say("camera-across", { model: lens.model, angle: fixed(angleOfView(lens), 0) })}
             </td>
           </tr>
           {figures.map((figure) => (
@@ -102,30 +108,29 @@ function Figures({ calibration }: { calibration: Calibration }) {
           ))}
         </tbody>
       </table>
-      {!unknown && <p class="small muted figures__note">± is one standard uncertainty (k = 1).</p>}
+      {!unknown && <p class="small muted figures__note">{say("camera-u-note")}</p>}
     </div>
   );
 }
 
-const MEANING: Record<string, string> = {
-  fx: "focal length, across",
-  fy: "focal length, down",
-  cx: "optical centre, across",
-  cy: "optical centre, down",
-};
+const MEANING: Partial<Record<string, string>> = wordsOf({
+  fx: "camera-fx",
+  fy: "camera-fy",
+  cx: "camera-cx",
+  cy: "camera-cy",
+});
 
 function FigureRow({ figure }: { figure: Figure }) {
   const digits =
     figure.u !== null && figure.u > 0
       ? Math.max(0, Math.min(6, 1 - Math.floor(Math.log10(figure.u))))
       : figure.digits;
+  const value = fixed(figure.value, digits);
   return (
     <tr>
-      <th scope="row">{MEANING[figure.name] ?? `distortion ${figure.name}`}</th>
-      <td class="num">
-        {fixed(figure.value, digits)} {figure.unit}
-      </td>
-      <td class="muted nowrap">{figure.u !== null && `± ${figure.u.toFixed(digits)}`}</td>
+      <th scope="row">{MEANING[figure.name] ?? say("camera-distortion", { name: figure.name })}</th>
+      <td class="num">{figure.unit === "px" ? say("value-px", { value }) : value}</td>
+      <td class="muted nowrap">{figure.u !== null && say("camera-u", { u: fixed(figure.u, digits) })}</td>
     </tr>
   );
 }
@@ -133,15 +138,13 @@ function FigureRow({ figure }: { figure: Figure }) {
 function Coverage({ calibration }: { calibration: Calibration }) {
   const { coverage, document: lens } = calibration;
   if (coverage.flat().every((count) => count === 0)) {
-    return (
-      <p class="muted">Which parts of the picture the boards covered is not known for this calibration.</p>
-    );
+    return <p class="muted">{say("camera-coverage-unknown")}</p>;
   }
   return (
     <figure>
       <CoverageMap coverage={coverage} aspect={lens.width_px / lens.height_px} />
       <figcaption class="small muted">
-        Where corners were seen: {(coveredShare(coverage) * 100).toFixed(0)} % of the picture.
+        {say("camera-coverage", { percent: fixed(coveredShare(coverage) * 100, 0) })}
       </figcaption>
       <Reshoot missing={calibration.reshoot} />
     </figure>
@@ -150,10 +153,10 @@ function Coverage({ calibration }: { calibration: Calibration }) {
 
 /** Which pictures to take next, from the places and tilts that are missing. */
 function Reshoot({ missing }: { missing: string[] }) {
-  if (missing.length === 0) return <p class="small">Every part of the picture was covered well enough.</p>;
+  if (missing.length === 0) return <p class="small">{say("camera-covered")}</p>;
   return (
     <div class="reshoot small">
-      <h3>What to shoot again</h3>
+      <h3>{say("camera-reshoot")}</h3>
       <ul>
         {missing.map((sentence) => (
           <li key={sentence}>{sentence}</li>
@@ -182,7 +185,7 @@ function Views({ calibration, camera }: { calibration: Calibration; camera: Came
   return (
     <div class="views">
       <div>
-        <h3>Residual of each view</h3>
+        <h3>{say("camera-residuals")}</h3>
         <ol class="bars">
           {calibration.views
             .filter((view) => view.used)
@@ -200,19 +203,19 @@ function Views({ calibration, camera }: { calibration: Calibration; camera: Came
                   <span class="bar__track" aria-hidden="true">
                     <span style={{ width: `${((view.rms_px ?? 0) / most) * 100}%` }} />
                   </span>
-                  <span class="num">{view.rms_px?.toFixed(3)} px</span>
+                  <span class="num">{px(view.rms_px)}</span>
                 </button>
               </li>
             ))}
         </ol>
         {leftOut.length > 0 && (
           <details class="left-out">
-            <summary>{plural(leftOut.length, "view")} left out</summary>
+            <summary>{say("camera-left-out", { count: leftOut.length })}</summary>
             <dl>
               {leftOut.map((view) => (
                 <div key={view.file}>
                   <dt>{view.file}</dt>
-                  <dd class="muted">{view.reason ?? "no reason told"}</dd>
+                  <dd class="muted">{view.reason ?? say("camera-no-reason")}</dd>
                 </div>
               ))}
             </dl>

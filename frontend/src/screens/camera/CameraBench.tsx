@@ -1,9 +1,10 @@
 import { useState } from "preact/hooks";
 import { Button, DropFiles, Icon, JobProgress, Notice, Problem, Segments } from "../../components";
+import { Said } from "../../components/Said";
 import { cancelJob } from "../../core/jobs";
+import { say } from "../../core/messages";
 import { may } from "../../core/session";
 import type { CalibrationImage, CameraDetail } from "../../core/types";
-import { plural } from "../../core/units";
 import { BoardFields, useTypedBoard } from "./BoardFields";
 import { type Board, readBoard } from "./board";
 import { CalibrateForm, type Source } from "./CalibrateForm";
@@ -41,18 +42,18 @@ export function CameraBench({ camera, surveyId, reload, set }: Props) {
       {canWork && (
         <section class="panel">
           <header class="panel__head">
-            <h2>{camera.calibrations.length > 0 ? "Calibrate again" : "Calibrate"}</h2>
+            <h2>{say(camera.calibrations.length > 0 ? "camera-calibrate-again" : "camera-calibrate")}</h2>
             <ImportButton take={(file) => void work.importFile(file)} />
           </header>
           <div class="panel__body stack camera-panel">
             <BoardFields board={typed} change={setTyped} />
             <Segments<Source>
-              label="Where the boards are"
+              label={say("camera-where-boards")}
               value={source}
               onChange={setSource}
               options={[
-                { value: "images", label: "From pictures" },
-                { value: "clip", label: "From a recording" },
+                { value: "images", label: say("camera-from-pictures") },
+                { value: "clip", label: say("camera-from-recording") },
               ]}
             />
             {source === "images" && <Images camera={camera} board={board} stale={stale} work={work} />}
@@ -87,9 +88,9 @@ function Images({ camera, board, stale, work }: ImagesProps) {
     <>
       {stale && board && <OtherBoard board={board} work={work} />}
       <DropFiles
-        label="Choose pictures of the checkerboard"
-        title="Drop pictures of the checkerboard here, or click to choose"
-        hint="Same camera, same zoom and focus. Tilt the board, bring it into every corner, keep it sharp."
+        label={say("camera-choose-pictures")}
+        title={say("camera-drop-pictures")}
+        hint={say("camera-drop-hint")}
         accept="image/*"
         disabled={!board || work.waiting > 0}
         add={(files) => void work.addImages(files)}
@@ -98,7 +99,7 @@ function Images({ camera, board, stale, work }: ImagesProps) {
       {camera.images.length > 0 && (
         <>
           <p>
-            The board was found in <strong>{found}</strong> of {plural(camera.images.length, "image")}.{" "}
+            <Said what="camera-found-in" values={{ found, count: camera.images.length }} />{" "}
             <span class="muted">{advice(found)}</span>
           </p>
           <ImageGrid images={camera.images} remove={(image) => void work.removeImage(image)} />
@@ -122,25 +123,25 @@ function sameBoard(image: CalibrationImage, board: Board): boolean {
 }
 
 function advice(found: number): string {
-  if (found < 3)
-    return "At least three are needed; twelve to twenty from different sides give a good calibration.";
-  if (found < 10)
-    return "That will do; twelve to twenty, with the board tilted and in every corner of the picture, do better.";
+  if (found < 3) return say("camera-too-few");
+  if (found < 10) return say("camera-more-better");
   return "";
 }
 
 function OtherBoard({ board, work }: { board: Board; work: CameraWork }) {
+  const { columns, rows, dictionary } = board;
   return (
     <Notice
       kind="warning"
       actions={
         <Button busy={work.busy} onClick={() => void work.detectAgain()}>
-          Look again
+          {say("camera-look-again")}
         </Button>
       }
     >
-      The images were searched for another board; look again for {board.columns} × {board.rows} inner corners
-      {board.dictionary ? ` and markers of ${board.dictionary}` : ""}.
+      {dictionary
+        ? say("camera-other-board-markers", { columns, rows, dictionary })
+        : say("camera-other-board", { columns, rows })}
     </Notice>
   );
 }
@@ -150,7 +151,7 @@ function SendingState({ work }: { work: CameraWork }) {
     <>
       {work.waiting > 0 && (
         <p class="row" role="status">
-          <span class="spinner" /> {plural(work.waiting, "image")} to go
+          <span class="spinner" /> {say("camera-to-go", { count: work.waiting })}
         </p>
       )}
       {work.sending
@@ -166,13 +167,13 @@ function SendingState({ work }: { work: CameraWork }) {
 
 function ImportButton({ take }: { take: (file: File) => void }) {
   return (
-    <label class="btn btn--file" title="OpenCV YAML or JSON, ROS camera_info, Kalibr, mrcal">
+    <label class="btn btn--file" title={say("camera-import-title")}>
       <Icon name="upload" />
-      Import a calibration file
+      {say("camera-import")}
       <input
         class="visually-hidden"
         type="file"
-        aria-label="Import a calibration file"
+        aria-label={say("camera-import")}
         accept=".yaml,.yml,.json,.xml,.cameramodel,.txt"
         onChange={(event) => {
           const file = event.currentTarget.files?.[0];

@@ -2,6 +2,7 @@ import { useState } from "preact/hooks";
 import { Button, Empty, Loading, Problem } from "../../components";
 import { query, setQuery } from "../../core/address";
 import { api } from "../../core/api";
+import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useResource } from "../../core/resource";
 import { may } from "../../core/session";
@@ -32,41 +33,35 @@ export default function CameraScreen({ surveyId }: ScreenProps) {
     <div class="page">
       <header class="page__head">
         <div>
-          <h1>Camera</h1>
-          <p class="page__lead">
-            A body and lens at one setting of zoom and focus. Calibrating it tells how the lens bends the
-            picture, and how well that is known.
-          </p>
+          <h1>{say("page-camera")}</h1>
+          <p class="page__lead">{say("camera-lead")}</p>
         </div>
         {canWork && list.length > 0 && (
           <Button icon="add" onClick={() => setAdding(true)}>
-            Another camera
+            {say("camera-another")}
           </Button>
         )}
       </header>
       <Problem error={cameras.error} again={cameras.reload} />
-      {!cameras.data && cameras.loading && <Loading what="cameras" />}
+      {!cameras.data && cameras.loading && <Loading what={say("camera-loading-all")} />}
       {cameras.data && list.length === 0 && (
         <div class="panel">
           <Empty
-            title="No camera yet"
+            title={say("camera-none-title")}
             actions={
               canWork && (
                 <Button kind="primary" icon="add" onClick={() => setAdding(true)}>
-                  Add the camera
+                  {say("camera-add-first")}
                 </Button>
               )
             }
           >
-            <p>
-              Name the camera that filmed this site. Then drop in some fifteen pictures of a checkerboard,
-              taken with it at the same zoom and focus, or a file with its calibration from another tool.
-            </p>
+            <p>{say("camera-none")}</p>
           </Empty>
         </div>
       )}
       {list.length > 1 && open && (
-        <nav class="tabs" aria-label="Cameras">
+        <nav class="tabs" aria-label={say("camera-list")}>
           {list.map((camera) => (
             <button
               key={camera.id}
@@ -97,7 +92,7 @@ function OpenCamera({ id, surveyId }: { id: number; surveyId: number }) {
     return camera.error ? (
       <Problem error={camera.error} again={camera.reload} />
     ) : (
-      <Loading what="the camera" />
+      <Loading what={say("camera-loading")} />
     );
   }
   return <CameraBench camera={camera.data} surveyId={surveyId} reload={camera.reload} set={camera.set} />;

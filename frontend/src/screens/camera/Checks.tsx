@@ -1,3 +1,4 @@
+import { say } from "../../core/messages";
 import type { Calibration } from "../../core/types";
 import { formatLength } from "../../core/units";
 import { apart, away, boardInWords, halvesInWords, heldOutInWords } from "./checks";
@@ -7,10 +8,10 @@ export function Checks({ calibration }: { calibration: Calibration }) {
   const { cross_validation: halves, board_shape: shape } = calibration;
   if (!halves && !shape) return null;
   return (
-    <section class="lens-checks" aria-label="Checks">
+    <section class="lens-checks" aria-label={say("camera-checks")}>
       {halves && (
         <div>
-          <h3>Two halves, calibrated apart</h3>
+          <h3>{say("camera-halves")}</h3>
           <p>{halvesInWords(halves)}</p>
           {halves.held_out_rms_px !== null && <p>{heldOutInWords(halves)}</p>}
           {halves.height_differences.length > 0 && (
@@ -18,9 +19,9 @@ export function Checks({ calibration }: { calibration: Calibration }) {
               <table class="table lens-checks__table">
                 <thead>
                   <tr>
-                    <th>vehicle at</th>
-                    <th class="num">heights differ by</th>
-                    <th class="num">expected (k = 1)</th>
+                    <th>{say("camera-vehicle-at")}</th>
+                    <th class="num">{say("camera-heights-differ")}</th>
+                    <th class="num">{say("camera-expected")}</th>
                   </tr>
                 </thead>
                 <tbody>
@@ -28,7 +29,7 @@ export function Checks({ calibration }: { calibration: Calibration }) {
                     <tr key={d.distance_m}>
                       <td>{away(d.distance_m)}</td>
                       <td class="num">
-                        {d.difference_m === null ? "not in the picture" : apart(d.difference_m)}
+                        {d.difference_m === null ? say("camera-not-in-picture") : apart(d.difference_m)}
                       </td>
                       <td class="num muted">{apart(d.expected_m ?? null)}</td>
                     </tr>
@@ -36,9 +37,11 @@ export function Checks({ calibration }: { calibration: Calibration }) {
                 </tbody>
               </table>
               <p class="small muted">
-                An eye at {formatLength(1.16, 2)}, camera level at {formatLength(1.5, 1)}, board at{" "}
-                {formatLength(3, 0)}, the same clicks through either half. Expected is what the noise of the
-                corners alone would make.
+                {say("camera-halves-note", {
+                  eye: formatLength(1.16, 2),
+                  camera: formatLength(1.5, 1),
+                  board: formatLength(3, 0),
+                })}
               </p>
             </>
           )}
@@ -46,7 +49,7 @@ export function Checks({ calibration }: { calibration: Calibration }) {
       )}
       {shape && (
         <div>
-          <h3>Flatness of the board</h3>
+          <h3>{say("camera-flatness")}</h3>
           <p>{boardInWords(shape)}</p>
         </div>
       )}

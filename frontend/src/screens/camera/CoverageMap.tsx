@@ -1,3 +1,5 @@
+import { say } from "../../core/messages";
+
 interface Props {
   coverage: number[][];
   aspect: number;
@@ -17,7 +19,7 @@ export function CoverageMap({ coverage, aspect }: Props) {
       class="coverage"
       viewBox={`0 0 240 ${height}`}
       role="img"
-      aria-label={`Coverage of the picture: ${empty} of ${rows * columns} parts hold no corner`}
+      aria-label={say("camera-coverage-label", { empty, all: rows * columns })}
     >
       <defs>
         <pattern id="hatch" width="5" height="5" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">
@@ -37,7 +39,7 @@ export function CoverageMap({ coverage, aspect }: Props) {
             stroke="var(--surface)"
             stroke-width="0.6"
           >
-            <title>{count === 1 ? "1 corner" : `${count} corners`}</title>
+            <title>{say("camera-coverage-cell", { count })}</title>
           </rect>
         )),
       )}

@@ -1,4 +1,5 @@
 import { Button, StateMark, TableScroll } from "../../components";
+import { say, wordsOf } from "../../core/messages";
 import { formatMoment } from "../../core/times";
 import type { CameraDetail } from "../../core/types";
 
@@ -8,7 +9,11 @@ interface Props {
   show: (id: number) => void;
 }
 
-const SOURCES = { images: "images", clip: "a recording", import: "a file" } as const;
+const SOURCES = wordsOf({
+  images: "camera-source-images",
+  clip: "camera-source-clip",
+  import: "camera-source-import",
+});
 
 /** Every calibration this camera ever had; results name the one they were computed with, so none goes away. */
 export function History({ camera, shownId, show }: Props) {
@@ -17,19 +22,19 @@ export function History({ camera, shownId, show }: Props) {
   return (
     <section class="panel">
       <header class="panel__head">
-        <h2>Calibrations</h2>
+        <h2>{say("camera-calibrations")}</h2>
       </header>
-      <TableScroll label="Calibrations">
+      <TableScroll label={say("camera-calibrations")}>
         <table class="table table--hover">
           <thead>
             <tr>
-              <th>made</th>
-              <th>by</th>
-              <th>from</th>
-              <th>verdict</th>
-              <th>summary</th>
+              <th>{say("camera-history-made")}</th>
+              <th>{say("camera-history-by")}</th>
+              <th>{say("camera-history-from")}</th>
+              <th>{say("camera-history-verdict")}</th>
+              <th>{say("camera-history-summary")}</th>
               <th>
-                <span class="visually-hidden">show</span>
+                <span class="visually-hidden">{say("camera-history-show")}</span>
               </th>
             </tr>
           </thead>
@@ -45,13 +50,13 @@ export function History({ camera, shownId, show }: Props) {
                 <td>{entry.summary}</td>
                 <td class="num">
                   {entry.id === camera.current_calibration_id && (
-                    <span class="badge badge--solid">in use</span>
+                    <span class="badge badge--solid">{say("camera-in-use")}</span>
                   )}{" "}
                   {entry.id === shownId ? (
-                    <span class="muted small">shown</span>
+                    <span class="muted small">{say("camera-history-shown")}</span>
                   ) : (
                     <Button small onClick={() => show(entry.id)}>
-                      Show
+                      {say("camera-show")}
                     </Button>
                   )}
                 </td>

@@ -1,5 +1,7 @@
 import { Button, StateMark } from "../../components";
+import { say } from "../../core/messages";
 import type { CalibrationImage } from "../../core/types";
+import { STATE_WORDS } from "../../core/words";
 import { CornerMarks } from "./CornerMarks";
 
 /** Each image with what was found in it drawn over. */
@@ -23,7 +25,10 @@ export function ImageGrid({
                 corners={image.corners_px}
                 columns={image.columns}
                 ids={image.ids}
-                label={`${image.corners_px.length} corners found in ${image.name}`}
+                label={say("camera-corners-found", {
+                  count: image.corners_px.length,
+                  image: image.name,
+                })}
               />
             )}
           </div>
@@ -35,14 +40,14 @@ export function ImageGrid({
               small
               kind="quiet"
               icon="close"
-              label={`Remove ${image.name}`}
+              label={say("camera-remove", { image: image.name })}
               onClick={() => remove(image)}
             />
           </div>
           <p class="shot__state">
             <StateMark
               state={image.found ? "used" : "left_out"}
-              word={image.found ? foundInWords(image) : "left out"}
+              word={image.found ? foundInWords(image) : STATE_WORDS.left_out}
             />
           </p>
           {image.reason && <p class="small muted">{image.reason}</p>}
@@ -53,5 +58,7 @@ export function ImageGrid({
 }
 
 function foundInWords({ ids, columns, rows }: CalibrationImage): string {
-  return ids ? `${ids.length} of ${columns * rows} found` : `${columns} × ${rows} found`;
+  return ids
+    ? say("camera-found-some", { found: ids.length, all: columns * rows })
+    : say("camera-found-all", { columns, rows });
 }

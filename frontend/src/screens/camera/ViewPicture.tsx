@@ -1,4 +1,6 @@
+import { say } from "../../core/messages";
 import type { CameraDocument, CameraView } from "../../core/types";
+import { fixed } from "../../core/units";
 
 interface Props {
   view: CameraView;
@@ -13,6 +15,7 @@ export function ViewPicture({ view, worst, lens, picture }: Props) {
   const corners = view.corners_px ?? [];
   const residuals = view.residuals_px ?? [];
   const longest = Math.max(...residuals.map(([x, y]) => Math.hypot(x, y)), 1e-6);
+  const longest_px = fixed(longest, 2);
   const times = niceFactor(lens.width_px / 28 / longest);
   const dot = lens.width_px / 260;
   const lines = corners
@@ -29,7 +32,7 @@ export function ViewPicture({ view, worst, lens, picture }: Props) {
           class="corner-marks"
           viewBox={`0 0 ${lens.width_px} ${lens.height_px}`}
           role="img"
-          aria-label={`Residuals of ${view.file}, the longest ${longest.toFixed(2)} pixels`}
+          aria-label={say("camera-residuals-label", { file: view.file, longest_px })}
         >
           <path d={lines} class="corner-marks__halo" vector-effect="non-scaling-stroke" />
           <path d={lines} class="corner-marks__line" vector-effect="non-scaling-stroke" />
@@ -39,8 +42,8 @@ export function ViewPicture({ view, worst, lens, picture }: Props) {
         </svg>
       </div>
       <figcaption class="small muted">
-        {worst && <strong>Worst view. </strong>}
-        {view.file}: residuals drawn {times} times as long; the longest is {longest.toFixed(2)} px.
+        {worst && <strong>{say("camera-worst-view")} </strong>}
+        {say("camera-residuals-drawn", { file: view.file, times, longest_px })}
       </figcaption>
     </figure>
   );

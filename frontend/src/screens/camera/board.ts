@@ -1,5 +1,6 @@
 /** The checkerboard as a person types it, and what is wrong with it in words. */
 
+import { say } from "../../core/messages";
 import { type LengthUnit, lengthUnit, parseNumber, parseSmall, smallText } from "../../core/units";
 import { type BoardKind, markerProblem, markersTold } from "../../parts/boards/markers";
 
@@ -30,15 +31,15 @@ export interface BoardProblems {
   marker: string | null;
 }
 
-const EXAMPLES: Record<LengthUnit, { unit: string; square: string; marker: string }> = {
-  m: { unit: "millimetres", square: "25", marker: "18" },
-  ft: { unit: "inches", square: "1", marker: "0.75" },
+const EXAMPLES: Record<LengthUnit, { square: string; marker: string }> = {
+  m: { square: "25", marker: "18" },
+  ft: { square: "1", marker: "0.75" },
 };
 
-function countProblem(text: string, what: string): string | null {
+function countProblem(text: string, what: "columns" | "rows"): string | null {
   const value = parseNumber(text);
-  if (value === null || !Number.isInteger(value)) return `Give the number of ${what} as a whole number.`;
-  if (value < 3 || value > 50) return `Between 3 and 50 ${what} can be found; count the inner corners again.`;
+  if (value === null || !Number.isInteger(value)) return say("camera-count-problem", { what });
+  if (value < 3 || value > 50) return say("camera-count-range", { what });
   return null;
 }
 
@@ -50,7 +51,7 @@ export function problemsOf(typed: TypedBoard): BoardProblems {
     rows: countProblem(typed.rows, "rows"),
     square:
       square === null || square <= 0 || square > 2
-        ? `Give the side of one square in ${example.unit}, for example ${example.square}.`
+        ? say("camera-square-problem", { unit: lengthUnit.value, example: example.square })
         : null,
     marker: markerProblem(typed.kind, parseSmall(typed.marker), square, example.marker),
   };

@@ -1,11 +1,12 @@
 import { describe, expect, it } from "vitest";
+import { allOf } from "../../core/messages";
 import type { CameraDocument, CameraView } from "../../core/types";
 import { lengthUnit } from "../../core/units";
 import { PLAIN } from "../../parts/boards/markers";
 import { inUnit, problemsOf, readBoard } from "./board";
 import { readSpan } from "./CalibrateForm";
 import { apart, away, boardInWords, type Halves, halvesInWords, heldOutInWords } from "./checks";
-import { angleOfView, coveredShare, figuresOf, listed, worstView } from "./lens";
+import { angleOfView, coveredShare, figuresOf, worstView } from "./lens";
 import { niceFactor } from "./ViewPicture";
 
 const lens: CameraDocument = {
@@ -118,8 +119,8 @@ describe("coverage", () => {
   });
 
   it("lists words as people do", () => {
-    expect(listed(["a"])).toBe("a");
-    expect(listed(["a", "b", "c"])).toBe("a, b and c");
+    expect(allOf(["a"])).toBe("a");
+    expect(allOf(["a", "b", "c"])).toBe("a, b and c");
   });
 });
 

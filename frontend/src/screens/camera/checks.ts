@@ -1,7 +1,7 @@
 /** The checks of a calibration in words. Pure; the numbers are the server's. */
+import { allOf, say } from "../../core/messages";
 import type { Calibration } from "../../core/types";
-import { formatSmall, lengthScale, lengthText, smallScale } from "../../core/units";
-import { listed } from "./lens";
+import { fixed, formatSmall, lengthScale, smallScale } from "../../core/units";
 
 export type Halves = NonNullable<Calibration["cross_validation"]>;
 export type Shape = NonNullable<Calibration["board_shape"]>;
@@ -12,37 +12,42 @@ export function apart(metres: number | null): string {
   const size = Math.abs(metres);
   const [factor, unit] = smallScale();
   const least = (unit === "in" ? 0.01 : 0.1) / factor;
-  return size < least / 2 ? `under ${formatSmall(least)}` : formatSmall(size);
+  return size < least / 2 ? say("camera-under", { length: formatSmall(least) }) : formatSmall(size);
 }
 
 /** How far away a vehicle is, as short as can be: "2 m", "6.6 ft". */
 export function away(metres: number): string {
-  const [, unit] = lengthScale();
-  return `${lengthText(metres, unit, 1)} ${unit}`;
+  const [factor, unit] = lengthScale();
+  const tenths = Math.round(metres * factor * 10);
+  return `${fixed(tenths / 10, tenths % 10 === 0 ? 0 : 1)} ${unit}`;
 }
 
-const px = (value: number | null): string => (value === null ? "–" : `${value.toFixed(3)} px`);
+/** "0.160 px" */
+export function px(value: number | null): string {
+  return value === null ? "–" : say("value-px", { value: fixed(value, 3) });
+}
 
 /** "Two halves of the pictures, calibrated apart, differ by ... in a height", or why that is not known. */
 export function halvesInWords(halves: Halves): string {
-  if (halves.reason !== null) return `Not done. ${halves.reason}`;
+  if (halves.reason !== null) return say("camera-halves-not-done", { reason: halves.reason });
   const told = halves.height_differences.flatMap((d) =>
-    d.difference_m === null ? [] : [`${apart(d.difference_m)} at ${away(d.distance_m)}`],
+    d.difference_m === null ? [] : [differenceAt(d.difference_m, d.distance_m)],
   );
-  if (told.length === 0) return "The picture shows too little of such a scene to compare a height.";
-  return `Two halves of the pictures, calibrated apart, differ by ${listed(told)} in a height.`;
+  if (told.length === 0) return say("camera-halves-nothing");
+  return say("camera-halves-differ", { differences: allOf(told) });
+}
+
+function differenceAt(difference_m: number, distance_m: number): string {
+  return say("camera-difference-at", { difference: apart(difference_m), distance: away(distance_m) });
 }
 
 /** The residual of pictures that did not help to find the lens, beside that of those that did. */
 export function heldOutInWords(halves: Halves): string {
-  return `Residual of pictures that did not help to find the lens: ${px(halves.held_out_rms_px)}; of those that did: ${px(halves.fit_rms_px)}.`;
+  return say("camera-held-out", { held_out: px(halves.held_out_rms_px), fit: px(halves.fit_rms_px) });
 }
 
 /** How far the board is from flat, and whether that is allowed for. */
 export function boardInWords(shape: Shape): string {
-  const bow = apart(shape.bow_m);
-  const before = `taken as flat the residual is ${px(shape.flat_rms_px)}, with its shape solved for ${px(shape.bent_rms_px)}`;
-  return shape.solved
-    ? `Solved for: the board bends by ${bow}; ${before}.`
-    : `Taken as flat. From the pictures it bends by ${bow}; ${before}.`;
+  const values = { bow: apart(shape.bow_m), flat: px(shape.flat_rms_px), bent: px(shape.bent_rms_px) };
+  return shape.solved ? say("camera-board-solved", values) : say("camera-board-taken-flat", values);
 }

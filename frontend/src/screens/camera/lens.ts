@@ -55,9 +55,3 @@ export function worstView(views: CameraView[]): CameraView | null {
     null,
   );
 }
-
-/** "bottom left, bottom right and top right" */
-export function listed(words: string[]): string {
-  if (words.length < 2) return words.join("");
-  return `${words.slice(0, -1).join(", ")} and ${words.at(-1)}`;
-}

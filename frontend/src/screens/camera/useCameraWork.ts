@@ -1,6 +1,7 @@
 import { useState } from "preact/hooks";
 import { api, explain } from "../../core/api";
 import { useJob } from "../../core/jobs";
+import { say } from "../../core/messages";
 import { refreshSurvey } from "../../core/survey";
 import { toast } from "../../core/toasts";
 import type { CalibrationImage, CameraDetail } from "../../core/types";
@@ -54,7 +55,7 @@ export function useCameraWork(
     jobId,
     (over) => {
       setJobId(null);
-      setFailed(over.state === "failed" ? (over.error ?? "The calibration failed; try again.") : null);
+      setFailed(over.state === "failed" ? (over.error ?? say("camera-failed")) : null);
       const made = over.result?.["calibration_id"];
       void (typeof made === "number" ? show(made) : refresh());
     },
@@ -126,7 +127,7 @@ export function useCameraWork(
           { camera_id: camera.id },
           { body: file },
         );
-        toast(`${file.name} was read.`);
+        toast(say("camera-imported", { file: file.name }));
         await show(made.id);
       }),
     makeCurrent: (calibrationId: number) =>
