@@ -5,15 +5,20 @@ from typing import Annotated
 from pydantic import Field
 
 from sightline.enums import LightingGroup, Rounding, StandardHeight, StatisticsTarget
+from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import Finite, In, Out
 from sightline.infra.web.figures import (
     DensityBody,
     EcdfBody,
     FigureBody,
-    IntervalBody,
-    PercentileBody,
     ReasonBody,
 )
+from sightline.results.survey_statistics import SampleCounts
+from sightline.statistics.agreement import BlandAltman, ReferencePart
+from sightline.statistics.distributions import Percentile
+from sightline.statistics.errors import Interval
+from sightline.statistics.paper import PaperColumn
+from sightline.statistics.standards import Standard
 
 
 class ErrorGroupBody(Out):
@@ -26,46 +31,14 @@ class ErrorGroupBody(Out):
     reason: str | None = Field(description="Why a figure or its interval is missing.")
 
 
-class PaperBody(Out):
-    """A column of the paper's Table 1 as printed, and what is inconsistent in it."""
-
-    group: str
-    title: str
-    n: int
-    mae_m: float
-    rmse_m: float
-    mse_m2: float
-    sd_m: float
-    note: str
-
-
-class ReferencePartBody(Out):
-    u_reference_m: float
-    share_of_variance: float
-    rounding_share: float
-    camera_sd_m: float | None
-    correlation_alone: float
-    words: str
-
-
-class BlandAltmanBody(Out):
-    n: int
-    bias_m: float
-    bias_ci95: IntervalBody
-    lower_m: float
-    lower_ci95: IntervalBody
-    upper_m: float
-    upper_ci95: IntervalBody
-
-
 class TrendBody(Out):
     """A line by least squares over the reference height, with the band of the line."""
 
     slope: float
-    slope_ci95: IntervalBody
+    slope_ci95: Interval
     intercept: float
     correlation: float
-    correlation_ci95: IntervalBody
+    correlation_ci95: Interval
     n: int
     at: list[float]
     value: list[float]
@@ -86,22 +59,15 @@ class ErrorsBody(Out):
     rounding: Rounding
     words: str = Field(description="Which heights were compared, and how they were rounded.")
     groups: list[ErrorGroupBody]
-    paper: list[PaperBody]
-    reference_part: ReferencePartBody | ReasonBody
-    bland_altman: BlandAltmanBody | ReasonBody
+    paper: list[PaperColumn]
+    reference_part: ReferencePart | ReasonBody
+    bland_altman: BlandAltman | ReasonBody
     trend: TrendBody | ReasonBody
     absolute_trend: TrendBody | ReasonBody
     absolute: Ecdfs
     relative: Ecdfs
     density: dict[str, DensityBody | ReasonBody]
     points: PointsBody = Field(description="At most 1500, drawn at random but always the same.")
-
-
-class StandardBody(Out):
-    name: str
-    what: StandardHeight
-    height_m: float
-    source: str
 
 
 class StandardIn(In):
@@ -116,15 +82,10 @@ class StandardsIn(In):
     standards: list[StandardIn]
 
 
-class StandardsBody(Out):
-    version: int = Field(description="0: the usual ones; give it back with a change.")
-    standards: list[StandardBody]
-
-
 class ShareBody(Out):
     """The share of vehicles below a standard's height."""
 
-    standard: StandardBody
+    standard: Standard
     below: int
     n: int
     share: float
@@ -137,7 +98,7 @@ class DistributionBody(Out):
     mean_m: float | None
     sd_m: float | None
     ecdf: EcdfBody | ReasonBody
-    percentiles: list[PercentileBody]
+    percentiles: list[Percentile]
     shares: list[ShareBody]
 
 
@@ -164,29 +125,10 @@ class TargetBody(Out):
     groups: dict[str, GroupingBody]
 
 
-class CountedBody(Out):
-    measurements: int
-    vehicles: int
-    with_reference: int = Field(description="Roofs of vehicles with a reference height.")
-    left_out: dict[str, int] = Field(description="Left out by the review state alone.")
-
-
-class NamedBody(Out):
-    id: int
-    name: str
-
-
 class StatisticsBody(Out):
-    counted: CountedBody
+    counted: SampleCounts
     errors: ErrorsBody
     targets: list[TargetBody]
-    standards: list[StandardBody] = Field(description="Heights of standards, and the asker's own.")
-    surveys: list[NamedBody] = Field(description="What can be filtered by.")
-    operators: list[NamedBody] = Field(description="What can be filtered by.")
-
-
-class SampleSizeBody(Out):
-    percent: float
-    width_m: float
-    vehicles: int
-    words: str
+    standards: list[Standard] = Field(description="Heights of standards, and the asker's own.")
+    surveys: list[Who] = Field(description="What can be filtered by.")
+    operators: list[Who] = Field(description="What can be filtered by.")

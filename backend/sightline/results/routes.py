@@ -13,13 +13,16 @@ from sightline.enums import (
     Lighting,
     LightingGroup,
     Rounding,
+    StandardHeight,
     StatisticsState,
     StatisticsTarget,
 )
 from sightline.errors import BadInput
+from sightline.infra.audit.records import Who
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
 from sightline.results import standards_store
-from sightline.results.bodies import SampleSizeBody, StandardsBody, StandardsIn, StatisticsBody
+from sightline.results.bodies import StandardsIn, StatisticsBody
+from sightline.results.standards_store import StandardsOfSurvey
 from sightline.results.survey_statistics import (
     Filter,
     Statistics,
@@ -30,7 +33,7 @@ from sightline.results.survey_statistics import (
 from sightline.statistics.agreement import U_MANUFACTURER_M
 from sightline.statistics.errors import GROUPS, ErrorGroup
 from sightline.statistics.paper import PAPER
-from sightline.statistics.sample_size import vehicles_needed
+from sightline.statistics.sample_size import SampleSize, vehicles_needed
 from sightline.statistics.standards import Standard
 from sightline.statistics.summary import Distribution, Errors, Groups, Target
 
@@ -84,26 +87,27 @@ def statistics_of_measurements(
 
 
 @router.get("/statistics/sample-size")
-def sample_size(who: Viewer, percent: Metres, width_m: Metres, sd_m: Metres) -> SampleSizeBody:
+def sample_size(who: Viewer, percent: Metres, width_m: Metres, sd_m: Metres) -> SampleSize:
     """How many vehicles give a percentile's 95 % interval a wanted width."""
-    return SampleSizeBody.model_validate(vehicles_needed(percent, width_m, sd_m))
+    return vehicles_needed(percent, width_m, sd_m)
 
 
 @router.get("/surveys/{survey_id}/standards")
-def standards_of_survey(who: Viewer, session: Reading, survey_id: PathId) -> StandardsBody:
+def standards_of_survey(who: Viewer, session: Reading, survey_id: PathId) -> StandardsOfSurvey:
     """The heights of standards that a survey's figures are read against, with their sources."""
-    return StandardsBody.model_validate(standards_store.get_standards(session, survey_id))
+    return standards_store.get_standards(session, survey_id)
 
 
 @router.put("/surveys/{survey_id}/standards")
-def choose_standards(who: Operator, session: Writing, survey_id: PathId, body: StandardsIn) -> StandardsBody:
+def choose_standards(
+    who: Operator, session: Writing, survey_id: PathId, body: StandardsIn
+) -> StandardsOfSurvey:
     """Put another table in its place; `version` is that of the table it replaces."""
     table = [Standard(**one.model_dump()) for one in body.standards]
-    made = standards_store.choose_standards(session, survey_id, table, version=body.version, actor=who.id)
-    return StandardsBody.model_validate(made)
+    return standards_store.choose_standards(session, survey_id, table, version=body.version, actor=who.id)
 
 
-def _own(what: Any, limits_m: list[float]) -> tuple[Standard, ...]:
+def _own(what: StandardHeight, limits_m: list[float]) -> tuple[Standard, ...]:
     if len(limits_m) > MOST_OWN:
         raise BadInput(f"More than {MOST_OWN} values of your own cannot be drawn; remove some.")
     if any(not 0.0 < limit < 10.0 for limit in limits_m):
@@ -115,14 +119,14 @@ def statistics_body(found: Statistics, correction: Correction) -> StatisticsBody
     """Statistics as they go out."""
     return StatisticsBody.model_validate(
         {
-            "counted": asdict(found.counted),
+            "counted": found.counted,
             "errors": _errors(found.errors, correction),
             "targets": [
                 _target(name, one, standards_of(found.standards, name)) for name, one in found.targets.items()
             ],
-            "standards": [asdict(one) for one in found.standards],
-            "surveys": [{"id": id_, "name": name} for id_, name in found.surveys.items()],
-            "operators": [{"id": id_, "name": name} for id_, name in found.operators.items()],
+            "standards": found.standards,
+            "surveys": [Who(*one) for one in found.surveys.items()],
+            "operators": [Who(*one) for one in found.operators.items()],
         }
     )
 
@@ -141,7 +145,7 @@ def _errors(found: Errors, correction: Correction) -> dict[str, Any]:
         "rounding": found.rounding,
         "words": f"{heights} against manufacturers' heights, {rounded}; every figure from the raw errors.",
         "groups": [_group(name, found.groups[name]) for name in GROUPS],
-        "paper": [asdict(column) for column in PAPER],
+        "paper": PAPER,
         "reference_part": _part(found.reference_part),
         "bland_altman": _part(found.bland_altman),
         "trend": _part(found.trend),
@@ -196,15 +200,14 @@ def _grouping(groups: Groups, table: list[Standard]) -> dict[str, Any]:
 
 def _distribution(one: Distribution, table: list[Standard]) -> dict[str, Any]:
     shares = [
-        {"standard": asdict(standard), **asdict(share)}
-        for standard, share in zip(table, one.shares, strict=False)
+        {"standard": standard, **asdict(share)} for standard, share in zip(table, one.shares, strict=False)
     ]
     return {
         "n": one.n,
         "mean_m": one.mean_m,
         "sd_m": one.sd_m,
         "ecdf": _part(one.ecdf),
-        "percentiles": [asdict(percentile) for percentile in one.percentiles],
+        "percentiles": one.percentiles,
         "shares": shares,
     }
 
@@ -219,9 +222,7 @@ def _part(one: Any, empty: Any = "no vehicle in this group") -> Any:
 
 
 def _plain(value: Any) -> Any:
-    if isinstance(value, np.ndarray):
-        return _rounded(value)
-    return asdict(value) if hasattr(value, "__dataclass_fields__") else value
+    return _rounded(value) if isinstance(value, np.ndarray) else value
 
 
 def _rounded(values: np.ndarray[Any, Any]) -> list[float]:

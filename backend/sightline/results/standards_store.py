@@ -7,7 +7,9 @@ figures that nothing refers to, seldom changed, and who changed them when is as 
 import json
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
+from typing import Annotated
 
+from pydantic import Field
 from sqlalchemy import func, select
 from sqlalchemy.orm import Session
 
@@ -27,7 +29,7 @@ class StandardsOfSurvey:
     """`version` is the number of the audit event that made them, 0 for the usual ones."""
 
     standards: tuple[Standard, ...]
-    version: int
+    version: Annotated[int, Field(description="0: the usual ones; give it back with a change.")]
 
 
 def get_standards(session: Session, survey_id: int) -> StandardsOfSurvey:

@@ -14,11 +14,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import date
 from threading import Lock
-from typing import Any, get_args
+from typing import Annotated, Any, get_args
 
 import numpy as np
 from cachetools import LRUCache, cached
 from numpy.typing import NDArray
+from pydantic import Field
 
 from sightline.enums import Category, Correction, Lighting, Rounding, StatisticsState, StatisticsTarget
 from sightline.errors import BadInput, NotFound
@@ -92,8 +93,8 @@ class SampleCounts:
 
     measurements: int
     vehicles: int
-    with_reference: int
-    left_out: dict[str, int]
+    with_reference: Annotated[int, Field(description="Roofs of vehicles with a reference height.")]
+    left_out: Annotated[dict[str, int], Field(description="Left out by the review state alone.")]
 
 
 @dataclass(frozen=True, eq=False)

@@ -3,20 +3,16 @@
 from pydantic import Field
 
 from sightline.infra.web.bodies import Out
+from sightline.statistics.errors import Interval
 
 
 class ReasonBody(Out):
     reason: str
 
 
-class IntervalBody(Out):
-    low: float
-    high: float
-
-
 class FigureBody(Out):
     value: float | None
-    ci95: IntervalBody | None
+    ci95: Interval | None
     reason: str | None = Field(description="Why the interval alone is missing.")
 
 
@@ -37,11 +33,3 @@ class DensityBody(Out):
     density: list[float]
     low: list[float]
     high: list[float]
-
-
-class PercentileBody(Out):
-    percent: float
-    value: float
-    low: float | None
-    high: float | None
-    reason: str | None

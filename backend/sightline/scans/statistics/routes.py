@@ -1,18 +1,18 @@
 """Statistics of a survey's line scans."""
 
-from typing import Annotated, Any
+from typing import Annotated
 
 from fastapi import APIRouter, Query
 from pydantic import Field
 
 from sightline.infra.web.bodies import Out
 from sightline.infra.web.deps import PathId, Reading, Viewer
-from sightline.infra.web.figures import DensityBody, EcdfBody, FigureBody, PercentileBody, ReasonBody
+from sightline.infra.web.figures import DensityBody, EcdfBody, FigureBody, ReasonBody
 from sightline.linescan.rig import RigEstimate
 from sightline.scans.statistics.figures import scan_statistics
 from sightline.scans.statistics.paper import NOTE, TABLE_I
 from sightline.scans.statistics.service import ScanStatistics, Spread
-from sightline.statistics.distributions import Density, Ecdf
+from sightline.statistics.distributions import Density, Ecdf, Percentile
 from sightline.statistics.errors import ErrorGroup
 from sightline.surveys.store import get_survey
 
@@ -40,7 +40,7 @@ class ScanSpreadBody(Out):
     sd: float | None
     ecdf: EcdfBody | ReasonBody
     density: DensityBody | ReasonBody
-    percentiles: list[PercentileBody]
+    percentiles: list[Percentile]
 
 
 class ScanRowBody(Out):
@@ -119,9 +119,7 @@ def _errors(groups: dict[str, ErrorGroup]) -> list[ScanErrorGroupBody]:
 
 
 def _figure(group: ErrorGroup, name: str) -> FigureBody:
-    ci95 = group.ci95[name]
-    within: Any = None if ci95 is None else {"low": ci95.low, "high": ci95.high}
-    return FigureBody(value=group.figures[name], ci95=within, reason=group.reason)
+    return FigureBody(value=group.figures[name], ci95=group.ci95[name], reason=group.reason)
 
 
 def _spread(one: Spread) -> ScanSpreadBody:
@@ -133,7 +131,7 @@ def _spread(one: Spread) -> ScanSpreadBody:
         sd=one.sd,
         ecdf=_ecdf(one.ecdf),
         density=_density(one.density),
-        percentiles=[PercentileBody.model_validate(each) for each in one.percentiles],
+        percentiles=one.percentiles,
     )
 
 

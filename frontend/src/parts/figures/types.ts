@@ -4,5 +4,5 @@ import type { components } from "#schema";
 type Schemas = components["schemas"];
 export type Ecdf = Schemas["EcdfBody"];
 export type Density = Schemas["DensityBody"];
-export type Interval = Schemas["IntervalBody"];
-export type Standard = Schemas["StandardBody"];
+export type Interval = Schemas["Interval"];
+export type Standard = Schemas["Standard"];

@@ -13,8 +13,8 @@ export type ErrorGroup = Schemas["ErrorGroupBody"];
 export type Trend = Schemas["TrendBody"];
 export type Reason = Schemas["ReasonBody"];
 export type OfTarget = Schemas["TargetBody"];
-export type Percentile = Schemas["PercentileBody"];
-export type SampleSize = Schemas["SampleSizeBody"];
+export type Percentile = Schemas["Percentile"];
+export type SampleSize = Schemas["SampleSize"];
 
 /** Whether a part was computed, or is only the reason why not. */
 export function isThere<T extends object>(part: T | Reason): part is T {
