@@ -15,7 +15,6 @@ const NOT_YET = [
   "src/screens/export",
   "src/screens/measure",
   "src/screens/people",
-  "src/screens/pose",
   "src/screens/recordings",
   "src/screens/review",
   "src/screens/scans",

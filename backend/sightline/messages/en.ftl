@@ -393,7 +393,6 @@ camera-import = Import a calibration file
 camera-import-title = OpenCV YAML or JSON, ROS camera_info, Kalibr, mrcal
 camera-imported = { $file } was read.
 camera-failed = The calibration failed; try again.
-camera-recording = Recording
 camera-recording-frames = { $count ->
     [one] { $recording } ({ $count } frame)
    *[other] { $recording } ({ $count } frames)
@@ -461,7 +460,6 @@ camera-drawing-square = square { $side }
 
 ## Camera: a calibration
 
-camera-calibration = Calibration
 camera-calibrations = Calibrations
 camera-loading-calibration = the calibration
 camera-trusted = This calibration can be trusted
@@ -476,7 +474,6 @@ camera-made-by = { $source ->
     [clip] From a recording { $time }, { $person }
    *[images] From images { $time }, { $person }
 }
-camera-in-use = in use
 camera-use = Use this one
 camera-residual = residual (rms)
 camera-not-told = not told
@@ -545,6 +542,101 @@ camera-flatness = Flatness of the board
 camera-board-solved = Solved for: the board bends by { $bow }; taken as flat the residual is { $flat }, with its shape solved for { $bent }.
 camera-board-taken-flat = Taken as flat. From the pictures it bends by { $bow }; taken as flat the residual is { $flat }, with its shape solved for { $bent }.
 
+## Road pose: the page
+
+pose-loading = the road pose
+pose-no-recording-title = No recording with the board yet
+pose-no-recording = Add the video in which the checkerboard stands on the road; the road pose is found from it.
+pose-add-recordings = Add recordings
+pose-mark-first = Mark the first frame of the board
+pose-mark-last = Mark the last frame of the board
+pose-side = Board and result
+pose-board-span = Board: frames { $first_frame } to { $last_frame }
+pose-go-again = This recording has its road pose. To find it again, go to a frame in which the board stands still.
+pose-go = Go to a frame in which the board stands still.
+pose-looking = Looking for the board…
+pose-found-part = Part found
+pose-found = { $columns } × { $rows } found
+pose-chosen = This pose now holds for the recording; heights clicked from now on use it.
+
+## Road pose: the questions
+
+pose-lens = Recording and lens
+pose-calibration-none = none yet
+pose-calibration = { $state ->
+    [current] { $camera }, { $calibration }, current
+    [current_not_trusted] { $camera }, { $calibration }, current, not to be trusted
+    [not_trusted] { $camera }, { $calibration }, not to be trusted
+   *[other] { $camera }, { $calibration }
+}
+pose-board = The board
+pose-columns = Inner corners across
+pose-rows = and down
+pose-square = Square
+pose-corners-hint = Inner corners are where four squares meet: a board of 10 by 7 squares has 9 by 6.
+pose-charuco-hint = A road pose needs the whole board in sight.
+pose-still = Frames in which it stands still
+pose-begins = Begins here
+pose-begins-title = The first frame
+pose-ends = Ends here
+pose-ends-title = The last frame
+pose-not-marked = not marked yet
+pose-end-not-marked = from { $first_frame }, end not marked
+pose-marked = { $count ->
+    [one] { $first_frame } to { $last_frame }, { $count } frame
+   *[other] { $first_frame } to { $last_frame }, { $count } frames
+}
+pose-height = How high it stands
+pose-reference = Reference row
+pose-reference-bottom = lowest row of corners
+pose-reference-top = uppermost row
+pose-reference-height = { $reference ->
+    [top] From the road up to the uppermost row of inner corners
+   *[bottom] From the road up to the lowest row of inner corners
+}
+pose-drawing = { $reference ->
+    [top] The tape runs from the road up to the uppermost row of inner corners.
+   *[bottom] The tape runs from the road up to the lowest row of inner corners.
+}
+pose-drawing-tape = tape
+pose-drawing-road = road
+pose-sure = How sure these are
+pose-u-tape = ± of the tape
+pose-u-lean = ± of the lean
+pose-u-square = ± of a square
+pose-u-bow = ± of the bow
+pose-u-hint = Standard uncertainties, all estimates until you measure them: 3 mm is a steel tape read with care on asphalt; 0.3° is a board set with a good spirit level, towards the camera and sideways alike; a print is true to 0.1 % of a square; the middle of a stiff board is out of plane by 0.5 mm. Each goes into every height's budget under its own name.
+pose-find = Find the road pose
+pose-find-again = Find the road pose again
+pose-stopped = Stopped; nothing was changed.
+pose-look-only = You may look; an operator finds the pose.
+pose-problem-calibration = Calibrate the camera first; without its lens there is no pose.
+pose-problem-board = A board has at least 2 by 2 inner corners.
+pose-problem-square = Measure one square over several and enter its side.
+pose-problem-height = Measure it with a tape; every height rests on it.
+pose-problem-u = Each is a figure of zero or more.
+pose-problem-span = Mark the frames in which the board stands still.
+
+## Road pose: the result
+
+pose-result = The recording's road pose
+pose-result-earlier = An earlier road pose
+pose-use = Use this pose for the recording
+pose-measure = Measure with it
+pose-expected = Expected uncertainty of a height
+pose-expected-distance = at a distance of
+pose-expected-good = a height is good to (95 %)
+pose-expected-U95 = ± { $U95 }
+pose-expected-reason = At { $distance }: { $reason }
+pose-facts = Frames { $first_frame } to { $last_frame }; corners fit to { $fit }; board at { $distance }.
+pose-other-recording = another recording
+pose-poses = { $count ->
+    [one] { $count } pose in this survey
+   *[other] { $count } poses in this survey
+}
+pose-made = { $time }, frames { $first_frame } to { $last_frame }
+pose-use-short = Use
+
 ## Words that many pages need
 
 interval = { $low } to { $high }
@@ -553,7 +645,15 @@ person-unknown = unknown
 menu-language = Language
 stage-frame = Frame
 stage-frames = Frames
+stage-timeline = Timeline
+stage-fit = Fit
+stage-lines = Lines
+stage-bright = Bright
+stage-loupe = Loupe
 field-name = Name
+field-recording = Recording
+field-calibration = Calibration
+in-use = in use
 field-notes = Notes
 action-add = Add
 action-cancel = Cancel

@@ -57,7 +57,7 @@ export function CalibrateForm({ surveyId, source, usable, ready, busy, calibrate
         (clip ? (
           <div class="calibrate__clip">
             <SelectField
-              label={say("camera-recording")}
+              label={say("field-recording")}
               value={String(clip.id)}
               options={usableClips.map((recording) => ({
                 value: String(recording.id),

@@ -36,7 +36,7 @@ export function CalibrationPanel({ id, camera, makeCurrent }: Props) {
   const c = calibration.data;
   const inUse = camera.current_calibration_id === c.id;
   return (
-    <section class="panel" aria-label={say("camera-calibration")}>
+    <section class="panel" aria-label={say("field-calibration")}>
       <header class="panel__head">
         <div>
           <h2 class="row">
@@ -48,7 +48,7 @@ export function CalibrationPanel({ id, camera, makeCurrent }: Props) {
           <p class="muted small">{madeWords(c)}</p>
         </div>
         {inUse ? (
-          <span class="badge badge--solid">{say("camera-in-use")}</span>
+          <span class="badge badge--solid">{say("in-use")}</span>
         ) : (
           makeCurrent && <Button onClick={() => void makeCurrent(c.id)}>{say("camera-use")}</Button>
         )}

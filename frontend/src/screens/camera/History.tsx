@@ -50,7 +50,7 @@ export function History({ camera, shownId, show }: Props) {
                 <td>{entry.summary}</td>
                 <td class="num">
                   {entry.id === camera.current_calibration_id && (
-                    <span class="badge badge--solid">{say("camera-in-use")}</span>
+                    <span class="badge badge--solid">{say("in-use")}</span>
                   )}{" "}
                   {entry.id === shownId ? (
                     <span class="muted small">{say("camera-history-shown")}</span>

@@ -1,3 +1,4 @@
+import { say } from "../../core/messages";
 import { markerPath } from "../../parts/boards/markers";
 
 /** What is to be measured, drawn: the board on the road, the tape from the road to the reference row of inner corners. */
@@ -20,12 +21,13 @@ export function BoardDrawing({
   const top = bottom - 26 - down * side;
   const row = reference === "top" ? top + side : top + (down - 1) * side;
   const right = left + across * side;
-  const words =
-    reference === "top"
-      ? "The tape runs from the road up to the uppermost row of inner corners."
-      : "The tape runs from the road up to the lowest row of inner corners.";
   return (
-    <svg class="board-drawing" viewBox="0 0 320 172" role="img" aria-label={words}>
+    <svg
+      class="board-drawing"
+      viewBox="0 0 320 172"
+      role="img"
+      aria-label={say("pose-drawing", { reference })}
+    >
       <path
         class="board-drawing__road"
         d="M0 150H320M10 158l8-8M50 158l8-8M90 158l8-8M130 158l8-8M170 158l8-8M210 158l8-8M250 158l8-8M290 158l8-8"
@@ -59,10 +61,10 @@ export function BoardDrawing({
         d={`M${right + 20} ${row}V${bottom}M${right + 16} ${row + 6}l4-6 4 6M${right + 16} ${bottom - 6}l4 6 4-6`}
       />
       <text x={right + 30} y={(row + bottom) / 2 + 4}>
-        tape
+        {say("pose-drawing-tape")}
       </text>
       <text x="4" y="168" class="board-drawing__small">
-        road
+        {say("pose-drawing-road")}
       </text>
     </svg>
   );

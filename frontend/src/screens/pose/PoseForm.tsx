@@ -2,8 +2,9 @@
 
 import { Button, JobProgress, Notice, Segments, SelectField, TextField } from "../../components";
 import { hint } from "../../core/commands";
+import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
-import { lengthText, lengthUnit, plural } from "../../core/units";
+import { fixed, lengthText, lengthUnit } from "../../core/units";
 import { KindField, MarkerFields } from "../../parts/boards/MarkerFields";
 import { BoardDrawing } from "./BoardDrawing";
 import { U_BOW_M, U_TAPE_M } from "./form";
@@ -38,9 +39,9 @@ function LensQuestions({ model }: { model: PoseModel }) {
   const locked = !canWork.value;
   return (
     <fieldset disabled={locked}>
-      <legend>Recording and lens</legend>
+      <legend>{say("pose-lens")}</legend>
       <SelectField
-        label="Recording"
+        label={say("field-recording")}
         value={String(model.reel.recording.value?.id ?? "")}
         options={model.reel.recordings.value.map((one) => ({
           value: String(one.id),
@@ -50,20 +51,29 @@ function LensQuestions({ model }: { model: PoseModel }) {
         onChange={(id) => void model.openRecording(Number(id))}
       />
       <SelectField
-        label="Calibration"
+        label={say("field-calibration")}
         value={String(form.calibrationId ?? "")}
         problem={shown(model, problems.calibration)}
         options={[
-          ...(form.calibrationId === null ? [{ value: "", label: "none yet" }] : []),
+          ...(form.calibrationId === null ? [{ value: "", label: say("pose-calibration-none") }] : []),
           ...model.calibrations.value.map((one) => ({
             value: String(one.id),
-            label: `${one.camera}, ${one.id}${one.current ? ", current" : ""}${one.trusted ? "" : ", not to be trusted"}`,
+            label: say("pose-calibration", {
+              state: standing(one),
+              camera: one.camera,
+              calibration: String(one.id),
+            }),
           })),
         ]}
         onChange={(id) => model.set({ calibrationId: id === "" ? null : Number(id) })}
       />
     </fieldset>
   );
+}
+
+function standing({ current, trusted }: { current: boolean; trusted: boolean }) {
+  if (current) return trusted ? "current" : "current_not_trusted";
+  return trusted ? "other" : "not_trusted";
 }
 
 function BoardQuestions({ model }: { model: PoseModel }) {
@@ -73,24 +83,24 @@ function BoardQuestions({ model }: { model: PoseModel }) {
   const locked = !canWork.value;
   return (
     <fieldset disabled={locked}>
-      <legend>The board</legend>
+      <legend>{say("pose-board")}</legend>
       <KindField value={form} change={(part) => model.set(part)} disabled={locked} />
       <div class="pose-form__three">
         <TextField
-          label="Inner corners across"
+          label={say("pose-columns")}
           numeric
           value={String(form.columns || "")}
           onInput={(text) => model.set({ columns: count(text) })}
         />
         <TextField
-          label="and down"
+          label={say("pose-rows")}
           numeric
           value={String(form.rows || "")}
           onInput={(text) => model.set({ rows: count(text) })}
           problem={problems.board}
         />
         <TextField
-          label="Square"
+          label={say("pose-square")}
           numeric
           unit={unit}
           value={form.square}
@@ -105,8 +115,7 @@ function BoardQuestions({ model }: { model: PoseModel }) {
         change={(part) => model.set(part)}
       />
       <p class="field__hint">
-        Inner corners are where four squares meet: a board of 10 by 7 squares has 9 by 6.{" "}
-        {form.kind === "charuco" && "A road pose needs the whole board in sight."}
+        {say("pose-corners-hint")} {form.kind === "charuco" && say("pose-charuco-hint")}
       </p>
     </fieldset>
   );
@@ -118,23 +127,23 @@ function SpanQuestions({ model }: { model: PoseModel }) {
   const locked = !canWork.value;
   return (
     <fieldset disabled={locked}>
-      <legend>Frames in which it stands still</legend>
+      <legend>{say("pose-still")}</legend>
       <div class="row row--wrap">
         <Button
           small
-          title={`The first frame${hint("passBegin")}`}
+          title={say("pose-begins-title") + hint("passBegin")}
           onClick={() => model.mark("first")}
           disabled={locked}
         >
-          Begins here
+          {say("pose-begins")}
         </Button>
         <Button
           small
-          title={`The last frame${hint("passEnd")}`}
+          title={say("pose-ends-title") + hint("passEnd")}
           onClick={() => model.mark("last")}
           disabled={locked}
         >
-          Ends here
+          {say("pose-ends")}
         </Button>
         <span class="nowrap" data-testid="pose-span">
           {span(form.first, form.last)}
@@ -152,13 +161,13 @@ function HeightQuestions({ model }: { model: PoseModel }) {
   const locked = !canWork.value;
   return (
     <fieldset disabled={locked}>
-      <legend>How high it stands</legend>
+      <legend>{say("pose-height")}</legend>
       <Segments
-        label="Reference row"
+        label={say("pose-reference")}
         value={form.reference}
         options={[
-          { value: "bottom", label: "lowest row of corners" },
-          { value: "top", label: "uppermost row" },
+          { value: "bottom", label: say("pose-reference-bottom") },
+          { value: "top", label: say("pose-reference-top") },
         ]}
         onChange={(reference) => model.set({ reference })}
         disabled={locked}
@@ -170,7 +179,7 @@ function HeightQuestions({ model }: { model: PoseModel }) {
         markers={form.kind === "charuco"}
       />
       <TextField
-        label={`From the road up to the ${form.reference === "top" ? "uppermost" : "lowest"} row of inner corners`}
+        label={say("pose-reference-height", { reference: form.reference })}
         numeric
         unit={unit}
         value={form.referenceHeight}
@@ -188,10 +197,10 @@ function SurenessQuestions({ model }: { model: PoseModel }) {
   const unit = lengthUnit.value;
   return (
     <details>
-      <summary>How sure these are</summary>
+      <summary>{say("pose-sure")}</summary>
       <div class="pose-form__two">
         <TextField
-          label="± of the tape"
+          label={say("pose-u-tape")}
           numeric
           unit={unit}
           value={form.uReferenceHeight}
@@ -199,7 +208,7 @@ function SurenessQuestions({ model }: { model: PoseModel }) {
           placeholder={lengthText(U_TAPE_M)}
         />
         <TextField
-          label="± of the lean"
+          label={say("pose-u-lean")}
           numeric
           unit="°"
           value={form.uLean}
@@ -207,15 +216,15 @@ function SurenessQuestions({ model }: { model: PoseModel }) {
           problem={problems.uncertainty}
         />
         <TextField
-          label="± of a square"
+          label={say("pose-u-square")}
           numeric
           unit={unit}
           value={form.uSquare}
           onInput={(uSquare) => model.set({ uSquare })}
-          placeholder="0.1 %"
+          placeholder={say("percent", { percent: fixed(0.1, 1) })}
         />
         <TextField
-          label="± of the bow"
+          label={say("pose-u-bow")}
           numeric
           unit={unit}
           value={form.uBow}
@@ -223,12 +232,7 @@ function SurenessQuestions({ model }: { model: PoseModel }) {
           placeholder={lengthText(U_BOW_M)}
         />
       </div>
-      <p class="field__hint">
-        Standard uncertainties, all estimates until you measure them: 3 mm is a steel tape read with care on
-        asphalt; 0.3° is a board set with a good spirit level, towards the camera and sideways alike; a print
-        is true to 0.1 % of a square; the middle of a stiff board is out of plane by 0.5 mm. Each goes into
-        every height's budget under its own name.
-      </p>
+      <p class="field__hint">{say("pose-u-hint")}</p>
     </details>
   );
 }
@@ -239,17 +243,17 @@ function Run({ model }: { model: PoseModel }) {
   return (
     <footer class="pose-form__foot">
       {model.job.value?.state === "failed" && <Notice kind="problem">{model.job.value.error}</Notice>}
-      {model.job.value?.state === "cancelled" && <Notice>Stopped; nothing was changed.</Notice>}
+      {model.job.value?.state === "cancelled" && <Notice>{say("pose-stopped")}</Notice>}
       {model.running.value && model.job.value ? (
         <JobProgress job={model.job.value} onCancel={() => model.cancel()} />
       ) : (
         <span data-testid="pose-run">
           <Button kind={again ? "plain" : "primary"} type="submit" disabled={locked}>
-            {again ? "Find the road pose again" : "Find the road pose"}
+            {say(again ? "pose-find-again" : "pose-find")}
           </Button>
         </span>
       )}
-      {locked && <p class="small muted">You may look; an operator finds the pose.</p>}
+      {locked && <p class="small muted">{say("pose-look-only")}</p>}
     </footer>
   );
 }
@@ -260,7 +264,8 @@ function count(text: string): number {
 }
 
 function span(first: number | null, last: number | null): string {
-  if (first === null) return "not marked yet";
-  if (last === null) return `from ${first}, end not marked`;
-  return `${first} to ${last}, ${plural(last - first + 1, "frame")}`;
+  if (first === null) return say("pose-not-marked");
+  const first_frame = String(first);
+  if (last === null) return say("pose-end-not-marked", { first_frame });
+  return say("pose-marked", { first_frame, last_frame: String(last), count: last - first + 1 });
 }

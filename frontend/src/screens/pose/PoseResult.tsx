@@ -1,5 +1,6 @@
 /** What the pose is worth, in plain words: the expected uncertainty of heights, warnings, and other poses to choose from. */
 import { Button, Notice, Shape } from "../../components";
+import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import { formatMoment } from "../../core/times";
 import type { Pose } from "../../core/types";
@@ -17,21 +18,21 @@ export function PoseResult({ model }: { model: PoseModel }) {
       {pose && (
         <>
           <header class="row">
-            <h2 class="grow">{inUse ? "The recording's road pose" : "An earlier road pose"}</h2>
+            <h2 class="grow">{say(inUse ? "pose-result" : "pose-result-earlier")}</h2>
             {inUse && (
               <span class="mark">
-                <Shape shape="check" /> in use
+                <Shape shape="check" /> {say("in-use")}
               </span>
             )}
           </header>
           <Verdict pose={pose} />
           {inUse && <DriftVerdict recordingId={recording.id} poseId={recording.pose_id} open />}
           {!inUse && canWork.value && (
-            <Button onClick={() => void model.choose(pose.id)}>Use this pose for the recording</Button>
+            <Button onClick={() => void model.choose(pose.id)}>{say("pose-use")}</Button>
           )}
           {inUse && (
             <Button kind="primary" href={`/surveys/${model.surveyId}/measure?recording=${recording.id}`}>
-              Measure with it
+              {say("pose-measure")}
             </Button>
           )}
         </>
@@ -46,10 +47,10 @@ function Verdict({ pose }: { pose: Pose }) {
     <div data-testid="pose-verdict" class="stack stack--tight">
       <p>{pose.summary}</p>
       <table class="expected">
-        <caption class="visually-hidden">Expected uncertainty of a height</caption>
+        <caption class="visually-hidden">{say("pose-expected")}</caption>
         <thead>
           <tr>
-            <th scope="col">at a distance of</th>
+            <th scope="col">{say("pose-expected-distance")}</th>
             {pose.expected.map((one) => (
               <th key={one.distance_m} scope="col" class="num">
                 {formatLength(one.distance_m, 0)}
@@ -59,10 +60,14 @@ function Verdict({ pose }: { pose: Pose }) {
         </thead>
         <tbody>
           <tr>
-            <th scope="row">a height is good to (95 %)</th>
+            <th scope="row">{say("pose-expected-good")}</th>
             {pose.expected.map((one) => (
               <td key={one.distance_m} class="num" title={one.reason ?? undefined}>
-                <strong>{one.U95_height_m === null ? "–" : `± ${formatSmall(one.U95_height_m)}`}</strong>
+                <strong>
+                  {one.U95_height_m === null
+                    ? "–"
+                    : say("pose-expected-U95", { U95: formatSmall(one.U95_height_m) })}
+                </strong>
               </td>
             ))}
           </tr>
@@ -72,7 +77,10 @@ function Verdict({ pose }: { pose: Pose }) {
         (one) =>
           one.reason && (
             <p key={one.distance_m} class="small muted">
-              At {formatLength(one.distance_m, 0)}: {one.reason}
+              {say("pose-expected-reason", {
+                distance: formatLength(one.distance_m, 0),
+                reason: one.reason,
+              })}
             </p>
           ),
       )}
@@ -82,12 +90,18 @@ function Verdict({ pose }: { pose: Pose }) {
         </Notice>
       ))}
       <p class="small muted">
-        Frames {pose.first_frame} to {pose.last_frame}; corners fit to{" "}
-        {pose.rms_px === null ? "–" : `${fixed(pose.rms_px, 2)} px`}; board at{" "}
-        {formatLength(pose.distance_m, 2)}.
+        {say("pose-facts", {
+          ...framesOf(pose),
+          fit: pose.rms_px === null ? "–" : say("value-px", { value: fixed(pose.rms_px, 2) }),
+          distance: formatLength(pose.distance_m, 2),
+        })}
       </p>
     </div>
   );
+}
+
+function framesOf(pose: Pick<Pose, "first_frame" | "last_frame">) {
+  return { first_frame: String(pose.first_frame), last_frame: String(pose.last_frame) };
 }
 
 function PoseHistory({ model }: { model: PoseModel }) {
@@ -95,10 +109,10 @@ function PoseHistory({ model }: { model: PoseModel }) {
   const poses = [...model.poses.value].sort((a, b) => b.id - a.id);
   if (poses.length < 2 && poses[0]?.id === recording?.pose_id) return null;
   const name = (id: number): string =>
-    model.reel.recordings.value.find((one) => one.id === id)?.name ?? "another recording";
+    model.reel.recordings.value.find((one) => one.id === id)?.name ?? say("pose-other-recording");
   return (
     <details class="pose-history">
-      <summary>{poses.length} poses in this survey</summary>
+      <summary>{say("pose-poses", { count: poses.length })}</summary>
       <ul>
         {poses.map((one) => (
           <li key={one.id}>
@@ -112,15 +126,15 @@ function PoseHistory({ model }: { model: PoseModel }) {
                 <strong>{one.id}</strong> {name(one.recording_id)}
               </span>
               <span class="small muted">
-                {formatMoment(one.created_at)}, frames {one.first_frame} to {one.last_frame}
+                {say("pose-made", { time: formatMoment(one.created_at), ...framesOf(one) })}
               </span>
             </button>
             {recording?.pose_id === one.id ? (
-              <span class="small">in use</span>
+              <span class="small">{say("in-use")}</span>
             ) : (
               canWork.value && (
                 <Button small onClick={() => void model.choose(one.id)}>
-                  Use
+                  {say("pose-use-short")}
                 </Button>
               )
             )}

@@ -3,8 +3,10 @@ import { useEffect, useMemo } from "preact/hooks";
 import { Button, Empty, Loading, Problem } from "../../components";
 import { CommandButton } from "../../components/CommandButton";
 import { useCommands } from "../../core/commands";
+import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { canWork } from "../../core/session";
+import type { BoardFinding } from "../../core/types";
 import { linesShown } from "../../viewer/display";
 import { FrameView } from "../../viewer/FrameView";
 import { FoundBoard, RoadOverlay } from "../../viewer/PoseOverlay";
@@ -33,13 +35,13 @@ export default function PoseScreen({ surveyId }: ScreenProps) {
   useCommands([
     {
       id: "passBegin",
-      label: "Mark the first frame of the board",
+      label: say("pose-mark-first"),
       run: () => model.mark("first"),
       enabled: mayMark,
     },
     {
       id: "passEnd",
-      label: "Mark the last frame of the board",
+      label: say("pose-mark-last"),
       run: () => model.mark("last"),
       enabled: mayMark,
     },
@@ -52,25 +54,25 @@ export default function PoseScreen({ surveyId }: ScreenProps) {
       </div>
     );
   }
-  if (!model.loaded.value) return <Loading what="the road pose" />;
+  if (!model.loaded.value) return <Loading what={say("pose-loading")} />;
   if (!player) {
     return (
       <Empty
-        title="No recording with the board yet"
+        title={say("pose-no-recording-title")}
         actions={
           <Button kind="primary" href={`/surveys/${surveyId}/recordings`}>
-            Add recordings
+            {say("pose-add-recordings")}
           </Button>
         }
       >
-        <p>Add the video in which the checkerboard stands on the road; the road pose is found from it.</p>
+        <p>{say("pose-no-recording")}</p>
       </Empty>
     );
   }
   return (
     <div class="pose">
-      <h1 class="visually-hidden">Road pose</h1>
-      <section class="pose__frame" aria-label="Frame">
+      <h1 class="visually-hidden">{say("page-pose")}</h1>
+      <section class="pose__frame" aria-label={say("stage-frame")}>
         <FrameView
           key={player.recordingId}
           player={player}
@@ -84,18 +86,18 @@ export default function PoseScreen({ surveyId }: ScreenProps) {
           {model.finding.value?.found && <FoundBoard finding={model.finding.value} stage={model.stage} />}
         </FrameView>
       </section>
-      <aside class="pose__side" aria-label="Board and result">
+      <aside class="pose__side" aria-label={say("pose-side")}>
         <PoseResult model={model} />
         <PoseForm model={model} />
       </aside>
-      <section class="pose__time" aria-label="Timeline">
+      <section class="pose__time" aria-label={say("stage-timeline")}>
         <div class="frame-tools">
           <Transport player={player} stage={model.stage} />
           <span class="grow" />
-          <CommandButton command={fitCommand(model.stage)}>Fit</CommandButton>
-          <CommandButton command={linesSwitch}>Lines</CommandButton>
-          <CommandButton command={brightSwitch}>Bright</CommandButton>
-          <CommandButton command={loupeSwitch(model.stage)}>Loupe</CommandButton>
+          <CommandButton command={fitCommand(model.stage)}>{say("stage-fit")}</CommandButton>
+          <CommandButton command={linesSwitch}>{say("stage-lines")}</CommandButton>
+          <CommandButton command={brightSwitch}>{say("stage-bright")}</CommandButton>
+          <CommandButton command={loupeSwitch(model.stage)}>{say("stage-loupe")}</CommandButton>
         </div>
         <Timeline player={player} spans={spansOf(model, player)} />
       </section>
@@ -109,30 +111,29 @@ function spansOf(model: PoseModel, player: Player): Span[] {
   const { first, last } = model.form.value;
   const end = last ?? (first === null ? null : Math.max(first, player.frame.value));
   if (first === null || end === null) return [];
-  return [
-    { id: "board", first, last: end, label: "", title: `Board: frames ${first} to ${end}`, kind: "board" },
-  ];
+  const title = say("pose-board-span", { first_frame: String(first), last_frame: String(end) });
+  return [{ id: "board", first, last: end, label: "", title, kind: "board" }];
+}
+
+function foundWords({ ids, columns, rows }: BoardFinding): string {
+  return ids ? say("pose-found-part") : say("pose-found", { columns, rows });
 }
 
 function BoardHint({ model }: { model: PoseModel }) {
   const finding = model.finding.value;
   const inUse = model.pose.value !== null;
-  const advice = inUse
-    ? "This recording has its road pose. To find it again, go to a frame in which the board stands still."
-    : "Go to a frame in which the board stands still.";
+  const advice = say(inUse ? "pose-go-again" : "pose-go");
   const problem = model.findingProblem.value;
   const words = finding?.found
     ? finding.order_note
     : model.looking.value
-      ? "Looking for the board…"
+      ? say("pose-looking")
       : inUse || problem === null
         ? advice
         : problem;
   return (
     <p class="frame-hint" id="pose-hint" role="status">
-      {finding?.found && (
-        <strong class="nowrap">{finding.ids ? "Part" : `${finding.columns} × ${finding.rows}`} found</strong>
-      )}
+      {finding?.found && <strong class="nowrap">{foundWords(finding)}</strong>}
       <span>{words}</span>
     </p>
   );

@@ -1,5 +1,6 @@
 /** What the operator says about the board, as typed; checked here only for being there and readable, judged by the server. */
 
+import { say } from "../../core/messages";
 import type { BodyOf } from "../../core/routes";
 import type { Pose } from "../../core/types";
 import { lengthText, lengthUnit, parseLength } from "../../core/units";
@@ -67,17 +68,15 @@ export function problemsOf(form: BoardForm): FormProblems {
   const ofSquare = lengthOr(form.uSquare, 0);
   const bow = lengthOr(form.uBow, U_BOW_M);
   return {
-    calibration:
-      form.calibrationId === null ? "Calibrate the camera first; without its lens there is no pose." : null,
-    board: form.columns >= 2 && form.rows >= 2 ? null : "A board has at least 2 by 2 inner corners.",
-    square: square !== null && square > 0 ? null : "Measure one square over several and enter its side.",
+    calibration: form.calibrationId === null ? say("pose-problem-calibration") : null,
+    board: form.columns >= 2 && form.rows >= 2 ? null : say("pose-problem-board"),
+    square: square !== null && square > 0 ? null : say("pose-problem-square"),
     marker: markerProblem(form.kind, parseLength(form.marker), square, lengthText(0.075)),
-    referenceHeight: height !== null ? null : "Measure it with a tape; every height rests on it.",
+    referenceHeight: height !== null ? null : say("pose-problem-height"),
     uncertainty: [tape, lean, ofSquare, bow].every((one) => one !== null && one >= 0)
       ? null
-      : "Each is a figure of zero or more.",
-    span:
-      form.first !== null && form.last !== null ? null : "Mark the frames in which the board stands still.",
+      : say("pose-problem-u"),
+    span: form.first !== null && form.last !== null ? null : say("pose-problem-span"),
   };
 }
 

@@ -4,6 +4,7 @@ import { query } from "../../core/address";
 import { api, explain } from "../../core/api";
 import { cancelJob, followJob } from "../../core/jobs";
 import { Latest } from "../../core/latest";
+import { say } from "../../core/messages";
 import { refreshSurvey } from "../../core/survey";
 import { toast, toastProblem } from "../../core/toasts";
 import type { BoardFinding, Camera, Job, Pose, PoseSummary } from "../../core/types";
@@ -220,7 +221,7 @@ export class PoseModel {
         one.id === changed.id ? changed : one,
       );
       await this.showPose(id);
-      toast("This pose now holds for the recording; heights clicked from now on use it.");
+      toast(say("pose-chosen"));
       void refreshSurvey();
     } catch (error) {
       toastProblem(error);
