@@ -243,6 +243,10 @@ menu-sign-out = Sign out
 
 ## App: while the server cannot be reached
 
+offline-kept = { $count ->
+    [one] { $count } change is kept in this browser and will be saved when it is back.
+   *[other] { $count } changes are kept in this browser and will be saved when it is back.
+}
 offline-changes = { $count ->
     [one] { $count } change will be saved when it is back; keep this page open.
    *[other] { $count } changes will be saved when it is back; keep this page open.
@@ -250,6 +254,16 @@ offline-changes = { $count ->
 offline-next = Next try in { $seconds } s.
 offline-now = Trying again…
 offline-try = Try now
+
+## App: what was refused, or changed by somebody else meanwhile
+
+unsaved-refused = { $problem } Yours: { $mine }.
+unsaved-conflict = { $problem } Yours: { $mine }. Theirs: { $theirs }.
+unsaved-take = Take theirs
+unsaved-keep = Keep mine
+unsaved-again = Try again
+unsaved-drop = Let it go
+unsaved-otherwise = The server stored something else than was asked for; look at it again.
 
 ## App: the list of keys
 

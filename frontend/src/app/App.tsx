@@ -10,10 +10,12 @@ import { loadSession, me, sessionProblem } from "../core/session";
 import { loadSurvey, survey, surveyProblem } from "../core/survey";
 import { Arrival } from "./arrival";
 import { keysShown } from "./KeysDialog.state";
+import "./kinds";
 import { Offline } from "./Offline";
 import { Rail } from "./Rail";
 import { NotFound, Screen } from "./Screen";
 import { TopBar } from "./TopBar";
+import { Unsaved } from "./Unsaved";
 
 export function App() {
   useEffect(() => {
@@ -81,6 +83,7 @@ function Body() {
       </a>
       <TopBar />
       <Offline />
+      <Unsaved />
       <main id="main" class={`main${full ? " main--full" : ""}`} tabIndex={-1}>
         {here === null ? (
           <NotFound />

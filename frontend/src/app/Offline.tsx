@@ -2,6 +2,7 @@ import { useEffect, useState } from "preact/hooks";
 import { Button, Icon } from "../components";
 import { connection, tryAgainNow } from "../core/api";
 import { say } from "../core/messages";
+import { outbox } from "../core/outbox";
 import { saveState } from "../core/save";
 
 /** Says that the server cannot be reached, what waits, and when it is tried again. */
@@ -16,12 +17,14 @@ export function Offline() {
   }, [lost]);
   if (!lost) return null;
   const seconds = nextTryAt === null ? 0 : Math.max(0, Math.ceil((nextTryAt - now) / 1000));
-  const changes = saveState.value.waiting;
+  const { kept, queued } = outbox.counts.value;
+  const others = saveState.value.waiting - (kept - queued);
   return (
     <div class="offline" role="alert">
       <Icon name="warning" />
       <span class="grow">
-        {say("problem-offline")} {changes > 0 && `${say("offline-changes", { count: changes })} `}
+        {say("problem-offline")} {kept > 0 && `${say("offline-kept", { count: kept })} `}
+        {others > 0 && `${say("offline-changes", { count: others })} `}
         {seconds > 0 ? say("offline-next", { seconds }) : say("offline-now")}
       </span>
       <Button small onClick={tryAgainNow}>

@@ -2,6 +2,7 @@ import { Button, Mark, Menu } from "../components";
 import { current } from "../core/address";
 import { hint } from "../core/commands";
 import { chooseLanguage, LANGUAGES, language, say } from "../core/messages";
+import { outbox } from "../core/outbox";
 import { titleOf } from "../core/places";
 import { saveState } from "../core/save";
 import { may, me, signOut } from "../core/session";
@@ -97,10 +98,11 @@ function WorkMenu({ surveyId, name, title }: { surveyId: number; name: string; t
 
 function SaveWord() {
   const { pending, waiting, savedAt, failed } = saveState.value;
+  const { queued } = outbox.counts.value;
   const word =
     waiting > 0
-      ? say("save-waiting", { count: waiting })
-      : pending > 0
+      ? say("save-waiting", { count: waiting + queued })
+      : pending + queued > 0
         ? say("save-pending")
         : failed
           ? say("save-failed")

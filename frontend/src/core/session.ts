@@ -1,6 +1,7 @@
-import { computed, signal } from "@preact/signals";
+import { computed, effect, signal, untracked } from "@preact/signals";
 import { navigate, pathname } from "./address";
 import { ApiError, api, onSignedOut } from "./api";
+import { outbox } from "./outbox";
 import type { Me, Role } from "./types";
 
 /** undefined while it is not yet known, null when nobody is signed in */
@@ -32,6 +33,13 @@ export async function signOut(): Promise<void> {
   me.value = null;
   navigate("/sign-in");
 }
+
+const personId = computed(() => me.value?.person.id ?? null);
+// what a person left unsaved is sent as theirs, and as nobody else's
+effect(() => {
+  const id = personId.value;
+  untracked(() => outbox.open(id));
+});
 
 onSignedOut(() => {
   if (pathname.value === "/sign-in") return;

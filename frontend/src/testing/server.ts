@@ -1,5 +1,6 @@
 /** The least of a server that screens need in tests: it serves frames, stores clicks, counts revisions and notes what was written. */
 import { vi } from "vitest";
+import { outbox } from "../core/outbox";
 import { me } from "../core/session";
 import type { Me, Measurement, Recording, Vehicle } from "../core/types";
 
@@ -30,7 +31,9 @@ export class FakeServer {
   constructor(role = "operator") {
     vi.stubGlobal("fetch", this.fetch);
     vi.stubGlobal("createImageBitmap", async () => PICTURE);
+    for (const name of Object.keys(localStorage)) if (name.includes("outbox")) localStorage.removeItem(name);
     me.value = { person: { id: 1, role } } as unknown as Me;
+    outbox.open(1);
     this.on("GET", /\/frames\?/, () => ({ first: 0, time_s: [], crc: [] }));
     this.on("GET", /\/frames\/ready$/, () => ({ runs: [] }));
     this.on("POST", /\/geometry\//, () => HEIGHT);

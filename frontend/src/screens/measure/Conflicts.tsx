@@ -1,10 +1,12 @@
 /** Somebody else changed the same thing: who, what, and the choice of theirs or mine. Nothing is lost before it is made. */
 import { useSignal } from "@preact/signals";
 import { Button, Segments } from "../../components";
-import { formatHeight, formatLength } from "../../core/units";
+import { outbox } from "../../core/outbox";
+import { formatHeight } from "../../core/units";
+import { FIELD_WORDS, type Field } from "./fields";
+import { showFact } from "./kinds";
 import type { MeasureModel } from "./model";
 import type { Entry } from "./records";
-import { FIELD_WORDS, type Field } from "./vehicles";
 import { heightWords } from "./words";
 
 export function VehicleConflict({ model, id }: { model: MeasureModel; id: number }) {
@@ -32,8 +34,8 @@ export function VehicleConflict({ model, id }: { model: MeasureModel; id: number
             label={FIELD_WORDS[field]}
             value={chosen(field)}
             options={[
-              { value: "mine", label: `mine: ${show(field, draft.changes[field])}` },
-              { value: "theirs", label: `theirs: ${show(field, theirs[field])}` },
+              { value: "mine", label: `mine: ${showFact(field, draft.changes[field])}` },
+              { value: "theirs", label: `theirs: ${showFact(field, theirs[field])}` },
             ]}
             onChange={(side) => {
               choice.value = new Map(choice.value).set(field, side);
@@ -48,12 +50,7 @@ export function VehicleConflict({ model, id }: { model: MeasureModel; id: number
   );
 }
 
-function show(field: Field, value: unknown): string {
-  if (value === null || value === undefined || value === "") return "empty";
-  return field.endsWith("_m") ? formatLength(Number(value)) : String(value).replace("_", " ");
-}
-
-export function MeasurementConflict({ model, entry }: { model: MeasureModel; entry: Entry }) {
+export function MeasurementConflict({ entry }: { entry: Entry }) {
   const theirs = entry.theirs;
   if (!theirs) return null;
   const words = theirs.withdrawn ? "withdrawn" : formatHeight(theirs.height_m, theirs.U95_height_m);
@@ -65,10 +62,10 @@ export function MeasurementConflict({ model, entry }: { model: MeasureModel; ent
         {entry.values.withdrawn ? "withdrawn" : heightWords(entry)}.
       </p>
       <div class="row">
-        <Button small onClick={() => model.records.resolve(entry.key, "theirs")}>
+        <Button small onClick={() => outbox.resolve(entry.key, "theirs")}>
           Take theirs
         </Button>
-        <Button small onClick={() => model.records.resolve(entry.key, "mine")}>
+        <Button small onClick={() => outbox.resolve(entry.key, "mine")}>
           Keep mine
         </Button>
       </div>

@@ -24,15 +24,7 @@ export default function MeasureScreen({ surveyId }: ScreenProps) {
   const model = useMemo(() => new MeasureModel(surveyId), [surveyId]);
   useEffect(() => {
     void model.load();
-    // clicks survive in the outbox; what is typed does not, so leaving asks first
-    const ask = (event: BeforeUnloadEvent): void => {
-      if (model.hasUnsaved) event.preventDefault();
-    };
-    window.addEventListener("beforeunload", ask);
-    return () => {
-      window.removeEventListener("beforeunload", ask);
-      model.close();
-    };
+    return () => model.close();
   }, [model]);
   const steps = useMemo(() => stepsOf(model), [model]);
   const player = model.reel.player.value;

@@ -2,6 +2,7 @@
 import { useSignal } from "@preact/signals";
 import { Button, Icon, StateMark } from "../../components";
 import { hint, keyMap, showChord } from "../../core/commands";
+import { outbox } from "../../core/outbox";
 import { canWork } from "../../core/session";
 import type { Target } from "../../core/types";
 import { inUnits } from "../../core/units";
@@ -41,7 +42,7 @@ export function MeasurementList({ model }: { model: MeasureModel }) {
                         open.value = open.value === entry.key ? null : entry.key;
                       }}
                     />
-                    <Said model={model} entry={entry} />
+                    <Said entry={entry} />
                     {detail(entry)}
                   </div>
                 ))
@@ -124,17 +125,17 @@ function Row({ model, target, index, entry, open, onOpen }: RowProps) {
 const KEYS = ["target1", "target2", "target3", "target4", "target5"] as const;
 
 /** The line under a row, when there is something to say. */
-function Said({ model, entry }: { model: MeasureModel; entry: Entry }) {
-  if (entry.state === "conflict") return <MeasurementConflict model={model} entry={entry} />;
+function Said({ entry }: { entry: Entry }) {
+  if (entry.state === "conflict") return <MeasurementConflict entry={entry} />;
   if (entry.state === "failed") {
     return (
       <div class="height-row__said" role="alert">
         <Icon name="warning" size={14} />
         <span class="grow">{entry.problem}</span>
-        <Button small onClick={() => model.records.retry(entry.key)}>
+        <Button small onClick={() => outbox.send(entry.key)}>
           Try again
         </Button>
-        <Button small kind="quiet" onClick={() => model.records.discard(entry.key)}>
+        <Button small kind="quiet" onClick={() => outbox.discard(entry.key)}>
           Discard
         </Button>
       </div>

@@ -3,8 +3,9 @@ import type { Ledger } from "../../core/history";
 import type { ImagePoint } from "../../viewer/points";
 import type { Values } from "../../viewer/values";
 import type { Desk } from "./desk";
+import type { Changes } from "./fields";
 import type { Entry } from "./records";
-import type { Changes, Vehicles } from "./vehicles";
+import type { Vehicles } from "./vehicles";
 
 /** By the measurement's key; undefined: there is none, or it is withdrawn before it was ever there. */
 export type ClickLedger = Ledger<string, Values | undefined>;

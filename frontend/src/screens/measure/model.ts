@@ -6,7 +6,8 @@ import { batch, computed, effect, signal, untracked } from "@preact/signals";
 import { ask } from "../../components";
 import { setQuery } from "../../core/address";
 import { History, type Ledger } from "../../core/history";
-import { canWork, me } from "../../core/session";
+import { outbox } from "../../core/outbox";
+import { canWork } from "../../core/session";
 import { stored } from "../../core/stored";
 import { survey } from "../../core/survey";
 import { toast, toastProblem } from "../../core/toasts";
@@ -19,14 +20,14 @@ import { FrameStage } from "../../viewer/stage";
 import type { Inset } from "../../viewer/values";
 import { Assist } from "./assist/assist";
 import type { ClickTool, Desk } from "./desk";
+import type { Changes } from "./fields";
 import { type Effect, type Flow, type FlowEvent, firstMissing, START, step } from "./flow";
 import { factLedger } from "./ledgers";
-import { Outbox, tabName } from "./outbox";
 import { Points } from "./points";
 import * as server from "./ports";
 import { Records } from "./records";
 import { SecondFrame } from "./secondFrame";
-import { type Changes, Vehicles } from "./vehicles";
+import { Vehicles } from "./vehicles";
 
 export const filter = stored<Filter>("passes.filter", "all");
 export const order = stored<Order>("passes.order", "number");
@@ -43,7 +44,6 @@ export class MeasureModel implements Desk {
   ]);
   readonly history = new History();
   readonly geometry = new Geometry();
-  readonly outbox: Outbox;
   readonly records: Records;
   readonly vehicles: Vehicles;
   readonly second: SecondFrame = new SecondFrame(this, () => this.points);
@@ -90,22 +90,12 @@ export class MeasureModel implements Desk {
   private refreshTimer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(readonly surveyId: number) {
-    const person = me.value?.person.id ?? 0;
-    this.outbox = new Outbox(`sightline.outbox.${surveyId}.${person}.`, tabName());
-    this.records = new Records(server.recordsPort, this.outbox, (entry) => {
-      this.refreshSoon(entry.vehicleId);
-      this.onStored(entry.vehicleId);
-    });
-    this.vehicles = new Vehicles(
-      {
-        save: async (id, version, changes) => {
-          const saved = await server.vehiclesPort.save(id, version, changes);
-          this.onStored(id);
-          return saved;
-        },
-      },
-      (message) => toast(message),
-    );
+    const stored = (vehicleId: number): void => {
+      this.refreshSoon(vehicleId);
+      this.onStored(vehicleId);
+    };
+    this.records = new Records(outbox, surveyId, (entry) => stored(entry.vehicleId));
+    this.vehicles = new Vehicles(outbox, surveyId, { merged: toast, stored: (id) => this.onStored(id) });
     this.assist = new Assist(this);
     this.facts = factLedger(this.vehicles);
     this.startFromAddress();
@@ -131,7 +121,7 @@ export class MeasureModel implements Desk {
         this.loaded.value = true;
       });
       this.openFirst();
-      this.records.resume(this.outbox.adopt());
+      this.records.resume();
     } catch (error) {
       this.problem.value = error;
     }
@@ -146,18 +136,8 @@ export class MeasureModel implements Desk {
     this.points.endBurst();
     this.assist.close();
     this.reel.close();
-    this.outbox.close();
-  }
-
-  /** True while something is typed or clicked that the server does not have. */
-  get hasUnsaved(): boolean {
-    const typed = [...this.vehicles.drafts.value.values()].some(
-      (draft) => Object.keys(draft.changes).length > 0,
-    );
-    const clicked = [...this.records.byVehicle.value.values()].some((entries) =>
-      entries.some((entry) => entry.state === "saving" || entry.state === "moving"),
-    );
-    return typed || clicked;
+    this.records.close();
+    this.vehicles.close();
   }
 
   dispatch(event: FlowEvent): Effect | null {

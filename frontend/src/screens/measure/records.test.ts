@@ -1,10 +1,11 @@
 import { beforeEach, describe, expect, it } from "vitest";
 import { ApiError } from "../../core/api";
+import { ORPHANED_AFTER_MS, Outbox } from "../../core/outbox";
 import type { Measurement, Vehicle } from "../../core/types";
 import { imagePoint } from "../../viewer/points";
 import type { Values } from "../../viewer/values";
-import { ORPHANED_AFTER_MS, Outbox } from "./outbox";
-import { Records, type RecordsPort } from "./records";
+import { MEASUREMENT, measurementKind, type RecordsPort } from "./kinds";
+import { Records } from "./records";
 
 const values: Values = {
   target: "roof",
@@ -104,7 +105,19 @@ function memory(): Storage {
 
 let store: Storage;
 let clock = 0;
-const outbox = (tab: string) => new Outbox("box.", tab, store, () => clock);
+/** A page of a tab that talks to a server, with what it kept before. */
+function page(server: Server, tab = "a"): { records: Records; box: Outbox } {
+  const box = new Outbox(
+    tab,
+    () => store,
+    () => clock,
+  );
+  box.register(MEASUREMENT, measurementKind(server));
+  const records = new Records(box, 5);
+  records.take(server.vehicle());
+  box.open(1);
+  return { records, box };
+}
 
 beforeEach(() => {
   store = memory();
@@ -114,7 +127,7 @@ beforeEach(() => {
 describe("Records", () => {
   it("stores a click once and rests", async () => {
     const server = new Server();
-    const records = new Records(server, outbox("a"));
+    const { records } = page(server);
     const key = records.create(7, values, null);
     expect(records.find(key)?.state).toBe("saving");
     expect(store.length).toBe(1);
@@ -125,7 +138,7 @@ describe("Records", () => {
 
   it("sends only the last of the changes made while one was on its way", async () => {
     const server = new Server();
-    const records = new Records(server, outbox("a"));
+    const { records } = page(server);
     let open = () => {};
     server.gate = new Promise((done) => {
       open = done;
@@ -140,7 +153,7 @@ describe("Records", () => {
 
   it("withdraws and restores, as undo and redo do", async () => {
     const server = new Server();
-    const records = new Records(server, outbox("a"));
+    const { records } = page(server);
     const key = records.create(7, values, null);
     await records.settled(key);
     records.change(key, { withdrawn: true });
@@ -153,7 +166,7 @@ describe("Records", () => {
 
   it("tells of somebody else's change and keeps both until one is chosen", async () => {
     const server = new Server();
-    const records = new Records(server, outbox("a"));
+    const { records, box } = page(server);
     const key = records.create(7, values, null);
     await records.settled(key);
     server.other(1, [90, 90]);
@@ -162,26 +175,26 @@ describe("Records", () => {
     expect(conflict).toMatchObject({ state: "conflict", problem: "changed by RV at 14:02" });
     expect([...(conflict?.values.point ?? [])]).toEqual([1, 2]);
     expect(conflict?.theirs?.target_point).toEqual([90, 90]);
-    records.resolve(key, "mine");
+    box.resolve(key, "mine");
     expect((await records.settled(key))?.saved).toMatchObject({ revision: 3, target_point: [1, 2] });
   });
 
   it("takes theirs when told to", async () => {
     const server = new Server();
-    const records = new Records(server, outbox("a"));
+    const { records, box } = page(server);
     const key = records.create(7, values, null);
     await records.settled(key);
     server.other(1, [90, 90]);
     records.change(key, { point: imagePoint(1, 2) });
     await records.settled(key);
-    records.resolve(key, "theirs");
+    box.resolve(key, "theirs");
     expect(records.find(key)).toMatchObject({ state: "saved", saved: { target_point: [90, 90] } });
     expect(store.length).toBe(0);
   });
 
   it("does not mistake its own lost answer for a conflict", async () => {
     const server = new Server();
-    const records = new Records(server, outbox("a"));
+    const { records } = page(server);
     const key = records.create(7, values, null);
     await records.settled(key);
     server.loseAnswer = true;
@@ -192,17 +205,15 @@ describe("Records", () => {
   it("sends after a crash what was not yet saved, once", async () => {
     const server = new Server();
     server.gate = new Promise(() => {});
-    new Records(server, outbox("a")).create(7, values, null);
+    const key = page(server).records.create(7, values, null);
     server.gate = Promise.resolve();
 
-    const soon = outbox("b");
-    expect(soon.adopt()).toEqual([]);
+    expect(page(server, "b").box.wishes.value.size).toBe(0);
     clock += ORPHANED_AFTER_MS + 1;
-    const records = new Records(server, soon);
-    records.take(server.vehicle());
-    const items = soon.adopt();
-    records.resume(items);
-    await records.settled(items[0]?.key ?? "");
+    const { records } = page(server, "c");
+    records.resume();
+    expect(records.find(key)?.state).toBe("saving");
+    await records.settled(key);
     expect(server.stored.size).toBe(1);
     expect(store.length).toBe(0);
   });
@@ -210,20 +221,20 @@ describe("Records", () => {
   it("finds its own items again after a reload of the tab", () => {
     const server = new Server();
     server.gate = new Promise(() => {});
-    new Records(server, outbox("a")).create(7, values, null);
-    expect(outbox("a").adopt()).toHaveLength(1);
+    page(server).records.create(7, values, null);
+    expect(page(server).box.wishes.value.size).toBe(1);
   });
 
   it("keeps a refused click in sight with the reason", async () => {
     const server = new Server();
     server.create = () => Promise.reject(new ApiError("This recording has no road pose yet.", 409));
-    const records = new Records(server, outbox("a"));
+    const { records, box } = page(server);
     const key = records.create(7, values, null);
     expect(await records.settled(key)).toMatchObject({
       state: "failed",
       problem: "This recording has no road pose yet.",
     });
-    records.discard(key);
+    box.discard(key);
     expect(records.of(7)).toEqual([]);
   });
 });

@@ -3,11 +3,13 @@
  * Every change only sets what is wanted; one loop per measurement brings the server there, in order, and says how far it is.
  */
 import { signal } from "@preact/signals";
-import { ApiError, explain } from "../../core/api";
+import type { Outbox, Wish } from "../../core/outbox";
 import { newKey } from "../../core/random";
 import type { HeightAnswer, Measurement, Vehicle } from "../../core/types";
-import { sameValues, type Values, valuesOf } from "../../viewer/values";
-import type { Outbox, OutboxItem } from "./outbox";
+import { formatHeight } from "../../core/units";
+import { TARGET_WORDS } from "../../core/words";
+import { type Values, valuesOf } from "../../viewer/values";
+import { MEASUREMENT, type MeasurementAbout } from "./kinds";
 
 export interface Entry {
   readonly key: string;
@@ -24,24 +26,20 @@ export interface Entry {
   readonly theirs: Measurement | null;
 }
 
-/** The server's side, so that the loop can be tested without one. */
-export interface RecordsPort {
-  create(vehicleId: number, clientKey: string, values: Values): Promise<Measurement>;
-  revise(id: number, revision: number, values: Values): Promise<Measurement>;
-  withdraw(id: number, revision: number): Promise<Measurement>;
-  restore(id: number, revision: number): Promise<Measurement>;
-  read(id: number): Promise<Measurement>;
-}
+type Clicked = Wish<Measurement, Values, MeasurementAbout>;
 
 export class Records {
   readonly byVehicle = signal<ReadonlyMap<number, readonly Entry[]>>(new Map());
-  private readonly loops = new Map<string, Promise<void>>();
+  /** No longer told of what the outbox does. */
+  readonly close: () => void;
 
   constructor(
-    private readonly port: RecordsPort,
     private readonly outbox: Outbox,
+    private readonly surveyId: number,
     private readonly onStored: (entry: Entry) => void = () => {},
-  ) {}
+  ) {
+    this.close = outbox.listen(MEASUREMENT, (wish: Clicked) => this.follow(wish));
+  }
 
   of(vehicleId: number | null): readonly Entry[] {
     return vehicleId === null ? [] : (this.byVehicle.value.get(vehicleId) ?? []);
@@ -72,22 +70,9 @@ export class Records {
     this.write(vehicle.id, [...next, ...rest, ...withdrawn.filter((e) => !rest.includes(e))]);
   }
 
-  /** Sends what an earlier page left unsaved. Call after `take`. */
-  resume(items: readonly OutboxItem[]): void {
-    for (const item of items) {
-      const here = this.of(item.vehicleId).find((e) => e.saved && e.saved.id === item.seriesId);
-      if (here) {
-        const stale = here.saved && item.revision !== null && here.saved.revision > item.revision;
-        this.outbox.done(item.key);
-        if (sameValues(here.values, item.values)) continue;
-        this.put({ ...here, values: item.values });
-        if (stale && here.saved) this.conflict(here.key, here.saved);
-        else this.send(here.key);
-      } else if (item.seriesId === null) {
-        this.put(unsaved(item.key, item.vehicleId, item.values, null));
-        this.send(item.key);
-      } else this.outbox.done(item.key);
-    }
+  /** Shows what an earlier page left unsaved and the outbox sends. Call after `take`. */
+  resume(): void {
+    for (const wish of this.outbox.of<Measurement, Values, MeasurementAbout>(MEASUREMENT)) this.follow(wish);
   }
 
   create(vehicleId: number, values: Values, preview: HeightAnswer | null, key = newKey()): string {
@@ -114,35 +99,9 @@ export class Records {
     this.put({ ...entry, values, state: "moving", preview: preview === undefined ? entry.preview : preview });
   }
 
-  /** Ends a conflict: theirs is taken, or mine is written on top of theirs. */
-  resolve(key: string, choice: "mine" | "theirs"): void {
-    const entry = this.find(key);
-    if (!entry?.theirs) return;
-    if (choice === "theirs") {
-      this.outbox.done(key);
-      this.put({ ...fresh(entry.theirs), key });
-    } else {
-      this.put({ ...entry, saved: entry.theirs, theirs: null, problem: null, state: "moving" });
-      this.send(key);
-    }
-  }
-
-  /** Tries again what the server refused, or lets it go. */
-  retry(key: string): void {
-    this.send(key);
-  }
-
-  discard(key: string): void {
-    const entry = this.find(key);
-    if (!entry) return;
-    this.outbox.done(key);
-    if (entry.saved) this.put({ ...fresh(entry.saved), key });
-    else this.remove(entry);
-  }
-
   /** Resolves when a measurement rests: stored, in conflict or refused. */
   async settled(key: string): Promise<Entry | undefined> {
-    await this.loops.get(key);
+    await this.outbox.settled(key);
     return this.find(key);
   }
 
@@ -150,92 +109,45 @@ export class Records {
     const entry = this.find(key);
     if (!entry) return;
     this.put({ ...entry, state: "saving", problem: null });
-    this.keep(key);
-    if (!this.loops.has(key)) {
-      const loop = this.bring(key).finally(() => {
-        this.loops.delete(key);
-        if (this.find(key)?.state === "saving") this.send(key);
-      });
-      this.loops.set(key, loop);
-    }
-  }
-
-  /** One write at a time until the server has what is wanted. */
-  private async bring(key: string): Promise<void> {
-    for (let entry = this.find(key); entry; entry = this.find(key)) {
-      // a point that is being moved is sent when it is let go
-      if (entry.state !== "saving") return;
-      if (entry.saved && sameValues(valuesOf(entry.saved), entry.values)) return this.arrived(entry);
-      if (!entry.saved && entry.values.withdrawn) return this.remove(entry);
-      const wanted = entry.values;
-      try {
-        const saved = await this.sendOne(entry);
-        this.patch(key, { saved });
-        this.keep(key);
-      } catch (error) {
-        if (!(await this.refused(key, wanted, error))) return;
-      }
-    }
-  }
-
-  private sendOne({ key, vehicleId, saved, values }: Entry): Promise<Measurement> {
-    if (!saved) return this.port.create(vehicleId, key, values);
-    if (values.withdrawn) return this.port.withdraw(saved.id, saved.revision);
-    if (saved.withdrawn) return this.port.restore(saved.id, saved.revision);
-    return this.port.revise(saved.id, saved.revision, values);
-  }
-
-  /** Answers true when the loop may go on: the refusal was only the echo of a write whose answer was lost. */
-  private async refused(key: string, wanted: Values, error: unknown): Promise<boolean> {
-    const entry = this.find(key);
-    if (!entry) return false;
-    if (error instanceof ApiError && error.status === 409 && entry.saved) {
-      try {
-        const theirs = await this.port.read(entry.saved.id);
-        if (sameValues(valuesOf(theirs), wanted)) {
-          this.patch(key, { saved: theirs });
-          return true;
-        }
-        if (theirs.revision > entry.saved.revision) {
-          this.conflict(key, theirs, error.message);
-          return false;
-        }
-      } catch {
-        // the first error says more
-      }
-    }
-    this.patch(key, { state: "failed", problem: explain(error) });
-    return false;
-  }
-
-  private conflict(key: string, theirs: Measurement, message?: string): void {
-    const problem = message ?? "It was changed elsewhere while yours was not yet saved.";
-    this.patch(key, { state: "conflict", theirs, problem });
-  }
-
-  private arrived(entry: Entry): void {
-    this.outbox.done(entry.key);
-    const rested: Entry = { ...entry, state: "saved", preview: null, problem: null, theirs: null };
-    this.put(rested.saved ? { ...rested, values: valuesOf(rested.saved) } : rested);
-    this.onStored(rested);
-  }
-
-  private keep(key: string): void {
-    const entry = this.find(key);
-    if (!entry) return;
-    const { vehicleId, values, saved } = entry;
-    this.outbox.put({
+    const { vehicleId, saved, values } = entry;
+    this.outbox.want<Measurement, Values, MeasurementAbout>({
       key,
-      vehicleId,
-      values,
-      seriesId: saved?.id ?? null,
-      revision: saved?.revision ?? null,
+      kind: MEASUREMENT,
+      lane: `vehicle.${vehicleId}`,
+      about: { vehicleId },
+      what: TARGET_WORDS[values.target].toLowerCase(),
+      mine: wordsOf(entry),
+      page: `/surveys/${this.surveyId}/measure?vehicle=${vehicleId}`,
+      saved,
+      want: values,
     });
   }
 
-  private patch(key: string, change: Partial<Entry>): void {
-    const entry = this.find(key);
-    if (entry) this.put({ ...entry, ...change });
+  /** What the outbox says of a measurement; a point that is being moved stays under the hand that moves it. */
+  private follow(wish: Clicked): void {
+    const { key, saved, state, problem, theirs } = wish;
+    if (!this.find(key) && !this.byVehicle.value.has(wish.about.vehicleId)) return;
+    const entry = this.find(key) ?? this.adopted(wish);
+    if (state === "saved" || state === "dropped") {
+      if (!saved) this.remove(entry);
+      else if (entry.state === "moving") this.put({ ...entry, saved });
+      else this.put({ ...fresh(saved), key });
+      if (state === "saved") this.onStored({ ...entry, saved });
+    } else {
+      const moving = entry.state === "moving";
+      const shown = state === "held" ? "saving" : state;
+      this.put(
+        moving ? { ...entry, saved } : { ...entry, saved, values: wish.want, state: shown, problem, theirs },
+      );
+    }
+  }
+
+  /** An entry for what an earlier page wished, in place of the one that the server's measurement has here. */
+  private adopted({ key, about: { vehicleId }, want, saved }: Clicked): Entry {
+    const others = this.of(vehicleId).filter((entry) => !saved || entry.saved?.id !== saved.id);
+    const entry = { ...unsaved(key, vehicleId, want, null), saved };
+    this.write(vehicleId, [...others, entry]);
+    return entry;
   }
 
   private put(entry: Entry): void {
@@ -248,7 +160,6 @@ export class Records {
   }
 
   private remove(entry: Entry): void {
-    this.outbox.done(entry.key);
     this.write(
       entry.vehicleId,
       this.of(entry.vehicleId).filter((other) => other.key !== entry.key),
@@ -275,4 +186,11 @@ function fresh(m: Measurement): Entry {
 
 function unsaved(key: string, vehicleId: number, values: Values, preview: HeightAnswer | null): Entry {
   return { key, vehicleId, saved: null, values, state: "saving", preview, problem: null, theirs: null };
+}
+
+/** What it is to become, for whoever has to choose: the height as it was answered for the clicks, if it was. */
+function wordsOf({ values, preview }: Entry): string {
+  if (values.withdrawn) return "withdrawn";
+  if (preview?.status !== "ok") return `clicked on frame ${values.frame}`;
+  return formatHeight(preview.height_m, preview.U95_height_m);
 }

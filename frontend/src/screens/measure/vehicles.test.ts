@@ -1,7 +1,10 @@
 import { describe, expect, it } from "vitest";
 import { ApiError } from "../../core/api";
+import { Outbox } from "../../core/outbox";
 import type { Vehicle, VehicleFields } from "../../core/types";
-import { disputedFields, Vehicles } from "./vehicles";
+import { disputedFields } from "./fields";
+import { VEHICLE, vehicleKind } from "./kinds";
+import { Vehicles } from "./vehicles";
 
 const start = {
   id: 7,
@@ -24,25 +27,28 @@ function setUp() {
   let stored = start;
   const sent: Partial<VehicleFields>[] = [];
   const told: string[] = [];
-  const vehicles = new Vehicles(
-    {
-      async save(_id, version, fields) {
-        if (version !== stored.version) {
-          throw new ApiError("AB changed this vehicle at 14:02.", 409, "conflict", { current: stored });
-        }
-        sent.push(fields);
-        stored = { ...stored, ...fields, version: version + 1 };
-        return stored;
-      },
-    },
-    (message) => told.push(message),
-    1e6,
-  );
-  vehicles.take(start);
+  const save = async (_id: number, version: number, fields: Partial<VehicleFields>): Promise<Vehicle> => {
+    if (version !== stored.version) {
+      throw new ApiError("AB changed this vehicle at 14:02.", 409, "conflict", { current: stored });
+    }
+    sent.push(fields);
+    stored = { ...stored, ...fields, version: version + 1 };
+    return stored;
+  };
+  const page = (): Vehicles => {
+    const box = new Outbox("a");
+    box.register(VEHICLE, vehicleKind({ save }));
+    box.open(1);
+    const vehicles = new Vehicles(box, 5, { merged: (message) => told.push(message) }, 1e6);
+    vehicles.take(stored);
+    return vehicles;
+  };
+  localStorage.clear();
+  const vehicles = page();
   const other = (fields: Partial<VehicleFields>) => {
     stored = { ...stored, ...fields, version: stored.version + 1 };
   };
-  return { vehicles, sent, told, other, stored: () => stored };
+  return { vehicles, page, sent, told, other, stored: () => stored };
 }
 
 describe("Vehicles", () => {
@@ -55,6 +61,30 @@ describe("Vehicles", () => {
     expect(sent).toHaveLength(1);
     expect(vehicles.get(7)).toMatchObject({ make: "Peugeot", model: "3008", version: 2 });
     expect(vehicles.drafts.value.size).toBe(0);
+  });
+
+  it("keeps what is typed over a closed page, and sends it once from the next", async () => {
+    const { vehicles, page, sent, stored } = setUp();
+    vehicles.edit(7, { make: "Peugeot" });
+    expect(sent).toEqual([]);
+    const next = page();
+    expect(next.shown(7)).toMatchObject({ make: "Peugeot" });
+    await next.flush(7);
+    expect(sent).toEqual([{ make: "Peugeot" }]);
+    expect(stored()).toMatchObject({ make: "Peugeot", version: 2 });
+    expect(localStorage.length).toBe(0);
+  });
+
+  it("does not write again what was stored before somebody changed it", async () => {
+    const { vehicles, other, sent, stored } = setUp();
+    vehicles.edit(7, { make: "Peugeot" });
+    const first = vehicles.flush(7);
+    vehicles.edit(7, { model: "3008" });
+    await first;
+    other({ make: "Citroën" });
+    await vehicles.flush(7);
+    expect(sent.at(-1)).toEqual({ model: "3008" });
+    expect(stored()).toMatchObject({ make: "Citroën", model: "3008" });
   });
 
   it("merges changes to other fields and says so", async () => {

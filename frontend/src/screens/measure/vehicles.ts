@@ -2,41 +2,11 @@
  * The vehicle records of a survey: what the server has, what the operator has typed since, and what to do when somebody
  * else changed the same record meanwhile. Fields changed on one side only are merged; the others are asked about.
  */
-import { signal } from "@preact/signals";
-import { ApiError, explain } from "../../core/api";
-import type { Vehicle, VehicleFields } from "../../core/types";
-
-const FIELDS = [
-  "first_frame",
-  "best_frame",
-  "last_frame",
-  "make",
-  "model",
-  "year",
-  "category",
-  "manufacturer_height_m",
-  "u_manufacturer_height_m",
-  "height_source",
-  "lighting",
-  "notes",
-] as const satisfies readonly (keyof VehicleFields)[];
-export type Field = (typeof FIELDS)[number];
-export type Changes = Partial<VehicleFields>;
-
-export const FIELD_WORDS: Record<Field, string> = {
-  first_frame: "First frame",
-  best_frame: "Best frame",
-  last_frame: "Last frame",
-  make: "Make",
-  model: "Model",
-  year: "Year",
-  category: "Category",
-  manufacturer_height_m: "Manufacturer height",
-  u_manufacturer_height_m: "± of the manufacturer height",
-  height_source: "Source of the height",
-  lighting: "Lighting",
-  notes: "Notes",
-};
+import { computed, signal } from "@preact/signals";
+import type { Outbox, Wish } from "../../core/outbox";
+import type { Vehicle } from "../../core/types";
+import { type Changes, disputedFields, type Field } from "./fields";
+import { factWords, VEHICLE } from "./kinds";
 
 export interface Draft {
   /** What the server had when the first of these changes was made. */
@@ -49,22 +19,28 @@ export interface Draft {
   readonly disputed: readonly Field[];
 }
 
-export interface VehiclesPort {
-  /** Fields left out stay as they are. */
-  save(id: number, version: number, changes: Changes): Promise<Vehicle>;
-}
+type Typed = Wish<Vehicle, Changes, { id: number }>;
 
 export class Vehicles {
   readonly list = signal<readonly Vehicle[]>([]);
-  readonly drafts = signal<ReadonlyMap<number, Draft>>(new Map());
+  /** What is typed, by vehicle; the outbox keeps it. */
+  readonly drafts = computed<ReadonlyMap<number, Draft>>(
+    () => new Map(this.outbox.of<Vehicle, Changes, { id: number }>(VEHICLE).flatMap(draftOf)),
+  );
+  /** No longer told of what the outbox does. */
+  readonly close: () => void;
+  /** What was seen when somebody began to type. */
+  private readonly held = new Map<number, Vehicle>();
   private readonly timers = new Map<number, ReturnType<typeof setTimeout>>();
-  private readonly running = new Map<number, Promise<void>>();
 
   constructor(
-    private readonly port: VehiclesPort,
-    private readonly onMerged: (message: string) => void = () => {},
+    private readonly outbox: Outbox,
+    private readonly surveyId: number,
+    private readonly told: { merged?: (message: string) => void; stored?: (id: number) => void } = {},
     private readonly delay_ms = 500,
-  ) {}
+  ) {
+    this.close = outbox.listen(VEHICLE, (wish: Typed) => this.follow(wish));
+  }
 
   get(id: number | null): Vehicle | undefined {
     return this.list.value.find((vehicle) => vehicle.id === id);
@@ -90,34 +66,26 @@ export class Vehicles {
 
   drop(id: number): void {
     this.list.value = this.list.value.filter((vehicle) => vehicle.id !== id);
-    this.setDraft(id, null);
+    this.outbox.discard(keyOf(id));
   }
 
   /** Somebody begins to type: what they see now is what their change will be compared with. */
   hold(id: number): void {
     const base = this.get(id);
-    if (base && !this.drafts.value.has(id)) this.setDraft(id, { ...clean(base), changes: {} });
+    if (base && !this.held.has(id)) this.held.set(id, base);
   }
 
-  /** The field was left; without a change there is nothing to keep. */
+  /** The field was left; what is typed next is compared with what is seen then. */
   release(id: number): void {
-    const draft = this.drafts.value.get(id);
-    if (draft && draft.state === "typing" && Object.keys(draft.changes).length === 0) this.setDraft(id, null);
+    this.held.delete(id);
   }
 
-  /** Changes fields at once on the screen and soon on the server. */
+  /** Changes fields at once on the screen, keeps them, and sends them soon. */
   edit(id: number, changes: Changes): void {
-    const base = this.drafts.value.get(id)?.base ?? this.get(id);
+    const before = this.drafts.value.get(id);
+    const base = before?.base ?? this.held.get(id) ?? this.get(id);
     if (!base) return;
-    const old = this.drafts.value.get(id);
-    this.setDraft(id, {
-      base,
-      changes: { ...old?.changes, ...changes },
-      state: old?.state === "conflict" ? "conflict" : "typing",
-      problem: null,
-      theirs: old?.theirs ?? null,
-      disputed: old?.disputed ?? [],
-    });
+    this.want(id, base, { ...before?.changes, ...changes }, true);
     clearTimeout(this.timers.get(id));
     this.timers.set(
       id,
@@ -129,93 +97,57 @@ export class Vehicles {
   async flush(id: number): Promise<void> {
     clearTimeout(this.timers.get(id));
     this.timers.delete(id);
-    while (this.running.has(id)) await this.running.get(id);
-    const draft = this.drafts.value.get(id);
-    if (!draft || draft.state === "conflict" || Object.keys(draft.changes).length === 0) return;
-    const run = this.save(id, draft).finally(() => this.running.delete(id));
-    this.running.set(id, run);
-    await run;
+    this.outbox.send(keyOf(id));
+    await this.outbox.settled(keyOf(id));
   }
 
   /** Ends a conflict with the operator's choice for each disputed field. */
   async settle(id: number, choice: ReadonlyMap<Field, "mine" | "theirs">): Promise<void> {
     const draft = this.drafts.value.get(id);
     if (!draft?.theirs) return;
-    const changes: Record<string, unknown> = { ...draft.changes };
-    for (const [field, side] of choice) if (side === "theirs") delete changes[field];
+    const kept = Object.entries(draft.changes).filter(([field]) => choice.get(field as Field) !== "theirs");
     this.take(draft.theirs);
-    if (Object.keys(changes).length === 0) return this.setDraft(id, null);
-    this.setDraft(id, { ...clean(draft.theirs), changes: changes as Changes });
-    await this.flush(id);
+    if (kept.length === 0) return this.outbox.discard(keyOf(id));
+    this.want(id, draft.theirs, Object.fromEntries(kept) as Changes, true);
+    this.outbox.resolve(keyOf(id), "mine");
+    await this.outbox.settled(keyOf(id));
   }
 
-  private async save(id: number, draft: Draft): Promise<void> {
-    this.setDraft(id, { ...draft, state: "saving" });
-    try {
-      const saved = await this.port.save(id, draft.base.version, draft.changes);
-      this.take(saved);
-      const now = this.drafts.value.get(id);
-      const later = now ? changedSince(draft.changes, now.changes) : {};
-      this.setDraft(id, Object.keys(later).length > 0 ? { ...clean(saved), changes: later } : null);
-    } catch (error) {
-      await this.refused(id, draft, error);
-    }
-  }
-
-  private async refused(id: number, draft: Draft, error: unknown): Promise<void> {
-    const theirs = error instanceof ApiError && error.status === 409 ? currentOf(error) : null;
-    const now = this.drafts.value.get(id) ?? draft;
-    if (!theirs) {
-      this.setDraft(id, { ...now, state: "failed", problem: explain(error) });
-      return;
-    }
-    const disputed = disputedFields(draft.base, now.changes, theirs);
-    if (disputed.length > 0) {
-      this.setDraft(id, { ...now, state: "conflict", problem: explain(error), theirs, disputed });
-      return;
-    }
-    // both sides' changes fit together: keep both, and say so
-    this.take(theirs);
-    const agreed = Object.entries(now.changes).every(([k, v]) => theirs[k as Field] === v);
-    this.setDraft(id, agreed ? null : { ...clean(theirs), changes: now.changes });
-    if (agreed) return;
-    this.onMerged(`${explain(error)} Your changes are to other fields, so both are kept.`);
-    this.timers.set(
-      id,
-      setTimeout(() => void this.flush(id), 0),
+  private want(id: number, base: Vehicle, changes: Changes, held: boolean): void {
+    this.outbox.want<Vehicle, Changes, { id: number }>(
+      {
+        key: keyOf(id),
+        kind: VEHICLE,
+        lane: `vehicle.${id}`,
+        about: { id },
+        what: `facts of vehicle ${base.number}`,
+        mine: factWords(changes),
+        page: `/surveys/${this.surveyId}/measure?vehicle=${id}`,
+        saved: base,
+        want: changes,
+      },
+      { held },
     );
   }
 
-  private setDraft(id: number, draft: Draft | null): void {
-    const drafts = new Map(this.drafts.value);
-    if (draft) drafts.set(id, draft);
-    else drafts.delete(id);
-    this.drafts.value = drafts;
+  private follow({ about, saved, state, problem }: Typed): void {
+    if (!saved || !this.get(about.id)) return;
+    if (state !== "held") this.take(saved);
+    if (state === "saved") this.told.stored?.(about.id);
+    else if (state === "saving" && problem)
+      this.told.merged?.(`${problem} Your changes are to other fields, so both are kept.`);
   }
 }
 
-/** Fields that both sides changed from the base, to different values. */
-export function disputedFields(base: Vehicle, mine: Changes, theirs: Vehicle): Field[] {
-  return FIELDS.filter(
-    (field) =>
-      field in mine &&
-      mine[field] !== base[field] &&
-      theirs[field] !== base[field] &&
-      theirs[field] !== mine[field],
-  );
+function keyOf(id: number): string {
+  return `vehicle.${id}`;
 }
 
-function changedSince(sent: Changes, now: Changes): Changes {
-  return Object.fromEntries(Object.entries(now).filter(([field, value]) => sent[field as Field] !== value));
-}
-
-function clean(base: Vehicle): Omit<Draft, "changes"> {
-  return { base, state: "typing", problem: null, theirs: null, disputed: [] };
-}
-
-function currentOf(error: ApiError): Vehicle | null {
-  const body = error.body as { current?: Vehicle; error?: { current?: Vehicle } } | null;
-  return body?.current ?? body?.error?.current ?? null;
+function draftOf({ about, saved, want, state, problem, theirs }: Typed): [number, Draft][] {
+  if (!saved) return [];
+  const shown = state === "held" ? "typing" : state === "conflict" || state === "failed" ? state : "saving";
+  const disputed = theirs ? disputedFields(saved, want, theirs) : [];
+  return [[about.id, { base: saved, changes: want, state: shown, problem, theirs, disputed }]];
 }
 
 function byRecordingAndNumber(a: Vehicle, b: Vehicle): number {

@@ -5,7 +5,7 @@ import { toast, toastProblem } from "../../../core/toasts";
 import type { Vehicle } from "../../../core/types";
 import { lightingProposed } from "../../../parts/vehicles/passes";
 import type { MeasureModel } from "../model";
-import { listVehicles, removeVehicle, restoreVehicle, vehiclesPort } from "../ports";
+import { listVehicles, removeVehicle, restoreVehicle } from "../ports";
 
 /** The pass of the same recording that begins next. */
 function nextInTime(all: readonly Vehicle[], vehicle: Vehicle): Vehicle | undefined {
@@ -116,8 +116,8 @@ async function dropPass(model: MeasureModel, vehicle: Vehicle): Promise<void> {
 
 async function putSpan(model: MeasureModel, vehicle: Vehicle): Promise<void> {
   const { first_frame, last_frame, best_frame } = vehicle;
-  const span = { first_frame, last_frame, best_frame };
-  put(model, await vehiclesPort.save(vehicle.id, await saved(model, vehicle), span));
+  model.vehicles.edit(vehicle.id, { first_frame, last_frame, best_frame });
+  await model.vehicles.flush(vehicle.id);
 }
 
 /** The version on the server once what is typed has been stored. */

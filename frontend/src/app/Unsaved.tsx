@@ -1,0 +1,65 @@
+/** What the server refused, or somebody else changed meanwhile: both values, and the choice. Nothing is lost before it is made. */
+import { Button, Icon } from "../components";
+import { current } from "../core/address";
+import { say } from "../core/messages";
+import { outbox, type Wish } from "../core/outbox";
+
+export function Unsaved() {
+  const open = [...outbox.wishes.value.values()].filter((wish) => isOpen(wish) && !isShownThere(wish));
+  if (open.length === 0) return null;
+  return (
+    <div class="unsaved" role="alert" data-testid="unsaved">
+      {open.map((wish) => (
+        <div key={wish.key} class="row row--wrap">
+          <Icon name="warning" />
+          <span class="grow">
+            <a href={wish.page}>{wish.what}</a>: {wordsOf(wish)}
+          </span>
+          {wish.state === "conflict" ? <Choice wish={wish} /> : <Again wish={wish} />}
+        </div>
+      ))}
+    </div>
+  );
+}
+
+function Choice({ wish }: { wish: Wish }) {
+  return (
+    <>
+      <Button small onClick={() => outbox.resolve(wish.key, "theirs")}>
+        {say("unsaved-take")}
+      </Button>
+      <Button small onClick={() => outbox.resolve(wish.key, "mine")}>
+        {say("unsaved-keep")}
+      </Button>
+    </>
+  );
+}
+
+function Again({ wish }: { wish: Wish }) {
+  return (
+    <>
+      <Button small onClick={() => outbox.send(wish.key)}>
+        {say("unsaved-again")}
+      </Button>
+      <Button small onClick={() => outbox.discard(wish.key)}>
+        {say("unsaved-drop")}
+      </Button>
+    </>
+  );
+}
+
+function wordsOf(wish: Wish): string {
+  const told = { problem: wish.problem ?? "", mine: wish.mine };
+  if (wish.state === "failed") return say("unsaved-refused", told);
+  return say("unsaved-conflict", { ...told, theirs: outbox.theirs(wish) });
+}
+
+function isOpen({ state }: Wish): boolean {
+  return state === "conflict" || state === "failed";
+}
+
+/** Measure shows its own beside the vehicle. */
+function isShownThere({ page }: Wish): boolean {
+  const here = current.value;
+  return here?.place.name === "measure" && page.startsWith(`/surveys/${here.surveyId}/measure`);
+}

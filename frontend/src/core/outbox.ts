@@ -1,0 +1,393 @@
+/**
+ * Everything a person does to the work goes through here: what a thing is to become is kept in local storage until the
+ * server has it, so that a lost connection, a closed lid or a crash loses nothing.
+ *
+ * One wish per thing: a change of mind replaces what was wanted. Wishes of one lane go out one after the other, in the
+ * order in which they were made, each until the server has it. A repeat is harmless: a new thing carries its key, a change
+ * the version that was seen, and a refusal of a version is looked into before anybody is asked.
+ */
+import { computed, effect, signal } from "@preact/signals";
+import { ApiError, connection, explain } from "./api";
+import { say } from "./messages";
+import { newKey } from "./random";
+
+export interface Wish<S = unknown, W = unknown, A = unknown> {
+  /** The thing it is about; for a new one the key that the server knows it by. */
+  readonly key: string;
+  readonly kind: string;
+  readonly lane: string;
+  /** The numbers that the kind needs to address it. */
+  readonly about: A;
+  /** In words, for whoever is asked: "roof of vehicle 7", what it is to become, and the page where it was done. */
+  readonly what: string;
+  readonly mine: string;
+  readonly page: string;
+  /** What the server had when it was last seen; null: nothing. */
+  readonly saved: S | null;
+  readonly want: W;
+  /** "held": kept, and sent when its owner says so. */
+  readonly state: "held" | "saving" | "conflict" | "failed" | "saved" | "dropped";
+  /** Why it was not stored. */
+  readonly problem: string | null;
+  /** In a conflict: what is there instead. */
+  readonly theirs: S | null;
+}
+
+/** A wish as it is made. */
+export type Wanted<S, W, A> = Omit<Wish<S, W, A>, "state" | "problem" | "theirs">;
+
+/** How things of one kind are brought to the server. */
+export interface Kind<S, W, A> {
+  /** One step nearer to what is wanted; answers what the server has then. */
+  send(wish: Wish<S, W, A>, signal: AbortSignal): Promise<S | null>;
+  /** What the server has; `error` is the refusal that made it worth asking. */
+  read(wish: Wish<S, W, A>, error: ApiError, signal: AbortSignal): Promise<S | null>;
+  done(wish: Wish<S, W, A>): boolean;
+  /** Another one means that somebody changed it. */
+  version(saved: S | null): string | number;
+  /** The value in words, for whoever has to choose. */
+  words(saved: S | null): string;
+  /** One write is all it takes; else writes go on until `done`. */
+  readonly once?: boolean;
+  /** Both changed it, but not the same of it: mine can be put on top of theirs. */
+  fits?(wish: Wish<S, W, A>, theirs: S): boolean;
+  /** What is still wanted once `sent` is stored. */
+  left?(sent: W, want: W): W;
+}
+
+// biome-ignore lint/suspicious/noExplicitAny: a registry holds kinds of all types; `register` and `listen` give them back
+type AnyKind = Kind<any, any, any>;
+type Listener = (wish: Wish) => void;
+
+interface Kept extends Wanted<unknown, unknown, unknown> {
+  readonly order: number;
+  readonly tab: string;
+  /** Milliseconds since 1970 at which its tab was last alive. */
+  readonly touched: number;
+}
+
+/** A tab that has not touched its items for so long is gone. */
+export const ORPHANED_AFTER_MS = 45_000;
+const TOUCH_EVERY_MS = 10_000;
+/** Nothing takes more steps than to restore, to revise, and one for a change that came between. */
+const MOST_STEPS = 4;
+
+type Store = Pick<Storage, "getItem" | "setItem" | "removeItem" | "key" | "length">;
+
+export class Outbox {
+  readonly wishes = signal<ReadonlyMap<string, Wish>>(new Map());
+  /** How many are kept here, on their way or not; and of these how many wait behind others. */
+  readonly counts = computed(() => {
+    const all = [...this.wishes.value.values()].filter(({ state }) => state === "saving" || state === "held");
+    const lanes = new Set(all.filter(({ state }) => state === "saving").map(({ lane }) => lane));
+    return { kept: all.length, queued: all.length - lanes.size };
+  });
+  private readonly kinds = new Map<string, AnyKind>();
+  private readonly listeners = new Map<string, Set<Listener>>();
+  private readonly lanes = new Map<string, Promise<void>>();
+  private readonly orders = new Map<string, number>();
+  private readonly refusals = new Map<string, ApiError>();
+  private prefix = "";
+  private ended = new AbortController();
+  private timer: ReturnType<typeof setInterval> | undefined;
+
+  constructor(
+    private readonly tab: string = tabName(),
+    private readonly storage: () => Store = () => localStorage,
+    private readonly now: () => number = Date.now,
+  ) {}
+
+  /** Tells how things of a kind are sent. */
+  register<S, W, A>(name: string, kind: Kind<S, W, A>): void {
+    this.kinds.set(name, kind);
+  }
+
+  /** Tells each change of a kind's wishes, its end ("saved", "dropped") among them. */
+  listen<S, W, A>(kind: string, told: (wish: Wish<S, W, A>) => void): () => void {
+    const all = this.listeners.get(kind) ?? new Set();
+    this.listeners.set(kind, all.add(told as Listener));
+    return () => {
+      all.delete(told as Listener);
+    };
+  }
+
+  /** Another person, or the same one after a reload: what was left unsaved is sent, once. */
+  open(person: number | string | null): void {
+    this.close();
+    this.prefix = person === null ? "" : `sightline.outbox.${person}.`;
+    if (person !== null) this.adopt();
+  }
+
+  /** Stops sending; what is kept stays kept. */
+  close(): void {
+    this.ended.abort();
+    this.ended = new AbortController();
+    clearInterval(this.timer);
+    this.timer = undefined;
+    this.lanes.clear();
+    this.wishes.value = new Map();
+  }
+
+  /** Items left by this tab before a reload, or by a tab that is gone; they are this tab's from now on. */
+  adopt(): Wish[] {
+    const orphans = this.kept()
+      .filter((one) => one.tab === this.tab || this.now() - one.touched > ORPHANED_AFTER_MS)
+      .filter((one) => this.kinds.has(one.kind) && !this.wishes.value.has(one.key))
+      .sort((a, b) => a.order - b.order);
+    return orphans.map(({ order, tab: _tab, touched: _touched, ...wanted }) => {
+      this.orders.set(wanted.key, order);
+      return this.want(wanted);
+    });
+  }
+
+  of<S, W, A>(kind: string): Wish<S, W, A>[] {
+    return [...this.wishes.value.values()].filter((wish) => wish.kind === kind) as Wish<S, W, A>[];
+  }
+
+  get<S, W, A>(key: string): Wish<S, W, A> | undefined {
+    return this.wishes.value.get(key) as Wish<S, W, A> | undefined;
+  }
+
+  /** What a thing is to become, kept at once and sent in its turn. */
+  want<S, W, A>(wanted: Wanted<S, W, A>, { held = false } = {}): Wish<S, W, A> {
+    const before = this.get<S, W, A>(wanted.key);
+    // what is on its way may have been stored since the caller looked: here the newer of both is known
+    const saved = before && before.state !== "failed" ? before.saved : wanted.saved;
+    const [problem, theirs] = before?.state === "conflict" ? [before.problem, before.theirs] : [null, null];
+    const state = before?.state === "conflict" ? "conflict" : held ? "held" : "saving";
+    const wish: Wish<S, W, A> = { ...wanted, saved, state, problem, theirs };
+    this.put(wish);
+    this.keep(wish);
+    if (state === "saving") this.start(wish.lane);
+    return wish;
+  }
+
+  /** Sends what was held, or tries again what was refused. */
+  send(key: string): void {
+    const wish = this.get(key);
+    if (!wish || wish.state === "conflict") return;
+    this.patch(key, { state: "saving", problem: null });
+    this.start(wish.lane);
+  }
+
+  /** Lets go of what was wanted: the server's stays. */
+  discard(key: string): void {
+    const wish = this.get(key);
+    if (wish) this.end(wish, "dropped");
+  }
+
+  /** Ends a conflict: theirs is taken, or mine is written on top of theirs. */
+  resolve(key: string, choice: "mine" | "theirs"): void {
+    const wish = this.get(key);
+    if (wish?.state !== "conflict") return;
+    if (choice === "theirs") this.end({ ...wish, saved: wish.theirs }, "dropped");
+    else {
+      this.patch(key, { saved: wish.theirs, theirs: null, problem: null, state: "saving" });
+      this.start(wish.lane);
+    }
+  }
+
+  /** What is there instead, in words. */
+  theirs({ kind, theirs }: Wish): string {
+    return this.kinds.get(kind)?.words(theirs) ?? "";
+  }
+
+  /** Resolves when it rests: stored (undefined), in conflict or refused. */
+  async settled(key: string): Promise<Wish | undefined> {
+    for (let wish = this.get(key); wish; wish = this.get(key)) {
+      const lane = this.lanes.get(wish.lane);
+      if (wish.state !== "saving" || !lane) return wish;
+      await lane;
+    }
+    return undefined;
+  }
+
+  /**
+   * For a page that shows its own errors: the wish once the server has it, or null where there is no connection and it is
+   * kept. A refusal is thrown, and what was refused is let go; a conflict is thrown too, and stays to be resolved.
+   */
+  async store<S, W, A>(wanted: Wanted<S, W, A>): Promise<Wish<S, W, A> | null> {
+    const { key, kind } = wanted;
+    let stored: Wish<S, W, A> | null = null;
+    const deaf = this.listen<S, W, A>(kind, (wish) => {
+      if (wish.key === key && wish.state === "saved") stored = wish;
+    });
+    this.want(wanted);
+    const lost = until(() => connection.value.lost);
+    const wish = await Promise.race([this.settled(key), lost.happened]).finally(lost.stop);
+    deaf();
+    if (stored || !wish || wish.state === "saving") return stored;
+    const refusal = this.refusals.get(key) ?? new ApiError(wish.problem ?? say("unsaved-otherwise"), 0);
+    if (wish.state === "failed") this.discard(key);
+    throw refusal;
+  }
+
+  private start(lane: string): void {
+    if (this.lanes.has(lane)) return;
+    const { signal } = this.ended;
+    const run = this.run(lane, signal).finally(() => {
+      if (this.lanes.get(lane) === run) this.lanes.delete(lane);
+    });
+    this.lanes.set(lane, run);
+  }
+
+  private async run(lane: string, signal: AbortSignal): Promise<void> {
+    for (;;) {
+      const next = [...this.wishes.value.values()].find(
+        (wish) => wish.lane === lane && wish.state === "saving",
+      );
+      if (!next || signal.aborted) return;
+      await this.bring(next.key, signal);
+    }
+  }
+
+  /** One write at a time until the server has what is wanted. */
+  private async bring(key: string, signal: AbortSignal): Promise<void> {
+    let wanted: unknown;
+    for (let steps = 1; this.get(key)?.state === "saving" && !signal.aborted; steps += 1) {
+      const wish = this.get(key) as Wish;
+      if (wish.want !== wanted) steps = 1;
+      wanted = wish.want;
+      await this.step(wish, steps, signal);
+    }
+  }
+
+  private async step(wish: Wish, steps: number, signal: AbortSignal): Promise<void> {
+    const kind = this.kinds.get(wish.kind) as AnyKind;
+    if (kind.done(wish)) return this.end(wish, "saved");
+    try {
+      if (steps > MOST_STEPS) throw new ApiError(say("unsaved-otherwise"), 0, "other");
+      const saved = await kind.send(wish, signal);
+      if (!signal.aborted) this.arrived(kind, wish, saved);
+    } catch (error) {
+      if (!signal.aborted) await this.refused(kind, wish, error, signal);
+    }
+  }
+
+  /** What was sent is there; what was wanted meanwhile is sent next. */
+  private arrived(kind: AnyKind, sent: Wish, saved: unknown): void {
+    const now = this.get(sent.key);
+    if (!now) return;
+    if (kind.once && now.want === sent.want) this.end({ ...now, saved }, "saved");
+    else this.patch(now.key, { saved, want: kind.left ? kind.left(sent.want, now.want) : now.want });
+  }
+
+  /** A refusal may be the echo of a write whose answer was lost, or both changes may fit; else it rests until it is decided. */
+  private async refused(kind: AnyKind, sent: Wish, error: unknown, signal: AbortSignal): Promise<void> {
+    const refusal = error instanceof ApiError ? error : new ApiError(explain(error), 0);
+    this.refusals.set(sent.key, refusal);
+    const theirs: unknown =
+      refusal.status === 409 ? await kind.read(sent, refusal, signal).catch(() => undefined) : undefined;
+    const now = this.get(sent.key);
+    if (signal.aborted || !now) return;
+    const problem = refusal.message;
+    if (theirs !== undefined && kind.done({ ...sent, saved: theirs })) this.arrived(kind, sent, theirs);
+    else if (theirs === undefined || kind.version(theirs) === kind.version(sent.saved))
+      this.patch(now.key, { state: "failed", problem });
+    else if (theirs !== null && kind.fits?.(now, theirs)) this.patch(now.key, { saved: theirs, problem });
+    else this.patch(now.key, { state: "conflict", problem, theirs });
+  }
+
+  private end(wish: Wish, state: "saved" | "dropped"): void {
+    const left = new Map(this.wishes.value);
+    left.delete(wish.key);
+    this.orders.delete(wish.key);
+    this.refusals.delete(wish.key);
+    this.wishes.value = left;
+    try {
+      this.storage().removeItem(this.prefix + wish.key);
+    } catch {
+      // nothing was kept, so nothing is to be removed
+    }
+    this.tell({ ...wish, state });
+  }
+
+  private patch(key: string, change: Partial<Wish>): void {
+    const wish = this.get(key);
+    if (!wish) return;
+    const next = { ...wish, ...change };
+    this.put(next);
+    if ("saved" in change) this.keep(next);
+  }
+
+  private put(wish: Wish): void {
+    this.wishes.value = new Map(this.wishes.value).set(wish.key, wish);
+    this.tell(wish);
+  }
+
+  private tell(wish: Wish): void {
+    for (const told of this.listeners.get(wish.kind) ?? []) told(wish);
+  }
+
+  private keep(wish: Wish): void {
+    const { state: _state, problem: _problem, theirs: _theirs, ...wanted } = wish;
+    if (!this.orders.has(wish.key)) this.orders.set(wish.key, Math.max(0, ...this.orders.values()) + 1);
+    this.write({ ...wanted, order: this.orders.get(wish.key) ?? 0, tab: this.tab, touched: this.now() });
+    this.timer ??= setInterval(() => this.touch(), TOUCH_EVERY_MS);
+  }
+
+  private touch(): void {
+    const mine = this.kept().filter((one) => one.tab === this.tab);
+    for (const one of mine) this.write({ ...one, touched: this.now() });
+    if (mine.length > 0) return;
+    clearInterval(this.timer);
+    this.timer = undefined;
+  }
+
+  private kept(): Kept[] {
+    const found: Kept[] = [];
+    if (!this.prefix) return found;
+    try {
+      const store = this.storage();
+      for (let i = 0; i < store.length; i += 1) {
+        const name = store.key(i);
+        const one = name?.startsWith(this.prefix) ? parse(store.getItem(name)) : null;
+        if (one) found.push(one);
+      }
+    } catch {
+      return found;
+    }
+    return found;
+  }
+
+  private write(one: Kept): void {
+    try {
+      this.storage().setItem(this.prefix + one.key, JSON.stringify(one));
+    } catch {
+      // a full or forbidden store: it still goes out from memory, and leaving the page warns
+    }
+  }
+}
+
+function parse(text: string | null): Kept | null {
+  try {
+    const one = JSON.parse(text ?? "null") as Kept | null;
+    return one && typeof one.key === "string" && typeof one.kind === "string" ? one : null;
+  } catch {
+    return null;
+  }
+}
+
+function until(happens: () => boolean): { happened: Promise<undefined>; stop: () => void } {
+  let stop = (): void => {};
+  const happened = new Promise<undefined>((resolve) => {
+    stop = effect(() => {
+      if (happens()) resolve(undefined);
+    });
+  });
+  return { happened, stop };
+}
+
+/** A name for this tab that survives a reload of it. */
+function tabName(): string {
+  try {
+    const kept = sessionStorage.getItem("sightline.tab") ?? newKey();
+    sessionStorage.setItem("sightline.tab", kept);
+    return kept;
+  } catch {
+    return newKey();
+  }
+}
+
+/** The one queue of this page. */
+export const outbox = new Outbox();

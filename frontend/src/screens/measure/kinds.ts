@@ -1,0 +1,109 @@
+/** How the outbox brings clicks and facts of vehicles to the server: addresses, bodies, and when two of them are the same. */
+import { type ApiError, api } from "../../core/api";
+import { type Kind, outbox } from "../../core/outbox";
+import type { Measurement, Vehicle } from "../../core/types";
+import { formatHeight, formatLength } from "../../core/units";
+import { clickBody, sameValues, type Values, valuesOf } from "../../viewer/values";
+import { type Changes, disputedFields, FIELD_WORDS, type Field } from "./fields";
+
+export const MEASUREMENT = "measurement";
+export const VEHICLE = "vehicle";
+
+export interface MeasurementAbout {
+  readonly vehicleId: number;
+}
+
+/** The server's side, so that the kinds can be tested without one. */
+export interface RecordsPort {
+  create(vehicleId: number, clientKey: string, values: Values, signal: AbortSignal): Promise<Measurement>;
+  revise(id: number, revision: number, values: Values, signal: AbortSignal): Promise<Measurement>;
+  withdraw(id: number, revision: number, signal: AbortSignal): Promise<Measurement>;
+  restore(id: number, revision: number, signal: AbortSignal): Promise<Measurement>;
+  read(id: number, signal: AbortSignal): Promise<Measurement>;
+}
+
+export interface VehiclesPort {
+  /** Fields left out stay as they are. */
+  save(id: number, version: number, changes: Changes, signal: AbortSignal): Promise<Vehicle>;
+}
+
+export const measurementKind = (port: RecordsPort): Kind<Measurement, Values, MeasurementAbout> => ({
+  send({ key, about, saved, want }, signal) {
+    if (!saved) return port.create(about.vehicleId, key, want, signal);
+    if (want.withdrawn) return port.withdraw(saved.id, saved.revision, signal);
+    if (saved.withdrawn) return port.restore(saved.id, saved.revision, signal);
+    return port.revise(saved.id, saved.revision, want, signal);
+  },
+  read: async ({ saved }, _error, signal) => (saved ? port.read(saved.id, signal) : null),
+  // what was withdrawn before it was ever stored is nothing to store
+  done: ({ saved, want }) => (saved ? sameValues(valuesOf(saved), want) : want.withdrawn),
+  version: (saved) => saved?.revision ?? 0,
+  words: (saved) =>
+    !saved || saved.withdrawn ? "withdrawn" : formatHeight(saved.height_m, saved.U95_height_m),
+});
+
+export const vehicleKind = (port: VehiclesPort): Kind<Vehicle, Changes, { id: number }> => ({
+  send: ({ about, saved, want }, signal) => port.save(about.id, saved?.version ?? 0, want, signal),
+  read: async (_wish, error) => currentOf(error),
+  done: ({ saved, want }) =>
+    saved !== null && (Object.keys(want) as Field[]).every((field) => saved[field] === want[field]),
+  version: (saved) => saved?.version ?? 0,
+  words: (saved) => (saved ? factWords(saved) : "deleted"),
+  fits: ({ saved, want }, theirs) => saved !== null && disputedFields(saved, want, theirs).length === 0,
+  left: (sent, want) =>
+    Object.fromEntries(Object.entries(want).filter(([field, value]) => sent[field as Field] !== value)),
+});
+
+/** "make Peugeot, year 2019", with lengths in the chosen unit. */
+export function factWords(changes: Changes): string {
+  const told = (Object.keys(FIELD_WORDS) as Field[]).filter((field) => field in changes);
+  return told
+    .map((field) => `${FIELD_WORDS[field].toLowerCase()} ${showFact(field, changes[field])}`)
+    .join(", ");
+}
+
+export function showFact(field: Field, value: unknown): string {
+  if (value === null || value === undefined || value === "") return "empty";
+  return field.endsWith("_m") ? formatLength(Number(value)) : String(value).replace("_", " ");
+}
+
+function currentOf(error: ApiError): Vehicle | null {
+  const body = error.body as { current?: Vehicle; error?: { current?: Vehicle } } | null;
+  const found = body?.current ?? body?.error?.current;
+  if (!found) throw error;
+  return found;
+}
+
+const recordsPort: RecordsPort = {
+  create: (vehicle_id, client_key, values, signal) =>
+    api.write(
+      "POST /vehicles/{vehicle_id}/measurements",
+      { vehicle_id },
+      { body: { client_key, ...clickBody(values) }, retry: true, signal },
+    ),
+  revise: (measurement_id, revision, values, signal) =>
+    api.write(
+      "PUT /measurements/{measurement_id}",
+      { measurement_id },
+      { body: { revision, ...clickBody(values) }, signal },
+    ),
+  withdraw: (measurement_id, revision, signal) =>
+    api.write("DELETE /measurements/{measurement_id}", { measurement_id, revision }, { signal }),
+  // a repeated one is answered with 409, in which the outbox recognises its own echo
+  restore: (measurement_id, revision, signal) =>
+    api.write(
+      "POST /measurements/{measurement_id}/restore",
+      { measurement_id },
+      { body: { revision }, retry: true, signal },
+    ),
+  read: (measurement_id, signal) =>
+    api.ask("GET /measurements/{measurement_id}", { measurement_id }, { signal }),
+};
+
+const vehiclesPort: VehiclesPort = {
+  save: (vehicle_id, version, changes, signal) =>
+    api.write("PUT /vehicles/{vehicle_id}", { vehicle_id }, { body: { version, ...changes }, signal }),
+};
+
+outbox.register(MEASUREMENT, measurementKind(recordsPort));
+outbox.register(VEHICLE, vehicleKind(vehiclesPort));
