@@ -53,6 +53,20 @@ def test_tyre_contacts_are_stored_undone_and_audited(
         assert verify_records(session).ok
 
 
+def test_a_pair_changed_meanwhile_is_a_conflict_and_is_not_overwritten(
+    operator: Client, admin: Client, ground: Ground
+) -> None:
+    path = f"/vehicles/{add_vehicle(operator, ground.recording_id)['id']}/wheel-pair"
+    first = operator.made(path, {**tyres(0.0), "seen": 0})
+    again = operator.post(path, {**tyres(0.0), "seen": 0})
+    assert again.status_code == 409 and "meanwhile" in error_of(again)
+    second = admin.made(path, {**tyres(0.01), "seen": first["id"]})
+    assert operator.delete(f"{path}?seen={first['id']}").status_code == 409
+    assert operator.delete(f"{path}?seen={second['id']}").status_code == 200
+    assert operator.delete(f"{path}?seen={second['id']}").status_code == 409
+    assert operator.made(path, {**tyres(0.0), "seen": 0})["id"] > second["id"]
+
+
 def test_contacts_that_give_no_direction_are_refused_in_a_sentence(
     operator: Client, viewer: Client, services: Services, ground: Ground
 ) -> None:

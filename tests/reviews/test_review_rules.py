@@ -36,6 +36,18 @@ def test_nobody_reviews_their_own(reviewer: Client, admin: Client, ground: Groun
     assert reviewer.seen(f"/surveys/{ground.survey_id}/review-queue") == []
 
 
+def test_a_verdict_given_meanwhile_is_a_conflict_and_is_not_overwritten(
+    operator: Client, reviewer: Client, admin: Client, vehicle_id: int
+) -> None:
+    made = measure(operator, vehicle_id)
+    assert judge(admin, made, "rejected", reason="mirror", seen="to_review").status_code == 201
+    late = judge(reviewer, made, "accepted", seen="to_review")
+    assert late.status_code == 409 and "“rejected” meanwhile" in error_of(late)
+    history = reviewer.seen(f"/measurements/{made['id']}/history")
+    assert [one["verdict"] for one in history["reviews"]] == ["rejected"]
+    assert judge(reviewer, made, "accepted", seen="rejected").status_code == 201
+
+
 def test_points_stay_ones_own_when_somebody_else_withdraws_and_restores_them(
     operator: Client, reviewer: Client, admin: Client, vehicle_id: int
 ) -> None:

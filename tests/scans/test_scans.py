@@ -104,6 +104,7 @@ def marked_by_hand(operator: Client, scan: dict[str, Any], truth: Any) -> None:
     assert (made["origin"], motion["cause"], motion["status"]) == ("person", "added", "ok"), motion["reason"]
     assert abs(motion["speed_mps"] / truth.vehicle.speed_mps - 1) < 0.003
     assert abs(motion["front_line_2"] - truth.front_line_2) < 6
+    assert operator.made(f"/scans/{scan['id']}/vehicles", span)["id"] == made["id"]  # a lost answer's repeat
     assert operator.delete(f"/scan-vehicles/{made['id']}").status_code == 204
     empty = {"front_line_1": 10.0, "rear_line_1": 200.0}
     nothing = operator.post(f"/scans/{scan['id']}/vehicles", empty)
@@ -148,7 +149,10 @@ def everything_of_one(
     measured = placed["measurement"]["id"]
     bare = reviewer.post(f"/scan-measurements/{measured}/review", {"verdict": "rejected"})
     assert "needs a reason" in error_of(bare)
-    judged = reviewer.made(f"/scan-measurements/{measured}/review", {"verdict": "accepted"})
+    verdict = {"verdict": "accepted", "seen": "to_review"}
+    judged = reviewer.made(f"/scan-measurements/{measured}/review", verdict)
+    again = reviewer.post(f"/scan-measurements/{measured}/review", verdict)
+    assert again.status_code == 409 and "“accepted” meanwhile" in error_of(again)
     assert judged["state"] == "accepted"
     detail = viewer.seen(address)
     assert [one["cause"] for one in detail["history"]] == ["found", "wheels", "boundaries"]

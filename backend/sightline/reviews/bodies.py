@@ -5,9 +5,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from sightline.enums import (
-    ReviewVerdict,
-)
+from sightline.enums import ReviewVerdict, Verdict
 from sightline.infra.web.bodies import FrameNumber, In, Point, Text
 from sightline.infra.web.quantities import Revision
 from sightline.measurements.bodies import MeasurementBody
@@ -30,6 +28,9 @@ class NewReview(In):
     frame: FrameNumber | None = None
     contact: Point | None = None
     target_point: Point | None = None
+    seen: Verdict | None = Field(
+        default=None, description="The verdict that you saw; another one is a conflict. null: not compared."
+    )
 
 
 @dataclass(frozen=True, slots=True)

@@ -50,6 +50,7 @@ def review_measurement(
         revision=body.revision,
         verdict=body.verdict,
         reason=body.reason,
+        seen=body.seen,
         frame=body.frame,
         contact=body.contact,
         target_point=body.target_point,

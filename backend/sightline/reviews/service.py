@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sightline.enums import Point, ReviewVerdict
+from sightline.enums import Point, ReviewVerdict, Verdict
 from sightline.errors import BadInput
 from sightline.infra.database import Session
 from sightline.measurements.records import Measurement, MeasurementValues
@@ -18,12 +18,13 @@ def review(
     revision: int,
     verdict: ReviewVerdict,
     reason: str | None,
+    seen: Verdict | None = None,
     frame: int | None,
     contact: Point | None,
     target_point: Point | None,
     actor: int,
 ) -> Measurement:
-    """Give a verdict on the revision that was seen.
+    """Give a verdict on the revision, and in place of the verdict, that was seen.
 
     A fix keeps target, sigma and inset of that revision and takes the reviewer's points. Raises NotAllowed
     for one's own work, Conflict for a revision that is not current, BadInput for a rejection without a reason
@@ -41,6 +42,7 @@ def review(
         seen_revision=revision,
         verdict=verdict,
         reason=reason,
+        seen=seen,
         fixed=fixed,
         actor=actor,
     )

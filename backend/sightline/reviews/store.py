@@ -6,7 +6,7 @@ from typing import Any
 from sqlalchemy import ColumnElement, FromClause, and_, or_, select
 from sqlalchemy.orm import Session
 
-from sightline.enums import QueueState, ReviewVerdict
+from sightline.enums import QueueState, ReviewVerdict, Verdict
 from sightline.errors import BadInput, Conflict, NotAllowed
 from sightline.infra.audit import trail
 from sightline.infra.database.rows import add_row, missing, stored_hash
@@ -19,7 +19,7 @@ from sightline.measurements.query import (
     verdict,
     waits,
 )
-from sightline.measurements.records import Measurement, MeasurementValues
+from sightline.measurements.records import Measurement, MeasurementValues, ReviewState
 from sightline.measurements.sheets.query import list_sheets_by_id
 from sightline.measurements.store import (
     append_measurement_revision,
@@ -41,16 +41,18 @@ def add_review(
     seen_revision: int,
     verdict: ReviewVerdict,
     reason: str | None = None,
+    seen: Verdict | None = None,
     fixed: MeasurementValues | None = None,
     actor: int,
 ) -> Measurement:
     """Give a verdict on the revision that was seen; "fixed" also writes a new revision with `fixed`.
 
-    Raises Conflict if there is a newer revision, NotAllowed for one's own, BadInput without the reason of a
-    rejection or the points of a fix.
+    Raises Conflict if there is a newer revision or another verdict than `seen`, NotAllowed for one's own,
+    BadInput without the reason of a rejection or the points of a fix.
     """
     before = require_measurement_revision(session, series_id, seen_revision)
     _not_own(session, before, actor)
+    require_verdict(before.review, seen)
     _allowed(before, verdict, reason, fixed)
     result_revision = seen_revision
     content: dict[str, Any] = {"series_id": series_id, "revision": seen_revision, "verdict": verdict}
@@ -68,6 +70,13 @@ def add_review(
     then = {"verdict": before.review.verdict}
     trail.record(session, actor, "review", "review", review_id, before.survey_id, then, after)
     return get_measurement(session, series_id)
+
+
+def require_verdict(standing: ReviewState, seen: Verdict | None) -> None:
+    """Raises Conflict if somebody gave another verdict since `seen`; None: not compared."""
+    if seen is not None and standing.verdict != seen:
+        name = standing.reviewer.name if standing.reviewer else "Somebody"
+        raise Conflict(f"{name} gave the verdict “{standing.verdict}” meanwhile; look at it first.")
 
 
 def review_queue(

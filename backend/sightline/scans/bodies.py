@@ -18,6 +18,7 @@ from sightline.enums import (
     ScanVerdict,
     TimeAxis,
     VehicleOrigin,
+    Verdict,
 )
 from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import Finite, Id, In, JobBody, Name, Out, Text
@@ -380,6 +381,9 @@ class ScanFacts(In):
 class NewScanReview(In):
     verdict: ScanVerdict
     reason: Text | None = None
+    seen: Verdict | None = Field(
+        default=None, description="The verdict that you saw; another one is a conflict. null: not compared."
+    )
 
 
 class StripUploadBody(Out):

@@ -42,6 +42,11 @@ class TrafficCheckBody(Out):
     pairs: list[WheelPair]
 
 
+SeenPair = Annotated[
+    int, Field(ge=0, le=2**31 - 1, description="The pair that you saw; 0: none. Another one is a conflict.")
+]
+
+
 class NewWheelPair(In):
     frame: FrameNumber
     frame_crc32: Annotated[int, Field(ge=0, le=2**32 - 1)] | None = Field(
@@ -49,6 +54,7 @@ class NewWheelPair(In):
     )
     first: Point
     second: Point
+    seen: SeenPair | None = None
 
 
 class TurnedPose(Out):

@@ -1,6 +1,8 @@
 """Checks of a survey by its own vehicles: insets, and the direction of travel against the road poses."""
 
-from fastapi import APIRouter
+from typing import Annotated
+
+from fastapi import APIRouter, Query
 
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
 from sightline.poses.bodies import PoseOverlay, PoseSummaryBody
@@ -8,6 +10,7 @@ from sightline.quality.checks import insets, store, traffic, turning
 from sightline.quality.checks.bodies import (
     NewWheelPair,
     PoseCheckBody,
+    SeenPair,
     TrafficCheckBody,
     TurnedPose,
     TurnWanted,
@@ -49,14 +52,17 @@ def add_wheel_pair(vehicle_id: PathId, body: NewWheelPair, who: Operator, sessio
         frame_crc32=body.frame_crc32,
         first=body.first,
         second=body.second,
+        seen=body.seen,
         actor=who.id,
     )
 
 
 @router.delete("/vehicles/{vehicle_id}/wheel-pair")
-def withdraw_wheel_pair(vehicle_id: PathId, who: Operator, session: Writing) -> WheelPair:
+def withdraw_wheel_pair(
+    vehicle_id: PathId, who: Operator, session: Writing, seen: Annotated[SeenPair | None, Query()] = None
+) -> WheelPair:
     """Take a vehicle's tyre contacts out of the check; nothing is erased."""
-    return store.withdraw_wheel_pair(session, vehicle_id, actor=who.id)
+    return store.withdraw_wheel_pair(session, vehicle_id, seen=seen, actor=who.id)
 
 
 @router.get("/poses/{pose_id}/turn")

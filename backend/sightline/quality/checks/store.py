@@ -29,12 +29,15 @@ def add_wheel_pair(
     frame_crc32: int,
     first: Point,
     second: Point,
+    seen: int | None = None,
     actor: int | None,
 ) -> WheelPair:
     """Store where both tyres of a vehicle touch the road, in place of the pair before.
 
-    Raises NotFound for a deleted vehicle or a frame that is not there, Conflict for another picture.
+    Raises NotFound for a deleted vehicle or a frame that is not there, Conflict for another picture
+    or another pair than `seen` (0: none).
     """
+    _require_seen(of_vehicle(session, vehicle_id), seen)
     vehicle = get_row(session, vehicles, vehicle_id, "vehicle", vehicles.c.deleted_at.is_(None))
     found = get_frame(session, vehicle["recording_id"], frame)
     if found.crc32 != frame_crc32:
@@ -52,9 +55,12 @@ def add_wheel_pair(
     return _append(session, vehicle, values, False, "create", actor)
 
 
-def withdraw_wheel_pair(session: Session, vehicle_id: int, *, actor: int | None) -> WheelPair:
-    """Take the pair of a vehicle out of the self-check. Raises NotFound where there is none."""
+def withdraw_wheel_pair(
+    session: Session, vehicle_id: int, *, seen: int | None = None, actor: int | None
+) -> WheelPair:
+    """Take the pair of a vehicle out of the self-check. Raises NotFound where there is none, Conflict."""
     before = of_vehicle(session, vehicle_id)
+    _require_seen(before, seen)
     if before is None:
         raise missing("pair of tyre contacts of this vehicle")
     row = get_row(session, wheel_pairs, before.id, "pair of tyre contacts")
@@ -72,6 +78,13 @@ def of_vehicle(session: Session, vehicle_id: int) -> WheelPair | None:
 def list_wheel_pairs(session: Session, survey_id: int) -> tuple[WheelPair, ...]:
     """The pairs that count of a survey's vehicles (deleted ones left out), by vehicle number."""
     return _fetch(session, wheel_pairs.c.survey_id == survey_id, ~wheel_pairs.c.withdrawn)
+
+
+def _require_seen(before: WheelPair | None, seen: int | None) -> None:
+    """Raises Conflict if another pair counts than the one that was seen; None: not compared."""
+    if seen is not None and seen != (before.id if before else 0):
+        name = before.created_by.name if before and before.created_by else "Somebody"
+        raise Conflict(f"{name} changed the tyres of this vehicle meanwhile; look at them first.")
 
 
 def _append(

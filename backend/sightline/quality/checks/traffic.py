@@ -258,12 +258,13 @@ def store_pair(
     frame_crc32: int | None,
     first: Point,
     second: Point,
+    seen: int | None = None,
     actor: int,
 ) -> WheelPair:
     """Store both tyre contacts of a vehicle on one frame, in place of the pair before.
 
-    Raises NotFound, Conflict without a road pose or for another picture, BadInput, saying why, for clicks
-    that give no direction (the sky, contacts closer than a metre).
+    Raises NotFound, Conflict without a road pose, for another picture or another pair than `seen`, BadInput,
+    saying why, for clicks that give no direction (the sky, contacts closer than a metre).
     """
     vehicle = get_vehicle(session, vehicle_id)
     pose, _, _ = pose_in_force(session, click_context(session, vehicle.recording_id, actor))
@@ -277,5 +278,12 @@ def store_pair(
         )
     stored = get_frame(session, vehicle.recording_id, frame).crc32 if frame_crc32 is None else frame_crc32
     return add_wheel_pair(
-        session, vehicle_id, frame=frame, frame_crc32=stored, first=first, second=second, actor=actor
+        session,
+        vehicle_id,
+        frame=frame,
+        frame_crc32=stored,
+        first=first,
+        second=second,
+        seen=seen,
+        actor=actor,
     )

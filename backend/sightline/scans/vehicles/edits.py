@@ -22,6 +22,7 @@ from sightline.scans.vehicles.store import (
     create_scan_vehicle,
     get_scan_vehicle,
     require_scan_vehicle_version,
+    scan_vehicle_added_at,
 )
 from sightline.vehicles.catalogue.store import get_catalogue_row
 
@@ -91,10 +92,14 @@ def add_vehicle(
 ) -> int:
     """A vehicle by hand, measured; its id. Without `second` it is looked for in camera 2's strip.
 
+    The same lines from the same person are the same vehicle: a repeat, whose answer was lost, adds none.
     Raises NotFound, BadInput for lines that cannot be or a vehicle that camera 2 did not see.
     """
     with services.reading() as session:
         scan = get_scan(session, scan_id)
+        known = scan_vehicle_added_at(session, scan_id, first, actor)
+    if known is not None:
+        return known
     readers = open_strips(services, scan)
     _check(Crossings(*first, *(second or first)), readers)
     if second is None:

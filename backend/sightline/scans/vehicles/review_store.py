@@ -2,11 +2,12 @@
 
 from sqlalchemy.orm import Session
 
-from sightline.enums import ScanVerdict
+from sightline.enums import ScanVerdict, Verdict
 from sightline.errors import BadInput, Conflict, NotAllowed
 from sightline.infra.audit import trail
 from sightline.infra.database.rows import add_row, stored_hash
 from sightline.infra.database.types import now
+from sightline.reviews.store import require_verdict
 from sightline.scans.query import reviews_where
 from sightline.scans.records import ScanMeasurement, ScanReview
 from sightline.scans.tables import scan_measurements, scan_reviews
@@ -15,12 +16,18 @@ from sightline.scans.vehicles.store import require_scan_vehicle_version
 
 
 def add_scan_review(
-    session: Session, measurement_id: int, *, verdict: ScanVerdict, reason: str | None = None, actor: int
+    session: Session,
+    measurement_id: int,
+    *,
+    verdict: ScanVerdict,
+    reason: str | None = None,
+    seen: Verdict | None = None,
+    actor: int,
 ) -> ScanMeasurement:
-    """Give a verdict on the revision that was seen.
+    """Give a verdict on the revision, and in place of the verdict, that was seen.
 
-    Raises Conflict if there is a newer revision, NotAllowed for boundaries of one's own, BadInput for a
-    rejection without a reason.
+    Raises Conflict if there is a newer revision or another verdict than `seen`, NotAllowed for boundaries of
+    one's own, BadInput for a rejection without a reason.
     """
     before = get_scan_measurement(session, measurement_id)
     require_scan_vehicle_version(session, before.vehicle_id, None)
@@ -28,6 +35,7 @@ def add_scan_review(
         raise Conflict("This vehicle was measured again meanwhile; look at the newer result.")
     if before.values.placed_by == actor:
         raise NotAllowed("Nobody reviews boundaries that they placed themselves; ask another reviewer.")
+    require_verdict(before.review, seen)
     told = (reason or "").strip() or None
     if verdict == "rejected" and told is None:
         raise BadInput("A rejection needs a reason; say what is wrong so that it can be put right.")

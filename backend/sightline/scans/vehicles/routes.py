@@ -43,7 +43,7 @@ def list_scan_vehicles(scan_id: PathId, who: Viewer, session: Reading) -> list[S
 def add_scan_vehicle(
     scan_id: PathId, body: NewScanVehicle, who: Operator, services: Wired
 ) -> ScanVehicleBody:
-    """A vehicle that was not found, by the lines of its front and rear."""
+    """A vehicle that was not found, by the lines of its front and rear; sent twice it is added once."""
     second = None
     if body.front_line_2 is not None and body.rear_line_2 is not None:
         second = (body.front_line_2, body.rear_line_2)
@@ -137,6 +137,6 @@ def review_scan_measurement(
     """Accept, reject (with a reason) or reopen a revision; never boundaries of one's own."""
     with services.writing() as session:
         judged = review_store.add_scan_review(
-            session, measurement_id, verdict=body.verdict, reason=body.reason, actor=who.id
+            session, measurement_id, verdict=body.verdict, reason=body.reason, seen=body.seen, actor=who.id
         )
     return _answer(services, judged.vehicle_id, who.id)

@@ -103,6 +103,20 @@ def scan_vehicles_placed_by_hand(session: Session, scan_id: int) -> frozenset[in
     return frozenset(session.execute(query).scalars())
 
 
+def scan_vehicle_added_at(
+    session: Session, scan_id: int, lines: tuple[float, float], actor: int
+) -> int | None:
+    """The living vehicle that a person added with just this front and rear at camera 1, if there is one."""
+    query = (
+        select(scan_vehicles.c.id)
+        .join(scan_measurements, scan_measurements.c.vehicle_id == scan_vehicles.c.id)
+        .where(scan_vehicles.c.scan_id == scan_id, _ALIVE, scan_measurements.c.cause == "added")
+        .where(scan_measurements.c.placed_by == actor)
+        .where(scan_measurements.c.front_line_1 == lines[0], scan_measurements.c.rear_line_1 == lines[1])
+    )
+    return session.execute(query).scalars().first()
+
+
 def change_scan_vehicle(
     session: Session,
     vehicle_id: int,

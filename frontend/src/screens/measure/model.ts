@@ -87,6 +87,8 @@ export class MeasureModel implements Desk {
   private readonly facts: ReturnType<typeof factLedger>;
   private readonly stops: (() => void)[] = [];
   private urlTimer: ReturnType<typeof setTimeout> | undefined;
+  /** Vehicles of which something was stored since they were read. */
+  private readonly stale = new Set<number>();
   private refreshTimer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(readonly surveyId: number) {
@@ -94,8 +96,8 @@ export class MeasureModel implements Desk {
       this.refreshSoon(vehicleId);
       this.onStored(vehicleId);
     };
-    this.records = new Records(outbox, surveyId, (entry) => stored(entry.vehicleId));
-    this.vehicles = new Vehicles(outbox, surveyId, { merged: toast, stored: (id) => this.onStored(id) });
+    this.records = new Records(outbox, surveyId, stored);
+    this.vehicles = new Vehicles(outbox, surveyId, { merged: toast, stored });
     this.assist = new Assist(this);
     this.facts = factLedger(this.vehicles);
     this.startFromAddress();
@@ -122,6 +124,8 @@ export class MeasureModel implements Desk {
       });
       this.openFirst();
       this.records.resume();
+      // what an earlier page left may have been stored while the list was read
+      for (const id of this.stale) this.refreshSoon(id);
     } catch (error) {
       this.problem.value = error;
     }
@@ -294,8 +298,13 @@ export class MeasureModel implements Desk {
 
   /** Reads one vehicle again: its state and version follow from what was stored. */
   refreshSoon(vehicleId: number): void {
+    this.stale.add(vehicleId);
     clearTimeout(this.refreshTimer);
-    this.refreshTimer = setTimeout(() => void this.refresh(vehicleId), 250);
+    this.refreshTimer = setTimeout(() => {
+      if (!this.loaded.value) return;
+      for (const id of this.stale) void this.refresh(id);
+      this.stale.clear();
+    }, 250);
   }
 
   async refresh(vehicleId: number): Promise<void> {

@@ -36,7 +36,7 @@ export class Records {
   constructor(
     private readonly outbox: Outbox,
     private readonly surveyId: number,
-    private readonly onStored: (entry: Entry) => void = () => {},
+    private readonly onStored: (vehicleId: number) => void = () => {},
   ) {
     this.close = outbox.listen(MEASUREMENT, (wish: Clicked) => this.follow(wish));
   }
@@ -126,13 +126,14 @@ export class Records {
   /** What the outbox says of a measurement; a point that is being moved stays under the hand that moves it. */
   private follow(wish: Clicked): void {
     const { key, saved, state, problem, theirs } = wish;
-    if (!this.find(key) && !this.byVehicle.value.has(wish.about.vehicleId)) return;
+    const { vehicleId } = wish.about;
+    if (state === "saved" && wish.page.startsWith(`/surveys/${this.surveyId}/`)) this.onStored(vehicleId);
+    if (!this.find(key) && !this.byVehicle.value.has(vehicleId)) return;
     const entry = this.find(key) ?? this.adopted(wish);
     if (state === "saved" || state === "dropped") {
       if (!saved) this.remove(entry);
       else if (entry.state === "moving") this.put({ ...entry, saved });
       else this.put({ ...fresh(saved), key });
-      if (state === "saved") this.onStored({ ...entry, saved });
     } else {
       const moving = entry.state === "moving";
       const shown = state === "held" ? "saving" : state;

@@ -130,11 +130,11 @@ export class Vehicles {
     );
   }
 
-  private follow({ about, saved, state, problem }: Typed): void {
+  private follow({ about, saved, state, problem, page }: Typed): void {
+    if (state === "saved" && page.startsWith(`/surveys/${this.surveyId}/`)) this.told.stored?.(about.id);
     if (!saved || !this.get(about.id)) return;
     if (state !== "held") this.take(saved);
-    if (state === "saved") this.told.stored?.(about.id);
-    else if (state === "saving" && problem)
+    if (state === "saving" && problem)
       this.told.merged?.(`${problem} Your changes are to other fields, so both are kept.`);
   }
 }
