@@ -1281,3 +1281,221 @@ signin-email = E-mail
 signin-password = Password
 signin-submit = Sign in
 signin-help = No password yet? Use the one-time link: the server prints it when it first starts, and an administrator makes one for each new person.
+
+## Account: the page
+
+account-name = Name
+account-email = E-mail
+account-role = Role
+account-password-change = Change the password
+account-password-choose = Choose a password
+account-no-password = You have no password yet; without one you need a new link for each sign-in.
+account-password-present = Present password
+account-password-new = New password
+account-password-hint = At least { NUMBER($least) } characters; a few words in a row are easy to keep in mind.
+account-password-short = { $count ->
+    [one] That has { $count } character; at least { NUMBER($least) } are needed.
+   *[other] That has { $count } characters; at least { NUMBER($least) } are needed.
+}
+account-password-again = The same again
+account-password-differs = The two are not the same; type the new password twice.
+account-password-set = Set the password
+account-password-is-set = Your password is set.
+
+## People: the page
+
+people-only-admin = Only an administrator can see and change accounts; ask one if you need another role.
+people-lead = Who may do what. Nobody reviews their own work, whatever their role.
+people-loading = people
+people-add = Add a person
+people-name = name
+people-email = e-mail
+people-role = role
+people-state = state
+people-last-seen = last sign-in
+people-actions = actions
+people-you = (you)
+people-role-of = Role of { $person }
+people-no-password = no password yet
+people-never = never
+people-new-link = New link
+people-switch-off = Switch off
+people-switch-on = Switch on
+people-switch-off-title = Switch off { $person }?
+people-switch-off-body = They are signed out and cannot sign in again; what they measured and reviewed stays under their name.
+people-does-viewer = sees everything, exports packages
+people-does-operator = brings in recordings, calibrates, measures
+people-does-reviewer = what an operator does, and reviews the work of others
+people-does-admin = everything, and people
+
+## People: adding one
+
+people-add-action = Add
+people-add-name = Name
+people-add-name-problem = Give the person's name as it should appear beside their work.
+people-add-email = E-mail
+people-add-email-hint = They sign in with it. Sightline sends no mail: you pass on the link that comes next.
+people-add-email-problem = Give an e-mail address, for example ada@example.org.
+people-add-role = Role
+people-link-title = Sign-in link for { $person }
+people-link-help = Pass this on to { $person }. It works once, for seven days, and is shown only now.
+people-link = Sign-in link
+people-link-copy = Copy the link
+people-link-copied = The link is on the clipboard.
+people-link-done = Done
+
+## Audit: the page
+
+audit-title = Audit trail
+audit-lead = One event per write, chained by hash: nothing here can be changed or removed without the chain showing it.
+audit-loading = the audit trail
+audit-survey = Survey
+audit-survey-all = All
+audit-what = What was changed
+audit-what-all = Everything
+audit-none-title = No events here
+audit-none-filtered = Nothing matches these filters; widen them.
+audit-none = Nothing has been written yet.
+audit-events = Audit events
+audit-number = no.
+audit-when = when
+audit-who = who
+audit-did = did
+audit-changes = changes
+audit-hash = hash
+audit-older = Show older events
+audit-hash-after = { $hash }, after { $previous }
+audit-hash-first = { $hash }, after nothing
+audit-check = Check the chain
+audit-whole-title = The chain is whole
+audit-whole = { $count ->
+    [one] { $count } event checked; the last hash is <code>{ $hash }</code>.
+   *[other] { $count } events checked; the last hash is <code>{ $hash }</code>.
+}
+audit-broken-title = The chain is broken
+
+## Audit: what was done, and to what
+
+audit-action-calibrate = calibrate
+audit-action-cancel = cancel
+audit-action-cancelled = cancelled
+audit-action-check_drift = check drift
+audit-action-choose = choose
+audit-action-choose_calibration = choose calibration
+audit-action-create = create
+audit-action-decide_drift = decide drift
+audit-action-delete = delete
+audit-action-detect = detect
+audit-action-done = done
+audit-action-failed = failed
+audit-action-finish = finish
+audit-action-fix = fix
+audit-action-import = import
+audit-action-ingest = ingest
+audit-action-ingest_failed = ingest failed
+audit-action-order = order
+audit-action-read = read
+audit-action-reading_failed = reading failed
+audit-action-release = release
+audit-action-requeue = requeue
+audit-action-restart_ingest = restart ingest
+audit-action-restart_reading = restart reading
+audit-action-restore = restore
+audit-action-review = review
+audit-action-revise = revise
+audit-action-run = run
+audit-action-set_password = set password
+audit-action-sign_out = sign out
+audit-action-swap_cameras = swap cameras
+audit-action-take_back_drift_decision = take back drift decision
+audit-action-update = update
+audit-action-use = use
+audit-action-withdraw = withdraw
+audit-entity-survey = survey
+audit-entity-camera = camera
+audit-entity-calibration_image = calibration image
+audit-entity-calibration = calibration
+audit-entity-recording = recording
+audit-entity-upload = upload
+audit-entity-pose = pose
+audit-entity-photograph = photograph
+audit-entity-catalogue = catalogue
+audit-entity-vehicle = vehicle
+audit-entity-measurement = measurement
+audit-entity-review = review
+audit-entity-wheel_pair = wheel pair
+audit-entity-click_sigma = click sigma
+audit-entity-standards = standards
+audit-entity-scan = scan
+audit-entity-scan_run = scan run
+audit-entity-scan_vehicle = scan vehicle
+audit-entity-scan_measurement = scan measurement
+audit-entity-scan_review = scan review
+audit-entity-line_pose = line pose
+audit-entity-line_height = line height
+audit-entity-export = export
+audit-entity-person = person
+audit-entity-sign_in_link = sign in link
+audit-entity-job = job
+audit-entity-id = { $entity } { $id }
+
+## Export: the page
+
+export-lead = A zip file with everything needed to check each height, and to compute it again.
+export-crops = with pictures of the clicks
+export-build = Build the package
+export-ready = The package is ready.
+export-failed = The package could not be built; try again.
+export-open-to-review = { $to_review ->
+    [one] { $to_review } measurement not yet reviewed.
+   *[other] { $to_review } measurements not yet reviewed.
+}
+export-open-rejected = { $rejected ->
+    [one] { $rejected } measurement rejected and not clicked again.
+   *[other] { $rejected } measurements rejected and not clicked again.
+}
+export-open-both = { $to_review ->
+    [one] { $to_review } measurement not yet reviewed
+   *[other] { $to_review } measurements not yet reviewed
+}, { $rejected ->
+    [one] { $rejected } measurement rejected and not clicked again.
+   *[other] { $rejected } measurements rejected and not clicked again.
+}
+export-open-note = The package says so, row by row; <link>review first</link> if it is to be final.
+export-packages = Packages
+export-loading = packages
+export-none-title = No package yet
+export-none = Press “Build the package”. It takes from seconds to minutes, with the number of pictures, and you can go on working meanwhile.
+export-made = made
+export-by = by
+export-size = size
+export-sha256 = SHA-256
+export-audit-head = head of the audit chain
+export-download-column = download
+export-download = Download
+export-sha256-copy = Copy the SHA-256
+export-sha256-copied = The SHA-256 is on the clipboard.
+export-audit-head-copy = Copy the head of the audit chain
+export-audit-head-copied = The head of the audit chain is on the clipboard.
+export-checking = Checking a package
+export-checking-help = This checks every file, the audit chain and each row against it, and computes every height and every statistic again. Send the head of the audit chain and the SHA-256 by another way than the package: they find a package that was written anew from end to end.
+export-command-copy = Copy the command
+export-command-copied = The command is on the clipboard.
+
+## Export: what is in a package
+
+export-contents = What is in a package
+export-contents-report = a few pages for people: set-up, calibration, method, errors, figures, exclusions
+export-contents-measurements = each measurement as it stands: vehicle, target, frame, height and its uncertainty
+export-contents-exclusions = what counts for no result, and why
+export-contents-statistics = error table, percentiles, distributions and corrections as CSV; figures as SVG
+export-contents-crops = the picture that each click was made on, unmarked, and with its points beside it
+export-contents-revisions = every revision with its clicks, and where its uncertainty comes from
+export-contents-clicks = the clicks alone: “sightline height” computes the same heights from them
+export-contents-vehicles = make, model, year, manufacturer height and its source, lighting
+export-contents-recordings = file hashes, and the time stamp and checksum of each frame measured on
+export-contents-poses = where the camera stood and what its lens does, as tables and as JSON
+export-contents-insets = insets in force; both tyres of a vehicle, for its direction of travel
+export-contents-reviews = who accepted, fixed or rejected what, and why; what was clicked again
+export-contents-audit = each change with its hash; the chain can be checked
+export-contents-datapackage = name, unit and meaning of every column (Frictionless Data)

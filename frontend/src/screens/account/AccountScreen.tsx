@@ -1,6 +1,7 @@
 import { useState } from "preact/hooks";
 import { Button, Notice, Problem, TextField } from "../../components";
 import { api } from "../../core/api";
+import { say } from "../../core/messages";
 import { me } from "../../core/session";
 import { toast } from "../../core/toasts";
 import { ROLE_NAMES } from "../../core/types";
@@ -15,15 +16,15 @@ export default function AccountScreen() {
   return (
     <div class="page page--alone account">
       <header class="page__head">
-        <h1>Account</h1>
+        <h1>{say("page-account")}</h1>
       </header>
       <section class="panel panel__body">
         <dl class="facts">
-          <dt>Name</dt>
+          <dt>{say("account-name")}</dt>
           <dd>{person.name}</dd>
-          <dt>E-mail</dt>
+          <dt>{say("account-email")}</dt>
           <dd>{person.email}</dd>
-          <dt>Role</dt>
+          <dt>{say("account-role")}</dt>
           <dd>{ROLE_NAMES[person.role]}</dd>
         </dl>
       </section>
@@ -53,7 +54,7 @@ function PasswordForm({ hasPassword }: { hasPassword: boolean }) {
         {},
         { body: { current: hasPassword ? current : null, new: next } },
       );
-      toast("Your password is set.");
+      toast(say("account-password-is-set"));
       setCurrent("");
       setNext("");
       setAgain("");
@@ -66,16 +67,14 @@ function PasswordForm({ hasPassword }: { hasPassword: boolean }) {
   return (
     <section class="panel">
       <header class="panel__head">
-        <h2>{hasPassword ? "Change the password" : "Choose a password"}</h2>
+        <h2>{say(hasPassword ? "account-password-change" : "account-password-choose")}</h2>
       </header>
       <form class="panel__body stack" onSubmit={submit} noValidate>
-        {!hasPassword && !tried && (
-          <Notice>You have no password yet; without one you need a new link for each sign-in.</Notice>
-        )}
+        {!hasPassword && !tried && <Notice>{say("account-no-password")}</Notice>}
         <input type="email" autoComplete="username" value={me.value?.person.email} readOnly hidden />
         {hasPassword && (
           <TextField
-            label="Present password"
+            label={say("account-password-present")}
             type="password"
             value={current}
             onInput={setCurrent}
@@ -83,30 +82,28 @@ function PasswordForm({ hasPassword }: { hasPassword: boolean }) {
           />
         )}
         <TextField
-          label="New password"
+          label={say("account-password-new")}
           type="password"
           value={next}
           onInput={setNext}
           autoComplete="new-password"
-          hint={`At least ${LEAST} characters; a few words in a row are easy to keep in mind.`}
+          hint={say("account-password-hint", { least: LEAST })}
           problem={
-            tried && short ? `That has ${next.length} characters; at least ${LEAST} are needed.` : null
+            tried && short ? say("account-password-short", { count: next.length, least: LEAST }) : null
           }
         />
         <TextField
-          label="The same again"
+          label={say("account-password-again")}
           type="password"
           value={again}
           onInput={setAgain}
           autoComplete="new-password"
-          problem={
-            tried && !short && differs ? "The two are not the same; type the new password twice." : null
-          }
+          problem={tried && !short && differs ? say("account-password-differs") : null}
         />
         <Problem error={problem} />
         <div>
           <Button kind="primary" type="submit" busy={busy}>
-            Set the password
+            {say("account-password-set")}
           </Button>
         </div>
       </form>

@@ -1,34 +1,17 @@
 import { useState } from "preact/hooks";
 import { Button, Empty, Loading, Notice, Problem, SelectField, TableScroll } from "../../components";
+import { Said } from "../../components/Said";
 import { query, setQuery } from "../../core/address";
 import { api, explain, fromAddress } from "../../core/api";
+import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
 import { formatClock, formatDay } from "../../core/times";
 import type { AuditCheck, AuditEvent } from "../../core/types";
-import { formatCount } from "../../core/units";
 import { changesOf } from "./changes";
+import { actionWords, ENTITY_WORDS, entityWords } from "./words";
 import "./audit.css";
 
 const PAGE = 100;
-const ENTITIES = [
-  "survey",
-  "camera",
-  "calibration_image",
-  "calibration",
-  "recording",
-  "upload",
-  "pose",
-  "catalogue",
-  "vehicle",
-  "measurement",
-  "review",
-  "click_sigma",
-  "standards",
-  "export",
-  "person",
-  "sign_in_link",
-  "job",
-];
 
 /** Who did what, when, from what to what; newest first. The chain of hashes can be checked here. */
 export default function AuditScreen() {
@@ -71,58 +54,51 @@ export default function AuditScreen() {
     <div class="page page--alone">
       <header class="page__head">
         <div>
-          <h1>Audit trail</h1>
-          <p class="page__lead">
-            One event per write, chained by hash: nothing here can be changed or removed without the chain
-            showing it.
-          </p>
+          <h1>{say("audit-title")}</h1>
+          <p class="page__lead">{say("audit-lead")}</p>
         </div>
         <Verify />
       </header>
       <div class="audit__filters">
         <SelectField
-          label="Survey"
+          label={say("audit-survey")}
           value={surveyId}
           options={[
-            { value: "", label: "All" },
+            { value: "", label: say("audit-survey-all") },
             ...(surveys.data ?? []).map((survey) => ({ value: String(survey.id), label: survey.name })),
           ]}
           onChange={(value) => setQuery({ survey_id: value || null })}
         />
         <SelectField
-          label="What was changed"
+          label={say("audit-what")}
           value={entity}
           options={[
-            { value: "", label: "Everything" },
-            ...ENTITIES.map((name) => ({ value: name, label: name.replaceAll("_", " ") })),
+            { value: "", label: say("audit-what-all") },
+            ...Object.entries(ENTITY_WORDS).map(([value, label]) => ({ value, label })),
           ]}
           onChange={(value) => setQuery({ entity: value || null })}
         />
       </div>
       <Problem error={first.error} again={first.reload} />
-      {!first.data && first.loading && <Loading what="the audit trail" />}
+      {!first.data && first.loading && <Loading what={say("audit-loading")} />}
       {first.data && events.length === 0 && (
         <div class="panel">
-          <Empty title="No events here">
-            <p>
-              {surveyId || entity
-                ? "Nothing matches these filters; widen them."
-                : "Nothing has been written yet."}
-            </p>
+          <Empty title={say("audit-none-title")}>
+            <p>{say(surveyId || entity ? "audit-none-filtered" : "audit-none")}</p>
           </Empty>
         </div>
       )}
       {events.length > 0 && (
-        <TableScroll label="Audit events" class="panel">
+        <TableScroll label={say("audit-events")} class="panel">
           <table class="table audit">
             <thead>
               <tr>
-                <th class="num">no.</th>
-                <th>when</th>
-                <th>who</th>
-                <th>did</th>
-                <th>changes</th>
-                <th>hash</th>
+                <th class="num">{say("audit-number")}</th>
+                <th>{say("audit-when")}</th>
+                <th>{say("audit-who")}</th>
+                <th>{say("audit-did")}</th>
+                <th>{say("audit-changes")}</th>
+                <th>{say("audit-hash")}</th>
               </tr>
             </thead>
             <tbody>
@@ -137,7 +113,7 @@ export default function AuditScreen() {
       {events.length > 0 && !atEnd && (
         <div>
           <Button busy={busy} onClick={() => void more()}>
-            Show older events
+            {say("audit-older")}
           </Button>
         </div>
       )}
@@ -154,10 +130,9 @@ function EventRow({ event }: { event: AuditEvent }) {
       <td class="nowrap" title={event.at}>
         {formatDay(event.at)} <span class="muted">{formatClock(at)}</span>
       </td>
-      <td class="nowrap">{event.actor?.name ?? <span class="muted">the system</span>}</td>
+      <td class="nowrap">{event.actor?.name ?? <span class="muted">{say("person-system")}</span>}</td>
       <td>
-        {event.action.replaceAll("_", " ")}{" "}
-        <span class="muted nowrap">{`${event.entity} ${event.entity_id}`.replaceAll("_", " ")}</span>
+        {actionWords(event)} <span class="muted nowrap">{entityWords(event)}</span>
       </td>
       <td class="audit__changes">
         {changes.length > 0 && (
@@ -184,12 +159,16 @@ function EventRow({ event }: { event: AuditEvent }) {
         )}
       </td>
       <td>
-        <code class="muted" title={`${event.hash}, after ${event.previous_hash ?? "nothing"}`}>
+        <code class="muted" title={hashWords(event)}>
           {event.hash.slice(0, 8)}
         </code>
       </td>
     </tr>
   );
+}
+
+function hashWords({ hash, previous_hash: previous }: AuditEvent): string {
+  return previous ? say("audit-hash-after", { hash, previous }) : say("audit-hash-first", { hash });
 }
 
 function Verify() {
@@ -209,17 +188,19 @@ function Verify() {
   return (
     <div class="audit__verify">
       <Button busy={busy} onClick={() => void run()}>
-        Check the chain
+        {say("audit-check")}
       </Button>
       {problem !== null && <Notice kind="problem">{explain(problem)}</Notice>}
       {check?.ok && (
-        <Notice title="The chain is whole">
-          {formatCount(check.checked)} events checked; the last hash is{" "}
-          <code>{check.head_hash?.slice(0, 12)}</code>.
+        <Notice title={say("audit-whole-title")}>
+          <Said
+            what="audit-whole"
+            values={{ count: check.checked, hash: check.head_hash?.slice(0, 12) ?? "–" }}
+          />
         </Notice>
       )}
       {check && !check.ok && (
-        <Notice kind="problem" title="The chain is broken">
+        <Notice kind="problem" title={say("audit-broken-title")}>
           {check.problem}
         </Notice>
       )}

@@ -1,32 +1,35 @@
 import { useEffect, useState } from "preact/hooks";
 import { Button, Empty, JobProgress, Loading, Notice, Problem, TableScroll } from "../../components";
+import { Said } from "../../components/Said";
 import { api } from "../../core/api";
 import { cancelJob, isOver, useJob } from "../../core/jobs";
+import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useResource } from "../../core/resource";
 import { survey } from "../../core/survey";
 import { formatMoment } from "../../core/times";
 import { toast } from "../../core/toasts";
-import type { ExportPackage } from "../../core/types";
-import { formatBytes, plural } from "../../core/units";
+import type { ExportPackage, Survey } from "../../core/types";
+import { formatBytes } from "../../core/units";
 import "./export.css";
 
-const CONTENTS: [file: string, what: string][] = [
-  ["report.pdf", "a few pages for people: set-up, calibration, method, errors, figures, exclusions"],
-  ["measurements.csv", "each measurement as it stands: vehicle, target, frame, height and its uncertainty"],
-  ["exclusions.csv", "what counts for no result, and why"],
-  ["statistics, figures", "error table, percentiles, distributions and corrections as CSV; figures as SVG"],
-  ["crops", "the picture that each click was made on, unmarked, and with its points beside it"],
-  ["revisions.csv, budget.csv", "every revision with its clicks, and where its uncertainty comes from"],
-  ["clicks/pose-N.csv", "the clicks alone: “sightline height” computes the same heights from them"],
-  ["vehicles.csv", "make, model, year, manufacturer height and its source, lighting"],
-  ["recordings.csv, frames.csv", "file hashes, and the time stamp and checksum of each frame measured on"],
-  ["poses, calibrations", "where the camera stood and what its lens does, as tables and as JSON"],
-  ["insets.csv, wheel_pairs.csv", "insets in force; both tyres of a vehicle, for its direction of travel"],
-  ["reviews.csv, repeats.csv", "who accepted, fixed or rejected what, and why; what was clicked again"],
-  ["audit.csv", "each change with its hash; the chain can be checked"],
-  ["datapackage.json", "name, unit and meaning of every column (Frictionless Data)"],
-];
+/** What a package holds, as the table says it. */
+const CONTENTS = [
+  { files: ["report.pdf"], what: "export-contents-report" },
+  { files: ["measurements.csv"], what: "export-contents-measurements" },
+  { files: ["exclusions.csv"], what: "export-contents-exclusions" },
+  { files: ["statistics", "figures"], what: "export-contents-statistics" },
+  { files: ["crops"], what: "export-contents-crops" },
+  { files: ["revisions.csv", "budget.csv"], what: "export-contents-revisions" },
+  { files: ["clicks/pose-N.csv"], what: "export-contents-clicks" },
+  { files: ["vehicles.csv"], what: "export-contents-vehicles" },
+  { files: ["recordings.csv", "frames.csv"], what: "export-contents-recordings" },
+  { files: ["poses", "calibrations"], what: "export-contents-poses" },
+  { files: ["insets.csv", "wheel_pairs.csv"], what: "export-contents-insets" },
+  { files: ["reviews.csv", "repeats.csv"], what: "export-contents-reviews" },
+  { files: ["audit.csv"], what: "export-contents-audit" },
+  { files: ["datapackage.json"], what: "export-contents-datapackage" },
+] as const;
 
 /** One button writes the package that a standards body needs; every package made stays listed with its hash. */
 export default function ExportScreen({ surveyId }: ScreenProps) {
@@ -44,10 +47,8 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
     jobId,
     (over) => {
       setJobId(null);
-      if (over.state === "done") toast("The package is ready.");
-      setFailed(
-        over.state === "failed" ? (over.error ?? "The package could not be built; try again.") : null,
-      );
+      if (over.state === "done") toast(say("export-ready"));
+      setFailed(over.state === "failed" ? (over.error ?? say("export-failed")) : null);
       void packages.reload();
     },
     setProblem,
@@ -67,15 +68,12 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
     setStarting(false);
   };
   const counts = survey.value?.counts;
-  const open = counts ? counts.to_review + counts.rejected : 0;
   return (
     <div class="page">
       <header class="page__head">
         <div>
-          <h1>Export</h1>
-          <p class="page__lead">
-            A zip file with everything needed to check each height, and to compute it again.
-          </p>
+          <h1>{say("page-export")}</h1>
+          <p class="page__lead">{say("export-lead")}</p>
         </div>
         <div class="row row--wrap">
           <label class="row">
@@ -85,7 +83,7 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
               disabled={jobId !== null}
               onChange={(event) => setCrops(event.currentTarget.checked)}
             />
-            <span>with pictures of the clicks</span>
+            <span>{say("export-crops")}</span>
           </label>
           <Button
             kind="primary"
@@ -93,20 +91,17 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
             busy={starting || jobId !== null}
             onClick={() => void build()}
           >
-            Build the package
+            {say("export-build")}
           </Button>
         </div>
       </header>
-      {counts && open > 0 && (
+      {counts && counts.to_review + counts.rejected > 0 && (
         <Notice kind="warning">
-          {[
-            counts.to_review > 0 && `${plural(counts.to_review, "measurement")} not yet reviewed`,
-            counts.rejected > 0 && `${plural(counts.rejected, "measurement")} rejected and not clicked again`,
-          ]
-            .filter(Boolean)
-            .join(", ")}
-          . The package says so, row by row; <a href={`/surveys/${surveyId}/review`}>review first</a> if it is
-          to be final.
+          {openWords(counts)}{" "}
+          <Said
+            what="export-open-note"
+            parts={{ link: (text) => <a href={`/surveys/${surveyId}/review`}>{text}</a> }}
+          />
         </Notice>
       )}
       {job && (
@@ -118,16 +113,13 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
       <Problem error={problem} again={() => void build()} />
       <section class="panel">
         <header class="panel__head">
-          <h2>Packages</h2>
+          <h2>{say("export-packages")}</h2>
         </header>
         <Problem error={packages.error} again={packages.reload} />
-        {!packages.data && packages.loading && <Loading what="packages" />}
+        {!packages.data && packages.loading && <Loading what={say("export-loading")} />}
         {packages.data?.length === 0 && (
-          <Empty title="No package yet">
-            <p>
-              Press “Build the package”. It takes from seconds to minutes, with the number of pictures, and
-              you can go on working meanwhile.
-            </p>
+          <Empty title={say("export-none-title")}>
+            <p>{say("export-none")}</p>
           </Empty>
         )}
         {packages.data && packages.data.length > 0 && <Packages list={packages.data} />}
@@ -135,16 +127,16 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
       {packages.data?.[0] && <Checking newest={packages.data[0]} />}
       <section class="panel">
         <header class="panel__head">
-          <h2>What is in a package</h2>
+          <h2>{say("export-contents")}</h2>
         </header>
         <table class="table">
           <tbody>
-            {CONTENTS.map(([file, what]) => (
-              <tr key={file}>
+            {CONTENTS.map(({ files, what }) => (
+              <tr key={what}>
                 <td class="nowrap">
-                  <code>{file}</code>
+                  <code>{files.join(", ")}</code>
                 </td>
-                <td class="muted">{what}</td>
+                <td class="muted">{say(what)}</td>
               </tr>
             ))}
           </tbody>
@@ -152,6 +144,12 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
       </section>
     </div>
   );
+}
+
+function openWords({ to_review, rejected }: Survey["counts"]): string {
+  if (rejected === 0) return say("export-open-to-review", { to_review });
+  if (to_review === 0) return say("export-open-rejected", { rejected });
+  return say("export-open-both", { to_review, rejected });
 }
 
 /** A package that is being built when the page is opened is followed as if it had been started here. */
@@ -176,17 +174,17 @@ async function copy(text: string, said: string) {
 
 function Packages({ list }: { list: ExportPackage[] }) {
   return (
-    <TableScroll label="Packages">
+    <TableScroll label={say("export-packages")}>
       <table class="table table--hover">
         <thead>
           <tr>
-            <th>made</th>
-            <th>by</th>
-            <th class="num">size</th>
-            <th>SHA-256</th>
-            <th>head of the audit chain</th>
+            <th>{say("export-made")}</th>
+            <th>{say("export-by")}</th>
+            <th class="num">{say("export-size")}</th>
+            <th>{say("export-sha256")}</th>
+            <th>{say("export-audit-head")}</th>
             <th>
-              <span class="visually-hidden">download</span>
+              <span class="visually-hidden">{say("export-download-column")}</span>
             </th>
           </tr>
         </thead>
@@ -196,11 +194,11 @@ function Packages({ list }: { list: ExportPackage[] }) {
               <td class="nowrap">{formatMoment(entry.created_at)}</td>
               <td class="nowrap">{entry.created_by?.name ?? "–"}</td>
               <td class="num nowrap">{formatBytes(entry.size_bytes)}</td>
-              <Hash text={entry.sha256} what="SHA-256" />
-              <Hash text={entry.audit_head} what="head of the audit chain" />
+              <Hash text={entry.sha256} which="sha256" />
+              <Hash text={entry.audit_head} which="audit-head" />
               <td class="num">
                 <Button small icon="download" href={entry.url} download>
-                  Download
+                  {say("export-download")}
                 </Button>
               </td>
             </tr>
@@ -211,7 +209,7 @@ function Packages({ list }: { list: ExportPackage[] }) {
   );
 }
 
-function Hash({ text, what }: { text: string; what: string }) {
+function Hash({ text, which }: { text: string; which: "sha256" | "audit-head" }) {
   return (
     <td class="export__hash">
       <code title={text}>{text.slice(0, 16)}…</code>
@@ -219,8 +217,8 @@ function Hash({ text, what }: { text: string; what: string }) {
         small
         kind="quiet"
         icon="copy"
-        label={`Copy the ${what}`}
-        onClick={() => void copy(text, `The ${what} is on the clipboard.`)}
+        label={say(`export-${which}-copy`)}
+        onClick={() => void copy(text, say(`export-${which}-copied`))}
       />
     </td>
   );
@@ -232,22 +230,18 @@ function Checking({ newest }: { newest: ExportPackage }) {
   return (
     <section class="panel">
       <header class="panel__head">
-        <h2>Checking a package</h2>
+        <h2>{say("export-checking")}</h2>
       </header>
       <div class="panel__body stack stack--tight">
-        <p>
-          This checks every file, the audit chain and each row against it, and computes every height and every
-          statistic again. Send the head of the audit chain and the SHA-256 by another way than the package:
-          they find a package that was written anew from end to end.
-        </p>
+        <p>{say("export-checking-help")}</p>
         <p class="export__command">
           <code>{command}</code>
           <Button
             small
             kind="quiet"
             icon="copy"
-            label="Copy the command"
-            onClick={() => void copy(command, "The command is on the clipboard.")}
+            label={say("export-command-copy")}
+            onClick={() => void copy(command, say("export-command-copied"))}
           />
         </p>
       </div>

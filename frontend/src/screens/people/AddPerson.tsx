@@ -1,8 +1,9 @@
 import { useState } from "preact/hooks";
 import { FormDialog, SelectField, TextField } from "../../components";
 import { api } from "../../core/api";
+import { say } from "../../core/messages";
 import type { Role } from "../../core/types";
-import { ROLES } from "./roles";
+import { DOES, roleOptions } from "./roles";
 import type { Invitation } from "./ShowLink";
 
 export function AddPerson({ close, added }: { close: () => void; added: (made: Invitation) => void }) {
@@ -30,29 +31,27 @@ export function AddPerson({ close, added }: { close: () => void; added: (made: I
     added({ name: made.person.name, link: made.link });
   };
   return (
-    <FormDialog title="Add a person" action="Add" onClose={close} submit={submit}>
+    <FormDialog title={say("people-add")} action={say("people-add-action")} onClose={close} submit={submit}>
       <TextField
-        label="Name"
+        label={say("people-add-name")}
         value={name}
         onInput={setName}
-        problem={
-          tried && !name.trim() ? "Give the person's name as it should appear beside their work." : null
-        }
+        problem={tried && !name.trim() ? say("people-add-name-problem") : null}
       />
       <TextField
-        label="E-mail"
+        label={say("people-add-email")}
         type="email"
         value={email}
         onInput={setEmail}
-        hint="They sign in with it. Sightline sends no mail: you pass on the link that comes next."
-        problem={tried && emailWrong ? "Give an e-mail address, for example ada@example.org." : null}
+        hint={say("people-add-email-hint")}
+        problem={tried && emailWrong ? say("people-add-email-problem") : null}
       />
       <SelectField
-        label="Role"
+        label={say("people-add-role")}
         value={role}
-        options={ROLES}
+        options={roleOptions()}
         onChange={setRole}
-        hint={ROLES.find((r) => r.value === role)?.does}
+        hint={DOES[role]}
       />
     </FormDialog>
   );

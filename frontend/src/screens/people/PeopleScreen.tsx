@@ -2,13 +2,15 @@ import { Fragment } from "preact";
 import { useState } from "preact/hooks";
 import { ask, Button, Loading, Notice, Problem, SelectField, StateMark } from "../../components";
 import { api } from "../../core/api";
+import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
 import { may, me } from "../../core/session";
 import { formatAgo } from "../../core/times";
-import type { Person } from "../../core/types";
+import { type Person, ROLE_NAMES } from "../../core/types";
+import { STATE_WORDS } from "../../core/words";
 import { AddPerson } from "./AddPerson";
 import "./people.css";
-import { ROLES } from "./roles";
+import { DOES, ROLES, roleOptions } from "./roles";
 import { type Invitation, ShowLink } from "./ShowLink";
 
 /** Accounts and roles, for administrators. */
@@ -23,7 +25,7 @@ export default function PeopleScreen() {
   if (!may("admin")) {
     return (
       <div class="page page--alone">
-        <Notice>Only an administrator can see and change accounts; ask one if you need another role.</Notice>
+        <Notice>{say("people-only-admin")}</Notice>
       </div>
     );
   }
@@ -48,9 +50,9 @@ export default function PeopleScreen() {
     });
   const switchOff = async (person: Person) => {
     const yes = await ask({
-      title: `Switch off ${person.name}?`,
-      body: "They are signed out and cannot sign in again; what they measured and reviewed stays under their name.",
-      action: "Switch off",
+      title: say("people-switch-off-title", { person: person.name }),
+      body: say("people-switch-off-body"),
+      action: say("people-switch-off"),
     });
     if (yes) await put(person, { active: false });
   };
@@ -58,28 +60,28 @@ export default function PeopleScreen() {
     <div class="page page--alone">
       <header class="page__head">
         <div>
-          <h1>People</h1>
-          <p class="page__lead">Who may do what. Nobody reviews their own work, whatever their role.</p>
+          <h1>{say("page-people")}</h1>
+          <p class="page__lead">{say("people-lead")}</p>
         </div>
         <Button kind="primary" icon="add" onClick={() => setAdding(true)}>
-          Add a person
+          {say("people-add")}
         </Button>
       </header>
       <Problem error={problem} />
       <Problem error={people.error} again={people.reload} />
-      {!people.data && people.loading && <Loading what="people" />}
+      {!people.data && people.loading && <Loading what={say("people-loading")} />}
       {people.data && (
         <div class="panel table-scroll">
           <table class="table people">
             <thead>
               <tr>
-                <th>name</th>
-                <th>e-mail</th>
-                <th>role</th>
-                <th>state</th>
-                <th>last sign-in</th>
+                <th>{say("people-name")}</th>
+                <th>{say("people-email")}</th>
+                <th>{say("people-role")}</th>
+                <th>{say("people-state")}</th>
+                <th>{say("people-last-seen")}</th>
                 <th>
-                  <span class="visually-hidden">actions</span>
+                  <span class="visually-hidden">{say("people-actions")}</span>
                 </th>
               </tr>
             </thead>
@@ -99,9 +101,9 @@ export default function PeopleScreen() {
       )}
       <dl class="facts people__roles">
         {ROLES.map((role) => (
-          <Fragment key={role.value}>
-            <dt>{role.label}</dt>
-            <dd>{role.does}</dd>
+          <Fragment key={role}>
+            <dt>{ROLE_NAMES[role]}</dt>
+            <dd>{DOES[role]}</dd>
           </Fragment>
         ))}
       </dl>
@@ -129,44 +131,45 @@ interface RowProps {
 
 function PersonRow({ person, put, newLink, switchOff }: RowProps) {
   const isMe = me.value?.person.id === person.id;
+  const state = person.active ? "active" : "inactive";
   return (
     <tr>
       <td>
         <strong>{person.name}</strong>
-        {isMe && <span class="muted"> (you)</span>}
+        {isMe && <span class="muted"> {say("people-you")}</span>}
       </td>
       <td class="people__mail">{person.email}</td>
       <td class="people__role">
         <SelectField
           hideLabel
-          label={`Role of ${person.name}`}
+          label={say("people-role-of", { person: person.name })}
           value={person.role}
-          options={ROLES}
+          options={roleOptions()}
           onChange={(role) => void put(person, { role })}
         />
       </td>
       <td>
         <StateMark
-          state={person.active ? "active" : "inactive"}
-          word={person.active ? (person.has_password ? "active" : "no password yet") : "switched off"}
+          state={state}
+          word={person.active && !person.has_password ? say("people-no-password") : STATE_WORDS[state]}
         />
       </td>
       <td class="muted nowrap" title={person.last_seen_at ?? undefined}>
-        {person.last_seen_at ? formatAgo(person.last_seen_at) : "never"}
+        {person.last_seen_at ? formatAgo(person.last_seen_at) : say("people-never")}
       </td>
       <td class="num">
         {person.active && (
           <Button small kind="quiet" onClick={() => void newLink(person)}>
-            New link
+            {say("people-new-link")}
           </Button>
         )}
         {person.active ? (
           <Button small kind="quiet" disabled={isMe} onClick={() => void switchOff(person)}>
-            Switch off
+            {say("people-switch-off")}
           </Button>
         ) : (
           <Button small kind="quiet" onClick={() => void put(person, { active: true })}>
-            Switch on
+            {say("people-switch-on")}
           </Button>
         )}
       </td>

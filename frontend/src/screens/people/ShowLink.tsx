@@ -1,4 +1,5 @@
 import { Button, Dialog } from "../../components";
+import { say } from "../../core/messages";
 import { toast } from "../../core/toasts";
 
 export interface Invitation {
@@ -12,32 +13,32 @@ export function ShowLink({ invitation, close }: { invitation: Invitation; close:
   const copy = async () => {
     try {
       await navigator.clipboard.writeText(link);
-      toast("The link is on the clipboard.");
+      toast(say("people-link-copied"));
     } catch {
       document.querySelector<HTMLInputElement>("#sign-in-link")?.select();
     }
   };
   return (
     <Dialog
-      title={`Sign-in link for ${invitation.name}`}
+      title={say("people-link-title", { person: invitation.name })}
       onClose={close}
       actions={
         <>
-          <Button onClick={close}>Done</Button>
+          <Button onClick={close}>{say("people-link-done")}</Button>
           <Button kind="primary" icon="copy" onClick={() => void copy()}>
-            Copy the link
+            {say("people-link-copy")}
           </Button>
         </>
       }
     >
       <div class="stack">
-        <p>Pass this on to {invitation.name}. It works once, for seven days, and is shown only now.</p>
+        <p>{say("people-link-help", { person: invitation.name })}</p>
         <input
           id="sign-in-link"
           class="input"
           readOnly
           value={link}
-          aria-label="Sign-in link"
+          aria-label={say("people-link")}
           onFocus={(event) => event.currentTarget.select()}
         />
       </div>

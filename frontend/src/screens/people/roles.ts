@@ -1,15 +1,17 @@
+import { wordsOf } from "../../core/messages";
 import { ROLE_NAMES, type Role } from "../../core/types";
 
-const DOES: Record<Role, string> = {
-  viewer: "sees everything, exports packages",
-  operator: "brings in recordings, calibrates, measures",
-  reviewer: "what an operator does, and reviews the work of others",
-  admin: "everything, and people",
-};
+/** What each role may do. */
+export const DOES: Readonly<Record<Role, string>> = wordsOf({
+  viewer: "people-does-viewer",
+  operator: "people-does-operator",
+  reviewer: "people-does-reviewer",
+  admin: "people-does-admin",
+});
 
-/** Each role with its name and what it may do, the least first. */
-export const ROLES = (Object.keys(DOES) as Role[]).map((value) => ({
-  value,
-  label: ROLE_NAMES[value],
-  does: DOES[value],
-}));
+/** The one that may do least first. */
+export const ROLES = Object.keys(DOES) as readonly Role[];
+
+export function roleOptions(): { value: Role; label: string }[] {
+  return ROLES.map((value) => ({ value, label: ROLE_NAMES[value] }));
+}

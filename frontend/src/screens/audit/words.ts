@@ -1,0 +1,80 @@
+/** What was done and to what, as the audit trail says it; what has no word here yet is shown by its name. */
+import { say, wordsOf } from "../../core/messages";
+import type { AuditEvent } from "../../core/types";
+
+export const ENTITY_WORDS = wordsOf({
+  survey: "audit-entity-survey",
+  camera: "audit-entity-camera",
+  calibration_image: "audit-entity-calibration_image",
+  calibration: "audit-entity-calibration",
+  recording: "audit-entity-recording",
+  upload: "audit-entity-upload",
+  pose: "audit-entity-pose",
+  photograph: "audit-entity-photograph",
+  catalogue: "audit-entity-catalogue",
+  vehicle: "audit-entity-vehicle",
+  measurement: "audit-entity-measurement",
+  review: "audit-entity-review",
+  wheel_pair: "audit-entity-wheel_pair",
+  click_sigma: "audit-entity-click_sigma",
+  standards: "audit-entity-standards",
+  scan: "audit-entity-scan",
+  scan_run: "audit-entity-scan_run",
+  scan_vehicle: "audit-entity-scan_vehicle",
+  scan_measurement: "audit-entity-scan_measurement",
+  scan_review: "audit-entity-scan_review",
+  line_pose: "audit-entity-line_pose",
+  line_height: "audit-entity-line_height",
+  export: "audit-entity-export",
+  person: "audit-entity-person",
+  sign_in_link: "audit-entity-sign_in_link",
+  job: "audit-entity-job",
+});
+
+const ACTION_WORDS = wordsOf({
+  calibrate: "audit-action-calibrate",
+  cancel: "audit-action-cancel",
+  cancelled: "audit-action-cancelled",
+  check_drift: "audit-action-check_drift",
+  choose: "audit-action-choose",
+  choose_calibration: "audit-action-choose_calibration",
+  create: "audit-action-create",
+  decide_drift: "audit-action-decide_drift",
+  delete: "audit-action-delete",
+  detect: "audit-action-detect",
+  done: "audit-action-done",
+  failed: "audit-action-failed",
+  finish: "audit-action-finish",
+  fix: "audit-action-fix",
+  import: "audit-action-import",
+  ingest: "audit-action-ingest",
+  ingest_failed: "audit-action-ingest_failed",
+  order: "audit-action-order",
+  read: "audit-action-read",
+  reading_failed: "audit-action-reading_failed",
+  release: "audit-action-release",
+  requeue: "audit-action-requeue",
+  restart_ingest: "audit-action-restart_ingest",
+  restart_reading: "audit-action-restart_reading",
+  restore: "audit-action-restore",
+  review: "audit-action-review",
+  revise: "audit-action-revise",
+  run: "audit-action-run",
+  set_password: "audit-action-set_password",
+  sign_out: "audit-action-sign_out",
+  swap_cameras: "audit-action-swap_cameras",
+  take_back_drift_decision: "audit-action-take_back_drift_decision",
+  update: "audit-action-update",
+  use: "audit-action-use",
+  withdraw: "audit-action-withdraw",
+});
+
+export function actionWords({ action }: AuditEvent): string {
+  return (ACTION_WORDS as Readonly<Record<string, string>>)[action] ?? action.replaceAll("_", " ");
+}
+
+/** "scan vehicle 12" */
+export function entityWords({ entity, entity_id }: AuditEvent): string {
+  const words = (ENTITY_WORDS as Readonly<Record<string, string>>)[entity] ?? entity.replaceAll("_", " ");
+  return entity_id === null ? words : say("audit-entity-id", { entity: words, id: String(entity_id) });
+}
