@@ -1,10 +1,31 @@
 """The live axes through a contact click, in plain lists: what a screen draws while the pointer moves."""
 
 from dataclasses import dataclass
-from typing import Any
 
+from typing_extensions import TypedDict
+
+from sightline.geometry.arrays import Floats
 from sightline.geometry.road import Overlay, axes_at_contact, ladder_at_contact
 from sightline.geometry.road_pose import RoadPose
+
+Polyline = list[tuple[float, float]]
+
+
+class DrawnAxes(TypedDict):
+    """The road's axes through one point, as pixel polylines."""
+
+    longitudinal: Polyline
+    vertical: Polyline
+    transversal: Polyline
+    origin_px: tuple[float, float]
+
+
+class DrawnRung(TypedDict):
+    """A line of equal height above the road; `label`: whether its height is written beside it."""
+
+    height_m: float
+    points: Polyline
+    label: bool
 
 
 @dataclass(frozen=True)
@@ -13,8 +34,8 @@ class Ruler:
 
     ok: bool
     reason: str | None
-    axes: dict[str, Any] | None
-    ladder: list[dict[str, Any]]
+    axes: DrawnAxes | None
+    ladder: list[DrawnRung]
     x_m: float | None
     y_m: float | None
     distance_m: float | None
@@ -28,7 +49,7 @@ def ruler(pose: RoadPose, contact: tuple[float, float], inset_m: float) -> Ruler
         reason = axes if isinstance(axes, str) else str(rungs)
         return Ruler(ok=False, reason=reason, axes=None, ladder=[], x_m=None, y_m=None, distance_m=None)
     ladder = [
-        {"height_m": rung.height_m, "points": rung.polyline_px.tolist(), "label": rung.label}
+        DrawnRung(height_m=rung.height_m, points=polyline(rung.polyline_px), label=rung.label)
         for rung in rungs
     ]
     at = axes.contact_m
@@ -45,11 +66,17 @@ def ruler(pose: RoadPose, contact: tuple[float, float], inset_m: float) -> Ruler
     )
 
 
-def drawn_axes(axes: Overlay) -> dict[str, Any]:
+def drawn_axes(axes: Overlay) -> DrawnAxes:
     """An overlay as plain lists, for JSON."""
-    return {
-        "longitudinal": axes.longitudinal.tolist(),
-        "vertical": axes.vertical.tolist(),
-        "transversal": axes.transversal.tolist(),
-        "origin_px": axes.origin_px.tolist(),
-    }
+    x, y = axes.origin_px.tolist()
+    return DrawnAxes(
+        longitudinal=polyline(axes.longitudinal),
+        vertical=polyline(axes.vertical),
+        transversal=polyline(axes.transversal),
+        origin_px=(x, y),
+    )
+
+
+def polyline(points_px: Floats) -> Polyline:
+    """Points (N, 2), in pixels, as pairs."""
+    return [(x, y) for x, y in points_px.tolist()]

@@ -7,12 +7,11 @@ from pydantic import Field
 
 from sightline.cameras.board_bodies import Markers, SquareM
 from sightline.cameras.calibrations.bodies import CameraDocument
-from sightline.enums import BoardSide, Point
+from sightline.enums import BoardSide
 from sightline.geometry.road_pose import BoardOnRoad
+from sightline.geometry.ruler import Polyline
 from sightline.infra.web.bodies import Finite, FrameNumber, Id, Out
-
-Polyline = list[Point]
-
+from sightline.poses.records import ExpectedHeight, PoseOverlay
 
 Corners = Annotated[int, Field(ge=2, le=60, description="Inner corners: where four squares meet.")]
 
@@ -70,32 +69,6 @@ class PoseSummaryBody(Out):
     rms_px: float | None
     distance_m: float | None
     summary: str
-
-
-class AxesBody(Out):
-    longitudinal: Polyline
-    vertical: Polyline
-    transversal: Polyline
-    origin_px: Point
-
-
-class IsoHeight(Out):
-    height_m: float
-    points: Polyline
-
-
-class PoseOverlay(Out):
-    grid: list[Polyline]
-    iso_heights: list[IsoHeight]
-    axes: AxesBody | None
-    corners_px: Polyline
-
-
-class ExpectedHeight(Out):
-    distance_m: float
-    u_height_m: float | None
-    U95_height_m: float | None
-    reason: str | None
 
 
 class CamFromRoad(Out):

@@ -3,8 +3,36 @@
 from dataclasses import dataclass
 from datetime import datetime
 
+from typing_extensions import TypedDict
+
 from sightline.enums import JsonObject
+from sightline.geometry.ruler import DrawnAxes, Polyline
 from sightline.infra.audit.records import Who
+
+
+class ExpectedHeight(TypedDict):
+    """How well a height of 1.2 m will be known at a distance; where the picture shows no road there, why."""
+
+    distance_m: float
+    u_height_m: float | None
+    U95_height_m: float | None
+    reason: str | None
+
+
+class IsoHeight(TypedDict):
+    """A line of equal height above the road, in pixels."""
+
+    height_m: float
+    points: Polyline
+
+
+class PoseOverlay(TypedDict):
+    """A road pose as it is drawn over its picture: pixel polylines."""
+
+    grid: list[Polyline]
+    iso_heights: list[IsoHeight]
+    axes: DrawnAxes | None
+    corners_px: Polyline
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +72,7 @@ class Pose:
     summary: str
     document: JsonObject
     warnings: list[str]
-    expected: list[JsonObject]
-    overlay: JsonObject
+    expected: list[ExpectedHeight]
+    overlay: PoseOverlay
     turned_from: int | None
     turned_by_rad: float | None

@@ -21,7 +21,8 @@ from sightline.geometry.mean_picture import MeanPicture
 from sightline.geometry.pose import expected_u, pose_from_corners
 from sightline.geometry.road import axes_at_contact, iso_heights, road_grid
 from sightline.geometry.road_pose import Reference, RoadPose
-from sightline.geometry.ruler import drawn_axes
+from sightline.geometry.ruler import DrawnAxes, drawn_axes, polyline
+from sightline.poses.records import ExpectedHeight, IsoHeight, PoseOverlay
 
 # Corner errors of neighbouring frames are correlated: more frames add time, not accuracy.
 MOST_FRAMES = 15
@@ -75,8 +76,8 @@ class Solved:
     pose: RoadPose
     document: dict[str, Any]
     warnings: list[str]
-    expected: list[dict[str, Any]]
-    overlay: dict[str, Any]
+    expected: list[ExpectedHeight]
+    overlay: PoseOverlay
     distance_m: float | None
     summary: str
 
@@ -177,33 +178,33 @@ def described(pose: RoadPose, corners_px: Floats) -> Solved:
     )
 
 
-def _expected(distance_m: float, u_m: float | None) -> dict[str, Any]:
+def _expected(distance_m: float, u_m: float | None) -> ExpectedHeight:
     reason = None if u_m is not None else "The picture does not show the road at this distance."
     u95_m = None if u_m is None else COVERAGE_95 * u_m
-    return {"distance_m": distance_m, "u_height_m": u_m, "U95_height_m": u95_m, "reason": reason}
+    return ExpectedHeight(distance_m=distance_m, u_height_m=u_m, U95_height_m=u95_m, reason=reason)
 
 
-def verdict(expected: Sequence[dict[str, Any]], distance_m: float | None, camera_height_m: float) -> str:
+def verdict(expected: Sequence[ExpectedHeight], distance_m: float | None, camera_height_m: float) -> str:
     """In plain words: where the board stood, how high the camera is, how well heights will be known."""
     board = "" if distance_m is None else f"The board stood {distance_m:.2f} m from the camera. "
-    known = [one for one in expected if one["U95_height_m"] is not None]
-    figures = ", ".join(f"±{1000 * e['U95_height_m']:.0f} mm at {e['distance_m']:.0f} m" for e in known)
+    known = [(one["distance_m"], u95_m) for one in expected if (u95_m := one["U95_height_m"]) is not None]
+    figures = ", ".join(f"±{1000 * u95_m:.0f} mm at {at_m:.0f} m" for at_m, u95_m in known)
     heights = (
         f" A height of 1.2 m clicked to 1 px is expected to be known (95 %) to {figures}." if known else ""
     )
     return f"{board}The camera is {camera_height_m:.2f} m above the road.{heights}"
 
 
-def overlay(pose: RoadPose, corners_px: Floats) -> dict[str, Any]:
+def overlay(pose: RoadPose, corners_px: Floats) -> PoseOverlay:
     """Road grid, axes below the board and lines of equal height, as pixel polylines for the browser."""
     across_m = -float(pose.centre_m[1])
     lines = iso_heights(pose, across_m, iso_steps(float(pose.centre_m[2])))
-    return {
-        "grid": [line.tolist() for line in road_grid(pose)],
-        "iso_heights": [{"height_m": height_m, "points": line.tolist()} for height_m, line in lines],
-        "axes": _axes_of_board(pose),
-        "corners_px": corners_px.tolist(),
-    }
+    return PoseOverlay(
+        grid=[polyline(line) for line in road_grid(pose)],
+        iso_heights=[IsoHeight(height_m=height_m, points=polyline(line)) for height_m, line in lines],
+        axes=_axes_of_board(pose),
+        corners_px=polyline(corners_px),
+    )
 
 
 def iso_steps(camera_height_m: float) -> tuple[float, ...]:
@@ -212,7 +213,7 @@ def iso_steps(camera_height_m: float) -> tuple[float, ...]:
     return tuple(round(step * count, 3) for count in range(1, 5))
 
 
-def _axes_of_board(pose: RoadPose) -> dict[str, Any] | None:
+def _axes_of_board(pose: RoadPose) -> DrawnAxes | None:
     """The axes through the road's origin (below the board), None where it is out of sight."""
     origin_px = project(pose.camera, pose.translation_m.reshape(1, 3))[0]
     axes = axes_at_contact(pose, origin_px, length_m=1.0, height_m=1.5)

@@ -14,7 +14,7 @@ from sightline.infra.audit import trail
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import add_row, change_row, get_row, missing, stored_hash, who
 from sightline.infra.database.types import columns_of, now
-from sightline.poses.records import Pose, PoseSummary
+from sightline.poses.records import ExpectedHeight, Pose, PoseOverlay, PoseSummary
 from sightline.poses.tables import road_poses
 from sightline.recordings.tables import recordings
 
@@ -33,8 +33,8 @@ def add_pose(
     summary: str,
     document: JsonObject,
     warnings: Sequence[str],
-    expected: Sequence[JsonObject],
-    overlay: JsonObject,
+    expected: Sequence[ExpectedHeight],
+    overlay: PoseOverlay,
     attach: bool = True,
     turned_from: int | None = None,
     turned_by_rad: float | None = None,

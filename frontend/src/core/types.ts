@@ -46,12 +46,12 @@ export type Recording = Schemas["RecordingBody"];
 export type UnfinishedUpload = Schemas["UploadBody"];
 
 export type BoardFinding = Schemas["BoardBody"];
-export type AxisLines = Schemas["AxesBody"];
+export type AxisLines = Schemas["DrawnAxes"];
 export type PoseSummary = Schemas["PoseSummaryBody"];
 export type PoseOverlay = Schemas["PoseOverlay"];
 export type Pose = Schemas["PoseBody"];
 
-export type AxesAnswer = Schemas["AxesAnswer"];
+export type AxesAnswer = Schemas["Ruler"];
 export type BudgetEntry = Schemas["BudgetPart"];
 export type HeightAnswer = Schemas["Answer"];
 /** The second frame proposed: where both points are expected and what it gains. */

@@ -2,11 +2,12 @@
 
 from fastapi import APIRouter
 
+from sightline.geometry.ruler import Ruler
 from sightline.infra.web.deps import PathId, Reading, Viewer, Wired
 from sightline.measurements import second_frame
 from sightline.measurements.bodies import SecondFrameWanted
 from sightline.measurements.height_of_clicks import Answer
-from sightline.measurements.preview.bodies import AxesAnswer, AxesWanted, HeightWanted
+from sightline.measurements.preview.bodies import AxesWanted, HeightWanted
 from sightline.measurements.routes import clicks_of
 from sightline.measurements.service import height_at, ruler_at
 
@@ -14,10 +15,9 @@ router = APIRouter()
 
 
 @router.post("/recordings/{recording_id}/geometry/axes")
-def axes_through_contact(recording_id: PathId, body: AxesWanted, who: Viewer, session: Reading) -> AxesAnswer:
+def axes_through_contact(recording_id: PathId, body: AxesWanted, who: Viewer, session: Reading) -> Ruler:
     """The road's axes through a contact click, and the ladder of heights above it."""
-    found = ruler_at(session, recording_id, body.contact, body.target, body.inset_m)
-    return AxesAnswer.model_validate(found)
+    return ruler_at(session, recording_id, body.contact, body.target, body.inset_m)
 
 
 @router.post("/recordings/{recording_id}/geometry/height")

@@ -5,7 +5,7 @@ from typing import Annotated
 from pydantic import Field
 
 from sightline.infra.web.bodies import Finite, FrameNumber, In, Out, Point
-from sightline.poses.bodies import PoseOverlay
+from sightline.poses.records import PoseOverlay
 from sightline.quality.checks.records import WheelPair
 from sightline.quality.checks.traffic import VehicleHeading
 from sightline.quality.checks.turning import Changes

@@ -5,7 +5,7 @@ from typing import Annotated
 from fastapi import APIRouter, Query
 
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
-from sightline.poses.bodies import PoseOverlay, PoseSummaryBody
+from sightline.poses.bodies import PoseSummaryBody
 from sightline.quality.checks import insets, store, traffic, turning
 from sightline.quality.checks.bodies import (
     NewWheelPair,
@@ -76,7 +76,7 @@ def preview_turn(pose_id: PathId, who: Viewer, session: Reading) -> TurnedPose:
         u_turn_rad=at.u_turn_rad,
         summary=solved.summary,
         warnings=solved.warnings,
-        overlay=PoseOverlay.model_validate(solved.overlay),
+        overlay=solved.overlay,
         changes=at.changes,
     )
 
