@@ -352,7 +352,6 @@ transport-play = Play
 transport-stop = Stop
 transport-frame = frame
 transport-of = of { $last_frame }
-transport-vfr = VFR
 transport-vfr-title = The frame rate of this recording varies; times come from each frame's own stamp.
 blind-elsewhere = Another frame than the one to click on; that is { $frame }.
 blind-contact = click where the tyre meets the road
@@ -651,6 +650,50 @@ pose-poses = { $count ->
 pose-made = { $time }, frames { $first_frame } to { $last_frame }
 pose-use-short = Use
 
+## Recordings
+
+recordings-lead = Every frame is numbered by the server as it decodes the file, so frame n is the same picture for everybody.
+recordings-loading = recordings
+recordings-choose = Choose videos to upload
+recordings-drop = Drop videos here, or click to choose
+recordings-drop-hint = A broken connection does no harm: the upload goes on where it stopped, also after this page was closed.
+recordings-uploads = Uploads
+recordings-none-title = No recordings yet
+recordings-none = Drop the day's video above: MP4, MOV, AVI, MKV and what else a camera writes. The clip in which the checkerboard stands on the road counts too: the road pose is found in it.
+recordings-none-look = An operator can upload the day's video here.
+recordings-delete-title = Delete { $recording }?
+recordings-delete-body = The video, its frame table and its road poses go; a recording with measurements cannot be deleted.
+recordings-delete = Delete the recording
+recordings-delete-one = Delete { $recording }
+recordings-deleted = { $recording } was deleted.
+recordings-vfr-title = Variable frame rate: times come from each frame's own time stamp
+recordings-find-road = Find the road
+recordings-measure = Measure
+recordings-read-again = Read it again
+recordings-unreadable = This recording could not be read.
+recordings-no-picture = no picture
+recordings-no-picture-yet = no picture yet
+recordings-rename = Rename
+recordings-rename-one = Rename { $recording }
+recordings-name = Name of the recording
+recordings-frames = { $count ->
+    [one] { $count } frame
+   *[other] { $count } frames
+}
+recordings-rate = { $rate } per second
+recordings-rate-average = { $rate } per second on average
+recordings-codec = { $codec } in { $container }
+recordings-sha256 = SHA-256 { $sha256 }
+recordings-no-camera = No camera yet: <link>calibrate one</link>.
+recordings-camera = Camera
+recordings-camera-unsaid = not said yet
+recordings-camera-uncalibrated = { $camera } (not calibrated)
+recordings-lighting = Lighting
+recordings-lighting-proposed = Lighting <muted>(proposed)</muted>
+recordings-lighting-of = Lighting of { $recording }
+recordings-lighting-of-proposed = Lighting of { $recording }, proposed by the machine
+recordings-lighting-guess = { $lighting } ?
+
 ## Words that many pages need
 
 interval = { $low } to { $high }
@@ -664,6 +707,7 @@ stage-fit = Fit
 stage-lines = Lines
 stage-bright = Bright
 stage-loupe = Loupe
+vfr = VFR
 field-name = Name
 field-recording = Recording
 field-calibration = Calibration
@@ -674,6 +718,7 @@ action-cancel = Cancel
 action-close = Close
 action-dismiss = Dismiss
 action-keep = Keep it
+action-save = Save
 action-try-again = Try again
 action-clear-filter = Clear the filter
 action-print = Print
@@ -1194,7 +1239,6 @@ survey-count-measurements = { $count ->
 ## Survey: editing it
 
 survey-edit-title = Edit the survey
-survey-edit-save = Save
 survey-name = Name
 survey-name-problem = A survey needs a name.
 survey-site = Site
