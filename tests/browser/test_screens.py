@@ -116,7 +116,7 @@ def look_at(page: Page, name: str, variant: str, folder: Path) -> list[str]:
     """What is wrong with the page as it stands; its picture goes to `folder`."""
     settle(page)
     page.screenshot(path=folder / f"{name}-{variant}.png")
-    wrong = [f"{name}: {one}" for one in overflows(page)]
+    wrong = [f"{name}: {one}" for one in overflows(page) + clipped_away(page)]
     wrong += [f"{name}: axe {one}" for one in serious_findings(page)]
     return wrong
 
@@ -143,6 +143,16 @@ def overflows(page: Page) -> list[str]:
             .filter(e => e.getBoundingClientRect().right > width + 1)
             .slice(0, 5).map(e => `runs out at the side: ${e.tagName}.${e.className}`);
         }"""
+    )
+    return found
+
+
+def clipped_away(page: Page) -> list[str]:
+    """Words that are there and cannot be seen, other than those meant for screen readers alone."""
+    found: list[str] = page.evaluate(
+        """() => [...document.querySelectorAll('body *')]
+          .filter(e => getComputedStyle(e).clipPath === 'inset(50%)' && !e.matches('.visually-hidden'))
+          .slice(0, 5).map(e => `cannot be seen: ${e.tagName} ${e.textContent}`)"""
     )
     return found
 
