@@ -4,7 +4,7 @@
  */
 import { batch, computed, effect, signal, untracked } from "@preact/signals";
 import { ask } from "../../components";
-import { setQuery } from "../../core/address";
+import { query, setQuery } from "../../core/address";
 import { History, type Ledger } from "../../core/history";
 import { outbox } from "../../core/outbox";
 import { canWork } from "../../core/session";
@@ -338,7 +338,7 @@ export class MeasureModel implements Desk {
     if (params.has("frame") && recordingId > 0 && frame >= 0) this.reel.show(recordingId, frame);
   }
 
-  /** The pass the address names, else the first with something to do. */
+  /** The pass the address names, else the first with something to do: of the recording that it names, if it does. */
   private openFirst(): void {
     const params = new URLSearchParams(location.search);
     const now = this.reel.player.value;
@@ -351,8 +351,11 @@ export class MeasureModel implements Desk {
     const named = this.vehicles.get(Number(params.get("vehicle")));
     if (named) this.open(named, this.reel.player.value?.frame.value ?? bestFrame(named));
     if (this.reel.player.value) return;
-    const next = nextOpen(this.list.value, undefined) ?? this.list.value[0] ?? this.vehicles.list.value[0];
-    const ready = this.reel.recordings.value.find((one) => one.state === "ready");
+    const asked = this.reel.recordings.value.find((one) => one.id === Number(params.get("recording")));
+    const wanted = ({ recording_id }: Vehicle) => !asked || recording_id === asked.id;
+    const list = this.list.value.filter(wanted);
+    const next = nextOpen(list, undefined) ?? list[0] ?? this.vehicles.list.value.find(wanted);
+    const ready = this.reel.recordings.value.find((one) => one.state === "ready" && (!asked || one === asked));
     if (next) this.open(next);
     else if (ready) this.reel.show(ready.id, 0);
   }
@@ -375,6 +378,8 @@ export class MeasureModel implements Desk {
 
   private followAddress(): void {
     const recording = this.reel.player.value?.recordingId ?? null;
+    // also after a link to this page took it out of the address
+    void query.value;
     // the frame that is seen, so that a copied address shows what its sender saw
     const frame = this.seenFrame.value;
     const vehicle = this.vehicleId.value;

@@ -23,7 +23,7 @@ export function LineRate({ surveyId }: { surveyId: number }) {
   const address = JSON.stringify(values);
   useEffect(() => {
     if (values && current.value?.place.name === "planning") setQuery({ ...values });
-  }, [address]);
+  }, [address, query.value]);
   if (!values)
     return scans.error ? (
       <Problem error={scans.error} again={scans.reload} />

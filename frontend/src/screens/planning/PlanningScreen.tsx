@@ -54,9 +54,9 @@ function Heights({ surveyId }: { surveyId: number }) {
   const values = list && completed(valuesOf(query.value), list);
   const address = JSON.stringify(values);
   useEffect(() => {
-    // a link copied from the address bar holds every value
+    // a link copied from the address bar holds every value, also after a link to this page took them away
     if (values && current.value?.place.name === "planning") setQuery({ ...values });
-  }, [address]);
+  }, [address, query.value]);
   return (
     <>
       <Problem error={cameras.error} again={cameras.reload} />
