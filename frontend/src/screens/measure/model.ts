@@ -355,7 +355,9 @@ export class MeasureModel implements Desk {
     const wanted = ({ recording_id }: Vehicle) => !asked || recording_id === asked.id;
     const list = this.list.value.filter(wanted);
     const next = nextOpen(list, undefined) ?? list[0] ?? this.vehicles.list.value.find(wanted);
-    const ready = this.reel.recordings.value.find((one) => one.state === "ready" && (!asked || one === asked));
+    const ready = this.reel.recordings.value.find(
+      (one) => one.state === "ready" && (!asked || one === asked),
+    );
     if (next) this.open(next);
     else if (ready) this.reel.show(ready.id, 0);
   }
