@@ -25,6 +25,8 @@ export class FakeServer {
   readonly writes: string[] = [];
   /** Bodies of the questions for a height. */
   readonly heights: Body[] = [];
+  /** No connection. */
+  down = false;
   private readonly answers: { method: string; path: RegExp; answer: Answer }[] = [];
 
   /** Stands in for the network and for the browser's decoder until the test is over. */
@@ -86,6 +88,7 @@ export class FakeServer {
   }
 
   private readonly fetch = async (url: string, init: RequestInit = {}): Promise<Response> => {
+    if (this.down) throw new TypeError("no connection");
     const path = url.replace("/api", "");
     const frame = path.match(/\/frames\/(\d+)\.jpg/);
     if (frame) return new Response("jpg", { headers: { "Sightline-Frame": String(frame[1]) } });

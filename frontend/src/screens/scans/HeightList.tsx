@@ -3,6 +3,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import { Button, Notice, Problem, Segments } from "../../components";
 import { api } from "../../core/api";
 import { keyMap, showChord } from "../../core/commands";
+import { outbox } from "../../core/outbox";
 import { canWork } from "../../core/session";
 import { survey } from "../../core/survey";
 import { formatMoment } from "../../core/times";
@@ -10,6 +11,7 @@ import type { LineHeight, LineHeightAnswer, Target } from "../../core/types";
 import { fixed, formatHeight, formatLength, plural } from "../../core/units";
 import { TARGET_WORDS, TARGETS } from "../../core/words";
 import { Budget } from "../../parts/vehicles/Budget";
+import { heightKey } from "./heights";
 import type { ScanModel } from "./model";
 
 export function HeightList({ model }: { model: ScanModel }) {
@@ -98,6 +100,7 @@ function Row({ model, target, index }: { model: ScanModel; target: Target; index
           />
         )}
       </div>
+      {one && outbox.get(heightKey(one.vehicle_id, target)) && <p class="small muted">not yet saved…</p>}
       {live?.problem && <Notice kind="warning">{live.problem}</Notice>}
       <Why one={one} live={live?.answer ?? null} />
       {(active || open) && <InsetOf model={model} target={target} />}

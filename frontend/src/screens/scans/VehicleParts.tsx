@@ -3,7 +3,7 @@ import { TableScroll } from "../../components";
 import { CommitField } from "../../components/CommitField";
 import { canWork } from "../../core/session";
 import { formatMoment } from "../../core/times";
-import type { ScanVehicle, ScanVehicleDetail } from "../../core/types";
+import type { CatalogueRow, ScanVehicle, ScanVehicleDetail } from "../../core/types";
 import {
   formatAcceleration,
   formatLength,
@@ -14,6 +14,7 @@ import {
   plainLength,
 } from "../../core/units";
 import { CatalogueField } from "../../parts/vehicles/CatalogueField";
+import type { Facts } from "./kinds";
 import type { ScanModel } from "./model";
 import { causeWords } from "./words";
 
@@ -31,7 +32,7 @@ export function Known({ model, vehicle }: { model: ScanModel; vehicle: ScanVehic
         value={vehicle.make ?? ""}
         query={(text) => text}
         disabled={disabled}
-        onChoose={(row) => void model.fillIn({ catalogue_id: row.id })}
+        onChoose={(row) => void model.fillIn(fromCatalogue(row))}
         onCommit={(make) => void model.fillIn({ make: make || null })}
       />
       <CatalogueField
@@ -39,7 +40,7 @@ export function Known({ model, vehicle }: { model: ScanModel; vehicle: ScanVehic
         value={vehicle.model ?? ""}
         query={(text) => `${vehicle.make ?? ""} ${text}`}
         disabled={disabled}
-        onChoose={(row) => void model.fillIn({ catalogue_id: row.id })}
+        onChoose={(row) => void model.fillIn(fromCatalogue(row))}
         onCommit={(name) => void model.fillIn({ model: name || null })}
       />
       <CommitField
@@ -64,6 +65,11 @@ export function Known({ model, vehicle }: { model: ScanModel; vehicle: ScanVehic
       />
     </section>
   );
+}
+
+function fromCatalogue({ make, model, category, length_m, wheelbase_m, source }: CatalogueRow): Facts {
+  const facts_source = source || "catalogue";
+  return { make, model, category, true_length_m: length_m, true_wheelbase_m: wheelbase_m, facts_source };
 }
 
 function off(metres: number | null): string | undefined {

@@ -2,7 +2,7 @@
 import type { ReadonlySignal, Signal } from "@preact/signals";
 import type { ChangeSet, History } from "../../core/history";
 import type { ScanVehicle } from "../../core/types";
-import type { Crossings, Edge } from "./draw";
+import type { Crossings, Edge } from "./kinds";
 import type { StripsView } from "./view";
 
 /** The tool that is taken up; "look": none, boundaries are dragged and vehicles chosen. */
@@ -19,6 +19,9 @@ export interface Bench {
   cancel(): boolean;
   /** One change after the other, as a step; what goes wrong is told in words. */
   change(label: string, work: (changes: ChangeSet) => Promise<void>): Promise<void>;
+  numberOf(vehicleId: number): number;
+  /** The address of a vehicle on the bench. */
+  page(vehicleId?: number): string;
   tell(work: () => Promise<void>): Promise<void>;
 }
 

@@ -3,7 +3,7 @@
 import type { LineHeight } from "../../core/types";
 import { formatHeight, formatLength } from "../../core/units";
 import { TARGET_WORDS } from "../../core/words";
-import { clicksOf } from "./heights";
+import { clicksOf } from "./kinds";
 import type { ScanModel } from "./model";
 import { type Place, type StripsView, xOf, yOf } from "./view";
 

@@ -6,38 +6,38 @@ import { computed, signal } from "@preact/signals";
 import { api, explain } from "../../core/api";
 import type { Ledger } from "../../core/history";
 import { Latest } from "../../core/latest";
-import type { BodyOf } from "../../core/routes";
+import { outbox, type Wish } from "../../core/outbox";
 import { canWork } from "../../core/session";
 import { toast } from "../../core/toasts";
 import type { LineHeight, LineHeightAnswer, LinePose, LinePoses, Target } from "../../core/types";
+import { formatHeight } from "../../core/units";
 import { REQUIRED, TARGET_WORDS } from "../../core/words";
 import type { Bench } from "./bench";
+import {
+  type Clicks,
+  clicksOf,
+  contactBody,
+  type HeightAbout,
+  type HeightWanted,
+  type Inset,
+  LINE_HEIGHT,
+  pointBody,
+} from "./kinds";
 import type { Place } from "./view";
-
-export interface Inset {
-  readonly inset_m: number;
-  readonly u_inset_m: number;
-}
-
-export interface Clicks {
-  readonly contact: Place;
-  readonly point: Place;
-  readonly inset: Inset | null;
-}
 
 export interface Selected {
   readonly target: Target;
   readonly role: "contact" | "point";
 }
 
-interface Wish {
+interface Looked {
   readonly target: Target;
   readonly contact: Place;
   readonly point: Place | null;
   readonly inset: Inset | null;
 }
 
-export interface Live extends Wish {
+export interface Live extends Looked {
   readonly answer: LineHeightAnswer | null;
   readonly problem: string | null;
 }
@@ -47,8 +47,14 @@ const RESTS_MS = 600;
 export class LineHeights {
   readonly poses = signal<LinePoses | null>(null);
   readonly pose = computed<LinePose | null>(() => this.poses.value?.current ?? null);
-  /** The newest revision of every target of every vehicle. */
-  readonly all = signal<readonly LineHeight[]>([]);
+  readonly stored = signal<readonly LineHeight[]>([]);
+  /** The newest revision of every target of every vehicle; in place of it what the outbox keeps. */
+  readonly all = computed<readonly LineHeight[]>(() =>
+    outbox
+      .of<LineHeight, HeightWanted, HeightAbout>(LINE_HEIGHT)
+      .filter((wish) => wish.about.scanId === this.bench.id)
+      .reduce((all, wish) => withHeight(all, expected(wish)), this.stored.value),
+  );
   /** The target that is clicked now. */
   readonly target = signal<Target | null>(null);
   readonly contact = signal<Place | null>(null);
@@ -70,7 +76,7 @@ export class LineHeights {
 
   private readonly insets = new Map<Target, Inset>();
   private resting: ReturnType<typeof setTimeout> | undefined;
-  private readonly asker = new Latest<Wish, LineHeightAnswer>(
+  private readonly asker = new Latest<Looked, LineHeightAnswer>(
     (wish) =>
       api.ask("POST /scans/{scan_id}/line-height", { scan_id: this.bench.id }, { body: bodyOf(wish) }),
     (answer, wish) => {
@@ -82,7 +88,14 @@ export class LineHeights {
     },
   );
 
-  constructor(private readonly bench: Bench) {}
+  /** No longer told of what the outbox does. */
+  readonly close: () => void;
+
+  constructor(private readonly bench: Bench) {
+    this.close = outbox.listen(LINE_HEIGHT, ({ about, saved }: HeightWish) => {
+      if (about.scanId === bench.id && saved) this.stored.value = withHeight(this.stored.value, saved);
+    });
+  }
 
   async load(): Promise<void> {
     const [poses, all] = await Promise.all([
@@ -90,7 +103,7 @@ export class LineHeights {
       api.ask("GET /scans/{scan_id}/heights", { scan_id: this.bench.id }),
     ]);
     this.poses.value = poses;
-    this.all.value = all;
+    this.stored.value = all;
   }
 
   of(target: Target): LineHeight | null {
@@ -150,10 +163,10 @@ export class LineHeights {
       this.forget();
       return;
     }
-    this.want({ target, contact, point: this.contact.value ? at : null, inset: this.insetOf(target) });
+    this.look({ target, contact, point: this.contact.value ? at : null, inset: this.insetOf(target) });
   }
 
-  async click(at: Place): Promise<void> {
+  click(at: Place): void {
     const target = this.target.value;
     const vehicle = this.bench.chosen.value;
     if (!target || !vehicle) return;
@@ -163,11 +176,8 @@ export class LineHeights {
       this.point(at);
       return;
     }
-    await this.store(vehicle.id, vehicle.number, target, {
-      contact,
-      point: at,
-      inset: this.insetOf(target),
-    });
+    // stored in its turn; the next target is asked for at once
+    void this.store(vehicle.id, vehicle.number, target, { contact, point: at, inset: this.insetOf(target) });
     this.selected.value = { target, role: "point" };
     const next = this.missing();
     this.target.value = next;
@@ -191,7 +201,7 @@ export class LineHeights {
   /** Every height of the scan that stands on a calibration before, with the one that counts now. */
   async againAll(): Promise<void> {
     await this.bench.tell(async () => {
-      for (const one of this.older.value) await this.put(one.vehicle_id, one.target, clicksOf(one));
+      await Promise.all(this.older.value.map((one) => this.want(one.vehicle_id, one.target, clicksOf(one))));
     });
   }
 
@@ -233,7 +243,7 @@ export class LineHeights {
     const at = held[now.role];
     const to = { ...held, target: now.target, [now.role]: { line: at.line + lines, row: at.row + rows } };
     this.moved.value = to;
-    this.want(to);
+    this.look(to);
     clearTimeout(this.resting);
     this.resting = setTimeout(() => this.flush(), RESTS_MS);
     return true;
@@ -254,7 +264,7 @@ export class LineHeights {
     return REQUIRED.find((target) => !this.of(target)) ?? null;
   }
 
-  private want(wish: Wish): void {
+  private look(wish: Looked): void {
     const now = this.live.value;
     this.live.value = { ...wish, answer: now?.answer ?? null, problem: null };
     this.asker.want(wish);
@@ -272,7 +282,7 @@ export class LineHeights {
       const newest = this.newest(id, target);
       return newest && !newest.withdrawn ? clicksOf(newest) : null;
     },
-    write: ({ id, target }, clicks) => (clicks ? this.put(id, target, clicks) : this.take(id, target)),
+    write: ({ id, target }, clicks) => this.want(id, target, clicks),
   };
 
   private async store(id: number, number: number, target: Target, clicks: Clicks): Promise<void> {
@@ -286,56 +296,108 @@ export class LineHeights {
     return this.all.value.find((one) => one.vehicle_id === id && one.target === target);
   }
 
-  private async put(id: number, target: Target, clicks: Clicks): Promise<void> {
-    const body = { ...clickBody({ target, ...clicks }), revision: this.revisionOf(id, target) };
-    this.keep(await api.write("POST /scan-vehicles/{vehicle_id}/heights", { vehicle_id: id }, { body }));
-  }
-
-  private async take(id: number, target: Target): Promise<void> {
-    const asked = { vehicle_id: id, target, revision: this.revisionOf(id, target) };
-    this.keep(await api.write("DELETE /scan-vehicles/{vehicle_id}/heights", asked));
-  }
-
-  private revisionOf(id: number, target: Target): number {
-    return this.newest(id, target)?.revision ?? 0;
-  }
-
-  private keep(made: LineHeight): void {
-    const others = this.all.value.filter(
-      (one) => one.vehicle_id !== made.vehicle_id || one.target !== made.target,
-    );
-    this.all.value = [...others, made];
+  /** Resolves when the height is stored, or kept where there is no connection. */
+  private async want(id: number, target: Target, clicks: Clicks | null): Promise<void> {
+    const saved = this.stored.value.find((one) => one.vehicle_id === id && one.target === target) ?? null;
+    const { live } = this;
+    const answer = live.value?.target === target ? live.value.answer : null;
+    const same = saved && !saved.withdrawn && clicks && !outbox.get(heightKey(id, target));
+    await outbox.store<LineHeight, HeightWanted, HeightAbout>({
+      key: heightKey(id, target),
+      kind: LINE_HEIGHT,
+      lane: `scan.${this.bench.id}`,
+      about: { id, scanId: this.bench.id, target, answer },
+      what: `${words(target)} of vehicle ${this.bench.numberOf(id)}`,
+      mine: clicks ? wordsOf(answer, clicks) : "withdrawn",
+      page: this.bench.page(id),
+      saved,
+      want: { clicks, ...(same ? { again: saved.revision } : {}) },
+    });
   }
 }
 
-export function clicksOf(one: LineHeight): Clicks {
+type HeightWish = Wish<LineHeight, HeightWanted, HeightAbout>;
+
+export function heightKey(vehicleId: number, target: Target): string {
+  return `height.${vehicleId}.${target}`;
+}
+
+/** The height as it will be once it is stored: its clicks, and what the server answered for them. */
+function expected({ about: { id, target, answer }, saved, want: { clicks } }: HeightWish): LineHeight {
+  const [contact, point] = [clicks?.contact, clicks?.point];
   return {
-    contact: { line: one.contact_line, row: one.contact_row_px },
-    point: { line: one.target_line, row: one.target_row_px },
-    inset: { inset_m: one.inset_m, u_inset_m: one.u_inset_m },
+    ...NOT_YET,
+    ...saved,
+    vehicle_id: id,
+    target,
+    ...(clicks?.inset ?? {}),
+    ...(contact ? { contact_line: contact.line, contact_row_px: contact.row } : {}),
+    ...(point ? { target_line: point.line, target_row_px: point.row } : {}),
+    ...(clicks ? { ...NO_FIGURES, ...(answer && answer.status !== "contact" ? figuresOf(answer) : {}) } : {}),
+    // the newest of its vehicle
+    id: Number.MAX_SAFE_INTEGER,
+    older: false,
+    withdrawn: clicks === null,
   };
+}
+
+const NO_FIGURES: Pick<LineHeight, Figure | "budget"> = {
+  status: "not_measurable",
+  reason: null,
+  distance_m: null,
+  U95_distance_m: null,
+  height_m: null,
+  u_height_m: null,
+  U95_height_m: null,
+  budget: [],
+  warnings: [],
+};
+
+type Figure =
+  | "status"
+  | "reason"
+  | "distance_m"
+  | "U95_distance_m"
+  | "height_m"
+  | "u_height_m"
+  | "U95_height_m"
+  | "warnings";
+
+const NOT_YET = {
+  ...NO_FIGURES,
+  revision: 0,
+  pose_id: 0,
+  sigma_px: 1,
+  inset_m: 0,
+  u_inset_m: 0,
+  contact_line: 0,
+  contact_row_px: 0,
+  target_line: 0,
+  target_row_px: 0,
+  u_distance_m: null,
+  created_by: null,
+  created_at: "",
+};
+
+function figuresOf(answer: LineHeightAnswer): Partial<LineHeight> {
+  const { status, reason, distance_m, U95_distance_m, height_m, u_height_m, U95_height_m, warnings } = answer;
+  if (status === "contact") return {};
+  return { status, reason, distance_m, U95_distance_m, height_m, u_height_m, U95_height_m, warnings };
+}
+
+function withHeight(all: readonly LineHeight[], made: LineHeight): readonly LineHeight[] {
+  return [...all.filter((one) => one.vehicle_id !== made.vehicle_id || one.target !== made.target), made];
+}
+
+function wordsOf(answer: LineHeightAnswer | null, { point }: Clicks): string {
+  if (answer?.status === "ok") return formatHeight(answer.height_m, answer.U95_height_m);
+  return `clicked at line ${point.line.toFixed(0)}, row ${point.row.toFixed(0)}`;
 }
 
 function words(target: Target): string {
   return TARGET_WORDS[target].toLowerCase();
 }
 
-function bodyOf({ target, contact, point, inset }: Wish): BodyOf<"POST /scans/{scan_id}/line-height"> {
-  return {
-    target,
-    contact_line: Math.max(contact.line, 0),
-    contact_row_px: contact.row,
-    ...(point ? placeBody(point) : {}),
-    ...(inset ?? {}),
-  };
+function bodyOf({ target, contact, point, inset }: Looked) {
+  return { ...contactBody(target, contact, inset), ...(point ? pointBody(point) : {}) };
 }
-
-function clickBody(wish: Wish & { readonly point: Place }): HeightBody {
-  return { ...bodyOf(wish), ...placeBody(wish.point) };
-}
-
-function placeBody(point: Place) {
-  return { target_line: Math.max(point.line, 0), target_row_px: point.row };
-}
-
-type HeightBody = Omit<BodyOf<"POST /scan-vehicles/{vehicle_id}/heights">, "revision">;

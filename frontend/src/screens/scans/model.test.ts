@@ -11,6 +11,9 @@ const LINES = { front_line_1: 200, rear_line_1: 500, front_line_2: 220, rear_lin
 let server: FakeServer;
 let model: ScanModel;
 let measurement: Record<string, unknown>;
+let version: number;
+let deleted: boolean;
+const shown = () => ({ id: 9, number: 1, version, deleted, measurement });
 const quiet = () => vi.advanceTimersByTimeAsync(20);
 const puts = () => server.writes.filter((write) => write.startsWith("PUT"));
 
@@ -20,15 +23,20 @@ beforeEach(async () => {
   server = new FakeServer();
   measurement = { id: 1, ...LINES, front_wheel_line: null, rear_wheel_line: null, status: "ok" };
   server.on("GET", /^\/scans\/3$/, () => ({ id: 3, state: "ready", lines: 1000, rows_px: 200, levels: [] }));
-  server.on("GET", /^\/scans\/3\/vehicles$/, () => [{ id: 9, number: 1, version: 1, measurement }]);
+  version = 1;
+  deleted = false;
+  server.on("GET", /^\/scans\/3\/vehicles$/, () => (deleted ? [] : [shown()]));
+  server.on("GET", /^\/scan-vehicles\/9$/, () => ({ vehicle: shown() }));
   server.on("GET", /\/line-pose$/, () => ({ current: null, history: [] }));
   server.on("PUT", /\/boundaries$/, (_match, { version: _version, ...lines }) => {
     measurement = { ...measurement, ...lines };
-    return {};
+    version += 1;
+    return shown();
   });
   server.on("PUT", /\/wheels$/, (_match, { version: _version, ...wheels }) => {
     measurement = { ...measurement, ...wheels };
-    return {};
+    version += 1;
+    return shown();
   });
   model = new ScanModel(3);
   await model.load();

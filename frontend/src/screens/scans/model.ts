@@ -4,26 +4,41 @@ import { setQuery } from "../../core/address";
 import { api } from "../../core/api";
 import { type ChangeSet, History, type Ledger } from "../../core/history";
 import { followJob } from "../../core/jobs";
-import { may } from "../../core/session";
+import { outbox, type Wish } from "../../core/outbox";
+import { newKey } from "../../core/random";
+import { may, me } from "../../core/session";
 import { toast, toastProblem } from "../../core/toasts";
 import type { Job, Scan, ScanMethod, ScanVehicle, ScanVehicleDetail } from "../../core/types";
 import type { Tool } from "../../viewer/tool";
 import type { Mode, Strips } from "./bench";
-import { type Crossings, EDGES, type Edge } from "./draw";
 import { LineHeights } from "./heights";
+import {
+  ADDED,
+  type Crossings,
+  crossingsOf,
+  EDGES,
+  type Edge,
+  type Facts,
+  type Hubs,
+  ROD,
+  SCAN_VERDICT,
+  SCANNED,
+  type ScannedWanted,
+  scannedWords,
+} from "./kinds";
 import { RodDraft } from "./rod";
 import { StripStage } from "./stage";
 import { Tiles } from "./tiles";
 import { Boundaries, HeightTool, RodTool, TwoLines } from "./tools";
 import { revealLines, type StripPoint, showLines } from "./view";
 
-export type Facts = Partial<
-  Pick<ScanVehicle, "make" | "model" | "category" | "true_length_m" | "true_wheelbase_m">
->;
+type ScannedWish = Wish<ScanVehicle, ScannedWanted, { id: number; scanId: number }>;
 
 export class ScanModel implements Strips {
   readonly scan = signal<Scan | null>(null);
-  readonly vehicles = signal<readonly ScanVehicle[]>([]);
+  private readonly stored = signal<readonly ScanVehicle[]>([]);
+  /** The vehicles as they are wanted: what the outbox keeps stands in them. */
+  readonly vehicles = computed<readonly ScanVehicle[]>(() => withWishes(this.stored.value, this.wishes()));
   readonly chosenId = signal<number | null>(null);
   readonly detail = signal<ScanVehicleDetail | null>(null);
   readonly problem = signal<unknown>(null);
@@ -61,7 +76,20 @@ export class ScanModel implements Strips {
     return measured ? [measured.front_wheel_line, measured.rear_wheel_line] : [];
   });
 
+  /** Every vehicle as the server had it last, those taken out too. */
+  private readonly seen = new Map<number, ScanVehicle>();
   private readonly stop = new AbortController();
+  private readonly deaf = [
+    outbox.listen(SCANNED, (wish: ScannedWish) => {
+      if (wish.about.scanId === this.id) this.follow(wish);
+    }),
+    // what an earlier page left, or what was kept without a connection, has come through
+    ...[ADDED, SCAN_VERDICT, ROD].map((kind) =>
+      outbox.listen(kind, ({ state, lane }) => {
+        if (state === "saved" && lane === this.lane && !this.busy.value) void this.reread();
+      }),
+    ),
+  ];
   private nudging: ReturnType<typeof setTimeout> | undefined;
 
   constructor(readonly id: number) {
@@ -78,7 +106,7 @@ export class ScanModel implements Strips {
       this.take(scan);
       if (scan.state === "ready") await Promise.all([this.readVehicles(), this.heights.load()]);
       if (scan.job && (scan.job.state === "running" || scan.job.state === "queued"))
-        void this.follow(scan.job);
+        void this.followSearch(scan.job);
       const asked = Number(new URLSearchParams(location.search).get("vehicle"));
       const first = this.vehicles.value.find((one) => one.id === asked);
       if (first) this.choose(first.id);
@@ -90,6 +118,7 @@ export class ScanModel implements Strips {
   close(): void {
     this.stop.abort();
     this.flush();
+    for (const stop of [...this.deaf, this.heights.close]) stop();
     this.tiles.close();
   }
 
@@ -221,18 +250,12 @@ export class ScanModel implements Strips {
     });
   }
 
-  async fillIn(facts: Facts & { catalogue_id?: number }): Promise<void> {
+  async fillIn(facts: Facts): Promise<void> {
     const vehicle = this.chosen.value;
     if (!vehicle) return;
-    await this.tell(async () => {
-      const { make, model, category, true_length_m, true_wheelbase_m } = vehicle;
-      await this.putFacts(vehicle.id, facts);
-      // an entry of the catalogue says more than these fields: done again, it is chosen again
-      this.history.push({
-        label: `what is known of vehicle ${vehicle.number}`,
-        undo: () => this.putFacts(vehicle.id, { make, model, category, true_length_m, true_wheelbase_m }),
-        redo: () => this.putFacts(vehicle.id, facts),
-      });
+    await this.change(`what is known of vehicle ${vehicle.number}`, async (changes) => {
+      changes.touch(this.facts, { id: vehicle.id, names: Object.keys(facts) as (keyof Facts)[] });
+      await this.want(vehicle.id, { facts });
     });
   }
 
@@ -246,14 +269,22 @@ export class ScanModel implements Strips {
   }
 
   async review(verdict: "accepted" | "rejected" | "reopened", reason?: string): Promise<void> {
-    const measured = this.chosen.value?.measurement;
-    if (!measured || measured.mine || !may("reviewer")) return;
+    const vehicle = this.chosen.value;
+    const measured = vehicle?.measurement;
+    if (!vehicle || !measured || measured.mine || !may("reviewer")) return;
+    const { id, number } = vehicle;
     await this.tell(async () => {
-      await api.write(
-        "POST /scan-measurements/{measurement_id}/review",
-        { measurement_id: measured.id },
-        { body: { verdict, ...(reason ? { reason } : {}) } },
-      );
+      await outbox.store({
+        key: `scan-verdict.${measured.id}`,
+        kind: SCAN_VERDICT,
+        lane: this.lane,
+        about: { id, measurementId: measured.id, by: me.value?.person.id ?? 0 },
+        what: `verdict on vehicle ${number}`,
+        mine: reason ? `${verdict}: ${reason}` : verdict,
+        page: this.page(id),
+        saved: vehicle,
+        want: { verdict, reason: reason ?? null },
+      });
       await this.refresh();
     });
   }
@@ -261,7 +292,7 @@ export class ScanModel implements Strips {
   /** Looks for vehicles, or (without `search`) measures those that are known again. */
   async find(method: ScanMethod, search: boolean): Promise<void> {
     await this.tell(async () =>
-      this.follow(
+      this.followSearch(
         await api.write("POST /scans/{scan_id}/find", { scan_id: this.id }, { body: { method, search } }),
       ),
     );
@@ -279,20 +310,32 @@ export class ScanModel implements Strips {
 
   private async addVehicle(front: number, rear: number): Promise<void> {
     await this.tell(async () => {
-      const lines = { front_line_1: front, rear_line_1: rear };
-      const made = await api.write("POST /scans/{scan_id}/vehicles", { scan_id: this.id }, { body: lines });
-      await this.history.run(`vehicle ${made.number}`, async (changes) => {
-        changes.touch(this.presence, made.id);
-        await this.readVehicles();
-        this.choose(made.id);
+      const added = await outbox.store<ScanVehicle, unknown, { scanId: number }>({
+        key: newKey(),
+        kind: ADDED,
+        lane: this.lane,
+        about: { scanId: this.id },
+        what: "a vehicle",
+        mine: `front at line ${front.toFixed(1)}, rear at line ${rear.toFixed(1)}`,
+        page: this.page(),
+        saved: null,
+        want: { front_line_1: front, rear_line_1: rear },
       });
+      const made = added?.saved;
+      if (!made) toast("The vehicle is kept here, and comes into the list when the connection is back.");
+      else
+        await this.history.run(`vehicle ${made.number}`, async (changes) => {
+          changes.touch(this.presence, made.id);
+          await this.readVehicles();
+          this.choose(made.id);
+        });
     });
   }
 
   /** Whether a vehicle is in the list. */
   private readonly presence: Ledger<number, boolean> = {
     read: (id) => this.vehicles.value.some((one) => one.id === id),
-    write: (id, there) => (there ? this.restore(id) : this.takeOut(id)),
+    write: (id, there) => this.putThere(id, there),
   };
 
   private readonly boundaries: Ledger<number, Crossings | null> = {
@@ -300,68 +343,99 @@ export class ScanModel implements Strips {
       const measured = this.measurementOf(id);
       return measured ? crossingsOf(measured) : null;
     },
-    write: (id, lines) => (lines ? this.putBoundaries(id, lines) : undefined),
+    write: (id, lines) => (lines ? this.want(id, { boundaries: lines }) : undefined),
   };
 
-  private readonly hubs: Ledger<number, readonly [number | null, number | null]> = {
+  private readonly facts: Ledger<{ id: number; names: readonly (keyof Facts)[] }, Facts> = {
+    nameOf: ({ id, names }) => `${id}:${names}`,
+    read: ({ id, names }) => {
+      const vehicle = this.vehicles.value.find((one) => one.id === id);
+      return Object.fromEntries(names.map((name) => [name, vehicle?.[name] ?? null]));
+    },
+    write: ({ id }, facts) => this.want(id, { facts }),
+  };
+
+  private readonly hubs: Ledger<number, Hubs> = {
     read: (id) => {
       const measured = this.measurementOf(id);
       return [measured?.front_wheel_line ?? null, measured?.rear_wheel_line ?? null];
     },
-    write: (id, [front, rear]) => this.putWheels(id, front, rear),
+    write: (id, hubs) => this.want(id, { hubs }),
   };
 
   private measurementOf(id: number): ScanVehicle["measurement"] {
     return this.vehicles.value.find((one) => one.id === id)?.measurement ?? null;
   }
 
-  private async takeOut(id: number): Promise<void> {
-    const version = this.versionOf(id) || undefined;
-    await api.write("DELETE /scan-vehicles/{vehicle_id}", { vehicle_id: id, version });
-    if (this.chosenId.value === id) this.choose(null);
-    await this.readVehicles();
+  private async putThere(id: number, there: boolean): Promise<void> {
+    await this.want(id, { there });
+    if (there && this.numberOf(id) > 0) this.choose(id);
+    else if (this.chosenId.value === id) this.choose(null);
   }
 
-  private async restore(id: number): Promise<void> {
-    await api.write("POST /scan-vehicles/{vehicle_id}/restore", { vehicle_id: id });
-    await this.readVehicles();
-    this.choose(id);
+  /** What a vehicle is to become. Resolves when it is stored, or kept where there is no connection. */
+  private async want(id: number, change: ScannedWanted): Promise<void> {
+    const key = `scanned.${id}`;
+    const before = outbox.get<ScanVehicle, ScannedWanted, unknown>(key)?.want;
+    const facts = change.facts && { ...before?.facts, ...change.facts };
+    const want = { ...before, ...change, ...(facts ? { facts } : {}) };
+    const stored = await outbox.store<ScanVehicle, ScannedWanted, { id: number; scanId: number }>({
+      key,
+      kind: SCANNED,
+      lane: this.lane,
+      about: { id, scanId: this.id },
+      what: `vehicle ${this.numberOf(id)}`,
+      mine: scannedWords(want),
+      page: this.page(id),
+      saved: this.seen.get(id) ?? null,
+      want,
+    });
+    if (stored) await this.refresh();
   }
 
-  private async putBoundaries(id: number, lines: Crossings): Promise<void> {
-    await api.write(
-      "PUT /scan-vehicles/{vehicle_id}/boundaries",
-      { vehicle_id: id },
-      { body: { ...lines, version: this.versionOf(id) } },
-    );
-    await this.refresh();
+  private wishes(): ScannedWish[] {
+    return outbox
+      .of<ScanVehicle, ScannedWanted, { id: number; scanId: number }>(SCANNED)
+      .filter((wish) => wish.about.scanId === this.id);
   }
 
-  private async putWheels(id: number, front: number | null, rear: number | null): Promise<void> {
-    const version = this.versionOf(id);
-    await api.write(
-      "PUT /scan-vehicles/{vehicle_id}/wheels",
-      { vehicle_id: id },
-      { body: { front_wheel_line: front, rear_wheel_line: rear, version } },
-    );
-    await this.refresh();
+  /** What the outbox has brought to the server, at once in the list. */
+  private follow({ saved, state }: ScannedWish): void {
+    if (!saved) return;
+    this.note([saved]);
+    const others = this.stored.value.filter((one) => one.id !== saved.id);
+    const before = this.stored.value.find((one) => one.id === saved.id);
+    const at = before ? this.stored.value.indexOf(before) : others.length;
+    this.stored.value = saved.deleted ? others : others.toSpliced(at, 0, { ...before, ...saved });
+    if (state === "saved" && !this.busy.value) void this.reread();
   }
 
-  private async putFacts(id: number, facts: Facts & { catalogue_id?: number }): Promise<void> {
-    await api.write(
-      "PUT /scan-vehicles/{vehicle_id}/facts",
-      { vehicle_id: id },
-      { body: { ...facts, version: this.versionOf(id) } },
-    );
-    await this.refresh();
+  private note(vehicles: readonly ScanVehicle[]): void {
+    for (const one of vehicles)
+      if (one.version >= (this.seen.get(one.id)?.version ?? 0)) this.seen.set(one.id, one);
   }
 
-  private versionOf(id: number): number {
-    return this.vehicles.value.find((one) => one.id === id)?.version ?? 0;
+  private async reread(): Promise<void> {
+    await Promise.all([this.refresh(), this.heights.load()]).catch(toastProblem);
+  }
+
+  numberOf(id: number): number {
+    return this.seen.get(id)?.number ?? 0;
+  }
+
+  page(vehicleId?: number): string {
+    const survey = this.scan.value?.survey_id ?? 0;
+    return `/surveys/${survey}/scan?scan=${this.id}${vehicleId ? `&vehicle=${vehicleId}` : ""}`;
+  }
+
+  private get lane(): string {
+    return `scan.${this.id}`;
   }
 
   private async readVehicles(): Promise<void> {
-    this.vehicles.value = await api.ask("GET /scans/{scan_id}/vehicles", { scan_id: this.id });
+    const found = await api.ask("GET /scans/{scan_id}/vehicles", { scan_id: this.id });
+    this.note(found);
+    this.stored.value = found;
   }
 
   private async readDetail(id: number): Promise<void> {
@@ -377,7 +451,7 @@ export class ScanModel implements Strips {
     }
   }
 
-  private async follow(job: Job): Promise<void> {
+  private async followSearch(job: Job): Promise<void> {
     this.job.value = job;
     try {
       const over = await followJob(
@@ -404,15 +478,20 @@ export class ScanModel implements Strips {
     else this.draft.value = null;
   }
 
+  /** Kept at once: the outbox sends one change after the other. */
   change(label: string, work: (changes: ChangeSet) => Promise<void>): Promise<void> {
-    return this.tell(() => this.history.run(label, work));
+    return this.told(() => this.history.run(label, work));
   }
 
   /** One change after the other, after an undo that is under way; what goes wrong is told in words. */
-  async tell(work: () => Promise<void>): Promise<void> {
+  tell(work: () => Promise<void>): Promise<void> {
+    return this.told(() => this.history.inTurn(work));
+  }
+
+  private async told(work: () => Promise<void>): Promise<void> {
     this.busy.value = true;
     try {
-      await this.history.inTurn(work);
+      await work();
     } catch (error) {
       toastProblem(error);
       await this.refresh().catch(() => undefined);
@@ -422,9 +501,20 @@ export class ScanModel implements Strips {
   }
 }
 
-function crossingsOf(one: Crossings): Crossings {
-  const { front_line_1, rear_line_1, front_line_2, rear_line_2 } = one;
-  return { front_line_1, rear_line_1, front_line_2, rear_line_2 };
+function withWishes(stored: readonly ScanVehicle[], wishes: readonly ScannedWish[]): readonly ScanVehicle[] {
+  const all = new Map(stored.map((one) => [one.id, one]));
+  for (const { about, saved, want } of wishes) {
+    const now = all.get(about.id) ?? (want.there ? saved : null);
+    if (want.there === false) all.delete(about.id);
+    else if (now) all.set(about.id, withWish(now, want));
+  }
+  return [...all.values()];
+}
+
+function withWish(vehicle: ScanVehicle, { boundaries, hubs, facts }: ScannedWanted): ScanVehicle {
+  const lines = hubs ? { front_wheel_line: hubs[0], rear_wheel_line: hubs[1] } : {};
+  const measurement = vehicle.measurement && { ...vehicle.measurement, ...boundaries, ...lines };
+  return { ...vehicle, ...facts, measurement };
 }
 
 function sameCrossings(a: Crossings, b: Crossings): boolean {

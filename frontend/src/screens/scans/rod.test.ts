@@ -74,7 +74,7 @@ describe("a vehicle's heights", () => {
     const { heights } = bench();
     const one = (target: string, withdrawn = false, vehicle_id = 3) =>
       ({ target, withdrawn, vehicle_id }) as LineHeight;
-    heights.all.value = [one("roof"), one("taillight", true), one("driver_eye"), one("roof", false, 4)];
+    heights.stored.value = [one("roof"), one("taillight", true), one("driver_eye"), one("roof", false, 4)];
     const seen: unknown[] = [];
     while (heights.selectNext()) seen.push({ ...heights.selected.value });
     expect(seen).toEqual([

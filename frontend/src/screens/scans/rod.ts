@@ -3,18 +3,13 @@ import { signal } from "@preact/signals";
 import { api } from "../../core/api";
 import type { Ledger } from "../../core/history";
 import { Latest } from "../../core/latest";
+import { outbox } from "../../core/outbox";
 import { toast, toastProblem } from "../../core/toasts";
 import type { LinePose, RodMark, SolvedRod } from "../../core/types";
 import type { Bench } from "./bench";
 import type { LineHeights } from "./heights";
+import { ROD, type RodValues, rodWords } from "./kinds";
 import { type Place, showLines } from "./view";
-
-export interface RodValues {
-  readonly marks: readonly RodMark[];
-  readonly sigma_px: number;
-  readonly u_distance_m: number;
-  readonly u_lean_rad: number;
-}
 
 /** Where the next click belongs: the rod's distance, the mark's height, and how much higher the one after it is. */
 export interface NextMark {
@@ -61,9 +56,18 @@ export class RodDraft {
   /** Back to the marks that are stored, or to none. */
   reset(): void {
     const pose = this.heights.pose.value;
-    this.values.value = pose ? valuesOf(pose) : FRESH;
-    this.solved.value = pose?.solved ?? null;
+    const kept = this.kept();
+    if (kept) this.show(kept);
+    else {
+      this.values.value = pose ? valuesOf(pose) : FRESH;
+      this.solved.value = pose?.solved ?? null;
+    }
     this.changed.value = false;
+  }
+
+  /** What is not yet stored counts as if it were. */
+  private kept(): RodValues | null {
+    return outbox.get<LinePose, RodValues, { scanId: number }>(keyOf(this.bench.id))?.want ?? null;
   }
 
   click(at: Place): void {
@@ -109,24 +113,26 @@ export class RodDraft {
     });
   }
 
+  /** Resolves when it is stored, or kept where there is no connection. */
   private async send(values: RodValues): Promise<void> {
-    await api.write(
-      "PUT /scans/{scan_id}/line-pose",
-      { scan_id: this.bench.id },
-      {
-        body: {
-          ...values,
-          marks: [...values.marks],
-          revision: this.heights.pose.value?.revision ?? 0,
-        },
-      },
-    );
-    await this.heights.load();
+    const { id } = this.bench;
+    const stored = await outbox.store<LinePose, RodValues, { scanId: number }>({
+      key: keyOf(id),
+      kind: ROD,
+      lane: `scan.${id}`,
+      about: { scanId: id },
+      what: "calibration of the height",
+      mine: rodWords(values.marks),
+      page: this.bench.page(),
+      saved: this.heights.pose.value,
+      want: values,
+    });
+    if (stored) await this.heights.load();
     this.changed.value = false;
   }
 
   private readonly stored: Ledger<"pose", RodValues | null> = {
-    read: () => (this.heights.pose.value ? valuesOf(this.heights.pose.value) : null),
+    read: () => this.kept() ?? (this.heights.pose.value ? valuesOf(this.heights.pose.value) : null),
     write: (_key, values) => (values ? this.send(values) : undefined),
   };
 
@@ -149,6 +155,10 @@ export class RodDraft {
     if (values.marks.length > 0) this.asker.want(values);
     else this.solved.value = null;
   }
+}
+
+function keyOf(scanId: number): string {
+  return `rod.${scanId}`;
 }
 
 function valuesOf(pose: LinePose): RodValues {

@@ -7,8 +7,8 @@ import { TARGET_HINTS } from "../../core/words";
 import { type ScreenPoint, screenPoint } from "../../viewer/points";
 import type { DragPhase, Handle, Tool } from "../../viewer/tool";
 import type { Strips } from "./bench";
-import { EDGES, type Edge } from "./draw";
 import type { LineHeights } from "./heights";
+import { EDGES, type Edge } from "./kinds";
 import type { RodDraft } from "./rod";
 import { type Place, type StripPoint, type StripsView, xOf } from "./view";
 

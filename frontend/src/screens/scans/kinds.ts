@@ -1,0 +1,300 @@
+/** How the outbox brings what is done on the strips to the server: addresses, bodies, and when two of them are the same. */
+import { api } from "../../core/api";
+import { type Kind, outbox } from "../../core/outbox";
+import type { BodyOf } from "../../core/routes";
+import type { LineHeight, LineHeightAnswer, LinePose, RodMark, ScanVehicle, Target } from "../../core/types";
+import { formatHeight, formatLength } from "../../core/units";
+import type { Place } from "./view";
+
+export const LINE_HEIGHT = "line-height";
+export const ROD = "rod";
+export const SCANNED = "scanned";
+export const ADDED = "added";
+export const SCAN_VERDICT = "scan-verdict";
+
+export const EDGES = ["front_line_1", "rear_line_1", "front_line_2", "rear_line_2"] as const;
+export type Edge = (typeof EDGES)[number];
+export type Crossings = Record<Edge, number>;
+
+export interface Inset {
+  readonly inset_m: number;
+  readonly u_inset_m: number;
+}
+
+export interface Clicks {
+  readonly contact: Place;
+  readonly point: Place;
+  readonly inset: Inset | null;
+}
+
+/** Clicks to be stored, or null: the height is to be withdrawn. */
+export interface HeightWanted {
+  readonly clicks: Clicks | null;
+  /** The revision with the same clicks that is to be computed again. */
+  readonly again?: number;
+}
+
+export interface HeightAbout {
+  readonly id: number;
+  readonly scanId: number;
+  readonly target: Target;
+  /** What was answered for the clicks before they were stored. */
+  readonly answer: LineHeightAnswer | null;
+}
+
+type HeightBody = Omit<BodyOf<"POST /scan-vehicles/{vehicle_id}/heights">, "revision">;
+
+const heightKind: Kind<LineHeight, HeightWanted, HeightAbout> = {
+  once: true,
+  send({ about: { id: vehicle_id, target }, saved, want }, signal) {
+    const revision = saved?.revision ?? 0;
+    if (!want.clicks) {
+      const asked = { vehicle_id, target, revision };
+      return api.write("DELETE /scan-vehicles/{vehicle_id}/heights", asked, { signal });
+    }
+    const body = { ...clickBody(target, want.clicks), revision };
+    const route = "POST /scan-vehicles/{vehicle_id}/heights";
+    return api.write(route, { vehicle_id }, { body, retry: true, signal });
+  },
+  async read({ about: { id: vehicle_id, target } }, _error, signal) {
+    const all = await api.ask("GET /scan-vehicles/{vehicle_id}/heights", { vehicle_id }, { signal });
+    return all.findLast((one) => one.target === target) ?? null;
+  },
+  done({ saved, want: { clicks, again = 0 } }) {
+    if (!saved || saved.withdrawn || !clicks) return !clicks && (!saved || saved.withdrawn);
+    return saved.revision > again && sameClicks(clicksOf(saved), clicks);
+  },
+  version: (saved) => saved?.revision ?? 0,
+  words(saved) {
+    if (!saved || saved.withdrawn) return "withdrawn";
+    return saved.status === "ok" ? formatHeight(saved.height_m, saved.U95_height_m) : "not measurable";
+  },
+};
+
+export function clicksOf(one: LineHeight): Clicks {
+  return {
+    contact: { line: one.contact_line, row: one.contact_row_px },
+    point: { line: one.target_line, row: one.target_row_px },
+    inset: { inset_m: one.inset_m, u_inset_m: one.u_inset_m },
+  };
+}
+
+function sameClicks(a: Clicks, b: Clicks): boolean {
+  const samePlace = (one: Place, other: Place): boolean =>
+    Math.max(one.line, 0) === Math.max(other.line, 0) && one.row === other.row;
+  const sameInset = !a.inset || !b.inset || same(a.inset, b.inset, ["inset_m", "u_inset_m"]);
+  return samePlace(a.contact, b.contact) && samePlace(a.point, b.point) && sameInset;
+}
+
+export function contactBody(target: Target, contact: Place, inset: Inset | null) {
+  return { target, contact_line: Math.max(contact.line, 0), contact_row_px: contact.row, ...(inset ?? {}) };
+}
+
+export function pointBody(point: Place) {
+  return { target_line: Math.max(point.line, 0), target_row_px: point.row };
+}
+
+function clickBody(target: Target, { contact, point, inset }: Clicks): HeightBody {
+  return { ...contactBody(target, contact, inset), ...pointBody(point) };
+}
+
+export interface RodValues {
+  readonly marks: readonly RodMark[];
+  readonly sigma_px: number;
+  readonly u_distance_m: number;
+  readonly u_lean_rad: number;
+}
+
+type Uncertainties = Pick<LinePose, "sigma_px" | "u_distance_m" | "u_lean_rad">;
+
+const rodKind: Kind<LinePose, RodValues, { scanId: number }> = {
+  once: true,
+  send: ({ about, saved, want }, signal) =>
+    api.write(
+      "PUT /scans/{scan_id}/line-pose",
+      { scan_id: about.scanId },
+      { body: { ...want, marks: [...want.marks], revision: saved?.revision ?? 0 }, signal },
+    ),
+  read: async ({ about }, _error, signal) =>
+    (await api.ask("GET /scans/{scan_id}/line-pose", { scan_id: about.scanId }, { signal })).current,
+  done: ({ saved, want }) =>
+    saved !== null &&
+    same<Uncertainties>(want, saved, ["sigma_px", "u_distance_m", "u_lean_rad"]) &&
+    saved.marks.length === want.marks.length &&
+    want.marks.every((mark, at) => same(mark, saved.marks[at], ["distance_m", "height_m", "row_px", "line"])),
+  version: (saved) => saved?.revision ?? 0,
+  words: (saved) => (saved ? rodWords(saved.marks) : "none"),
+};
+
+export function rodWords(marks: readonly RodMark[]): string {
+  const distances = [...new Set(marks.map((mark) => formatLength(mark.distance_m, 2)))];
+  return `${marks.length} marks at ${distances.join(", ")}`;
+}
+
+export type Facts = Partial<
+  Pick<ScanVehicle, "make" | "model" | "category" | "true_length_m" | "true_wheelbase_m" | "facts_source">
+>;
+export type Hubs = readonly [front: number | null, rear: number | null];
+
+/** What a scanned vehicle is to become; what is left out stays. */
+export interface ScannedWanted {
+  readonly boundaries?: Crossings;
+  readonly hubs?: Hubs;
+  readonly facts?: Facts;
+  /** Whether it is in the list. */
+  readonly there?: boolean;
+}
+
+interface ScannedAbout {
+  readonly id: number;
+  readonly scanId: number;
+}
+
+const scannedKind: Kind<ScanVehicle, ScannedWanted, ScannedAbout> = {
+  async send({ about: { id: vehicle_id }, saved, want }, signal) {
+    const [at, version] = [{ vehicle_id }, saved?.version ?? 0];
+    if (saved?.deleted && want.there)
+      return api.write("POST /scan-vehicles/{vehicle_id}/restore", at, { retry: true, signal });
+    if (want.boundaries && !hasBoundaries(saved, want.boundaries)) {
+      const body = { ...want.boundaries, version };
+      return api.write("PUT /scan-vehicles/{vehicle_id}/boundaries", at, { body, signal });
+    }
+    if (want.hubs && !hasHubs(saved, want.hubs)) {
+      const [front_wheel_line, rear_wheel_line] = want.hubs;
+      const body = { front_wheel_line, rear_wheel_line, version };
+      return api.write("PUT /scan-vehicles/{vehicle_id}/wheels", at, { body, signal });
+    }
+    if (want.facts && !hasFacts(saved, want.facts))
+      return api.write("PUT /scan-vehicles/{vehicle_id}/facts", at, {
+        body: { ...want.facts, version },
+        signal,
+      });
+    await api.write("DELETE /scan-vehicles/{vehicle_id}", { ...at, version }, { signal });
+    return saved && { ...saved, deleted: true, version: version + 1 };
+  },
+  read: ({ about: { id } }, _error, signal) => readVehicle(id, signal),
+  done: ({ saved, want }) =>
+    (want.there === undefined || (saved !== null && saved.deleted !== want.there)) &&
+    (!want.boundaries || hasBoundaries(saved, want.boundaries)) &&
+    (!want.hubs || hasHubs(saved, want.hubs)) &&
+    (!want.facts || hasFacts(saved, want.facts)),
+  version: (saved) => saved?.version ?? 0,
+  words: (saved) => (!saved || saved.deleted ? "taken out" : scannedWords(wantedOf(saved))),
+};
+
+async function readVehicle(vehicle_id: number, signal: AbortSignal): Promise<ScanVehicle> {
+  return (await api.ask("GET /scan-vehicles/{vehicle_id}", { vehicle_id }, { signal })).vehicle;
+}
+
+function hasBoundaries(saved: ScanVehicle | null, lines: Crossings): boolean {
+  return same(lines, saved?.measurement, EDGES);
+}
+
+function hasHubs(saved: ScanVehicle | null, [front, rear]: Hubs): boolean {
+  const m = saved?.measurement;
+  return (m?.front_wheel_line ?? null) === front && (m?.rear_wheel_line ?? null) === rear;
+}
+
+function hasFacts(saved: ScanVehicle | null, facts: Facts): boolean {
+  return same(facts, saved, Object.keys(facts) as (keyof Facts)[]);
+}
+
+export function crossingsOf({ front_line_1, rear_line_1, front_line_2, rear_line_2 }: Crossings): Crossings {
+  return { front_line_1, rear_line_1, front_line_2, rear_line_2 };
+}
+
+function wantedOf({ measurement: m, make, model, category, true_length_m, true_wheelbase_m }: ScanVehicle) {
+  const facts = { make, model, category, true_length_m, true_wheelbase_m };
+  if (!m) return { facts };
+  return { facts, boundaries: crossingsOf(m), hubs: [m.front_wheel_line, m.rear_wheel_line] as Hubs };
+}
+
+/** What is wanted of a vehicle, or stands, in words. */
+export function scannedWords({ there, boundaries, hubs, facts }: ScannedWanted): string {
+  const lines = (all: readonly (number | null)[]): string =>
+    all.map((one) => one?.toFixed(1) ?? "none").join(", ");
+  const known = Object.values(facts ?? {}).filter((value) => value !== null);
+  const told = [
+    there === undefined ? "" : there ? "in the list" : "taken out",
+    boundaries ? `boundaries at lines ${lines(EDGES.map((edge) => boundaries[edge]))}` : "",
+    hubs ? `wheels at lines ${lines(hubs)}` : "",
+    facts ? known.join(" ") || "nothing known" : "",
+  ];
+  return told.filter(Boolean).join("; ");
+}
+
+interface Added {
+  readonly front_line_1: number;
+  readonly rear_line_1: number;
+}
+
+const addedKind: Kind<ScanVehicle, Added, { scanId: number }> = {
+  once: true,
+  send: ({ about, want }, signal) =>
+    // the same lines from the same person are the same vehicle, so that a repeat adds none
+    api.write(
+      "POST /scans/{scan_id}/vehicles",
+      { scan_id: about.scanId },
+      { body: want, retry: true, signal },
+    ),
+  read: async () => null,
+  done: ({ saved }) => saved !== null,
+  version: () => 0,
+  words: () => "",
+};
+
+interface Verdict {
+  readonly verdict: "accepted" | "rejected" | "reopened";
+  readonly reason: string | null;
+}
+
+export interface VerdictAbout {
+  readonly id: number;
+  readonly measurementId: number;
+  /** Who gives it. */
+  readonly by: number;
+}
+
+const verdictKind: Kind<ScanVehicle, Verdict, VerdictAbout> = {
+  once: true,
+  send: ({ about, saved, want: { verdict, reason } }, signal) =>
+    api.write(
+      "POST /scan-measurements/{measurement_id}/review",
+      { measurement_id: about.measurementId },
+      {
+        body: { verdict, seen: saved?.measurement?.review.verdict, ...(reason ? { reason } : {}) },
+        retry: true,
+        signal,
+      },
+    ),
+  read: ({ about: { id } }, _error, signal) => readVehicle(id, signal),
+  done({ about, saved, want }) {
+    const m = saved?.measurement;
+    if (m?.id !== about.measurementId) return false;
+    const { verdict, reason, reviewer } = m.review;
+    return verdict === want.verdict && (reason ?? null) === want.reason && reviewer?.id === about.by;
+  },
+  version: (saved) => {
+    const m = saved?.measurement;
+    return m ? `${m.id} ${m.review.verdict} ${m.review.at}` : "";
+  },
+  words: (saved) => {
+    const review = saved?.measurement?.review;
+    return review ? `${review.verdict} by ${review.reviewer?.name ?? "nobody"}` : "";
+  },
+};
+
+/** The same values under these names. */
+function same<T extends object>(
+  a: T,
+  b: Partial<T> | null | undefined,
+  names: readonly (keyof T)[],
+): boolean {
+  return b != null && names.every((name) => a[name] === b[name]);
+}
+
+outbox.register(LINE_HEIGHT, heightKind);
+outbox.register(ROD, rodKind);
+outbox.register(SCANNED, scannedKind);
+outbox.register(ADDED, addedKind);
+outbox.register(SCAN_VERDICT, verdictKind);
