@@ -1,3 +1,4 @@
 /** Every kind of thing that the outbox sends, so that what an earlier page left is sent whichever page is open. */
 import "../screens/measure/kinds";
 import "../screens/scans/kinds";
+import "../screens/checks/kinds";

@@ -1,5 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { ApiError } from "../../core/api";
+import { outbox } from "../../core/outbox";
 import { FakeServer, recording, vehicle } from "../../testing/server";
 import { imagePoint } from "../../viewer/points";
 import { TrafficModel } from "./model";
@@ -8,6 +9,7 @@ import type { WheelPair } from "./types";
 let server: FakeServer;
 let model: TrafficModel;
 let pairs: WheelPair[];
+let made_ids = 0;
 const quiet = () => vi.advanceTimersByTimeAsync(20);
 
 beforeEach(() => {
@@ -19,12 +21,15 @@ beforeEach(() => {
   server.on("GET", /\/checks\/traffic$/, () => ({ poses: [], pairs }));
   server.on("POST", /^\/vehicles\/(\d+)\/wheel-pair$/, (match, body) => {
     const vehicle_id = Number(match[1]);
-    pairs = [...pairs.filter((one) => one.vehicle_id !== vehicle_id), { ...body, vehicle_id } as WheelPair];
-    return {};
+    if (body["seen"] !== (pairs.find((one) => one.vehicle_id === vehicle_id)?.id ?? 0)) throw 409;
+    const made = { ...body, vehicle_id, id: ++made_ids, withdrawn: false } as unknown as WheelPair;
+    pairs = [...pairs.filter((one) => one.vehicle_id !== vehicle_id), made];
+    return made;
   });
-  server.on("DELETE", /^\/vehicles\/(\d+)\/wheel-pair$/, (match) => {
-    pairs = pairs.filter((one) => one.vehicle_id !== Number(match[1]));
-    return {};
+  server.on("DELETE", /^\/vehicles\/(\d+)\/wheel-pair\?seen=\d+$/, (match) => {
+    const gone = pairs.find((one) => one.vehicle_id === Number(match[1]));
+    pairs = pairs.filter((one) => one !== gone);
+    return { ...gone, withdrawn: true };
   });
   model = new TrafficModel(5);
 });
@@ -81,6 +86,38 @@ describe("the direction of travel", () => {
     expect(model.refused.value).toBeInstanceOf(ApiError);
     expect(model.history.undoLabel.value).toBeNull();
     expect(model.clicks.first.value).toBeNull();
+  });
+
+  it("keeps a pair over a closed page without a connection, and sends it once from the next", async () => {
+    await model.load(7);
+    await quiet();
+    server.down = true;
+    await both();
+    expect(model.pair.value).toMatchObject({ frame: 40, first: [100, 300] });
+    expect(model.history.undoLabel.value).toContain("tyres");
+    model.close();
+    outbox.open(null);
+    server.down = false;
+    outbox.open(1);
+    await quiet();
+    expect(server.writes).toEqual(["POST /vehicles/7/wheel-pair"]);
+    expect(pairs).toHaveLength(1);
+    expect(outbox.wishes.value.size).toBe(0);
+  });
+
+  it("asks where somebody else clicked meanwhile, with both values", async () => {
+    await model.load(7);
+    await quiet();
+    const theirs = { id: 99, vehicle_id: 7, frame: 41, first: [1, 2], second: [3, 4], withdrawn: false };
+    pairs = [theirs as unknown as WheelPair];
+    await both();
+    const wish = outbox.get("wheel-pair.7");
+    expect(wish).toMatchObject({ state: "conflict", mine: "frame 40, at 100.0, 300.0 and 180.0, 302.0 px" });
+    expect(wish && outbox.theirs(wish)).toContain("frame 41");
+    expect(pairs).toEqual([theirs]);
+    outbox.resolve("wheel-pair.7", "mine");
+    await quiet();
+    expect(pairs).toMatchObject([{ frame: 40 }]);
   });
 
   it("forgets the first tyre on another frame, and lets Esc and Ctrl+Z take it back", async () => {

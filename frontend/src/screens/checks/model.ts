@@ -4,6 +4,7 @@ import { setQuery } from "../../core/address";
 import { api } from "../../core/api";
 import { History, type Ledger } from "../../core/history";
 import { Latest } from "../../core/latest";
+import { outbox, type Wish } from "../../core/outbox";
 import { canWork } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
 import { toast, toastProblem } from "../../core/toasts";
@@ -12,6 +13,7 @@ import { bestFrame, neighbour } from "../../parts/vehicles/passes";
 import { fromServer, type ImagePoint, pair } from "../../viewer/points";
 import { Reel } from "../../viewer/reel";
 import { FrameStage } from "../../viewer/stage";
+import { type PairAbout, pairWords, WHEEL_PAIR } from "./kinds";
 import type { TrafficCheck, TurnedPose, WheelPair } from "./types";
 import { type Clicks, WheelPairTool } from "./wheelPair";
 
@@ -24,7 +26,13 @@ export class TrafficModel {
   /** Why the last two clicks were not taken. */
   readonly refused = signal<unknown>(null);
   readonly vehicles = signal<readonly Vehicle[]>([]);
-  readonly check = signal<TrafficCheck | null>(null);
+  private readonly stored = signal<TrafficCheck | null>(null);
+  /** What the server says; the pairs as they are wanted. */
+  readonly check = computed<TrafficCheck | null>(() => {
+    const stored = this.stored.value;
+    const wishes = outbox.of<WheelPair, Clicks | null, PairAbout>(WHEEL_PAIR);
+    return stored && { ...stored, pairs: withWishes(stored.pairs, wishes, this.surveyId) };
+  });
   readonly vehicleId = signal<number | null>(null);
   readonly axes = signal<AxesAnswer | null>(null);
   readonly saving = signal(false);
@@ -73,6 +81,10 @@ export class TrafficModel {
 
   constructor(readonly surveyId: number) {
     this.stops.push(
+      // what an earlier page left, or what was kept without a connection, has come through
+      outbox.listen(WHEEL_PAIR, ({ about, state }: Wish<WheelPair, Clicks | null, PairAbout>) => {
+        if (state === "saved" && about.surveyId === surveyId && !this.saving.value) void this.reload();
+      }),
       effect(() => {
         const at = this.contact.value;
         // a turned pose is read through its own lines
@@ -95,7 +107,7 @@ export class TrafficModel {
       batch(() => {
         this.reel.recordings.value = recordings.filter((one) => one.state === "ready");
         this.vehicles.value = vehicles;
-        this.check.value = check;
+        this.stored.value = check;
       });
       const wanted = vehicles.find((one) => one.id === vehicleId) ?? vehicles[0];
       if (wanted) this.open(wanted);
@@ -221,10 +233,18 @@ export class TrafficModel {
       // taken back from elsewhere, it is shown where it happens
       const vehicle = this.vehicles.value.find((one) => one.id === vehicleId);
       if (vehicle && vehicleId !== this.vehicleId.value) this.open(vehicle);
-      const at = { vehicle_id: vehicleId };
-      if (clicks) await api.write("POST /vehicles/{vehicle_id}/wheel-pair", at, { body: clicks });
-      else await api.write("DELETE /vehicles/{vehicle_id}/wheel-pair", at);
-      await this.reload();
+      const stored = await outbox.store<WheelPair, Clicks | null, PairAbout>({
+        key: `wheel-pair.${vehicleId}`,
+        kind: WHEEL_PAIR,
+        lane: `vehicle.${vehicleId}`,
+        about: { id: vehicleId, surveyId: this.surveyId },
+        what: `tyres of vehicle ${vehicle?.number ?? ""}`,
+        mine: clicks ? pairWords(clicks) : "none",
+        page: `/surveys/${this.surveyId}/checks?tab=traffic&vehicle=${vehicleId}`,
+        saved: this.stored.value?.pairs.find((one) => one.vehicle_id === vehicleId) ?? null,
+        want: clicks,
+      });
+      if (stored) await this.reload();
     },
   };
 
@@ -254,12 +274,27 @@ export class TrafficModel {
       ]);
       batch(() => {
         this.reel.recordings.value = recordings.filter((one) => one.state === "ready");
-        this.check.value = check;
+        this.stored.value = check;
       });
     } catch (error) {
       toastProblem(error);
     }
   }
+}
+
+function withWishes(
+  stored: readonly WheelPair[],
+  wishes: readonly Wish<WheelPair, Clicks | null, PairAbout>[],
+  surveyId: number,
+): WheelPair[] {
+  const all = new Map(stored.map((one) => [one.vehicle_id, one]));
+  for (const { about, want, saved } of wishes) {
+    if (about.surveyId !== surveyId) continue;
+    const { id: vehicle_id } = about;
+    if (want) all.set(vehicle_id, { ...saved, ...want, vehicle_id, withdrawn: false } as WheelPair);
+    else all.delete(vehicle_id);
+  }
+  return [...all.values()];
 }
 
 function clicksOf(stored: WheelPair): Clicks {

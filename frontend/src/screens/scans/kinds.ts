@@ -248,7 +248,7 @@ interface Verdict {
   readonly reason: string | null;
 }
 
-export interface VerdictAbout {
+interface VerdictAbout {
   readonly id: number;
   readonly measurementId: number;
   /** Who gives it. */

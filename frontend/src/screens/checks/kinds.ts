@@ -1,0 +1,47 @@
+/** How the outbox brings both tyres of a vehicle to the server. */
+import { api } from "../../core/api";
+import { type Kind, outbox } from "../../core/outbox";
+import type { WheelPair } from "./types";
+import type { Clicks } from "./wheelPair";
+
+export const WHEEL_PAIR = "wheel-pair";
+
+export interface PairAbout {
+  readonly id: number;
+  readonly surveyId: number;
+}
+
+const pairKind: Kind<WheelPair, Clicks | null, PairAbout> = {
+  once: true,
+  send({ about: { id: vehicle_id }, saved, want }, signal) {
+    const seen = idOf(saved);
+    if (!want) return api.write("DELETE /vehicles/{vehicle_id}/wheel-pair", { vehicle_id, seen }, { signal });
+    const body = { ...want, seen };
+    return api.write("POST /vehicles/{vehicle_id}/wheel-pair", { vehicle_id }, { body, retry: true, signal });
+  },
+  async read({ about: { id, surveyId } }, _error, signal) {
+    const found = await api.ask(
+      "GET /surveys/{survey_id}/checks/traffic",
+      { survey_id: surveyId },
+      { signal },
+    );
+    return found.pairs.find((one) => one.vehicle_id === id) ?? null;
+  },
+  done({ saved, want }) {
+    if (!want || !saved || saved.withdrawn) return !want && idOf(saved) === 0;
+    return saved.frame === want.frame && `${saved.first} ${saved.second}` === `${want.first} ${want.second}`;
+  },
+  version: idOf,
+  words: (saved) => (saved && !saved.withdrawn ? pairWords(saved) : "none"),
+};
+
+function idOf(saved: WheelPair | null): number {
+  return saved && !saved.withdrawn ? saved.id : 0;
+}
+
+export function pairWords({ frame, first, second }: Clicks): string {
+  const at = (point: readonly number[]): string => point.map((one) => one.toFixed(1)).join(", ");
+  return `frame ${frame}, at ${at(first)} and ${at(second)} px`;
+}
+
+outbox.register(WHEEL_PAIR, pairKind);
