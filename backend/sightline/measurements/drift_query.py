@@ -11,9 +11,8 @@ from typing import Any
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
-from sightline.enums import JsonObject
 from sightline.measurements.records import Measurement
-from sightline.recordings.drift import MovedSpan, open_spans, sentence
+from sightline.recordings.drift import DriftChecks, DriftDecision, MovedSpan, open_spans, sentence
 from sightline.recordings.tables import recordings
 
 
@@ -25,7 +24,7 @@ def flagged(session: Session, found: tuple[Measurement, ...]) -> tuple[Measureme
     return tuple([_with_flag(one, spans.get((one.recording_id, one.values.pose_id), [])) for one in found])
 
 
-def flagged_by(one: Measurement, drift: JsonObject | None, decision: JsonObject | None) -> Measurement:
+def flagged_by(one: Measurement, drift: DriftChecks | None, decision: DriftDecision | None) -> Measurement:
     """`flagged` of one measurement whose recording's drift and decision were read with it."""
     return _with_flag(one, open_spans(drift, decision, one.values.pose_id))
 

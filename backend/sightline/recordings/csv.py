@@ -6,11 +6,11 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import get_args
 
-from sightline.enums import DriftState, JsonObject, Lighting
+from sightline.enums import DriftState, Lighting
 from sightline.infra.csv_package.chain import stamp
 from sightline.infra.csv_package.columns import flag, integer, key, metres, number, of_part, text
 from sightline.infra.csv_package.schema import Cell, Cells, Column, Table
-from sightline.recordings.drift import drift_check_of, drift_figures
+from sightline.recordings.drift import DriftDecision, DriftFigures, drift_check_of, drift_figures
 from sightline.recordings.records import Recording
 
 
@@ -18,8 +18,8 @@ from sightline.recordings.records import Recording
 class Drift:
     """Figures of what was found of a camera against its pose in force, and what a person decided of that."""
 
-    found: JsonObject | None
-    decision: JsonObject | None
+    found: DriftFigures | None
+    decision: DriftDecision | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +37,7 @@ def described(recording: Recording) -> DescribedRecording:
     return DescribedRecording(recording, drift_of(found, recording.drift_decision, recording.pose_id))
 
 
-def drift_of(found: JsonObject | None, decision: JsonObject | None, pose_id: int | None) -> Drift:
+def drift_of(found: DriftFigures | None, decision: DriftDecision | None, pose_id: int | None) -> Drift:
     """What was found of the pose in force, and the decision where it is about that pose."""
     in_force = decision is not None and decision["pose_id"] == pose_id
     return Drift(found, decision if in_force else None)
@@ -56,8 +56,9 @@ def _decided(name: str) -> Callable[[Drift], Cell]:
     return lambda drift: _held(drift.decision, name)
 
 
-def _held(document: Mapping[str, Cell] | None, name: str) -> Cell:
-    return None if document is None else document[name]
+def _held(document: Mapping[str, object] | None, name: str) -> Cell:
+    value = None if document is None else document[name]
+    return value if isinstance(value, str | int | float) else None
 
 
 def _time(of: Callable[[Drift], Cell]) -> Callable[[Drift], Cell]:

@@ -1,8 +1,104 @@
 """On which frames of a recording the camera was not where its road pose says, as documents and sentences."""
 
 from dataclasses import dataclass
+from typing import Annotated, Required
 
-from sightline.enums import JsonObject
+from pydantic import Field
+from typing_extensions import TypedDict
+
+from sightline.enums import DriftState
+
+
+class DriftLook(TypedDict, total=False):
+    """One frame against the pose's: a motion in pixels with what it is worth in height, or a reason."""
+
+    frame: Required[int]
+    time_s: Required[float]
+    x_px: float
+    y_px: float
+    turn_rad: float
+    scale: float
+    moved_px: float
+    u_px: float
+    points: int
+    change_m: float | None
+    reason: str
+
+
+class DriftStep(TypedDict):
+    """The camera moved between two frames."""
+
+    after: Annotated[int, Field(description="The last frame before it.")]
+    frame: int
+    time_s: float
+    by_px: float
+
+
+class DriftMotion(TypedDict):
+    """How the picture moved since the pose (`geometry.drift.Motion`)."""
+
+    x_px: float
+    y_px: float
+    turn_rad: float
+    scale: float
+    moved_px: float
+    u_px: float
+    points: int
+
+
+class DriftSpan(DriftMotion):
+    """Frames with the same motion against the pose, and what it is worth in height."""
+
+    first_frame: int
+    last_frame: int
+    moved: bool
+    change_m: float | None
+
+
+class DriftCheck(TypedDict):
+    """What was found of a recording's camera against one road pose."""
+
+    pose_id: int
+    pose_recording_id: int
+    state: DriftState
+    words: str
+    reason: str | None
+    floor_px: float | None
+    floor_m: float | None
+    target_m: float
+    distance_m: float | None
+    looks: list[DriftLook]
+    bumps: list[DriftStep]
+    spans: list[DriftSpan]
+    checked_at: str
+    code_version: str
+
+
+class DriftChecks(TypedDict):
+    """A recording's checks by the number of the pose."""
+
+    checks: dict[str, DriftCheck]
+
+
+class DriftFigures(TypedDict):
+    """A check in a few figures, as its audit event and a package say it."""
+
+    state: DriftState
+    floor_px: float | None
+    moved_px: float | None
+    height_m: float | None
+    checked_at: str
+
+
+class DriftDecision(TypedDict):
+    """Why somebody lets a road pose stand, and the moved spans that they saw."""
+
+    pose_id: int
+    reason: str
+    by: str
+    by_id: int | None
+    at: str
+    spans: list[DriftSpan]
 
 
 @dataclass(frozen=True, slots=True)
@@ -15,15 +111,14 @@ class MovedSpan:
     change_m: float | None
 
 
-def drift_check_of(drift: JsonObject | None, pose_id: int | None) -> JsonObject | None:
+def drift_check_of(drift: DriftChecks | None, pose_id: int | None) -> DriftCheck | None:
     """What was found against one road pose; None where nobody looked."""
     if drift is None or pose_id is None:
         return None
-    found: JsonObject | None = drift["checks"].get(str(pose_id))
-    return found
+    return drift["checks"].get(str(pose_id))
 
 
-def drift_figures(check: JsonObject) -> JsonObject:
+def drift_figures(check: DriftCheck) -> DriftFigures:
     """What a check found, in a few figures: the largest motion and the largest change of a height where the
     camera moved, None where it did not.
     """
@@ -38,19 +133,27 @@ def drift_figures(check: JsonObject) -> JsonObject:
     }
 
 
-def open_spans(drift: JsonObject | None, decision: JsonObject | None, pose_id: int | None) -> list[MovedSpan]:
+def open_spans(
+    drift: DriftChecks | None, decision: DriftDecision | None, pose_id: int | None
+) -> list[MovedSpan]:
     """The moved spans against a pose that no decision covers."""
     check = drift_check_of(drift, pose_id)
     if check is None:
         return []
-    spans = [MovedSpan(**{name: one[name] for name in _NAMES}) for one in check["spans"] if one["moved"]]
-    return [one for one in spans if not _decided(one, decision, pose_id, check["floor_px"])]
+    spans = [_moved_span(one) for one in check["spans"] if one["moved"]]
+    return [one for one in spans if not _decided(one, decision, pose_id, check["floor_px"] or 0.0)]
 
 
-_NAMES = ("first_frame", "last_frame", "moved_px", "change_m")
+def _moved_span(span: DriftSpan) -> MovedSpan:
+    return MovedSpan(
+        first_frame=span["first_frame"],
+        last_frame=span["last_frame"],
+        moved_px=span["moved_px"],
+        change_m=span["change_m"],
+    )
 
 
-def _decided(span: MovedSpan, decision: JsonObject | None, pose_id: int | None, floor_px: float) -> bool:
+def _decided(span: MovedSpan, decision: DriftDecision | None, pose_id: int | None, floor_px: float) -> bool:
     """Whether somebody saw this very motion and let it stand; a larger one found since is another."""
     if decision is None or decision["pose_id"] != pose_id:
         return False

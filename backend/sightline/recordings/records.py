@@ -10,6 +10,7 @@ from sightline.enums import (
     RecordingState,
 )
 from sightline.infra.jobs.records import Job
+from sightline.recordings.drift import DriftChecks, DriftDecision
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,8 +56,8 @@ class Recording:
     pose_id: int | None
     lighting: Lighting | None
     lighting_proposed: Lighting | None
-    drift: JsonObject | None
-    drift_decision: JsonObject | None
+    drift: DriftChecks | None
+    drift_decision: DriftDecision | None
     created_at: datetime
 
 

@@ -8,13 +8,12 @@ from sqlalchemy import ColumnElement, select
 from sqlalchemy.orm import Session
 
 from sightline.cameras.tables import cameras
-from sightline.enums import JsonObject
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
 from sightline.infra.database.rows import add_row, change_row, get_row, is_held, name_of, named_table
 from sightline.infra.database.types import columns_of, now
 from sightline.infra.jobs.store import latest_jobs_of_recordings
-from sightline.recordings.drift import drift_check_of, drift_figures
+from sightline.recordings.drift import DriftCheck, DriftChecks, DriftDecision, drift_check_of, drift_figures
 from sightline.recordings.frames.records import FrameTable
 from sightline.recordings.frames.store import (
     frame_table_fingerprint,
@@ -142,17 +141,18 @@ def remove_recording(session: Session, recording_id: int, *, actor: int | None) 
 
 
 def store_drift(
-    session: Session, recording_id: int, pose_id: int, check: JsonObject, *, actor: int | None
+    session: Session, recording_id: int, pose_id: int, check: DriftCheck, *, actor: int | None
 ) -> Recording:
     """What was found of a camera that moved since a road pose; what was found against others stays."""
     before = _row(session, recording_id)
-    known = before["drift"] or {"checks": {}}
-    drift = {"checks": {**known["checks"], str(pose_id): check}}
+    none: DriftChecks = {"checks": {}}
+    known: DriftChecks = before["drift"] or none
+    drift: DriftChecks = {"checks": {**known["checks"], str(pose_id): check}}
     change_row(session, recordings, recording_id, {"drift": drift})
     old = drift_check_of(known, pose_id)
     then = {"pose_id": pose_id, "drift": None if old is None else old["words"]}
-    after = {"pose_id": pose_id, "drift": check["words"], "bumps": check["bumps"]}
-    after["found"] = drift_figures(check)
+    seen = {"drift": check["words"], "bumps": check["bumps"], "found": drift_figures(check)}
+    after = {"pose_id": pose_id, **seen}
     trail.record(session, actor, "check_drift", "recording", recording_id, before["survey_id"], then, after)
     return get_recording(session, recording_id)
 
@@ -167,7 +167,7 @@ def decide_drift(session: Session, recording_id: int, reason: str, *, actor: int
         )
     if not reason.strip():
         raise BadInput("Say why the road pose is still good, so that an audit can follow it.")
-    decision = {
+    decision: DriftDecision = {
         "pose_id": before["pose_id"],
         "spans": [one for one in check["spans"] if one["moved"]],
         "reason": reason.strip(),
@@ -187,7 +187,11 @@ def take_back_drift_decision(session: Session, recording_id: int, *, actor: int 
 
 
 def _drift_decision(
-    session: Session, before: Mapping[str, Any], decision: JsonObject | None, action: str, actor: int | None
+    session: Session,
+    before: Mapping[str, Any],
+    decision: DriftDecision | None,
+    action: str,
+    actor: int | None,
 ) -> Recording:
     recording_id = before["id"]
     change_row(session, recordings, recording_id, {"drift_decision": decision})

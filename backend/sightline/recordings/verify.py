@@ -10,6 +10,7 @@ from sightline.infra.csv_package.files import Files, read_rows
 from sightline.infra.csv_package.schema import Cells
 from sightline.infra.csv_package.verify import says
 from sightline.recordings.csv import RECORDINGS, drift_cells, drift_of
+from sightline.recordings.drift import DriftDecision, DriftFigures
 
 _MAKES = ("create", "update", "ingest")
 
@@ -19,8 +20,8 @@ class RecordingEvents:
     """What the events say of recordings, by number; `drift`: what was found of the camera, by pose too."""
 
     facts: dict[int, dict[str, Any]] = field(default_factory=dict)
-    drift: dict[int, dict[int, dict[str, Any]]] = field(default_factory=dict)
-    decisions: dict[int, dict[str, Any] | None] = field(default_factory=dict)
+    drift: dict[int, dict[int, DriftFigures]] = field(default_factory=dict)
+    decisions: dict[int, DriftDecision | None] = field(default_factory=dict)
 
     def add(self, action: str, number: int, after: dict[str, Any]) -> None:
         """An event of a recording."""

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from sightline.enums import DriftState
 from sightline.geometry.drift import TARGET_M, HeightChange, Motion, height_change
 from sightline.geometry.drift_spans import Course, Look, course
 from sightline.geometry.road_pose import RoadPose
@@ -20,6 +21,7 @@ from sightline.measurements.service import road_pose
 from sightline.media.video.drift import Background, background, mean_of, register
 from sightline.poses.records import Pose
 from sightline.poses.store import get_pose
+from sightline.recordings.drift import DriftCheck, DriftLook, DriftMotion, DriftSpan, DriftStep
 from sightline.recordings.drift_request import DRIFT
 from sightline.recordings.frames.stills import stills_of
 from sightline.recordings.records import Recording
@@ -97,11 +99,11 @@ def _of_pose(services: Services, pose: Pose) -> Background:
     return background(mean_of([stills_of(services).gray(pose.recording_id, n) for n in frames]))
 
 
-def document_of(check: _Check) -> dict[str, Any]:
+def document_of(check: _Check) -> DriftCheck:
     """What is stored and shown: plain lists, every number with its unit."""
     found = check.found
     changes = [(look, _change(check.road, look.motion)) for look in check.looks]
-    spans = [
+    spans: list[DriftSpan] = [
         {
             "first_frame": span.first_frame,
             "last_frame": span.last_frame,
@@ -111,14 +113,20 @@ def document_of(check: _Check) -> dict[str, Any]:
         }
         for span in found.spans
     ]
-    bumps = [{**asdict(bump), "time_s": check.time_s(bump.frame)} for bump in found.bumps]
+    bumps: list[DriftStep] = [
+        {"after": one.after, "frame": one.frame, "time_s": check.time_s(one.frame), "by_px": one.by_px}
+        for one in found.bumps
+    ]
     seen = [change for _, change in changes if change is not None and change.distance_m is not None]
     floor = _floor(check)
-    state = "unknown" if found.reason else "moved" if any(span["moved"] for span in spans) else "still"
-    document: dict[str, Any] = {
+    state: DriftState = (
+        "unknown" if found.reason else "moved" if any(span["moved"] for span in spans) else "still"
+    )
+    document: DriftCheck = {
         "pose_id": check.pose.id,
         "pose_recording_id": check.pose.recording_id,
         "state": state,
+        "words": "",
         "reason": found.reason,
         "floor_px": found.floor_px,
         "floor_m": floor,
@@ -133,16 +141,24 @@ def document_of(check: _Check) -> dict[str, Any]:
     return {**document, "words": words_of(document, check.time_s)}
 
 
-def _motion(motion: Motion) -> dict[str, Any]:
-    return asdict(motion)
+def _motion(motion: Motion) -> DriftMotion:
+    return {
+        "x_px": motion.x_px,
+        "y_px": motion.y_px,
+        "turn_rad": motion.turn_rad,
+        "scale": motion.scale,
+        "moved_px": motion.moved_px,
+        "u_px": motion.u_px,
+        "points": motion.points,
+    }
 
 
 def _change(road: RoadPose, motion: Motion | str) -> HeightChange | None:
     return height_change(road, motion) if isinstance(motion, Motion) else None
 
 
-def _look_row(check: _Check, look: Look, change: HeightChange | None) -> dict[str, Any]:
-    at = {"frame": look.frame, "time_s": check.time_s(look.frame)}
+def _look_row(check: _Check, look: Look, change: HeightChange | None) -> DriftLook:
+    at: DriftLook = {"frame": look.frame, "time_s": check.time_s(look.frame)}
     if isinstance(look.motion, str) or change is None:
         return {**at, "reason": str(look.motion)}
     return {**at, **_motion(look.motion), "change_m": change.change_m}
@@ -165,7 +181,7 @@ def _floor(check: _Check) -> float | None:
     return None if change is None else abs(change)
 
 
-def words_of(document: Mapping[str, Any], time_s: Callable[[int], float]) -> str:
+def words_of(document: DriftCheck, time_s: Callable[[int], float]) -> str:
     """The verdict in one or two sentences."""
     if document["state"] == "unknown":
         return f"Whether the camera moved cannot be told: {document['reason']}"
@@ -178,7 +194,7 @@ def words_of(document: Mapping[str, Any], time_s: Callable[[int], float]) -> str
     )
 
 
-def _told(span: Mapping[str, Any], bumps: list[Mapping[str, Any]], time_s: Callable[[int], float]) -> str:
+def _told(span: DriftSpan, bumps: list[DriftStep], time_s: Callable[[int], float]) -> str:
     first, last = span["first_frame"], span["last_frame"]
     bumped = any(bump["after"] < first <= bump["frame"] for bump in bumps)
     how = (

@@ -6,7 +6,7 @@ from pydantic import Field
 from sightline.enums import DriftState
 from sightline.infra.web.bodies import In, JobBody, Out, Text
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
-from sightline.recordings.drift import drift_check_of, open_spans
+from sightline.recordings.drift import DriftStep, MovedSpan, drift_check_of, open_spans
 from sightline.recordings.drift_request import request_drift, under_way
 from sightline.recordings.records import Recording
 from sightline.recordings.store import decide_drift, get_recording, take_back_drift_decision
@@ -30,28 +30,12 @@ class DriftSample(Out):
     reason: str | None = None
 
 
-class DriftStep(Out):
-    after: int = Field(description="The last frame before it.")
-    frame: int
-    time_s: float
-    by_px: float
-
-
 class SpanBody(Out):
     first_frame: int
     last_frame: int
     moved: bool
     moved_px: float
     u_px: float
-    change_m: float | None
-
-
-class OpenSpanBody(Out):
-    """Frames whose measurements are flagged."""
-
-    first_frame: int
-    last_frame: int
-    moved_px: float
     change_m: float | None
 
 
@@ -87,7 +71,7 @@ class DriftBody(Out):
     pose_id: int | None
     check: CheckBody | None
     decision: DecisionBody | None
-    flagged: list[OpenSpanBody]
+    flagged: list[MovedSpan]
     job: JobBody | None = Field(default=None, description="A look that waits or is under way.")
 
 
