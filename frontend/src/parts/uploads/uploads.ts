@@ -1,7 +1,7 @@
 /** Uploads of video: several at once, paused and resumed, going on after a broken connection or a reload (tus 1.0). They live
  *  beside the screens, so that going to another page does not stop them. */
 import { signal } from "@preact/signals";
-import { DetailedError, Upload } from "tus-js-client";
+import type { DetailedError, Upload as TusUpload } from "tus-js-client";
 import { toApiError } from "../../core/api";
 
 type UploadState = "waiting" | "sending" | "paused" | "retrying" | "done" | "failed";
@@ -31,7 +31,7 @@ export const uploads = signal<UploadItem[]>([]);
 const CHUNK_BYTES = 16 * 2 ** 20;
 const RETRY_DELAYS_MS = [0, 500, 1000, 2000, 4000, 8000, 15000, 15000, 15000, 15000, 15000, 15000];
 
-const running = new Map<number, { upload: Upload; samples: [at: number, sent: number][] }>();
+const running = new Map<number, { upload: TusUpload; samples: [at: number, sent: number][] }>();
 let nextKey = 1;
 
 function change(key: number, part: Partial<UploadItem>): void {
@@ -41,6 +41,13 @@ function change(key: number, part: Partial<UploadItem>): void {
 function itemOf(key: number): UploadItem | undefined {
   return uploads.value.find((item) => item.key === key);
 }
+
+/** Comes when the first file is dropped; null where it cannot be loaded. */
+const tus = (): Promise<typeof TusUpload | null> =>
+  import("tus-js-client").then(
+    (module) => module.Upload,
+    () => null,
+  );
 
 /** Starts to send a file; `onDone` is called with the recording that the server made of it. */
 export async function startUpload(
@@ -75,6 +82,14 @@ export async function startUpload(
   }
   let recordingId: number | null = null;
   let finished = false;
+  const Upload = await tus();
+  if (!Upload || !itemOf(key)) {
+    change(key, {
+      state: "failed",
+      problem: "The page could not be loaded fully; reload it and choose the file again.",
+    });
+    return;
+  }
   const upload = new Upload(file, {
     endpoint: `/api/surveys/${surveyId}/uploads`,
     headers: { "X-Sightline": "1" },
@@ -154,7 +169,7 @@ function progress(key: number, sent: number): void {
 }
 
 function sentence(error: Error | DetailedError, name: string): string {
-  if (error instanceof DetailedError && error.originalResponse) {
+  if ("originalResponse" in error && error.originalResponse) {
     let body: unknown = null;
     try {
       body = JSON.parse(error.originalResponse.getBody());
