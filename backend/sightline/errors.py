@@ -11,56 +11,75 @@ SightlineError
   Damaged (500)             stored data does not match its checksum or its chain
 """
 
+from sightline.messages import Value, say
+
 
 class SightlineError(Exception):
-    """One sentence that says what is wrong and what to do about it."""
+    """What is wrong and what to do about it: a key of the catalogue of messages and its sentence's values.
+
+    Values that are neither numbers nor texts are kept as texts.
+    """
 
     status = 500
-    code = "error"
+    kind = "error"
     exit_status = 1
 
-    def __init__(self, message: str) -> None:
-        super().__init__(message)
-        self.message = message
+    def __init__(self, code: str, **values: object) -> None:
+        super().__init__(code)
+        self.code = code
+        self.values = {name: _plain(value) for name, value in values.items()}
+
+    @property
+    def message(self) -> str:
+        """The sentence, in English."""
+        return say(self.code, self.values)
+
+    def __str__(self) -> str:
+        return self.message
+
+
+def _plain(value: object) -> Value:
+    """What JSON and every language can hold; a truth is a text here."""
+    return value if isinstance(value, str | int | float) and not isinstance(value, bool) else str(value)
 
 
 class BadInput(SightlineError):
     status = 422
-    code = "bad_input"
+    kind = "bad_input"
     exit_status = 2
 
 
 class NotSignedIn(SightlineError):
     status = 401
-    code = "not_signed_in"
+    kind = "not_signed_in"
 
 
 class NotAllowed(SightlineError):
     status = 403
-    code = "not_allowed"
+    kind = "not_allowed"
 
 
 class NotFound(SightlineError):
     status = 404
-    code = "not_found"
+    kind = "not_found"
     exit_status = 2
 
 
 class Conflict(SightlineError):
     status = 409
-    code = "conflict"
+    kind = "conflict"
 
 
 class TooMany(SightlineError):
     status = 429
-    code = "too_many"
+    kind = "too_many"
 
 
 class NoRoom(SightlineError):
     status = 507
-    code = "no_room"
+    kind = "no_room"
 
 
 class Damaged(SightlineError):
     status = 500
-    code = "damaged"
+    kind = "damaged"

@@ -11,6 +11,7 @@ const NOT_YET = [
   "src/parts/uploads",
   "src/screens/checks",
   "src/screens/measure",
+  "src/screens/recordings",
   "src/screens/review",
   "src/screens/scans",
 ];

@@ -50,7 +50,7 @@ def test_it_is_made_once_and_its_heights_are_the_truth(
     assert first is not None and again is not None and first.id == again.id
 
     def break_off(*_arguments: Any, **_more: Any) -> None:
-        raise SightlineError("The lamp fell over; put it up again.")
+        raise SightlineError("said", sentence="The lamp fell over; put it up again.")
 
     with monkeypatch.context() as broken:
         broken.setattr(build, "judge", break_off)
@@ -160,7 +160,7 @@ def test_cancelled_by_somebody_it_ends_as_cancelled(
     """Whichever of its threads says first that it stopped."""
 
     def stopped(*_: object) -> None:
-        raise IngestCancelled("The ingest of the demonstration was cancelled.")
+        raise IngestCancelled("said", sentence="The ingest of the demonstration was cancelled.")
 
     monkeypatch.setattr(build, "make_parts", stopped)
     request(services)
@@ -172,7 +172,7 @@ def test_cancelled_by_somebody_it_ends_as_cancelled(
 @pytest.mark.once
 def test_cancelled_in_the_middle_it_leaves_nothing(services: Services) -> None:
     def cancelled(_fraction: float, _message: str) -> None:
-        raise Cancelled("Cancelled.")
+        raise Cancelled("said", sentence="Cancelled.")
 
     with pytest.raises(Cancelled):
         parts.make_parts(services, cancelled, (SCENE,))

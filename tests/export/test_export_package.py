@@ -84,7 +84,7 @@ def test_an_export_that_is_cancelled_leaves_nothing(
 ) -> None:
     def stopped(staging: Staging, *_rest: object, **_options: object) -> None:
         staging.add("measurements.csv", b"half")
-        raise Cancelled("Cancelled.")
+        raise Cancelled("said", sentence="Cancelled.")
 
     monkeypatch.setattr("sightline.export.build.build", stopped)
     viewer.made(f"/surveys/{survey_id}/exports")

@@ -117,7 +117,7 @@ def test_a_commit_that_fails_is_not_answered_with_success(
     operator: Client, services: Services, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def full(*_: object) -> None:
-        raise NoRoom("The disk is full, so nothing was saved; make room and try again.")
+        raise NoRoom("said", sentence="The disk is full, so nothing was saved; make room and try again.")
 
     with monkeypatch.context() as patched:
         patched.setattr("sqlalchemy.orm.Session.commit", full)

@@ -49,7 +49,7 @@ class Pictures(Window):
                 raise NoLongerWanted("no longer")
             time.sleep(0.01)
         if n in self.lost:
-            raise Damaged("lost")
+            raise Damaged("said", sentence="lost")
         self.decoded.add(n)
         return bytes([n]) * self.size
 

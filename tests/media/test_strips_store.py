@@ -150,7 +150,7 @@ def test_it_appears_whole_or_not_at_all(tmp_path: Path) -> None:
     source = open_strip(tiff(tmp_path / "a.tif", pattern(LINES, ROWS)), "height")
     home = tmp_path / "kept"
     with pytest.raises(BadInput, match="gone"):
-        store_strip(Ending(source, BadInput("It is gone.")), home / "a.strip.tif")
+        store_strip(Ending(source, BadInput("said", sentence="It is gone.")), home / "a.strip.tif")
     assert not list(home.iterdir())
     seen: list[float] = []
     with pytest.raises(IngestCancelled):

@@ -107,7 +107,7 @@ def test_a_file_that_changed_is_never_shown(
     opened.media.path.write_bytes(other.read_bytes())
     answer = viewer.get(f"/recordings/{recording_id}/frames/4.jpg")
     assert answer.status_code == 500
-    assert answer.json()["error"]["code"] == "damaged"
+    assert answer.json()["error"]["kind"] == "damaged"
     error_of(answer)
 
 

@@ -92,7 +92,7 @@ class Client:
 def error_of(answer: httpx2.Response) -> str:
     """The sentence of an error; fails if the answer is not in the one shape of errors."""
     body = answer.json()
-    assert set(body["error"]) == {"code", "message"}, body
+    assert set(body["error"]) == {"kind", "code", "values", "message"}, body
     sentence: str = body["error"]["message"]
     assert sentence[:1].strip() and sentence.endswith("."), sentence
     assert "Traceback" not in sentence

@@ -24,14 +24,8 @@ def board_told(
     charuco = None
     if kind == "charuco":
         if dictionary is None or marker_m is None or square_m is None:
-            raise BadInput(
-                "A ChArUco board needs the dictionary of its markers, the side of a marker and the side of a "
-                "square; give all three."
-            )
+            raise BadInput("cameras-charuco-board-needs-dictionary-markers-side")
         charuco = charuco_of(dictionary, marker_m)
     elif dictionary is not None or marker_m is not None:
-        raise BadInput(
-            "A plain checkerboard has no markers; choose ChArUco as the kind of board, or leave out "
-            "dictionary and marker."
-        )
+        raise BadInput("cameras-plain-checkerboard-no-markers-choose-charuco")
     return Board(columns, rows, ANY_SQUARE_M if square_m is None else square_m, charuco)

@@ -45,7 +45,7 @@ def pictures_of(path: Path, frames: Frames) -> Iterator[tuple[str, Gray]]:
     Raises BadInput in one sentence that names the file.
     """
     if not path.is_file():
-        raise BadInput(f"{path} is not a file; give picture files or a clip.")
+        raise BadInput("cameras-not-file-give-picture-files-clip", path=path)
     ending = path.suffix.lower()
     if ending in _CLIP_ENDINGS:
         yield from frames(path)

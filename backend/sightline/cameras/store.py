@@ -26,7 +26,7 @@ def create_camera(
     """A new camera in a survey. Raises NotFound, BadInput."""
     get_row(session, surveys, survey_id, "survey")
     if not name.strip():
-        raise BadInput("A camera needs a name; fill it in.")
+        raise BadInput("cameras-camera-needs-name-fill")
     content = {"survey_id": survey_id, "name": name.strip(), "notes": notes.strip()}
     camera_id = add_row(session, cameras, {**content, "created_at": now(), "created_by": actor})
     trail.record(session, actor, "create", "camera", camera_id, survey_id, None, content)
@@ -48,9 +48,7 @@ def choose_calibration(session: Session, camera_id: int, calibration_id: int, *,
     """Make one of a camera's calibrations the current one. Raises NotFound, BadInput for another camera's."""
     camera = get_row(session, cameras, camera_id, "camera")
     if get_row(session, calibrations, calibration_id, "calibration")["camera_id"] != camera_id:
-        raise BadInput(
-            f"Calibration {calibration_id} belongs to another camera; choose one of this camera's."
-        )
+        raise BadInput("cameras-calibration-belongs-another-camera-choose-one", calibration_id=calibration_id)
     change_row(session, cameras, camera_id, {"current_calibration_id": calibration_id})
     before = {"current_calibration_id": camera["current_calibration_id"]}
     after = {"current_calibration_id": calibration_id}
@@ -129,7 +127,7 @@ def calibration_image_in_use(session: Session, media_key: str) -> bool:
 
 def _detection_row(detection: Detection) -> dict[str, Any]:
     if not detection.found and not detection.reason:
-        raise BadInput("An image without a board needs the reason why; say what was looked for.")
+        raise BadInput("cameras-image-without-board-needs-reason-why")
     return asdict(detection)
 
 

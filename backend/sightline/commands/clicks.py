@@ -79,17 +79,17 @@ def _read(path: Path) -> tuple[list[str], list[_Row]]:
     try:
         lines = [cells for cells in csv.reader(io.StringIO(text, newline=""), strict=True) if cells]
     except csv.Error as error:
-        raise BadInput(f"{path} is not a readable CSV table ({error}); give {what}.") from None
+        raise BadInput("commands-not-readable-csv-table-give", path=path, problem=error, what=what) from None
     if not lines:
-        raise BadInput(f"{path} is empty; give {what}.")
+        raise BadInput("commands-empty-give", path=path, what=what)
     header = [name.strip() for name in lines[0]]
     missing = [name for name in NEEDED if name not in header]
     if missing:
         hint = "; separate its columns by commas" if ";" in lines[0][0] else ""
-        raise BadInput(f"{path} has no column {', '.join(missing)}; give {what}{hint}.")
+        raise BadInput("commands-no-column-give", path=path, missing=", ".join(missing), what=what, hint=hint)
     twice = sorted({name for name in header if header.count(name) > 1})
     if twice:
-        raise BadInput(f"{path} has the column {', '.join(twice)} more than once; name each column once.")
+        raise BadInput("commands-column-more-once-name-each-column", path=path, twice=", ".join(twice))
     return header, [_parsed(header, cells) for cells in lines[1:]]
 
 

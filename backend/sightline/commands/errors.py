@@ -45,15 +45,11 @@ def read_heights(path: Path) -> tuple[list[float], list[float], list[str], int]:
     try:
         text = path.read_text(encoding="utf-8-sig")
     except (OSError, UnicodeDecodeError) as error:
-        raise BadInput(
-            f"{path} cannot be read as CSV text; give a heights.csv of sightline height."
-        ) from error
+        raise BadInput("commands-cannot-read-csv-text-give-heights", path=path) from error
     rows = csv.DictReader(io.StringIO(text, newline=""))
     missing = [name for name in NEEDED if name not in (rows.fieldnames or ())]
     if missing:
-        raise BadInput(
-            f"{path} has no column {missing[0]}; give a heights.csv made from clicks with reference_height_m."
-        )
+        raise BadInput("commands-no-column-give-heights-csv-made", path=path, missing=missing[0])
     measured, reference, lighting, left_out = [], [], [], 0
     for row in rows:
         pair = (number(row["height_m"]), number(row["reference_height_m"]))

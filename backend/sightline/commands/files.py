@@ -16,14 +16,14 @@ def read_text(path: Path, what: str) -> str:
     """A UTF-8 text file, its BOM dropped. Raises BadInput naming the file."""
     try:
         if path.stat().st_size > _LARGEST_BYTES:
-            raise BadInput(f"{path} is larger than 200 MB; give {what}.")
+            raise BadInput("commands-larger-200-mb-give", path=path, what=what)
         return path.read_bytes().decode("utf-8-sig")
     except FileNotFoundError:
-        raise BadInput(f"{path} does not exist; give {what}.") from None
+        raise BadInput("commands-not-exist-give", path=path, what=what) from None
     except UnicodeDecodeError:
-        raise BadInput(f"{path} is not UTF-8 text; give {what}, saved as UTF-8.") from None
+        raise BadInput("commands-not-utf-8-text-give-saved", path=path, what=what) from None
     except OSError as error:
-        raise BadInput(f"{path} cannot be read ({error.strerror}); give {what}.") from None
+        raise BadInput("commands-cannot-read-give", path=path, strerror=error.strerror, what=what) from None
 
 
 def read_json(path: Path, what: str) -> Any:
@@ -32,7 +32,7 @@ def read_json(path: Path, what: str) -> Any:
     try:
         return json.loads(text)
     except (ValueError, RecursionError):
-        raise BadInput(f"{path} is not readable JSON; give {what}.") from None
+        raise BadInput("commands-not-readable-json-give", path=path, what=what) from None
 
 
 def write_whole(path: Path, text: str) -> None:
@@ -44,8 +44,10 @@ def write_whole(path: Path, text: str) -> None:
             part.write_text(text, encoding="utf-8", newline="")
     except OSError as error:
         if error.errno in (errno.ENOSPC, errno.EDQUOT):
-            raise NoRoom(f"{path} cannot be written because the disk is full; free some space.") from None
-        raise BadInput(f"{path} cannot be written ({error.strerror}); choose another place.") from None
+            raise NoRoom("commands-cannot-written-because-disk-full-free", path=path) from None
+        raise BadInput(
+            "commands-cannot-written-choose-another-place", path=path, strerror=error.strerror
+        ) from None
 
 
 def write_json(path: Path, value: Any) -> None:

@@ -52,10 +52,10 @@ def parse_board(
     BadInput.
     """
     if (dictionary is None) != (marker_m is None):
-        raise BadInput("--charuco and --marker go together; give the dictionary and the marker's side.")
+        raise BadInput("commands-charuco-marker-go-together-give-dictionary")
     match = re.fullmatch(r"\s*(\d{1,4})\s*[xX×*]\s*(\d{1,4})\s*", text)
     if match is None:
-        raise BadInput(f"--board {text!r} is not of the form 9x6; count the inner corners across and down.")
+        raise BadInput("commands-board-not-form-9x6-count-inner", text=repr(text))
     charuco = None if dictionary is None or marker_m is None else charuco_of(dictionary, marker_m)
     board = Board(int(match[1]), int(match[2]), square_m, charuco)
     require_board(board)
@@ -67,7 +67,7 @@ def parse_point(text: str, option: str) -> tuple[float, float]:
     try:
         x, y = (float(part) for part in text.split(","))
     except ValueError:
-        raise BadInput(f"{option} {text!r} is not of the form X,Y; give two numbers of pixels.") from None
+        raise BadInput("commands-not-form-x-y-give-two", option=option, text=repr(text)) from None
     return x, y
 
 
@@ -108,7 +108,9 @@ def calibrate(
     try:
         checked = calibrate_and_check(views, board, model, bent_board)
     except BadInput as error:
-        raise BadInput(f"{', '.join(str(p) for p in images[:3])}: {error.message}") from None
+        raise BadInput(
+            "commands-problem", names=", ".join(str(p) for p in images[:3]), message=error.message
+        ) from None
     result = checked.result
     document = camera_to_dict(result.camera)
     write_json(output, document)
@@ -169,7 +171,7 @@ def parse_size(text: str | None) -> tuple[int, int] | None:
         return None
     match = re.fullmatch(r"(\d{1,6})[xX](\d{1,6})", text.strip())
     if match is None:
-        raise BadInput(f"--size {text!r} is not of the form 1920x1080; give width and height in pixels.")
+        raise BadInput("commands-size-not-form-1920x1080-give-width", text=repr(text))
     return int(match[1]), int(match[2])
 
 
@@ -238,7 +240,9 @@ def pose(
             mean_picture,
         )
     except BadInput as error:
-        raise BadInput(f"{', '.join(str(p) for p in pictures[:3])}: {error.message}") from None
+        raise BadInput(
+            "commands-problem", names=", ".join(str(p) for p in pictures[:3]), message=error.message
+        ) from None
     document = pose_to_dict(solved)
     write_json(output, document)
     expected = expected_u(solved)
@@ -289,18 +293,15 @@ def height(
     solved = read_pose_file(pose_file)
     if clicks is not None:
         if contact is not None or target is not None:
-            raise BadInput("Give either --contact and --target or --clicks, not both.")
+            raise BadInput("commands-give-either-contact-target-clicks-not")
         _refuse_ignored(("sigma", "inset", "u_inset"), "the CSV's columns sigma_px, inset_m, u_inset_m")
         _many(solved, clicks, output, as_json)
         return
     _refuse_ignored(("output",), "--json and a redirection, or --clicks with a CSV file")
     if contact is None or target is None:
-        raise BadInput("Give --contact X,Y and --target X,Y, or --clicks with a CSV file.")
+        raise BadInput("commands-give-contact-x-y-target-x")
     if not np.isfinite((sigma, inset, u_inset)).all() or sigma < 0 or u_inset < 0:
-        raise BadInput(
-            "--sigma, --inset and --u-inset must be finite numbers, --sigma and --u-inset not negative; "
-            "correct them."
-        )
+        raise BadInput("commands-sigma-inset-u-inset-must-finite")
     measured = measure_height(
         solved, parse_point(contact, "--contact"), parse_point(target, "--target"), sigma, inset, u_inset
     )
@@ -317,14 +318,16 @@ def _refuse_ignored(names: tuple[str, ...], instead: str) -> None:
     context = click.get_current_context()
     for name in names:
         if context.get_parameter_source(name) is ParameterSource.COMMANDLINE:
-            raise BadInput(f"--{name.replace('_', '-')} has no effect here; use {instead} instead.")
+            raise BadInput(
+                "commands-no-effect-here-use-instead", name=name.replace("_", "-"), instead=instead
+            )
 
 
 def _many(solved: RoadPose, clicks: Path, output: Path | None, as_json: bool) -> None:
     from sightline.commands.clicks import heights_csv
 
     if output is None:
-        raise BadInput("Give -o with the heights.csv to write.")
+        raise BadInput("commands-give-o-heights-csv-write")
     text, counts = heights_csv(solved, clicks)
     write_whole(output, text)
     if as_json:

@@ -87,10 +87,10 @@ def linescan(
     """
     rig = _rig(baseline, line_rate, u_baseline, u_line_rate)
     if output is not None and not output.parent.is_dir():
-        raise BadInput(f"{output} cannot be written, its folder does not exist; choose another place.")
+        raise BadInput("commands-cannot-written-folder-not-exist-choose", output=output)
     with closing(_opened(first, time_axis)) as one, closing(_opened(second, time_axis)) as two:
         if first.samefile(second):
-            raise BadInput(f"{first} is given twice; give the strips of both cameras.")
+            raise BadInput("commands-given-twice-give-strips-both-cameras", first=first)
         check_pair(one, two)
         notes = _rate_notes((one, two), rig)
         finder = Finder(one.rows, rig)

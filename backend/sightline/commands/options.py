@@ -47,7 +47,9 @@ def settings_of(**overrides: object) -> Settings:
         first = error.errors()[0]
         name = "SIGHTLINE_" + "_".join(str(part) for part in first["loc"]).upper()
         said = str(first["msg"])
-        raise BadInput(f"{name} cannot be used ({said[:1].lower()}{said[1:]}); correct it.") from error
+        raise BadInput(
+            "commands-cannot-used-correct", name=name, said=said[:1].lower(), said_2=said[1:]
+        ) from error
 
 
 def require_database(settings: Settings) -> None:
@@ -56,7 +58,7 @@ def require_database(settings: Settings) -> None:
 
     path = sqlite_file(settings.database_url)
     if path is not None and not path.is_file():
-        raise BadInput(f"There is no database at {path}; name its folder with --data-dir.")
+        raise BadInput("commands-no-database-name-folder-data-dir", path=path)
 
 
 def print_json(value: object) -> None:

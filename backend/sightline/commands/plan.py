@@ -60,14 +60,14 @@ def plan(
     of_site = (camera_file, size_text, field_of_view, camera_height, distance, board_distance)
     if baseline is not None:
         if any(one is not None for one in of_site):
-            raise BadInput("A line scan is planned without a camera and its place; leave those options out.")
+            raise BadInput("commands-line-scan-planned-without-camera-place")
         lines = _lines(baseline, speed, speed_error, line_rate, u_baseline or 0.0)
         click.echo(json.dumps(_lines_to_dict(lines)) if as_json else _lines_text(lines))
         return
     if any(one is not None for one in of_lines):
-        raise BadInput("--speed, --speed-error, --line-rate and --u-baseline need --baseline.")
+        raise BadInput("commands-speed-speed-error-line-rate-u")
     if camera_height is None or distance is None:
-        raise BadInput("Give --camera-height and --distance; or --baseline for a line scan.")
+        raise BadInput("commands-give-camera-height-distance-baseline-line")
     camera = _camera(camera_file, size_text, field_of_view)
     site = Site(
         camera_height_m=camera_height,
@@ -85,14 +85,14 @@ def _lines(
     baseline: float, speed: float | None, error: float | None, rate: float | None, u_baseline: float
 ) -> LinePlan:
     if speed is None or error is None:
-        raise BadInput("A line scan's plan needs --speed and --speed-error beside --baseline.")
+        raise BadInput("commands-line-scans-plan-needs-speed-speed")
     given = [one for one in (baseline, speed, error, rate, u_baseline) if one is not None]
     if not np.all(np.isfinite(given)):
-        raise BadInput("The numbers of a plan must be finite.")
+        raise BadInput("commands-numbers-plan-must-finite")
     try:
         return plan_lines(speed, baseline, error, rate, u_baseline)
     except (ValueError, OverflowError) as error_:
-        raise BadInput(str(error_)) from error_
+        raise BadInput("said", sentence=error_) from error_
 
 
 def _lines_to_dict(plan: LinePlan) -> dict[str, Any]:
@@ -122,7 +122,7 @@ def _camera(camera_file: Path | None, size_text: str | None, field_of_view: floa
         return read_camera_file(camera_file)
     if camera_file is None and size is not None and field_of_view is not None:
         return plain_camera(*size, float(np.deg2rad(field_of_view)))
-    raise BadInput("Give either --camera, or --size and --field-of-view.")
+    raise BadInput("commands-give-either-camera-size-field-view")
 
 
 def _plan_to_dict(planned: Plan) -> dict[str, Any]:

@@ -65,7 +65,7 @@ def listen(host: str, port: int) -> socket.socket:
         listener.close()
         why = (error.strerror or str(error)).lower()
         raise BadInput(
-            f"Port {port} on {host} cannot be used ({why}); choose another with --port."
+            "commands-port-cannot-used-choose-another-port", port=port, host=host, why=why
         ) from error
     return listener
 

@@ -29,7 +29,7 @@ def verify(place: str, head: str | None, as_json: bool) -> None:
     if as_json:
         print_json(found)
     if not found["ok"]:
-        raise Damaged(f"{place}: {found['problem']}")
+        raise Damaged("commands-problem-2", place=place, problem=found["problem"])
     if not as_json:
         click.echo(_words(place, found))
 
@@ -40,7 +40,7 @@ def check(place: str, head: str | None = None) -> dict[str, Any]:
         return check_database(place)
     path = Path(place)
     if not path.exists():
-        raise BadInput(f"{place} does not exist; name a database, a data folder or an exported folder.")
+        raise BadInput("commands-not-exist-name-database-data-folder", place=place)
     if path.is_dir() and (path / DATABASE).is_file():
         path = path / DATABASE
     if path.is_dir() or path.suffix == ".zip":

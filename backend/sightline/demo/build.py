@@ -65,7 +65,7 @@ def make(context: registry.JobContext) -> registry.Outcome:
         context.progress(0.97, "Recording the line scan.")
         scanned = beside.result()
     except IngestCancelled as stopped:  # its threads may be heard before the one that told them to stop
-        raise registry.Cancelled(STOPPED) from stopped
+        raise registry.Cancelled("said", sentence=STOPPED) from stopped
     finally:
         beside.stop()
     context.progress(0.98, "Storing the demonstration survey.")

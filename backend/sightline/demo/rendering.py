@@ -96,7 +96,7 @@ class _Child:
         """The next frame of this child's chunks."""
         frame = self._frames.get()
         if frame is None:
-            raise SightlineError("Drawing the demonstration stopped in the middle; start the server again.")
+            raise SightlineError("demo-drawing-demonstration-stopped-middle-start-server")
         return frame
 
     def end(self) -> None:

@@ -88,7 +88,7 @@ def calibrate(
     used, skipped = usable_views(views)
     least = LEAST_BENT_VIEWS if bent_board else LEAST_VIEWS
     if len(used) < least:
-        raise BadInput(_too_few(len(used), len(views), skipped, least))
+        raise BadInput("said", sentence=_too_few(len(used), len(views), skipped, least))
     size = used[0][2]
     flat = _fit(used, board, size, model)
     bent = _bend(flat, used, board) if len(used) >= LEAST_BENT_VIEWS else None
@@ -203,10 +203,7 @@ def _fit(used: Sequence[NamedCorners], board: Board, size: tuple[int, int], mode
         if again is not None and (fit is None or _Fit(*again).rms_px < fit.rms_px):
             fit = _Fit(*again)
     if fit is None:
-        raise BadInput(
-            f"The {model} model could not be fitted to these views; add views from different sides or use "
-            "the other model."
-        )
+        raise BadInput("geometry-model-could-not-fitted-these-views", model=model)
     return fit
 
 

@@ -90,8 +90,12 @@ def require_size(camera: Camera, width_px: int, height_px: int, what: str) -> No
     """Raise BadInput when a picture of another size meets this camera."""
     if (width_px, height_px) != (camera.width_px, camera.height_px):
         raise BadInput(
-            f"{what} is {width_px}x{height_px} px but the camera was calibrated at "
-            f"{camera.width_px}x{camera.height_px} px; use a calibration made at the recording's size."
+            "geometry-x-px-camera-calibrated-x-px",
+            what=what,
+            width_px=width_px,
+            height_px=height_px,
+            width_px_2=camera.width_px,
+            height_px_2=camera.height_px,
         )
 
 

@@ -42,8 +42,9 @@ def charuco_of(dictionary: str, marker_m: float) -> Charuco:
     name = dictionary.strip().upper().removeprefix("DICT_")
     if name not in DICTIONARIES:
         raise BadInput(
-            f"{dictionary!r} is no dictionary of markers; it is one of {', '.join(DICTIONARIES)}, as the "
-            "maker of the board states."
+            "geometry-no-dictionary-markers-one-maker-board",
+            dictionary=repr(dictionary),
+            dictionaries=", ".join(DICTIONARIES),
         )
     return Charuco(name, marker_m)
 
@@ -53,15 +54,16 @@ def require_charuco(charuco: Charuco, columns: int, rows: int, square_m: float) 
     if charuco.dictionary not in DICTIONARIES:
         charuco_of(charuco.dictionary, charuco.marker_m)
     if not (np.isfinite(charuco.marker_m) and 0.2 * square_m <= charuco.marker_m < 0.97 * square_m):
-        raise BadInput(
-            f"Markers of {charuco.marker_m} m do not go with squares of {square_m} m; give the side of the "
-            "black marker, which is smaller than its square."
-        )
+        raise BadInput("geometry-markers-m-not-go-squares-m", marker_m=charuco.marker_m, square_m=square_m)
     needed, held = (columns + 1) * (rows + 1) // 2, len(_dictionary(charuco.dictionary).bytesList)
     if needed > held:
         raise BadInput(
-            f"A board of {columns}x{rows} inner corners has {needed} markers and {charuco.dictionary} holds "
-            f"{held}; choose the dictionary that the board was made with."
+            "geometry-board-x-inner-corners-markers-holds",
+            columns=columns,
+            rows=rows,
+            needed=needed,
+            dictionary=charuco.dictionary,
+            held=held,
         )
 
 

@@ -73,12 +73,12 @@ class _Reader:
 
     def __init__(self, data: object, what: str) -> None:
         if not isinstance(data, Mapping):
-            raise BadInput(f"{what} must be a JSON object; write it with sightline or see docs/formats.md.")
+            raise BadInput("geometry-must-json-object-write-sightline-see", what=what)
         self.data = data
         self.what = what
 
     def fail(self, key: str, wanted: str) -> BadInput:
-        return BadInput(f"{self.what}: '{key}' must be {wanted}; correct that key or make the file again.")
+        return BadInput("geometry-must-correct-key-make-file-again", what=self.what, key=key, wanted=wanted)
 
     def number(self, key: str, *, positive: bool = False, default: float | None = None) -> float:
         value = self.data.get(key, default)

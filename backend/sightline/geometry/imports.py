@@ -106,15 +106,9 @@ def _parsed(text: str, file_name: str) -> dict[str, Any]:
             body = lines[1:] if lines and lines[0].startswith("%YAML") else lines
             data = yaml.load("\n".join(body), _Loader)
     except (ValueError, SyntaxError, yaml.YAMLError, RecursionError, MemoryError):
-        raise BadInput(
-            f"{file_name} is no readable camera file; give OpenCV YAML or JSON, ROS camera_info, a Kalibr "
-            "camchain or a mrcal .cameramodel."
-        ) from None
+        raise BadInput("geometry-no-readable-camera-file-give-opencv", file_name=file_name) from None
     if not isinstance(data, dict) or not data:
-        raise BadInput(
-            f"{file_name} holds no camera; give OpenCV YAML or JSON, ROS camera_info, a Kalibr camchain or a "
-            "mrcal .cameramodel."
-        )
+        raise BadInput("geometry-holds-no-camera-give-opencv-yaml", file_name=file_name)
     return {str(key): value for key, value in data.items()}
 
 
@@ -125,9 +119,11 @@ def _numbers(value: Any, what: str, file_name: str) -> Floats:
     try:
         out = np.array(value, dtype=np.float64).ravel()
     except (TypeError, ValueError):
-        raise BadInput(f"{file_name}: {what} is not a list of numbers; export the file again.") from None
+        raise BadInput(
+            "geometry-not-list-numbers-export-file-again", file_name=file_name, what=what
+        ) from None
     if not np.isfinite(out).all():
-        raise BadInput(f"{file_name}: {what} holds values that are not finite; calibrate again.")
+        raise BadInput("geometry-holds-values-not-finite-calibrate-again", file_name=file_name, what=what)
     return out
 
 
@@ -146,11 +142,11 @@ def _size(data: Mapping[str, Any], file_name: str) -> tuple[int, int] | None:
             both = [both.get("width"), both.get("height")]
         values = _numbers(both, "the image size", file_name)
         if len(values) != 2:
-            raise BadInput(f"{file_name}: the image size must be two numbers, width and height.")
+            raise BadInput("geometry-image-size-must-two-numbers-width", file_name=file_name)
         width, height = values
     values = _numbers([width, height], "the image size", file_name)
     if (values < 2).any() or (values > 100_000).any() or (values != np.rint(values)).any():
-        raise BadInput(f"{file_name}: the image size must be two whole numbers of pixels.")
+        raise BadInput("geometry-image-size-must-two-whole-numbers", file_name=file_name)
     return int(values[0]), int(values[1])
 
 
@@ -162,10 +158,7 @@ def _model_word(word: Any, file_name: str) -> LensModel | None:
         return "brown"
     if text in _FISHEYE_WORDS:
         return "fisheye"
-    raise BadInput(
-        f"{file_name}: the distortion model '{word}' is not supported; plumb_bob, rational_polynomial, "
-        "radtan, equidistant and fisheye are."
-    )
+    raise BadInput("geometry-distortion-model-not-supported-plumb-bob", file_name=file_name, word=word)
 
 
 def _opencv_or_ros(data: Mapping[str, Any], file_name: str) -> _Found:
@@ -173,20 +166,17 @@ def _opencv_or_ros(data: Mapping[str, Any], file_name: str) -> _Found:
     data = inner if isinstance(inner, Mapping) else data
     raw, lens = _first(data, _MATRIX_KEYS), _first(data, _LENS_KEYS)
     if raw is None:
-        raise BadInput(
-            f"{file_name} holds no camera matrix (camera_matrix or K); export the intrinsics with their "
-            "distortion coefficients."
-        )
+        raise BadInput("geometry-holds-no-camera-matrix-camera-matrix", file_name=file_name)
     k = _numbers(raw, "the camera matrix", file_name)
     if len(k) != 9 or abs(k[8] - 1) > 1e-6 or np.abs(k[[3, 6, 7]]).max() > 1e-9:
-        raise BadInput(f"{file_name}: the camera matrix must be 3x3 with 0 0 1 as its last row.")
+        raise BadInput("geometry-camera-matrix-must-3x3-0-0", file_name=file_name)
     if abs(k[1]) > 1e-6 * abs(k[0]):
-        raise BadInput(
-            f"{file_name}: the camera matrix has a skew, which is not supported; calibrate without."
-        )
+        raise BadInput("geometry-camera-matrix-skew-which-not-supported", file_name=file_name)
     for key in ("binning_x", "binning_y"):
         if isinstance(data.get(key), int | float) and data[key] > 1:
-            raise BadInput(f"{file_name}: {key} is {data[key]}; give the camera_info of unbinned pictures.")
+            raise BadInput(
+                "geometry-give-camera-info-unbinned-pictures", file_name=file_name, key=key, data=data[key]
+            )
     model = _model_word(data.get("distortion_model"), file_name)
     if model is None and "fisheye_model" in data:
         model = "fisheye" if data["fisheye_model"] else "brown"
@@ -205,17 +195,21 @@ def _kalibr(data: Mapping[str, Any], file_name: str, which: str | None, notes: l
     cameras = {k: v for k, v in data.items() if isinstance(v, Mapping) and "camera_model" in v}
     name = which or next(iter(cameras))
     if name not in cameras:
-        raise BadInput(f"{file_name} holds no camera '{which}'; it holds {', '.join(cameras)}.")
+        raise BadInput(
+            "geometry-holds-no-camera-holds", file_name=file_name, which=which, cameras=", ".join(cameras)
+        )
     if which is None and len(cameras) > 1:
         notes.append(f"{file_name} holds {', '.join(cameras)}; {name} was taken.")
     one = cameras[name]
     if one["camera_model"] != "pinhole":
         raise BadInput(
-            f"{file_name}: the camera model '{one['camera_model']}' is not supported; calibrate as pinhole."
+            "geometry-camera-model-not-supported-calibrate-pinhole",
+            file_name=file_name,
+            camera_model=one["camera_model"],
         )
     intrinsics = _numbers(one.get("intrinsics"), "intrinsics", file_name)
     if len(intrinsics) != 4:
-        raise BadInput(f"{file_name}: intrinsics must be four numbers, fu fv pu pv.")
+        raise BadInput("geometry-intrinsics-must-four-numbers-fu-fv", file_name=file_name)
     word = str(one.get("distortion_model") or "none")
     lens = _numbers(one.get("distortion_coeffs") or [], "distortion_coeffs", file_name)
     model: LensModel | None = "brown" if word == "none" else _model_word(word, file_name)
@@ -227,14 +221,15 @@ def _mrcal(data: Mapping[str, Any], file_name: str) -> _Found:
     word = str(data["lensmodel"])
     wanted = {"LENSMODEL_PINHOLE": 0, "LENSMODEL_OPENCV4": 4, "LENSMODEL_OPENCV5": 5, "LENSMODEL_OPENCV8": 8}
     if word not in wanted:
-        raise BadInput(
-            f"{file_name}: the lens model {word} is not supported; convert it with "
-            "mrcal-convert-lensmodel to LENSMODEL_OPENCV8."
-        )
+        raise BadInput("geometry-lens-model-not-supported-convert-mrcal", file_name=file_name, word=word)
     values = _numbers(data.get("intrinsics"), "intrinsics", file_name)
     if len(values) != 4 + wanted[word]:
         raise BadInput(
-            f"{file_name}: {word} needs {4 + wanted[word]} intrinsics, the file has {len(values)}."
+            "geometry-needs-intrinsics-file",
+            file_name=file_name,
+            word=word,
+            value=4 + wanted[word],
+            count=len(values),
         )
     lens = values[4:] if wanted[word] else np.zeros(5)
     return _Found(values[:4], lens, "brown", _size(data, file_name), "")
@@ -246,15 +241,11 @@ def _checked(
     fx, fy, cx, cy = (float(v) for v in found.matrix)
     size = found.size or size
     if size is None:
-        raise BadInput(
-            f"{file_name} does not say how large the pictures are; add image_width and image_height to it."
-        )
+        raise BadInput("geometry-not-say-how-large-pictures-add", file_name=file_name)
     if fx <= 0 or fy <= 0:
-        raise BadInput(f"{file_name}: the focal lengths must be positive numbers of pixels.")
+        raise BadInput("geometry-focal-lengths-must-positive-numbers-pixels", file_name=file_name)
     if not (-size[0] < cx < 2 * size[0] and -size[1] < cy < 2 * size[1]):
-        raise BadInput(
-            f"{file_name}: the principal point lies far outside the picture; correct the image size."
-        )
+        raise BadInput("geometry-principal-point-lies-far-outside-picture", file_name=file_name)
     chosen = found.model or model or _guess(found.lens, file_name, notes)
     name = found.name or file_name.rsplit("/", 1)[-1].rsplit(".", 1)[0]
     lens = _trimmed(found.lens, chosen, file_name)
@@ -288,15 +279,17 @@ def _guess(lens: Floats, file_name: str, notes: list[str]) -> LensModel:
 def _trimmed(lens: Floats, model: LensModel, file_name: str) -> Floats:
     if model == "fisheye":
         if len(lens) != 4:
-            raise BadInput(f"{file_name}: a fisheye model needs four coefficients, the file has {len(lens)}.")
+            raise BadInput(
+                "geometry-fisheye-model-needs-four-coefficients-file", file_name=file_name, count=len(lens)
+            )
         return lens
     if len(lens) > 8 and lens[8:].any():
-        raise BadInput(
-            f"{file_name}: thin-prism and tilt coefficients are not supported; calibrate with at most eight."
-        )
+        raise BadInput("geometry-thin-prism-tilt-coefficients-not-supported", file_name=file_name)
     lens = lens[:8]
     if len(lens) == 4:
         return np.append(lens, 0.0)
     if len(lens) not in (0, 5, 8):
-        raise BadInput(f"{file_name}: {len(lens)} distortion coefficients; 4, 5 or 8 are supported.")
+        raise BadInput(
+            "geometry-distortion-coefficients-4-5-8-supported", file_name=file_name, count=len(lens)
+        )
     return lens if len(lens) else np.zeros(5)

@@ -49,7 +49,7 @@ def pose_from_corners(
     used = [c for c in frames if c.found and c.ids is None]
     if not used:
         reason = _why_none(frames)
-        raise BadInput(f"The board was found in none of the {len(frames)} frames. {reason}")
+        raise BadInput("geometry-board-found-none-frames", count=len(frames), reason=reason)
     seen_as = used[0].board_as_seen
     used = [c for c in used if c.points_px.shape == used[0].points_px.shape]
     seen_board = replace(seen_as, square_m=board.square_m)
@@ -58,10 +58,7 @@ def pose_from_corners(
         still = _on_mean(mean_picture, still, seen_board)
     roots = planar_roots(camera, board_points(seen_board), still.mean_px)
     if not roots:
-        raise BadInput(
-            "No pose fits the corners; check that the camera file belongs to this recording and that the "
-            "whole board lies within the lens's valid radius."
-        )
+        raise BadInput("geometry-no-pose-fits-corners-check-camera")
     best = roots[0]
     warnings = _checked(best, roots, still, seen_board, len(frames) - len(used))
     return _on_road(camera, best, seen_board, reference, still, warnings)
@@ -80,14 +77,10 @@ def _why_none(frames: Sequence[Corners]) -> str:
 def _require_reference(reference: Reference) -> None:
     doubts = (reference.u_height_m, reference.u_lean_rad, reference.u_square_m or 0.0, reference.u_bow_m)
     if not np.isfinite((reference.height_m, *doubts)).all() or min(doubts) < 0:
-        raise BadInput(
-            "The reference height and the board's uncertainties must be numbers, in metres and radians, the "
-            "uncertainties not negative."
-        )
+        raise BadInput("geometry-reference-height-boards-uncertainties-must-numbers")
     if not 0.0 <= reference.height_m <= 20.0:
         raise BadInput(
-            f"A reference row {reference.height_m} m above the road cannot be right; give the height of "
-            f"the {reference.side} row of inner corners above the road in metres."
+            "geometry-reference-row-m-above-road-cannot", height_m=reference.height_m, side=reference.side
         )
 
 
@@ -95,10 +88,7 @@ def _require_still(frames_px: Floats) -> Still:
     """The still part of the span; BadInput when board or camera moves through most of it."""
     still = find_still(frames_px)
     if len(frames_px) > 1 and len(still.kept) < max(1, (len(frames_px) + 1) // 2):
-        raise BadInput(
-            f"The board or the camera moves during these frames (by up to {still.moved_px:.1f} px); "
-            "pick a span, or a single frame, in which both stand still."
-        )
+        raise BadInput("geometry-board-camera-moves-during-these-frames", moved_px=still.moved_px)
     return still
 
 
@@ -120,13 +110,10 @@ def _checked(
     """Refuse what cannot be a pose of this board, and say in words what is doubtful."""
     rms = float(np.sqrt(best.cost / len(best.residuals_px)))
     if rms > _HIGHEST_RMS_PX:
-        raise BadInput(
-            f"The corners do not fit the camera model (residual {rms:.1f} px); the camera file belongs to "
-            "another camera or zoom, or the board is bent."
-        )
+        raise BadInput("geometry-corners-not-fit-camera-model-residual", rms=rms)
     slant = abs(float(best.rotation[:, 2] @ _unit(best.translation)))
     if slant < np.sin(_EDGE_ON_RAD):
-        raise BadInput("The board is seen edge-on; turn it towards the camera, at least 10 degrees.")
+        raise BadInput("geometry-board-seen-edge-turn-towards-camera")
     warnings = []
     if missed:
         warnings.append(f"The board was not found in {missed} of the frames; they are left out.")
@@ -174,8 +161,7 @@ def _on_road(
     pose = RoadPose(camera, rotation, translation, joint_covariance(camera, at, sigma))
     if pose.centre_m[2] <= 0:
         raise BadInput(
-            f"The reference height of {reference.height_m} m puts the camera below the road; give the height "
-            f"of the {reference.side} row of inner corners above the road, in metres."
+            "geometry-reference-height-m-puts-camera-below", height_m=reference.height_m, side=reference.side
         )
     return replace(
         pose,

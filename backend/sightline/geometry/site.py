@@ -50,7 +50,12 @@ def require_site(site: Site) -> None:
     ):
         if not (np.isfinite(value) and least <= value <= most):
             raise BadInput(
-                f"A {what} of {value:g} {unit} cannot be planned with; give one from {least:g} to {most:g}."
+                "geometry-cannot-planned-give-one",
+                what=what,
+                value=format(value, "g"),
+                unit=unit,
+                least=format(least, "g"),
+                most=format(most, "g"),
             )
 
 
@@ -59,16 +64,10 @@ def plain_camera(width_px: int, height_px: int, field_of_view_rad: float) -> Cam
     horizontal field of view given. Without covariance. Raises BadInput.
     """
     if not (16 <= width_px <= 16_384 and 16 <= height_px <= 16_384):
-        raise BadInput(
-            f"A picture of {width_px} x {height_px} px cannot be planned with; give a width and a height "
-            "from 16 to 16384."
-        )
+        raise BadInput("geometry-picture-x-px-cannot-planned-give", width_px=width_px, height_px=height_px)
     degrees = float(np.rad2deg(field_of_view_rad))
     if not (np.isfinite(degrees) and 5.0 <= degrees <= 150.0):
-        raise BadInput(
-            f"A horizontal field of view of {degrees:g} degrees cannot be planned with; give one from "
-            "5 to 150."
-        )
+        raise BadInput("geometry-horizontal-field-view-degrees-cannot-planned", degrees=format(degrees, "g"))
     focal_px = 0.5 * width_px / float(np.tan(0.5 * field_of_view_rad))
     return Camera(
         name=f"plain camera, {degrees:g} degrees",

@@ -75,7 +75,7 @@ class Finder:
 
     def __init__(self, rows: int, rig: Rig) -> None:
         if rows < 8:
-            raise BadInput(f"The strips are {rows} rows high; at least 8 are needed to find a vehicle.")
+            raise BadInput("linescan-strips-rows-high-least-8-needed", rows=rows)
         rate = rig.line_rate_hz
         step = max(1, round(rate / STEPS_HZ))
         self.rig, self.rows = rig, rows
@@ -109,9 +109,10 @@ class Finder:
         """
         if first.shape != second.shape or first.ndim != 2 or first.shape[1] != self.rows:
             raise BadInput(
-                f"The strips differ: {first.shape} and {second.shape} lines by rows, "
-                f"{self.rows} rows expected; "
-                "both cameras must record the same lines."
+                "linescan-strips-differ-lines-rows-rows-expected",
+                shape=first.shape,
+                shape_2=second.shape,
+                rows=self.rows,
             )
         for held, piece in zip(self._held, (first, second), strict=True):
             held.append(piece)

@@ -39,8 +39,12 @@ class Limits:
         """Raise BadInput for a value that no rig has; name: what it is called instead."""
         if not (isfinite(value) and self.least <= value <= self.most):
             raise BadInput(
-                f"{name or self.name} of {value:.7g} {self.unit} cannot be used; "
-                f"give {self.least:.7g} to {self.most:.7g} {self.unit}."
+                "linescan-cannot-used-give",
+                name=name or self.name,
+                value=format(value, ".7g"),
+                unit=self.unit,
+                least=format(self.least, ".7g"),
+                most=format(self.most, ".7g"),
             )
 
 

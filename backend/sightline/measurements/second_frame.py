@@ -101,7 +101,7 @@ def proposal(
     clicks = clicks_in_context(clicks, context)
     vehicle = get_sheet(session, vehicle_id)
     if vehicle.recording_id != recording_id:
-        raise BadInput("The vehicle is not of this recording; choose one of its passes.")
+        raise BadInput("measurements-vehicle-not-recording-choose-one-passes")
     u_now, reason = _now(pose, clicks)
     if u_now is None:
         return refused(reason or "There is no height yet; click contact and target first.")

@@ -109,7 +109,7 @@ def _frames_once(clicks: Clicks) -> tuple[int, ...]:
     """Raises BadInput where a frame is there twice: the vehicle has not moved between a frame and itself."""
     twice = next((number for number in clicks.frames if clicks.frames.count(number) > 1), None)
     if twice is not None:
-        raise BadInput(f"Frame {twice} is clicked twice; click the two points on another frame of the pass.")
+        raise BadInput("measurements-frame-clicked-twice-click-two-points", twice=twice)
     return clicks.frames
 
 
@@ -161,7 +161,12 @@ def clicks_in_context(clicks: Clicks, context: ClickContext) -> Clicks:
 def _check_point(word: str, point: Point) -> None:
     """Far outside any picture a number is a slip, not a click."""
     if not all(abs(value) < 1e6 for value in point):
-        raise BadInput(f"The {word} point {point[0]:g}, {point[1]:g} is not in any picture; click again.")
+        raise BadInput(
+            "measurements-point-not-any-picture-click-again",
+            word=word,
+            point=format(point[0], "g"),
+            point_2=format(point[1], "g"),
+        )
 
 
 def pose_in_force(session: Session, context: ClickContext) -> tuple[RoadPose, int, int]:
@@ -171,15 +176,15 @@ def pose_in_force(session: Session, context: ClickContext) -> tuple[RoadPose, in
     would be a wrong number that looks right.
     """
     if context.pose_id is None or context.calibration_id is None:
-        raise Conflict(
-            f"{context.name} has no road pose yet; make or choose one on the road pose page first."
-        )
+        raise Conflict("measurements-no-road-pose-yet-make-choose", name=context.name)
     pose = road_pose(session, context.pose_id)
     size_px = (pose.camera.width_px, pose.camera.height_px)
     if None not in context.size_px and context.size_px != size_px:
         raise Conflict(
-            f"The road pose of {context.name} is for pictures of {size_px[0]} x {size_px[1]} px, not for its "
-            "own size; make or choose another one on the road pose page."
+            "measurements-road-pose-pictures-x-px-not",
+            name=context.name,
+            size_px=size_px[0],
+            size_px_2=size_px[1],
         )
     return pose, context.pose_id, context.calibration_id
 

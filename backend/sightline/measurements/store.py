@@ -60,7 +60,7 @@ def add_measurement(
     ground = _ground_of(session, vehicle_id, values, client_key)
     if ground.known_id is not None:
         if ground.known_vehicle_id != vehicle_id:
-            raise Conflict("This measurement was stored for another vehicle already; click again.")
+            raise Conflict("measurements-measurement-stored-another-vehicle-already-click")
         return get_measurement(session, ground.known_id)
     if ground.vehicle_deleted:
         raise missing("vehicle", vehicle_id)
@@ -84,9 +84,9 @@ def revise_current_measurement(
 ) -> Measurement:
     """`revise_measurement` of what `require_measurement_revision` gave in the same transaction."""
     if before.withdrawn:
-        raise Conflict("This measurement is withdrawn; restore it before you change it.")
+        raise Conflict("measurements-measurement-withdrawn-restore-before-you-change")
     if before.repeat_of is not None:
-        raise Conflict("A repeat stands as it was clicked; withdraw it and click it again.")
+        raise Conflict("measurements-repeat-stands-clicked-withdraw-click-again")
     return append_measurement_revision(session, before, values, withdrawn=False, action="revise", actor=actor)
 
 
@@ -96,7 +96,7 @@ def withdraw_measurement(
     """A new revision that takes the measurement out of all lists and counts."""
     before = require_measurement_revision(session, series_id, seen_revision)
     if before.withdrawn:
-        raise Conflict("This measurement is withdrawn already; restore it to use it again.")
+        raise Conflict("measurements-measurement-withdrawn-already-restore-use-again")
     return append_measurement_revision(
         session, before, before.values, withdrawn=True, action="withdraw", actor=actor
     )
@@ -108,7 +108,7 @@ def restore_measurement(
     """A new revision that brings a withdrawn measurement back."""
     before = require_measurement_revision(session, series_id, seen_revision)
     if not before.withdrawn:
-        raise Conflict("This measurement is not withdrawn, so there is nothing to restore.")
+        raise Conflict("measurements-measurement-not-withdrawn-nothing-restore")
     return append_measurement_revision(
         session, before, before.values, withdrawn=False, action="restore", actor=actor
     )
@@ -187,12 +187,19 @@ def require_measurement_revision(session: Session, series_id: int, revision: int
     if row.vehicle_deleted_at is not None:
         name = name_of(session, row.deleter_id)
         when = f"{row.vehicle_updated_at:%Y-%m-%d %H:%M:%S} UTC"
-        raise Conflict(f"{name} deleted vehicle {row.vehicle_number} at {when}; restore it first.")
+        raise Conflict(
+            "measurements-deleted-vehicle-restore-first",
+            name=name,
+            vehicle_number=row.vehicle_number,
+            when=when,
+        )
     current = _measurement_of(row)
     if current.revision != revision:
         name = current.created_by.name if current.created_by else "The system"
         raise Conflict(
-            f"{name} changed this measurement at {current.created_at:%Y-%m-%d %H:%M:%S} UTC; look again."
+            "measurements-changed-measurement-utc-look-again",
+            name=name,
+            created_at=format(current.created_at, "%Y-%m-%d %H:%M:%S"),
         )
     return current
 
@@ -270,7 +277,7 @@ def _repeated(session: Session, vehicle_id: int, repeat_of: int | None, target: 
         return None
     first = get_measurement(session, repeat_of)
     if (first.vehicle_id, first.values.target) != (vehicle_id, target):
-        raise BadInput("A repeat needs the vehicle and the target of the measurement that it repeats.")
+        raise BadInput("measurements-repeat-needs-vehicle-target-measurement-repeats")
     return first.repeat_of or first.id
 
 
@@ -332,14 +339,14 @@ def _check(ground: _Ground, values: MeasurementValues) -> None:
         if clicked.frame not in ground.frames:
             raise missing_frame(ground.recording_id, clicked.frame)
         if ground.frames[clicked.frame] != (clicked.pts, clicked.frame_crc32):
-            raise Conflict(f"Frame {clicked.frame} is not the picture that was clicked on; load it again.")
+            raise Conflict("measurements-frame-not-picture-clicked-load-again", frame=clicked.frame)
     if ground.pose_survey_id is None:
         raise missing("road pose", values.pose_id)
     if ground.pose_survey_id != ground.survey_id:
-        raise BadInput(f"Road pose {values.pose_id} belongs to another survey; choose one of this survey's.")
+        raise BadInput("measurements-road-pose-belongs-another-survey-choose", pose_id=values.pose_id)
     if not ground.has_calibration:
         raise missing("calibration", values.calibration_id)
     if values.status == "ok" and values.height_m is None:
-        raise BadInput("A measurement without a height needs the reason why; compute it again.")
+        raise BadInput("measurements-measurement-without-height-needs-reason-why")
     if values.status != "ok" and not values.reason:
-        raise BadInput("A measurement that has no height needs the reason why; compute it again.")
+        raise BadInput("measurements-measurement-no-height-needs-reason-why")

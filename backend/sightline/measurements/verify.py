@@ -74,7 +74,7 @@ def check_measurements(
         name, mine = next(revisions, ("", iter(())))
         rows = list(mine)
         if name != current["id"]:
-            raise Damaged(f"revisions.csv: measurement {current['id']} has no revisions; one was taken out.")
+            raise Damaged("measurements-revisions-csv-measurement-no-revisions-one", id=current["id"])
         for row in rows:
             heights.check(f"revisions.csv: {name}", row)
             _by_event(events, "revisions.csv", row, (int(name), int(row["revision"])))
@@ -87,7 +87,7 @@ def check_measurements(
             _same_clicks("clicks.csv", clicks.next(f"m{name}"), current)
             _same_clicks(path, alone.next(f"m{name}"), current)
     if next(revisions, None) is not None:
-        raise Damaged("measurements.csv lacks a measurement that revisions.csv holds; one was taken out.")
+        raise Damaged("measurements-measurements-csv-lacks-measurement-revisions-csv")
     budget.end()
     for left in (clicks, *of_poses.values()):
         left.end()
@@ -117,7 +117,7 @@ def _pose(files: Files, path: str) -> RoadPose:
     try:
         return pose_from_dict(json.loads(read_whole(files, path)), path)
     except (KeyError, ValueError, BadInput, Damaged) as error:
-        raise Damaged(f"{path} is missing or is no road pose; take the whole export again.") from error
+        raise Damaged("measurements-missing-no-road-pose-take-whole", path=path) from error
 
 
 def clicks_of_row(row: Row) -> Clicks:
@@ -151,7 +151,9 @@ def _on_further(number: Mapping[str, float], k: int) -> ClickedFrame:
 def _same(name: str, row: Row, found: Answer) -> None:
     """The figures of a row are those that its clicks give."""
     if row["status"] != found.status:
-        raise Damaged(f"{name} says {row['status']}, its clicks give {found.status}; one is wrong.")
+        raise Damaged(
+            "measurements-says-clicks-give-one-wrong", name=name, status=row["status"], status_2=found.status
+        )
     for column in _RECOMPUTED:
         told, value = row.get(column), getattr(found, column)
         if told is None or (not told and value is None):
@@ -159,23 +161,33 @@ def _same(name: str, row: Row, found: Answer) -> None:
         if not told or value is None or math.fabs(float(told) - value) > _HEIGHT_TOLERANCE_M:
             words = column.removesuffix("_m").replace("_", " ")
             computed = f"no {words}" if value is None else f"{value:.6f} m"
-            raise Damaged(f"{name} says {words} {told or 'none'}, its clicks give {computed}; one is wrong.")
+            raise Damaged(
+                "measurements-says-clicks-give-one-wrong-2",
+                name=name,
+                words=words,
+                told=told or "none",
+                computed=computed,
+            )
 
 
 def _is_newest(current: Row, newest: Row) -> None:
     """A measurement is its last revision, word for word."""
     for column, text in current.items():
         if column not in _ONLY_CURRENT and newest.get(column) != text:
-            raise Damaged(f"measurements.csv: {current['id']} has another {column} than its last revision.")
+            raise Damaged(
+                "measurements-measurements-csv-another-last-revision", id=current["id"], column=column
+            )
 
 
 def _same_clicks(path: str, row: Row, current: Row) -> None:
     for name in row:
         given = name.endswith(("x_px", "y_px", "sigma_px", "inset_m")) or name in ("pose_id", "target")
         if given and row[name] != current[name]:
-            raise Damaged(f"{path}: {row['id']} has another {name} than measurements.csv; one is wrong.")
+            raise Damaged(
+                "measurements-another-measurements-csv-one-wrong", path=path, id=row["id"], name=name
+            )
     if row["pose_file"] != pose_path(int(row["pose_id"])):
-        raise Damaged(f"{path}: {row['id']} names another pose file than its pose; it was changed.")
+        raise Damaged("measurements-names-another-pose-file-pose-changed", path=path, id=row["id"])
 
 
 class _Lockstep:
@@ -189,13 +201,15 @@ class _Lockstep:
         row = next(self._rows, None)
         if row is None or row[self._key] != name:
             found = "ends" if row is None else f"goes on with {row[self._key]}"
-            raise Damaged(f"{self._path} {found} where {name} belongs; a row was taken out or put in.")
+            raise Damaged(
+                "measurements-where-belongs-row-taken-out-put", path=self._path, found=found, name=name
+            )
         return row
 
     def end(self) -> None:
         row = next(self._rows, None)
         if row is not None:
-            raise Damaged(f"{self._path}: {row[self._key]} is not in measurements.csv; it was put in.")
+            raise Damaged("measurements-not-measurements-csv-put", path=self._path, row=row[self._key])
 
 
 class _Budget:
@@ -219,26 +233,28 @@ class _Budget:
         total = math.sqrt(sum(float(row["u_m"]) ** 2 for row in mine))
         told, u95 = (figure_of(current[name]) or 0.0 for name in ("u_height_m", "U95_height_m"))
         if math.fabs(u95 - COVERAGE_95 * told) > 2e-6:
-            raise Damaged(f"measurements.csv: {current['id']} has a U95 that is not 1.96 u; one is wrong.")
+            raise Damaged("measurements-measurements-csv-u95-not-1-96", id=current["id"])
         if math.fabs(total - told) > 1e-6 * max(2, len(mine)):
             raise Damaged(
-                f"budget.csv: the contributions to {current['id']} give {total:.6f} m, measurements.csv says "
-                f"{told:.6f} m; one is wrong."
+                "measurements-budget-csv-contributions-give-m-measurements",
+                id=current["id"],
+                total=total,
+                told=told,
             )
 
     def end(self) -> None:
         if self._next is not None:
-            raise Damaged(f"budget.csv: {self._next[0]} is not in measurements.csv; it was put in.")
+            raise Damaged("measurements-budget-csv-not-measurements-csv-put", next=self._next[0])
 
 
 def _by_event(events: MeasurementEvents, path: str, row: Row, key: tuple[int, int]) -> None:
     digest = events.revisions.pop(key, None)
     if digest is None:
         raise Damaged(
-            f"{path}: measurement {key[0]} has no audit event for revision {key[1]}; it was put in."
+            "measurements-measurement-no-audit-event-revision-put", path=path, key=key[0], key_2=key[1]
         )
     if not _same_words(digest, row, further(row)):
-        raise Damaged(f"{path}: measurement {key[0]} differs from its audit event; it was changed.")
+        raise Damaged("measurements-measurement-differs-audit-event-changed", path=path, key=key[0])
 
 
 def _nothing_left(events: MeasurementEvents, is_gone: Callable[[int], bool]) -> None:
@@ -246,8 +262,9 @@ def _nothing_left(events: MeasurementEvents, is_gone: Callable[[int], bool]) -> 
     for number, revision in events.revisions:
         if not is_gone(events.of_vehicle[number]):
             raise Damaged(
-                f"revisions.csv: revision {revision} of measurement {number} is missing, though its audit "
-                "event is there; it was taken out."
+                "measurements-revisions-csv-revision-measurement-missing-though",
+                revision=revision,
+                number=number,
             )
 
 
@@ -268,9 +285,7 @@ def check_frames(files: Files) -> None:
                 or found[2] != said[2]
                 or figure_of(found[1]) != figure_of(said[1])
             ):
-                raise Damaged(
-                    f"{path}: {id_} was clicked on another frame than frames.csv tells; one is wrong."
-                )
+                raise Damaged("measurements-clicked-another-frame-frames-csv-tells", path=path, id=id_)
 
 
 def _short_of_event(after: Mapping[str, Any]) -> list[Any]:

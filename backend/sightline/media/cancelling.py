@@ -12,10 +12,10 @@ Cancelled = Callable[[], bool]
 class IngestCancelled(Conflict):
     """Somebody asked for the ingest to stop; nothing of it is kept."""
 
-    code = "cancelled"
+    kind = "cancelled"
 
 
 def check_cancelled(is_cancelled: Cancelled, name: str) -> None:
     """Raise IngestCancelled if the work on the file called `name` is no longer wanted."""
     if is_cancelled():
-        raise IngestCancelled(f"The ingest of {name} was cancelled; nothing of it was kept.")
+        raise IngestCancelled("media-ingest-cancelled-nothing-kept", name=name)

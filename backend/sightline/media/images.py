@@ -38,15 +38,19 @@ def _read(source: bytes | Path, name: str | None, flags: int) -> NDArray[np.uint
     width, height = image_size(data, name)
     if max(width, height) > MAX_SIDE_PX or width * height > MAX_PIXELS:
         raise BadInput(
-            f"{name} claims {width} x {height} pixels, more than {MAX_SIDE_PX} on a side or "
-            f"{MAX_PIXELS // 1_000_000} million in all; make it smaller and try again."
+            "media-claims-x-pixels-more-side-million",
+            name=name,
+            width=width,
+            height=height,
+            max_side_px=MAX_SIDE_PX,
+            max_pixels=MAX_PIXELS // 1000000,
         )
     try:
         image = cv2.imdecode(np.frombuffer(data, np.uint8), flags)
     except cv2.error:
         image = None
     if image is None:
-        raise BadInput(f"{name} is damaged and cannot be decoded; {_WAY_OUT}.")
+        raise BadInput("media-damaged-cannot-decoded-save-png-jpeg", name=name)
     return np.asarray(image, np.uint8)
 
 
@@ -56,12 +60,12 @@ def _bytes_of(source: bytes | Path, name: str) -> bytes:
     else:
         try:
             if source.stat().st_size > MAX_BYTES:
-                raise BadInput(f"{name} is larger than {MAX_BYTES // 1_000_000} MB; make it smaller.")
+                raise BadInput("media-larger-mb-make-smaller", name=name, max_bytes=MAX_BYTES // 1000000)
             data = source.read_bytes()
         except OSError as error:
-            raise BadInput(f"{name} cannot be read ({error.strerror}); check the path.") from error
+            raise BadInput("media-cannot-read-check-path", name=name, strerror=error.strerror) from error
     if not data:
-        raise BadInput(f"{name} is empty; choose a picture.")
+        raise BadInput("media-empty-choose-picture", name=name)
     return data
 
 
@@ -78,9 +82,9 @@ def image_size(data: bytes, name: str = "The picture") -> tuple[int, int]:
         except (struct.error, IndexError, ValueError):
             size = None
     if reader is None:
-        raise BadInput(f"{name} is not a picture that can be read here; {_WAY_OUT}.")
+        raise BadInput("media-not-picture-read-here-save-png", name=name)
     if size is None or min(size) < 1:
-        raise BadInput(f"{name} is damaged: its header does not say how large it is; {_WAY_OUT}.")
+        raise BadInput("media-damaged-header-not-say-how-large", name=name)
     return size
 
 
@@ -183,6 +187,6 @@ def _encode(suffix: str, image: NDArray[np.uint8], options: list[int]) -> bytes:
     done, data = cv2.imencode(suffix, image, options)
     if not done:
         raise SightlineError(
-            f"A picture of shape {image.shape} could not be encoded as {suffix[1:].upper()}."
+            "media-picture-shape-could-not-encoded", shape=image.shape, suffix=suffix[1:].upper()
         )
     return data.tobytes()

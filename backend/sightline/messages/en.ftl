@@ -175,6 +175,7 @@ problem-refused = The server refused this (status { $status }).
 problem-stopped = This was stopped.
 problem-page = Something went wrong in this page; reload it, and tell the administrator if it happens again.
 problem-offline = The server cannot be reached.
+problem-unreachable = The server could not be reached, so this was not done; check the connection and try again.
 keys-reserved = The browser keeps { $chord } for itself; choose another key.
 
 ## Components: progress, undo
@@ -352,6 +353,7 @@ transport-play = Play
 transport-stop = Stop
 transport-frame = frame
 transport-of = of { $last_frame }
+transport-vfr = VFR
 transport-vfr-title = The frame rate of this recording varies; times come from each frame's own stamp.
 blind-elsewhere = Another frame than the one to click on; that is { $frame }.
 blind-contact = click where the tyre meets the road
@@ -650,50 +652,6 @@ pose-poses = { $count ->
 pose-made = { $time }, frames { $first_frame } to { $last_frame }
 pose-use-short = Use
 
-## Recordings
-
-recordings-lead = Every frame is numbered by the server as it decodes the file, so frame n is the same picture for everybody.
-recordings-loading = recordings
-recordings-choose = Choose videos to upload
-recordings-drop = Drop videos here, or click to choose
-recordings-drop-hint = A broken connection does no harm: the upload goes on where it stopped, also after this page was closed.
-recordings-uploads = Uploads
-recordings-none-title = No recordings yet
-recordings-none = Drop the day's video above: MP4, MOV, AVI, MKV and what else a camera writes. The clip in which the checkerboard stands on the road counts too: the road pose is found in it.
-recordings-none-look = An operator can upload the day's video here.
-recordings-delete-title = Delete { $recording }?
-recordings-delete-body = The video, its frame table and its road poses go; a recording with measurements cannot be deleted.
-recordings-delete = Delete the recording
-recordings-delete-one = Delete { $recording }
-recordings-deleted = { $recording } was deleted.
-recordings-vfr-title = Variable frame rate: times come from each frame's own time stamp
-recordings-find-road = Find the road
-recordings-measure = Measure
-recordings-read-again = Read it again
-recordings-unreadable = This recording could not be read.
-recordings-no-picture = no picture
-recordings-no-picture-yet = no picture yet
-recordings-rename = Rename
-recordings-rename-one = Rename { $recording }
-recordings-name = Name of the recording
-recordings-frames = { $count ->
-    [one] { $count } frame
-   *[other] { $count } frames
-}
-recordings-rate = { $rate } per second
-recordings-rate-average = { $rate } per second on average
-recordings-codec = { $codec } in { $container }
-recordings-sha256 = SHA-256 { $sha256 }
-recordings-no-camera = No camera yet: <link>calibrate one</link>.
-recordings-camera = Camera
-recordings-camera-unsaid = not said yet
-recordings-camera-uncalibrated = { $camera } (not calibrated)
-recordings-lighting = Lighting
-recordings-lighting-proposed = Lighting <muted>(proposed)</muted>
-recordings-lighting-of = Lighting of { $recording }
-recordings-lighting-of-proposed = Lighting of { $recording }, proposed by the machine
-recordings-lighting-guess = { $lighting } ?
-
 ## Words that many pages need
 
 interval = { $low } to { $high }
@@ -707,7 +665,6 @@ stage-fit = Fit
 stage-lines = Lines
 stage-bright = Bright
 stage-loupe = Loupe
-vfr = VFR
 field-name = Name
 field-recording = Recording
 field-calibration = Calibration
@@ -718,7 +675,6 @@ action-cancel = Cancel
 action-close = Close
 action-dismiss = Dismiss
 action-keep = Keep it
-action-save = Save
 action-try-again = Try again
 action-clear-filter = Clear the filter
 action-print = Print
@@ -1239,6 +1195,7 @@ survey-count-measurements = { $count ->
 ## Survey: editing it
 
 survey-edit-title = Edit the survey
+survey-edit-save = Save
 survey-name = Name
 survey-name-problem = A survey needs a name.
 survey-site = Site
@@ -1543,3 +1500,567 @@ export-contents-insets = insets in force; both tyres of a vehicle, for its direc
 export-contents-reviews = who accepted, fixed or rejected what, and why; what was clicked again
 export-contents-audit = each change with its hash; the chain can be checked
 export-contents-datapackage = name, unit and meaning of every column (Frictionless Data)
+## Errors: cameras
+
+cameras-charuco-board-needs-dictionary-markers-side = A ChArUco board needs the dictionary of its markers, the side of a marker and the side of a square; give all three.
+cameras-plain-checkerboard-no-markers-choose-charuco = A plain checkerboard has no markers; choose ChArUco as the kind of board, or leave out dictionary and marker.
+cameras-frames-not-recording-frames-0 = Frames { $first } to { $last } are not in the recording; it has frames 0 to { $frame_count }.
+cameras-every-th-frame-would-views-take = Every { $every }th frame would be { $count } views; take every { $least }th or fewer frames.
+cameras-too-large-calibration-file-choose-file = { $file_name } is too large for a calibration file; choose the file that holds the intrinsics.
+cameras-not-text-file-choose-calibration-yaml = { $file_name } is not a text file; choose a calibration as YAML, JSON or cameramodel.
+cameras-not-file-give-picture-files-clip = { $path } is not a file; give picture files or a clip.
+cameras-choose-calibration-give-pictures-width-height = Choose a calibration, or give the picture's width and height in pixels and its horizontal field of view in degrees.
+cameras-calibration-belongs-another-survey-choose-one = Calibration { $calibration_id } belongs to another survey; choose one of this survey's cameras.
+cameras-camera-needs-name-fill = A camera needs a name; fill it in.
+cameras-calibration-belongs-another-camera-choose-one = Calibration { $calibration_id } belongs to another camera; choose one of this camera's.
+cameras-image-without-board-needs-reason-why = An image without a board needs the reason why; say what was looked for.
+
+## Errors: commands
+
+commands-empty-give = { $path } is empty; give { $what }.
+commands-no-column-give = { $path } has no column { $missing }; give { $what }{ $hint }.
+commands-column-more-once-name-each-column = { $path } has the column { $twice } more than once; name each column once.
+commands-not-readable-csv-table-give = { $path } is not a readable CSV table ({ $problem }); give { $what }.
+commands-no-column-give-heights-csv-made = { $path } has no column { $missing }; give a heights.csv made from clicks with reference_height_m.
+commands-cannot-read-csv-text-give-heights = { $path } cannot be read as CSV text; give a heights.csv of sightline height.
+commands-larger-200-mb-give = { $path } is larger than 200 MB; give { $what }.
+commands-not-exist-give = { $path } does not exist; give { $what }.
+commands-not-utf-8-text-give-saved = { $path } is not UTF-8 text; give { $what }, saved as UTF-8.
+commands-cannot-read-give = { $path } cannot be read ({ $strerror }); give { $what }.
+commands-not-readable-json-give = { $path } is not readable JSON; give { $what }.
+commands-cannot-written-choose-another-place = { $path } cannot be written ({ $strerror }); choose another place.
+commands-cannot-written-because-disk-full-free = { $path } cannot be written because the disk is full; free some space.
+commands-charuco-marker-go-together-give-dictionary = --charuco and --marker go together; give the dictionary and the marker's side.
+commands-board-not-form-9x6-count-inner = --board { $text } is not of the form 9x6; count the inner corners across and down.
+commands-size-not-form-1920x1080-give-width = --size { $text } is not of the form 1920x1080; give width and height in pixels.
+commands-give-contact-x-y-target-x = Give --contact X,Y and --target X,Y, or --clicks with a CSV file.
+commands-sigma-inset-u-inset-must-finite = --sigma, --inset and --u-inset must be finite numbers, --sigma and --u-inset not negative; correct them.
+commands-give-o-heights-csv-write = Give -o with the heights.csv to write.
+commands-not-form-x-y-give-two = { $option } { $text } is not of the form X,Y; give two numbers of pixels.
+commands-problem = { $names }: { $message }
+commands-give-either-contact-target-clicks-not = Give either --contact and --target or --clicks, not both.
+commands-no-effect-here-use-instead = --{ $name } has no effect here; use { $instead } instead.
+commands-cannot-written-folder-not-exist-choose = { $output } cannot be written, its folder does not exist; choose another place.
+commands-given-twice-give-strips-both-cameras = { $first } is given twice; give the strips of both cameras.
+commands-no-database-name-folder-data-dir = There is no database at { $path }; name its folder with --data-dir.
+commands-cannot-used-correct = { $name } cannot be used ({ $said }{ $said_2 }); correct it.
+commands-give-either-camera-size-field-view = Give either --camera, or --size and --field-of-view.
+commands-speed-speed-error-line-rate-u = --speed, --speed-error, --line-rate and --u-baseline need --baseline.
+commands-give-camera-height-distance-baseline-line = Give --camera-height and --distance; or --baseline for a line scan.
+commands-line-scans-plan-needs-speed-speed = A line scan's plan needs --speed and --speed-error beside --baseline.
+commands-numbers-plan-must-finite = The numbers of a plan must be finite.
+commands-line-scan-planned-without-camera-place = A line scan is planned without a camera and its place; leave those options out.
+commands-port-cannot-used-choose-another-port = Port { $port } on { $host } cannot be used ({ $why }); choose another with --port.
+commands-problem-2 = { $place }: { $problem }
+commands-not-exist-name-database-data-folder = { $place } does not exist; name a database, a data folder or an exported folder.
+
+## Errors: demo
+
+demo-drawing-demonstration-stopped-middle-start-server = Drawing the demonstration stopped in the middle; start the server again.
+
+## Errors: export
+
+export-crop-could-not-encoded-export-survey = A crop could not be encoded; export the survey again.
+export-frame-stored-video-not-one-clicked = Frame { $frame } of the stored video is not the one that was clicked on.
+export-not-follow-these-statistics-put = { $strange } does not follow from these statistics; it was put in.
+export-no-row-crops-csv-put = { $there } is in no row of crops.csv; it was put in.
+export-crops-csv-other-points-frames-measurement = crops.csv: { $path } has other points or frames than its measurement; one is wrong.
+export-not-one-whose-hash-crops-csv = { $path } is not the one whose hash crops.csv holds; it was exchanged.
+export-no-picture-size-crops-csv-tells = { $path } is no picture of the size that crops.csv tells; it was exchanged.
+export-not-show-points-measurement-changed = { $overlay } does not show the points of its measurement; it was changed.
+export-cannot-read-take-whole-export-again = { $description } cannot be read; take the whole export again.
+export-another-files-chain-changed = { $description } has another { $name } than the files and the chain; it was changed.
+export-describes-otherwise-program-changed = { $description } describes { $named } otherwise than this program; it was changed.
+export-too-rows-changed = { $path } has too { $value } rows; it was changed.
+export-not-one-these-rows-statistics-give = { $path } is not the one that these rows and statistics give; it was replaced.
+export-line-says-rows-give-one-wrong = { $path }, line { $at }: { $name } says { $told }, the rows give { $found }; one is wrong.
+export-missing-named-twice-crops-csv-take = { $path } is missing or named twice in crops.csv; take the whole export again.
+export-first-characters-head-prove-little-give = The first { $count } characters of a head prove little; give at least { $least_of_head }.
+export-audit-csv-ends-not-head-kept = audit.csv ends with { $head }, not with the head that was kept: it was written anew, or this is another export.
+export-no-no-whole-export-export-survey = There is no { $checksums }, so this is no whole export; export the survey again.
+export-not-belong-export-take-out-check = { $strange } does not belong to the export; take it out and check again.
+export-changed-after-export-take-whole-export = { $path } was changed after the export; take the whole export again.
+
+## Errors: geometry
+
+geometry-board-x-inner-corners-cannot-used = A board of { $columns }x{ $rows } inner corners cannot be used; count the inner corners (where four squares meet), 3 to 60 in each direction.
+geometry-square-m-cannot-right-give-side = A square of { $square_m } m cannot be right; give the side of one square in metres.
+geometry-model-could-not-fitted-these-views = The { $model } model could not be fitted to these views; add views from different sides or use the other model.
+geometry-x-px-camera-calibrated-x-px = { $what } is { $width_px }x{ $height_px } px but the camera was calibrated at { $width_px_2 }x{ $height_px_2 } px; use a calibration made at the recording's size.
+geometry-no-dictionary-markers-one-maker-board = { $dictionary } is no dictionary of markers; it is one of { $dictionaries }, as the maker of the board states.
+geometry-markers-m-not-go-squares-m = Markers of { $marker_m } m do not go with squares of { $square_m } m; give the side of the black marker, which is smaller than its square.
+geometry-board-x-inner-corners-markers-holds = A board of { $columns }x{ $rows } inner corners has { $needed } markers and { $dictionary } holds { $held }; choose the dictionary that the board was made with.
+geometry-must-correct-key-make-file-again = { $what }: '{ $key }' must be { $wanted }; correct that key or make the file again.
+geometry-must-json-object-write-sightline-see = { $what } must be a JSON object; write it with sightline or see docs/formats.md.
+geometry-distortion-model-not-supported-plumb-bob = { $file_name }: the distortion model '{ $word }' is not supported; plumb_bob, rational_polynomial, radtan, equidistant and fisheye are.
+geometry-holds-no-camera-give-opencv-yaml = { $file_name } holds no camera; give OpenCV YAML or JSON, ROS camera_info, a Kalibr camchain or a mrcal .cameramodel.
+geometry-holds-values-not-finite-calibrate-again = { $file_name }: { $what } holds values that are not finite; calibrate again.
+geometry-image-size-must-two-whole-numbers = { $file_name }: the image size must be two whole numbers of pixels.
+geometry-holds-no-camera-matrix-camera-matrix = { $file_name } holds no camera matrix (camera_matrix or K); export the intrinsics with their distortion coefficients.
+geometry-camera-matrix-must-3x3-0-0 = { $file_name }: the camera matrix must be 3x3 with 0 0 1 as its last row.
+geometry-camera-matrix-skew-which-not-supported = { $file_name }: the camera matrix has a skew, which is not supported; calibrate without.
+geometry-holds-no-camera-holds = { $file_name } holds no camera '{ $which }'; it holds { $cameras }.
+geometry-camera-model-not-supported-calibrate-pinhole = { $file_name }: the camera model '{ $camera_model }' is not supported; calibrate as pinhole.
+geometry-intrinsics-must-four-numbers-fu-fv = { $file_name }: intrinsics must be four numbers, fu fv pu pv.
+geometry-lens-model-not-supported-convert-mrcal = { $file_name }: the lens model { $word } is not supported; convert it with mrcal-convert-lensmodel to LENSMODEL_OPENCV8.
+geometry-needs-intrinsics-file = { $file_name }: { $word } needs { $value } intrinsics, the file has { $count }.
+geometry-not-say-how-large-pictures-add = { $file_name } does not say how large the pictures are; add image_width and image_height to it.
+geometry-focal-lengths-must-positive-numbers-pixels = { $file_name }: the focal lengths must be positive numbers of pixels.
+geometry-principal-point-lies-far-outside-picture = { $file_name }: the principal point lies far outside the picture; correct the image size.
+geometry-thin-prism-tilt-coefficients-not-supported = { $file_name }: thin-prism and tilt coefficients are not supported; calibrate with at most eight.
+geometry-distortion-coefficients-4-5-8-supported = { $file_name }: { $count } distortion coefficients; 4, 5 or 8 are supported.
+geometry-no-readable-camera-file-give-opencv = { $file_name } is no readable camera file; give OpenCV YAML or JSON, ROS camera_info, a Kalibr camchain or a mrcal .cameramodel.
+geometry-not-list-numbers-export-file-again = { $file_name }: { $what } is not a list of numbers; export the file again.
+geometry-image-size-must-two-numbers-width = { $file_name }: the image size must be two numbers, width and height.
+geometry-give-camera-info-unbinned-pictures = { $file_name }: { $key } is { $data }; give the camera_info of unbinned pictures.
+geometry-fisheye-model-needs-four-coefficients-file = { $file_name }: a fisheye model needs four coefficients, the file has { $count }.
+geometry-board-found-none-frames = The board was found in none of the { $count } frames. { $reason }
+geometry-no-pose-fits-corners-check-camera = No pose fits the corners; check that the camera file belongs to this recording and that the whole board lies within the lens's valid radius.
+geometry-reference-height-boards-uncertainties-must-numbers = The reference height and the board's uncertainties must be numbers, in metres and radians, the uncertainties not negative.
+geometry-reference-row-m-above-road-cannot = A reference row { $height_m } m above the road cannot be right; give the height of the { $side } row of inner corners above the road in metres.
+geometry-board-camera-moves-during-these-frames = The board or the camera moves during these frames (by up to { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px); pick a span, or a single frame, in which both stand still.
+geometry-corners-not-fit-camera-model-residual = The corners do not fit the camera model (residual { NUMBER($rms, minimumFractionDigits: 1, maximumFractionDigits: 1) } px); the camera file belongs to another camera or zoom, or the board is bent.
+geometry-board-seen-edge-turn-towards-camera = The board is seen edge-on; turn it towards the camera, at least 10 degrees.
+geometry-reference-height-m-puts-camera-below = The reference height of { $height_m } m puts the camera below the road; give the height of the { $side } row of inner corners above the road, in metres.
+geometry-picture-x-px-cannot-planned-give = A picture of { $width_px } x { $height_px } px cannot be planned with; give a width and a height from 16 to 16384.
+geometry-horizontal-field-view-degrees-cannot-planned = A horizontal field of view of { $degrees } degrees cannot be planned with; give one from 5 to 150.
+geometry-cannot-planned-give-one = A { $what } of { $value } { $unit } cannot be planned with; give one from { $least } to { $most }.
+
+## Errors: audit
+
+audit-database-made-another-version-verify-one = This database was made by another version; verify it with that one, or open it once with this one (`sightline serve`), which brings it up to date.
+audit-not-sightline-database-name-sightline-db = { $name } is not a Sightline database; name the sightline.db of a data folder.
+
+## Errors: csv_package
+
+csv_package-audit-csv-event-not-follow-one = audit.csv: event { $number } does not follow from the one before; it was changed.
+csv_package-audit-csv-event-not-one-hashed = audit.csv: event { $number } is not the one that was hashed; it was changed.
+csv_package-missing-take-whole-export-again = { $path } is missing; take the whole export again.
+csv_package-file-name-folder-export-not-exist = { $target } is a file; name a folder for the export that does not exist yet.
+csv_package-holds-other-files-name-folder-empty = { $target } holds other files; name a folder that is empty or does not exist yet.
+csv_package-holds-file-twice-no-export-take = { $place } holds a file twice, so it is no export; take the export again.
+csv_package-cannot-read-export-name-folder-zip = { $place } cannot be read as an export; name its folder or ZIP.
+csv_package-cannot-read-csv-take-whole-export = { $path } cannot be read as CSV; take the whole export again.
+csv_package-cannot-unpacked-take-whole-export-again = { $path } cannot be unpacked; take the whole export again.
+csv_package-cannot-read-described-take-whole-export = { $path } cannot be read as it was described; take the whole export again.
+csv_package-row-too-long-too-short-changed = { $path } has a row that is too long or too short; it was changed.
+csv_package-without-audit-event-missing = { $path }: { $kind_name } { $odd } is there without its audit event, or is missing.
+csv_package-twice-one-put = { $path }: { $columns } { $values } is there twice; one was put in.
+csv_package-not-what-audit-event-says-changed = { $path } is not what its audit event says; it was changed.
+csv_package-not-one-audit-chain-vouches-changed = { $path_of } is not the one that the audit chain vouches for; it was changed.
+csv_package-made-others-another-time-says = { $path }: { $kind_name } { $id } was made by others or at another time than { $path_2 } says.
+csv_package-differs-one-changed = { $path }: { $kind_name } { $id } differs from { $path_2 }; one was changed.
+csv_package-not-csv-row-taken-out-changed = { $path }: { $mine } { $values } is not in { $table }.csv; a row was taken out or changed.
+
+## Errors: database
+
+database-database-not-supported-use-sqlite-file = A { $backend } database is not supported; use sqlite:///FILE or postgresql+psycopg://USER@HOST/NAME.
+database-database-not-answer-check-runs-address = The database does not answer; check that it runs and that its address is right.
+database-memory-database-would-lost-name-file = An in-memory database would be lost; name a file, as in sqlite:///sightline.db.
+database-disk-full-nothing-saved-make-room = The disk is full, so nothing was saved; make room and try again.
+database-database-busy-another-writer-try-again = The database is busy with another writer; try again in a moment.
+database-database-file-cannot-opened-writing-check = The database file cannot be opened for writing; check the folder's permissions.
+database-database-address-cannot-read-use-sqlite = The database address cannot be read; use sqlite:///FILE or postgresql+psycopg://.
+database-no-database-check-name = There is no database { $path }; check its name.
+database-file-not-database-program-give-right = This file is not a database of this program; give the right one.
+database-no-migrations-set-sightline-migrations-folder = There are no migrations in { $folder }; set SIGHTLINE_MIGRATIONS to the folder that has them.
+database-database-made-newer-version-update-one = The database was made by a newer version; update this one before opening it.
+database-no-may-been-removed-go-back = There is no { $word }{ $number }; it may have been removed, so go back and choose another.
+
+## Errors: jobs
+
+jobs-somebody-else-started-job-ask-them = Somebody else started this job; ask them or an operator to cancel it.
+jobs-worker-knows-no-job-kind-start = This worker knows no job of kind { $kind_name }; start one of this version.
+jobs-job-went-another-worker-one-stops = Job { $id } went to another worker; this one stops.
+jobs-job-already-nothing-cancel = Job { $job_id } is { $state } already, so there is nothing to cancel.
+jobs-job-moved-meanwhile-nothing = Job { $id } moved on meanwhile; nothing to do.
+jobs-job-given-another-worker-one-stops = Job { $id } was given to another worker; this one stops.
+
+## Errors: web
+
+web-you-not-signed-sign-try-again = You are not signed in; sign in and try again.
+web-needs-role-you-ask-admin = This needs the role { $needed }, and you are { $role }; ask an admin for it.
+web-larger-mb-make-smaller-try-again = { $name } is larger than { $most_bytes } MB; make it smaller and try again.
+
+## Errors: linescan
+
+linescan-strips-rows-high-least-8-needed = The strips are { $rows } rows high; at least 8 are needed to find a vehicle.
+linescan-strips-differ-lines-rows-rows-expected = The strips differ: { $shape } and { $shape_2 } lines by rows, { $rows } rows expected; both cameras must record the same lines.
+linescan-cannot-used-give = { $name } of { $value } { $unit } cannot be used; give { $least } to { $most } { $unit }.
+
+## Errors: measurements
+
+measurements-vehicle-not-recording-choose-one-passes = The vehicle is not of this recording; choose one of its passes.
+measurements-frame-clicked-twice-click-two-points = Frame { $twice } is clicked twice; click the two points on another frame of the pass.
+measurements-point-not-any-picture-click-again = The { $word } point { $point }, { $point_2 } is not in any picture; click again.
+measurements-no-road-pose-yet-make-choose = { $name } has no road pose yet; make or choose one on the road pose page first.
+measurements-road-pose-pictures-x-px-not = The road pose of { $name } is for pictures of { $size_px } x { $size_px_2 } px, not for its own size; make or choose another one on the road pose page.
+measurements-frame-not-part-vehicle-go-frame = Frame { $frame } does not part vehicle { $number }; go to a frame after its first ({ $first_frame }) and up to its last ({ $last_frame }).
+measurements-only-two-passes-same-recording-joined = Only two passes of the same recording can be joined; choose another one.
+measurements-vehicles-both-measurements-measurement-stays-vehicle = Vehicles { $number } and { $number_2 } both have measurements, and a measurement stays with its vehicle; discard one of the passes instead.
+measurements-vehicle-measured-before-after-frame-measurement = Vehicle { $number } was measured before and after frame { $frame }, and a measurement stays with its vehicle; split at another frame.
+measurements-vehicles-csv-missing-though-audit-event = vehicles.csv: { $missing } is missing, though its audit event is there.
+measurements-vehicles-csv-not-what-audit-events = vehicles.csv: { $id } is not what its audit events say; it was changed.
+measurements-measurement-withdrawn-restore-before-you-change = This measurement is withdrawn; restore it before you change it.
+measurements-repeat-stands-clicked-withdraw-click-again = A repeat stands as it was clicked; withdraw it and click it again.
+measurements-measurement-withdrawn-already-restore-use-again = This measurement is withdrawn already; restore it to use it again.
+measurements-measurement-not-withdrawn-nothing-restore = This measurement is not withdrawn, so there is nothing to restore.
+measurements-deleted-vehicle-restore-first = { $name } deleted vehicle { $vehicle_number } at { $when }; restore it first.
+measurements-changed-measurement-utc-look-again = { $name } changed this measurement at { $created_at } UTC; look again.
+measurements-repeat-needs-vehicle-target-measurement-repeats = A repeat needs the vehicle and the target of the measurement that it repeats.
+measurements-road-pose-belongs-another-survey-choose = Road pose { $pose_id } belongs to another survey; choose one of this survey's.
+measurements-measurement-without-height-needs-reason-why = A measurement without a height needs the reason why; compute it again.
+measurements-measurement-no-height-needs-reason-why = A measurement that has no height needs the reason why; compute it again.
+measurements-measurement-stored-another-vehicle-already-click = This measurement was stored for another vehicle already; click again.
+measurements-frame-not-picture-clicked-load-again = Frame { $frame } is not the picture that was clicked on; load it again.
+measurements-measurements-csv-lacks-measurement-revisions-csv = measurements.csv lacks a measurement that revisions.csv holds; one was taken out.
+measurements-says-clicks-give-one-wrong = { $name } says { $status }, its clicks give { $status_2 }; one is wrong.
+measurements-names-another-pose-file-pose-changed = { $path }: { $id } names another pose file than its pose; it was changed.
+measurements-measurement-no-audit-event-revision-put = { $path }: measurement { $key } has no audit event for revision { $key_2 }; it was put in.
+measurements-measurement-differs-audit-event-changed = { $path }: measurement { $key } differs from its audit event; it was changed.
+measurements-revisions-csv-measurement-no-revisions-one = revisions.csv: measurement { $id } has no revisions; one was taken out.
+measurements-missing-no-road-pose-take-whole = { $path } is missing or is no road pose; take the whole export again.
+measurements-says-clicks-give-one-wrong-2 = { $name } says { $words } { $told }, its clicks give { $computed }; one is wrong.
+measurements-measurements-csv-another-last-revision = measurements.csv: { $id } has another { $column } than its last revision.
+measurements-another-measurements-csv-one-wrong = { $path }: { $id } has another { $name } than measurements.csv; one is wrong.
+measurements-where-belongs-row-taken-out-put = { $path } { $found } where { $name } belongs; a row was taken out or put in.
+measurements-not-measurements-csv-put = { $path }: { $row } is not in measurements.csv; it was put in.
+measurements-measurements-csv-u95-not-1-96 = measurements.csv: { $id } has a U95 that is not 1.96 u; one is wrong.
+measurements-budget-csv-contributions-give-m-measurements = budget.csv: the contributions to { $id } give { NUMBER($total, minimumFractionDigits: 6, maximumFractionDigits: 6) } m, measurements.csv says { NUMBER($told, minimumFractionDigits: 6, maximumFractionDigits: 6) } m; one is wrong.
+measurements-budget-csv-not-measurements-csv-put = budget.csv: { $next } is not in measurements.csv; it was put in.
+measurements-revisions-csv-revision-measurement-missing-though = revisions.csv: revision { $revision } of measurement { $number } is missing, though its audit event is there; it was taken out.
+measurements-clicked-another-frame-frames-csv-tells = { $path }: { $id } was clicked on another frame than frames.csv tells; one is wrong.
+
+## Errors: media
+
+media-ingest-cancelled-nothing-kept = The ingest of { $name } was cancelled; nothing of it was kept.
+media-claims-x-pixels-more-side-million = { $name } claims { $width } x { $height } pixels, more than { $max_side_px } on a side or { $max_pixels } million in all; make it smaller and try again.
+media-damaged-cannot-decoded-save-png-jpeg = { $name } is damaged and cannot be decoded; save it as PNG or JPEG and try again.
+media-empty-choose-picture = { $name } is empty; choose a picture.
+media-not-picture-read-here-save-png = { $name } is not a picture that can be read here; save it as PNG or JPEG and try again.
+media-damaged-header-not-say-how-large = { $name } is damaged: its header does not say how large it is; save it as PNG or JPEG and try again.
+media-picture-shape-could-not-encoded = A picture of shape { $shape } could not be encoded as { $suffix }.
+media-larger-mb-make-smaller = { $name } is larger than { $max_bytes } MB; make it smaller.
+media-cannot-read-check-path = { $name } cannot be read ({ $strerror }); check the path.
+
+## Errors: store
+
+store-no-media-address-use-folder-file = { $media_url } is no media address; use a folder, file:///folder or s3://bucket.
+store-no-room-needed-free-delete-recordings = There is no room for { $what } ({ $needed } needed, { $free } free); delete recordings that are no longer needed or add disk space, then try again.
+store-no-media-file = There is no media file { $key }.
+store-storage-s3-needs-local-cache-folder = Storage on S3 needs a local cache folder; name one beside the media address.
+store-disk-full-not-stored-delete-recordings = The disk is full, { $what } was not stored; delete recordings that are no longer needed or add disk space, then try again.
+store-media-file-missing-store-restore-backup = The media file { $key } is missing from the store; restore it from a backup.
+store-media-storage-did-not-answer-check = The media storage did not answer for { $key } ({ $name }); check its address, its credentials and that it is running.
+store-names-no-bucket-write-s3-bucket = { $url } names no bucket; write s3://bucket/prefix.
+store-media-file-missing-store = The media file { $key } is missing from the store.
+store-no-such-upload-finished-given-up = There is no such upload; it was finished or given up, start it again.
+store-file-empty-choose-video-file = The file is empty; choose a video file.
+store-upload-not-complete-bytes-arrived-continue = The upload is not complete: { $have } of { $size } bytes have arrived; continue it.
+store-upload-stands-byte-not-continue = The upload stands at byte { $have }, not { $at }; continue from there.
+store-upload-name-already-under-way-start = An upload with this name is already under way; start a new one.
+store-upload-being-written-another-connection-try = This upload is being written by another connection; try again.
+store-more-bytes-came-announced-start-upload = More bytes came than the { $size } announced; start the upload again.
+
+## Errors: strips
+
+strips-no-json-object-correct-them = { $what } are no JSON object; correct them.
+strips-give-line-rate-hz-no-positive = { $what } give a line_rate_hz that is no positive number; correct it.
+strips-give-dropped-lines-no-list-line = { $what } give dropped_lines that are no list of [line, count] in order; correct them.
+strips-larger-mb-correct-remove-file = { $what } are larger than { $sidecar_bytes } MB; correct or remove that file.
+strips-not-readable-json-correct-remove-file = { $what } are not readable JSON; correct or remove that file.
+strips-cut-off-header-copy-again-recorder = { $name } is cut off in its header; copy it again from the recorder.
+strips-problem = { $name } { $kinds }; { $grey }.
+strips-bits-pixel = { $name } has { $depth } bits a pixel; { $grey }.
+strips-interlaced-cannot-read-pieces-save-without = { $name } is interlaced and cannot be read in pieces; save it without interlacing.
+strips-pixels-wide-png-here-save-tiff = { $name } is { $width_px } pixels wide, a PNG can have { $most_wide_px } here; save it as TIFF or with time along the height.
+strips-damaged-checksum-inside-not-match-copy = { $name } is damaged: a checksum inside does not match; copy it again from the recorder.
+strips-no-plain-picture-animation-damaged = { $name } is no plain picture (an animation, or damaged); { $grey }.
+strips-give-png-tiff-line-scan-camera = { $name } { $what }; give a PNG or TIFF of the line-scan camera.
+strips-pixels-line-give-two-strips-equal = { $name } has { $rows } pixels a line and { $name_2 } { $rows_2 }; give two strips of equal height, or cut them to the part of the scene that both show.
+strips-bits-pixel-save-both-alike = { $name } has { $value } bits a pixel and { $name_2 } { $value_2 }; save both alike.
+strips-lines-both-begin-end-together-give = { $name } has { $lines } lines and { $name_2 } { $lines_2 }; both begin and end together, so give the two strips of one recording, or cut them to the same time.
+strips-not-file-give-png-tiff-line = { $name } is not a file; give a PNG or TIFF of the line-scan camera.
+strips-jpeg-which-changes-pixels-save-png = { $name } is a JPEG, which changes the pixels; save it as PNG or TIFF in the recorder.
+strips-would-pixels-line-time-along-more = { $name } would have { $rows } pixels a line with time along its { $time_axis }, more than { $most_rows }; { $hint }.
+strips-lines-pixels-time-along-which-shows = { $name } has { $lines } lines of { $rows } pixels with time along its { $time_axis }, which shows no vehicle; give a PNG or TIFF of the line-scan camera.
+strips-more-thousand-million-lines-cut-into = { $name } has more than { $most_lines } thousand million lines; cut it into parts.
+strips-notes-say-lines-lost-record-again = { $name }: its notes say that { $lost } lines were lost of { $lines }; record it again.
+strips-notes-name-lost-lines-ends-correct = { $name }: its notes name lost lines at { $line }, but it ends at { $lines }; correct them.
+strips-cannot-read-give-png-tiff-line = { $name } cannot be read ({ $strerror }); give a PNG or TIFF of the line-scan camera.
+strips-cut-off-ends-row-copy-again = { $name } is cut off: it ends in row { $row } of { $height }; copy it again from the recorder.
+strips-damaged-row-cannot-read-copy-again = { $name } is damaged at row { $row } of { $height } and cannot be read on; copy it again from the recorder.
+strips-claims-picture-x-pixels-copy-again = { $name } claims a picture of { $width } x { $height } pixels; copy it again from the recorder.
+strips-claims-x-pixels-more-mb-file = { $name } claims { $width } x { $height } pixels, more than { $file_bytes } MB of file can hold; it is damaged or no recording: copy it again from the recorder.
+strips-rows-pixels-too-long-read-copy = { $name } has rows of { $width_px } pixels, too long to be read; copy it again from the recorder.
+strips-stored-strip-damaged-restore-backup-read = The stored strip { $name } is damaged; restore it from a backup or read it again.
+strips-stored-strip-missing-restore-backup = The stored strip { $name } is missing; restore it from a backup.
+strips-strip-no-level-only-0 = The strip { $name } has no level { $level }, only 0 to { $count }.
+strips-gain-cannot-shown-choose-one-0 = The gain { $gain } cannot be shown; choose one from 0.1 to 50.
+strips-strip-no-tile-level = The strip { $name } has no tile { $index } in level { $level }.
+strips-index-pixels-not-fit-size = has an index of its pixels that does not fit its size; { $again }
+strips-holds-several-pictures-give-each-strip = { $name } holds several pictures; give each strip as one long picture.
+strips-palette-line-scan-grey = { $name } has a palette, and a line scan is grey; { $grey }.
+strips-colour-transparency-channel-line-scan-grey = { $name } is in colour or has a transparency channel, a line scan is grey; { $grey }.
+strips-holds-signed-floating-point-numbers = { $name } holds signed or floating-point numbers; { $grey }.
+strips-bits-pixel-2 = { $name } has { $bitspersample } bits a pixel; { $grey }.
+strips-packed-which-not-read-here-save = { $name } is packed with { $kind_name }, which is not read here; save it with zstd, deflate or LZW compression, or with none.
+strips-packed-unusual-way-save-zstd-deflate = { $name } is packed in an unusual way; save it with zstd, deflate or LZW compression, or with none.
+strips-marked-turned-mirrored-save-upright = { $name } is marked as turned or mirrored; save it upright.
+strips-tiff-cut-off-whose-directory-damaged = { $name } is a TIFF that is cut off or whose directory is damaged; { $again }.
+strips-packed-pieces-more-mb-save-smaller = { $name } is packed in pieces of more than { $piece_bytes } MB; save it in smaller strips or tiles.
+strips-rows-tiles-more-mb-save-smaller = { $name } has rows of tiles of more than { $piece_bytes } MB; save it in smaller tiles.
+strips-problem-2 = { $name } { $message }.
+strips-tiff-whose-directory-damaged = { $name } is a TIFF whose directory is damaged; { $again }.
+strips-frames-too-few-line-scan-choose = { $name } has { $count } frames, too few for a line scan; choose another recording.
+strips-no-constant-frame-rate-time-stamps = { $name } has no constant frame rate (its time stamps are uneven, most of all after frame { $at }), and a line scan needs one; cut out an even part, or record with a fixed frame rate.
+strips-columns-cannot-cut-choose-two-different = The columns { $columns_px } and { $columns_px_2 } cannot be cut from { $name }; choose two different ones from 0 to { $width }.
+strips-now-gives-frames-not-ingest-again = { $name } now gives { $count } frames, not { $count_2 }; ingest it again.
+
+## Errors: video
+
+video-not-file-choose-video-file = { $name } is not a file; choose a video file.
+video-problem = { $name } { $reason }; { $way_out }.
+video-holds-no-moving-picture-only-sound = { $name } holds no moving picture, only sound or data; choose a video file.
+video-uses-video-codec-cannot-decoded-here = { $name } uses a video codec that cannot be decoded here; convert it to MP4 with H.264 or choose another file.
+video-not-say-how-large-picture-says = { $name } does not say how large its picture is, or says it absurdly; convert it to MP4 with H.264 or choose another file.
+video-claims-picture-x-pixels-more-side = { $name } claims a picture of { $width } x { $height } pixels, more than { $max_side_px } on a side or { $max_pixels } million in all; convert it to MP4 with H.264 or choose another file.
+video-claims-pixels-width-height-which-not = { $name } claims pixels of { $aspect } width to height, which is not believable; convert it to MP4 with H.264 or choose another file.
+video-not-video-read-here-convert-mp4 = { $name } is not a video that can be read here; convert it to MP4 with H.264 or choose another file.
+video-holds-no-picture-decoded-codec-convert = { $name } holds no picture that can be decoded (codec { $codec }); convert it to MP4 with H.264 or choose another file.
+video-holds-no-picture-decoded-convert-mp4 = { $name } holds no picture that can be decoded; convert it to MP4 with H.264 or choose another file.
+video-recording-ended-decoder-times-set-aside = This recording ended the decoder { $count } times and is set aside; convert the recording to MP4 with H.264 and upload it again.
+video-decoder-ended-again-again-look-memory = The decoder ended again and again; look at the memory of this machine.
+video-cannot-decoded-decoder-save-another-format = { $header } cannot be decoded: the decoder { $why }; save it in another format and try again.
+video-frame-no-longer-wanted = This frame was no longer wanted.
+video-no-frame-recording-frames-0 = There is no frame { $n }; this recording has frames 0 to { $count }.
+video-crop-x-pixels-scale-out-bounds = A crop of { $w } x { $h } pixels at scale { $scale } is out of bounds; ask for a smaller one.
+video-holds-no-picture-decoded-copy-again = { $name } holds no picture that can be decoded; copy it again or convert it to MP4.
+video-changes-picture-size-way-split-where = { $name } changes its picture size on the way; split it where the size changes.
+video-search-passes-cancelled-nothing-kept = The search for passes in { $name } was cancelled; nothing of it was kept.
+video-cannot-made-addressable-frame-frame-convert = { $name } cannot be made addressable frame by frame; convert it to MP4 with H.264 and try again.
+video-disk-full-not-taken-make-room = The disk is full, { $name } was not taken in; make room and try again.
+video-frame-cannot-shown-stored-video-no = Frame { $n } cannot be shown: the stored video no longer gives the picture whose checksum was written down at ingest; restore the file from a backup or ingest it again as a new recording.
+video-stored-video-missing-no-longer-opened = The stored video { $name } is missing or can no longer be opened; restore it from a backup.
+video-frame-no-longer-wanted-2 = Frame { $n } was no longer wanted.
+video-needs-bgr-frames-one-even-size = { $name } needs BGR frames of one even size, got { $shape } for { $width } x { $height }.
+video-cannot-written-without-frames = { $name } cannot be written without frames.
+
+## Errors: people
+
+people-email-password-not-fit-together-check = This email and password do not fit together; check both and try again.
+people-password-characters-choose-another = A password has { $min_password } to { $max_password } characters; choose another.
+people-current-password-not-right-type-again = The current password is not right; type it again.
+people-no-active-account-check-address = There is no active account for { $email }; check the address.
+people-too-many-failed-sign-ins-wait = Too many failed sign-ins; wait five minutes and try again.
+people-sign-link-used-already-too-old = This sign-in link was used already or is too old; ask an admin for a new one.
+people-not-email-address-write-name-place = “{ $email }” is not an email address; write it as name@place.
+people-already-account-change-one-instead = There is already an account for { $email }; change that one instead.
+people-last-admin-make-somebody-else-admin = This is the last admin; make somebody else admin first.
+people-person-needs-name-fill = A person needs a name; fill it in.
+people-no-role-use-one = There is no role “{ $role }”; use one of { $roles }.
+
+## Errors: poses
+
+poses-no-frames-yet-wait-until-ready = { $name } has no frames yet; wait until it is ready.
+poses-frames-no-span-frames-0 = Frames { $first_frame } to { $last_frame } are no span of { $name }; it has frames 0 to { $frame_count }.
+poses-no-frame-shows-board = No frame from { $first } to { $last } shows the board: { $reason }{ $reason_2 }.
+poses-calibration-pictures-x-px-x-px = The calibration is for pictures of { $width_px } x { $height_px } px and { $name } has { $width_px_2 } x { $height_px_2 } px; choose a calibration made at the recording's size.
+poses-calibration-belongs-another-survey-choose-one = Calibration { $calibration_id } belongs to another survey; choose one of this survey's.
+
+## Errors: quality
+
+quality-no-recording-uses-road-pose-any = No recording uses this road pose any more; look at the checks again.
+quality-traffics-direction-now-not-what-you = The traffic's direction is now { $turn_deg }°, not what you saw; look again.
+quality-frame-not-vehicle-which-passes-frames = Frame { $frame } is not of vehicle { $number }, which passes in frames { $first_frame } to { $last_frame }; go to one of them.
+quality-wheel-pairs-csv-not-what-audit = wheel_pairs.csv: { $id } is not what its audit event says; it was changed.
+quality-clicked-their-own-measurements-again-needed = { $name } clicked { $pairs } of their own measurements again; { $least_pairs } are needed for a sigma of their own. Click more of them again.
+quality-repeats-csv-repeat-missing-though-audit = repeats.csv: repeat { $left } is missing, though its audit event is there.
+quality-repeats-csv-not-what-audit-event = repeats.csv: { $number } is not what its audit event says; it was changed.
+
+## Errors: recordings
+
+recordings-images-add-least-three-better-15 = { $name } has { $images } images; add at least three, better 15 to 25.
+recordings-belongs-another-survey-choose-one-surveys = { $name } belongs to another survey; choose one of this survey's.
+recordings-no-frames-yet-wait-until-ingest = { $name } has no frames yet; wait until its ingest is done.
+recordings-no-road-pose-yet-nothing-says = { $name } has no road pose yet, so nothing says where its camera stood.
+recordings-still-being-ingested-wait-until-ready = { $name } is still being ingested; wait until it is ready.
+recordings-could-not-ingested-no-frames-see = { $name } could not be ingested, so it has no frames; see its error and try again.
+recordings-frame-table-not-whole-ingest-recording = The frame table of { $name } is not whole; ingest the recording again.
+recordings-recording-no-frame-choose-one-within = Recording { $recording_id } has no frame { $n }; choose one within the recording.
+recordings-frame-no-thumbnail-ask-frame-itself = Frame { $n } of { $name } has no thumbnail; ask for the frame itself.
+recordings-being-ingested-already-wait-cancel = { $name } is being ingested already; wait for it or cancel it.
+recordings-ingest-cancelled-start-again-delete-recording = The ingest was cancelled; start it again or delete the recording.
+recordings-being-ingested-cancel-first = { $name } is being ingested; cancel that first.
+recordings-recordings-cannot-changed-leave-out = A recording's { $unknown } cannot be changed; leave it out.
+recordings-recording-needs-name-fill = A recording needs a name; fill it in.
+recordings-lighting-daytime-low-light-choose-one = The lighting is daytime or low_light; choose one.
+recordings-recording-measurements-stays-audit-needs-frames = This recording has measurements and stays; an audit needs its frames.
+recordings-camera-not-found-moved-since-road = The camera was not found to have moved since the road pose; there is nothing to decide.
+recordings-say-why-road-pose-still-good = Say why the road pose is still good, so that an audit can follow it.
+recordings-nothing-decided-about-recordings-camera-nothing = Nothing was decided about this recording's camera, so there is nothing to take back.
+recordings-belongs-another-survey-choose-one-surveys-2 = The { $word } { $row_id } belongs to another survey; choose one of this survey's.
+recordings-road-pose-pictures-x-px-x = The road pose { $pose_id } is for pictures of { $posed } x { $posed_2 } px and { $name } has { $filmed } x { $filmed_2 } px; choose a pose made at the recording's size.
+recordings-frames-found-now-not-those-measured = The frames found now are not those that were measured; upload the video as a new one.
+recordings-uploads-speak-tus-1-0-0 = Uploads speak tus 1.0.0; send the header Tus-Resumable: 1.0.0.
+recordings-upload-not-say-how-long-file = The upload does not say how long the file is; send the header Upload-Length.
+recordings-bytes-upload-come-application-offset-octet = The bytes of an upload come as application/offset+octet-stream; send that Content-Type.
+recordings-upload-not-name-file-send-filename = The upload does not name its file; send filename in the header Upload-Metadata.
+recordings-uploads-purpose-video-strip-send-one = The upload's purpose is video or strip; send one of them in Upload-Metadata.
+recordings-uploads-cannot-read-send-base64-utf = The upload's { $word } cannot be read; send it as base64 of UTF-8.
+recordings-upload-finished-already-look-recording-list = This upload is finished already; look for its recording in the list.
+recordings-upload-became-recording-deleted-since-upload = This upload became a recording that was deleted since; upload it again.
+recordings-upload-finished-already-make-scan = This upload is finished already; make the scan of it.
+recordings-upload-finished-delete-recording-instead = This upload is finished; delete its recording instead.
+recordings-recordings-csv-not-what-audit-events = recordings.csv: { $id } is not what its audit events say; it was changed.
+
+## Errors: results
+
+results-cannot-read-take-whole-export-again = { $path }: { $name } cannot be read; take the whole export again.
+results-database-holds-which-version-not-know = The database holds the { $name } “{ $unknown }”, which this version does not know.
+results-reference-heights-u-must-least-0 = The reference heights' u must be at least 0 and below 1 m, such as 0.0173.
+results-more-values-your-own-cannot-drawn = More than { $most_own } values of your own cannot be drawn; remove some.
+results-value-your-own-must-lie-between = A value of your own must lie between 0 and 10 m, such as 1.08.
+results-somebody-changed-standards-meanwhile-load-them = Somebody changed the standards meanwhile; load them again and repeat your change.
+results-table-standards-cannot-drawn-most = A table of { $count } standards cannot be drawn; { $most } are the most.
+results-stands-table-twice-give-each-value = { $twice } stands in the table twice; give each value a name of its own.
+results-standard-needs-name-such-aashto-usa = A standard needs a name, such as AASHTO (USA).
+results-height-must-lie-between-0-10 = The height of { $name } must lie between 0 and 10 m, such as 1.08.
+results-last-day-lies-before-first-exchange = The last day lies before the first; exchange them.
+results-no-survey-may-been-removed = There is no survey { $survey_id }; it may have been removed.
+results-standards-csv-not-what-surveys-audit = standards.csv is not what the survey's audit events say; it was changed.
+
+## Errors: reviews
+
+reviews-fix-needs-both-points-contact-target = A fix needs both points, contact and target; click them and send them along.
+reviews-only-fix-carries-points-leave-them = Only a fix carries points; leave them out or choose the verdict fixed.
+reviews-measurement-withdrawn-nothing-review = This measurement is withdrawn; there is nothing to review.
+reviews-repeat-not-reviewed-review-measurement-repeats = A repeat is not reviewed; review the measurement that it repeats.
+reviews-rejection-needs-reason-say-what-wrong = A rejection needs a reason; say what is wrong so that it can be put right.
+reviews-fix-needs-new-points-only-fix = A fix needs the new points, and only a fix has them; click them and send them along.
+reviews-measurement-waits-review-already = This measurement waits for a review already.
+reviews-nobody-reviews-their-own-measurement-ask = Nobody reviews their own measurement; ask another reviewer.
+reviews-reviews-csv-not-what-audit-event = reviews.csv: { $id } is not what its audit event says; it was changed.
+reviews-reviews-csv-missing-though-audit-event = reviews.csv: { $id } is missing, though its audit event is there.
+reviews-measurements-csv-verdict-not-newest-review = measurements.csv: the verdict on { $one } is not that of its newest review; one is wrong.
+
+## Errors: scans
+
+scans-calibrated-line-scan-meanwhile-look-calibration = { $name } calibrated this line scan meanwhile; look at that calibration first.
+scans-mark-row-line-lies-outside-strip = A mark at row { NUMBER($row_px, minimumFractionDigits: 1, maximumFractionDigits: 1) }, line { NUMBER($line, minimumFractionDigits: 0, maximumFractionDigits: 0) } lies outside the strip; click it again.
+scans-heights-need-line-cameras-pose-calibrate = Heights need the line camera's pose; calibrate the height with a rod first (Calibrate height).
+scans-click-line-row-lies-outside-strip = A click at line { NUMBER($line, minimumFractionDigits: 0, maximumFractionDigits: 0) }, row { NUMBER($row, minimumFractionDigits: 1, maximumFractionDigits: 1) } lies outside the strip; click again.
+scans-target-no-height-needs-reason-why = A target that has no height needs the reason why; measure it again.
+scans-height-withdrawn-already-nothing-done = This height was withdrawn already; nothing is to be done.
+scans-measured-target-meanwhile-look-height-first = { $name } measured this target meanwhile; look at that height first.
+scans-calibration-no-row = { $path }: calibration { $marks } is in no row of { $path_2 }.
+scans-marks-calibration-not-those-event = { $path }: the marks of calibration { $id } are not those of its event.
+scans-row-marked-current-not-newest-revision = { $path }: a row that is marked as current is not the newest revision.
+scans-height-no-row = { $path }: height { $budget } is in no row of { $path_2 }.
+scans-sources-height-not-those-clicks = { $path }: the sources of height { $id } are not those of its clicks.
+scans-marks-clicks-give = { $name } has { $column } { $told }, its marks and clicks give { $computed }.
+scans-cannot-solved-marks-one-wrong = { $name } cannot be solved for from its marks; one is wrong.
+scans-vehicle-no-measured-motion-no-match = This vehicle has no measured motion, so there is no match to look at.
+scans-camera-2s-strip-ends-before-vehicle = Camera 2's strip ends before this vehicle; there is no match to look at.
+scans-both-cameras-name-same-upload-upload = Both cameras name the same upload; upload a strip for each.
+scans-same-picture-give-strip-each-camera = { $name } and { $name_2 } are the same picture; give the strip of each camera.
+scans-frames-uneven-times-line-scan-needs = { $name } has frames at uneven times, and a line scan needs a steady rate; record at a constant frame rate.
+scans-columns-cannot-cut-choose-two-different = Columns { $columns } and { $columns_2 } cannot be cut; choose two different ones from 0 to { $width_px }.
+scans-read-already-nothing-done = { $name } was read already; nothing is to be done.
+scans-could-not-read-see-error-try = { $name } could not be read; see its error and try again.
+scans-still-being-read-wait-until-ready = { $name } is still being read; wait until it is ready.
+scans-already-wait-cancel = { $name } is { $what } already; wait for that or cancel it.
+scans-strip-uploaded-another-survey-upload-one = The { $word } strip was uploaded to another survey; upload it to this one.
+scans-uploaded-video-upload-again-strip = { $filename } was uploaded as a video; upload it again as a strip.
+scans-belongs-line-scan-recording-already-upload = { $filename } belongs to a line-scan recording already; upload it again.
+scans-strip-not-arrived-whole-yet-finish = The { $word } strip, { $filename }, has not arrived whole yet; finish its upload.
+scans-changed-look-again-redo-yours = { $name } changed { $name_2 } at { $when }; look again and redo yours.
+scans-scans-cannot-changed-leave-out = A scan's { $unknown } cannot be changed; leave it out.
+scans-scan-needs-name-fill = A scan needs a name; fill it in.
+scans-people-worked-scans-vehicles-stays-audit = People have worked on this scan's vehicles, so it stays; an audit needs its strips.
+scans-recording-belongs-another-survey-choose-one = The recording belongs to another survey; choose one of this survey's.
+scans-changed-look-again = { $name_of } changed { $name }; look again.
+scans-not-been-read-yet-wait-until = { $name } has not been read yet; wait until it is ready.
+scans-people-worked-cameras-stay-add-line = People have worked on { $name }, so its cameras stay; add a line scan with the strips the other way round.
+scans-vehicle-not-measured-yet-no-wheelbase = This vehicle is not measured yet, so it has no wheelbase; place its boundaries first.
+scans-wheel-lies-outside-strips-which-end = A wheel lies outside the strips, which end at line { $lines }.
+scans-camera-front-line-must-come-before = At camera { $camera } the front (line { NUMBER($front, minimumFractionDigits: 1, maximumFractionDigits: 1) }) must come before the rear ({ NUMBER($rear, minimumFractionDigits: 1, maximumFractionDigits: 1) }); place them again.
+scans-boundaries-camera-lie-outside-strip-which = The boundaries at camera { $camera } lie outside the strip, which ends at line { $lines }; place them again.
+scans-front-rear-camera-lines-apart-more = Front and rear at camera { $camera } are { NUMBER($rear, minimumFractionDigits: 0, maximumFractionDigits: 0) } lines apart, more than one vehicle can be; place them again.
+scans-nothing-camera-2s-strip-looks-like = Nothing in camera 2's strip looks like this vehicle; place its front and rear there by hand, or leave it out if it is none.
+scans-vehicle-no-speed-needs-reason-why = A vehicle that has no speed needs the reason why; measure it again.
+scans-vehicle-measured-again-meanwhile-look-newer = This vehicle was measured again meanwhile; look at the newer result.
+scans-nobody-reviews-boundaries-they-placed-themselves = Nobody reviews boundaries that they placed themselves; ask another reviewer.
+scans-vehicle-waits-review-already = This vehicle waits for a review already.
+scans-camera-2-needs-both-lines-front = Camera 2 needs both lines, front and rear, or none; send both or leave both out.
+scans-wheelbase-needs-both-wheels-send-both = A wheelbase needs both wheels; send both lines, or none to take them away.
+scans-vehicle-not-deleted-nothing-restore = This vehicle was not deleted, so there is nothing to restore.
+scans-deleted-vehicle-restore-first = { $name } deleted vehicle { $number } at { $when }; restore it first.
+scans-changed-vehicle-look-again-redo-yours = { $name } changed vehicle { $number } at { $when }; look again and redo yours.
+scans-scanned-vehicle-no-leave-out = A scanned vehicle has no { $unknown }; leave it out.
+scans-m-cannot-used-give-metres-4 = A { $name } of { $value } m cannot be used; give it in metres, as in 4.447.
+scans-row-without-audit-event-missing = { $path }: row { $odd } is there without its audit event, or is missing.
+scans-row-not-what-audit-event-says = { $path }: { $name } of row { $id } is not what its audit event says.
+scans-vehicle-not-newest-revision-changed = { $path }: vehicle { $number } is not its newest revision; it was changed.
+scans-verdict-row-not-one-given = { $path }: the verdict of row { $number } is not the one given.
+
+## Errors: statistics
+
+statistics-no-percentile-give-one-between-0 = There is no percentile { $percent }; give one between 0 and 100, such as 10.
+statistics-width-spread-must-lengths-above-0 = Width and spread must be lengths above 0, in metres, such as 0.02 and 0.08.
+
+## Errors: surveys
+
+surveys-file-photograph-missing-changed-take-out = The file of the photograph “{ $name }” is missing or was changed; take it out of the survey and add it again.
+surveys-survey-takes-photographs-take-one-out = A survey takes { $most_photographs } photographs; take one out before adding another.
+surveys-photographs-added-taken-out-meanwhile-look = Photographs were added or taken out meanwhile; look again and redo the order.
+surveys-changed-photograph-look-again-redo-yours = { $name } changed this photograph at { $when }; look again and redo yours.
+surveys-caption-most-characters-shorten = A caption has at most { $most_caption } characters; shorten it.
+surveys-not-photographs-audit-events-changed = { $path } has not the photographs of the audit events; it was changed.
+surveys-no-row-put = { $strange } is in no row of { $path }; it was put in.
+surveys-not-photograph-audit-event-names-exchanged = { $file } is not the photograph that its audit event names; it was exchanged.
+surveys-not-what-audit-events-say-changed = { $path }: { $name } of { $id } is not what its audit events say; it was changed.
+surveys-no-survey-named-check-name-home = There is no survey named “{ $name }”; check the name on the home page.
+surveys-changed-survey-utc-look-again-redo = { $name_then } changed this survey at { $when } UTC; look again and redo yours.
+surveys-survey-needs-name-fill = A survey needs a name; fill it in.
+surveys-inset-cannot-used-give-known-target = The inset of “{ $target }” cannot be used; give a known target and an uncertainty >= 0.
+surveys-insets-csv-not-what-surveys-audit = insets.csv is not what the survey's audit events say; it was changed.
+
+## Errors: vehicles
+
+vehicles-no-row-used-line = No row of { $name } can be used; line { $line }: { $reason }
+vehicles-larger-mb-split-into-several-files = { $name } is larger than { $most_bytes } MB; split it into several files.
+vehicles-no-column-first-line-names-columns = { $name } has no column { $missing }; its first line names the columns, out of { $known }.
+vehicles-not-category-use-one = “{ $category }” is not a category; use one of { $categories }.
+vehicles-which-not-year-give-four-digits = { $column } is “{ $cell }”, which is not a year; give four digits.
+vehicles-cannot-read-csv-near-line-save = { $name } cannot be read as CSV near line { $line_num } ({ $problem }); save it again as CSV.
+vehicles-not-utf-8-text-save-csv = { $name } is not a UTF-8 text; save it as CSV in UTF-8.
+vehicles-which-not-number-give-metres = { $column } is “{ $cell }”, which is not a number; give it in metres.
+vehicles-gives-frames-now-gave-when-read = { $name } gives { $count } frames now and gave { $count_2 } when it was read; read it again.
+vehicles-search-passes-cancelled-start-again-when = The search for passes was cancelled; start it again when you like.
+vehicles-passes-being-looked-already-wait = Passes of { $name } are being looked for already; wait for that.
+vehicles-vehicle-needs-first-last-frame-mark = A vehicle needs its first and last frame; mark the pass on the timeline.
+vehicles-vehicle-no-leave-out = A vehicle has no { $unknown }; leave it out.
+vehicles-frames-not-span-recording-ends-frame = Frames { $first } to { $last } are not a span of this recording; it ends at frame { $end }.
+vehicles-best-frame-lies-outside-frames-choose = The best frame { $best } lies outside frames { $first } to { $last }; choose one of them.
+vehicles-manufacturers-height-m-cannot-used-give = A manufacturer's height of { $height } m cannot be used; give it in metres, as in 1.624.
+vehicles-uncertainty-m-cannot-used-give-metres = An uncertainty of { $u_height } m cannot be used; give it in metres, as in 0.005.
+
+## Errors: what the framework refuses, and what was said before
+
+said = { $sentence }
+request-needs-header = Requests that change something need the header { $header }; add it and send it again.
+request-from-another-site = This request comes from another site and was refused; use Sightline's own pages.
+request-no-json = The request's body is not valid JSON; send a JSON object.
+request-cannot-be-used = The { $place } of the request cannot be used: { $said }; correct it and send it again.
+request-value-cannot-be-used = The value "{ $name }" of the { $place } cannot be used: { $said }; correct it and send it again.
+request-nothing-there = There is nothing at { $path }; check the address.
+request-bad-method = { $method } is not possible at { $path }; see /docs for what is.
+request-refused = { $detail }; correct it and try again.
+request-value-not-storable = A value in the request cannot be stored; correct it and send it again.
+server-something-went-wrong = Something went wrong on the server and nothing was saved; the server's log says what.
+
+## Errors: another person was quicker
+
+quality-tyres-changed-meanwhile = { $name } changed the tyres of this vehicle meanwhile; look at them first.
+reviews-verdict-given-meanwhile = { $name } gave the verdict “{ $verdict }” meanwhile; look at it first.

@@ -55,7 +55,7 @@ class Attempts:
         limiter = self._limiter()
         for limit, key in self._keys(email, address):
             if not limiter.hit(limit, *key):
-                raise TooMany("Too many failed sign-ins; wait five minutes and try again.")
+                raise TooMany("people-too-many-failed-sign-ins-wait")
 
     def succeeded(self, email: str, address: str) -> None:
         """Forget the failures of this account from this address."""
@@ -94,7 +94,7 @@ def sign_in(services: Services, attempts: Attempts, email: str, password: str, a
         person = person_by_email(session, email)
         stored = password_hash_of(session, person.id) if person and person.active else None
     if not matches(stored, password) or person is None:
-        raise NotSignedIn("This email and password do not fit together; check both and try again.")
+        raise NotSignedIn("people-email-password-not-fit-together-check")
     attempts.succeeded(email, address)
     with services.writing() as session:
         if stored is not None and _hasher.check_needs_rehash(stored):
@@ -129,11 +129,13 @@ def change_password(
         NotAllowed: the current one is missing or wrong.
     """
     if not MIN_PASSWORD <= len(new) <= MAX_PASSWORD:
-        raise BadInput(f"A password has {MIN_PASSWORD} to {MAX_PASSWORD} characters; choose another.")
+        raise BadInput(
+            "people-password-characters-choose-another", min_password=MIN_PASSWORD, max_password=MAX_PASSWORD
+        )
     with services.reading() as session:
         stored = password_hash_of(session, person.id)
     if stored is not None and not by_link and not matches(stored, current or ""):
-        raise NotAllowed("The current password is not right; type it again.")
+        raise NotAllowed("people-current-password-not-right-type-again")
     hashed = _hasher.hash(new)
     with services.writing() as session:
         return set_password(session, person.id, hashed, actor=person.id)
@@ -171,5 +173,5 @@ def new_sign_in_link(services: Services, email: str) -> str:
     with services.writing() as session:
         person = person_by_email(session, email)
         if person is None or not person.active:
-            raise BadInput(f"There is no active account for {email}; check the address.")
+            raise BadInput("people-no-active-account-check-address", email=email)
         return link_path(create_sign_in_link(session, person.id, actor=None))

@@ -49,9 +49,9 @@ def create_person(session: Session, *, name: str, email: str, role: Role, actor:
     """A new account without a password; give them a link. Raises Conflict if the address is taken."""
     name, email = _checked(name, role), email.strip().lower()
     if "@" not in email:
-        raise BadInput(f"“{email}” is not an email address; write it as name@place.")
+        raise BadInput("people-not-email-address-write-name-place", email=email)
     if person_by_email(session, email) is not None:
-        raise Conflict(f"There is already an account for {email}; change that one instead.")
+        raise Conflict("people-already-account-change-one-instead", email=email)
     values = {"name": name, "email": email, "role": role, "active": True, "created_at": now()}
     person_id = add_row(session, people, values)
     after = {"name": name, "email": email, "role": role, "active": True}
@@ -80,7 +80,7 @@ def update_person(
 def _keep_an_admin(session: Session, person_id: int) -> None:
     others = select(people.c.id).where(people.c.role == "admin", people.c.active, people.c.id != person_id)
     if session.execute(others).first() is None:
-        raise Conflict("This is the last admin; make somebody else admin first.")
+        raise Conflict("people-last-admin-make-somebody-else-admin")
 
 
 def password_hash_of(session: Session, person_id: int) -> str | None:
@@ -135,7 +135,7 @@ def create_sign_in_link(
 
 def use_sign_in_link(session: Session, token: str) -> Person:
     """Whose link this is; it works once. Raises NotSignedIn for a used, old or unknown one."""
-    refused = NotSignedIn("This sign-in link was used already or is too old; ask an admin for a new one.")
+    refused = NotSignedIn("people-sign-link-used-already-too-old")
     query = select(sign_in_links).where(sign_in_links.c.token_hash == _token_hash(token))
     link = session.execute(query).mappings().one_or_none()
     if link is None or link["used_at"] is not None or link["expires_at"] <= now():
@@ -154,9 +154,9 @@ def _token_hash(token: str) -> str:
 
 def _checked(name: str, role: str) -> str:
     if not name.strip():
-        raise BadInput("A person needs a name; fill it in.")
+        raise BadInput("people-person-needs-name-fill")
     if role not in get_args(Role):
-        raise BadInput(f"There is no role “{role}”; use one of {', '.join(get_args(Role))}.")
+        raise BadInput("people-no-role-use-one", role=role, roles=", ".join(get_args(Role)))
     return name.strip()
 
 

@@ -81,11 +81,14 @@ def request_pose(session: Session, wanted: PoseRequest, *, actor: int) -> Job:
     """Queue the solution. Raises at once for what can be seen to be wrong without looking at a frame."""
     recording = get_recording(session, wanted.recording_id)
     if recording.state != "ready" or recording.frame_count is None:
-        raise BadInput(f"{recording.name} has no frames yet; wait until it is ready.")
+        raise BadInput("poses-no-frames-yet-wait-until-ready", name=recording.name)
     if not wanted.first_frame <= wanted.last_frame < recording.frame_count:
         raise BadInput(
-            f"Frames {wanted.first_frame} to {wanted.last_frame} are no span of {recording.name}; it has "
-            f"frames 0 to {recording.frame_count - 1}."
+            "poses-frames-no-span-frames-0",
+            first_frame=wanted.first_frame,
+            last_frame=wanted.last_frame,
+            name=recording.name,
+            frame_count=recording.frame_count - 1,
         )
     require_board(wanted.board)
     fitting_camera(session, recording, wanted.calibration_id)

@@ -149,7 +149,13 @@ def board_in_span(
     if not any(corners.found for corners in seen.corners):
         reasons = Counter(corners.reason or "the board was not found" for corners in seen.corners)
         reason = reasons.most_common(1)[0][0].rstrip(".")
-        raise BadInput(f"No frame from {first} to {last} shows the board: {reason[:1].lower()}{reason[1:]}.")
+        raise BadInput(
+            "poses-no-frame-shows-board",
+            first=first,
+            last=last,
+            reason=reason[:1].lower(),
+            reason_2=reason[1:],
+        )
     return seen
 
 
@@ -224,6 +230,10 @@ def check_fits(camera: Camera, width_px: int, height_px: int, name: str) -> None
     """Refuse a calibration of another picture size: its pixels mean something else."""
     if (camera.width_px, camera.height_px) != (width_px, height_px):
         raise BadInput(
-            f"The calibration is for pictures of {camera.width_px} x {camera.height_px} px and {name} has "
-            f"{width_px} x {height_px} px; choose a calibration made at the recording's size."
+            "poses-calibration-pictures-x-px-x-px",
+            width_px=camera.width_px,
+            height_px=camera.height_px,
+            name=name,
+            width_px_2=width_px,
+            height_px_2=height_px,
         )

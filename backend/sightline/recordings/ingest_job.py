@@ -43,7 +43,7 @@ def retry_ingest(services: Services, recording_id: int, actor: int) -> Job:
     with services.writing() as session:
         recording = recordings.get_recording(session, recording_id)
         if recording.job and recording.job.kind == KIND and recording.job.state in ("queued", "running"):
-            raise Conflict(f"{recording.name} is being ingested already; wait for it or cancel it.")
+            raise Conflict("recordings-being-ingested-already-wait-cancel", name=recording.name)
         recording = recordings.restart_ingest(session, recording_id, actor=actor)
         job = queue_ingest(session, recording, actor)
     stills_of(services).forget(recording_id)
@@ -105,7 +105,7 @@ def _read(context: JobContext, path: Path, recording: Recording, folder: Path) -
             name=recording.name,
         )
     except IngestCancelled as stopped:
-        raise Cancelled(STOPPED) from stopped
+        raise Cancelled("recordings-ingest-cancelled-start-again-delete-recording") from stopped
 
 
 def _keep_working_copy(store: MediaStore, recording: Recording, found: Ingested) -> str | None:
@@ -147,7 +147,7 @@ def thumbnail(services: Services, recording_id: int, n: int) -> bytes:
     """The thumbnail of frame n as JPEG. Raises NotFound where that frame has none."""
     recording = stills_of(services).open(recording_id).recording
     if n not in recording.thumbs:
-        raise NotFound(f"Frame {n} of {recording.name} has no thumbnail; ask for the frame itself.")
+        raise NotFound("recordings-frame-no-thumbnail-ask-frame-itself", n=n, name=recording.name)
     with zipfile.ZipFile(services.media.local_path(thumbnails_key(recording))) as archive:
         return archive.read(f"{n}.jpg")
 
@@ -204,7 +204,7 @@ def remove_recording(services: Services, recording_id: int, actor: int) -> None:
     with services.writing() as session:
         recording = recordings.get_recording(session, recording_id)
         if recording.job and recording.job.kind == KIND and recording.job.state in ("queued", "running"):
-            raise Conflict(f"{recording.name} is being ingested; cancel that first.")
+            raise Conflict("recordings-being-ingested-cancel-first", name=recording.name)
         recordings.remove_recording(session, recording_id, actor=actor)
     stills_of(services).forget(recording_id)
     # Nobody can record the same content while the lock is held; what was recorded since then keeps it.

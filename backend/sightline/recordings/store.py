@@ -72,11 +72,11 @@ def update_recording(
     change = dict(changes)
     unknown = set(change) - {"name", "camera_id", "pose_id", "lighting"}
     if unknown:
-        raise BadInput(f"A recording's {', '.join(sorted(unknown))} cannot be changed; leave it out.")
+        raise BadInput("recordings-recordings-cannot-changed-leave-out", unknown=", ".join(sorted(unknown)))
     if "name" in change and not str(change["name"]).strip():
-        raise BadInput("A recording needs a name; fill it in.")
+        raise BadInput("recordings-recording-needs-name-fill")
     if change.get("lighting") not in (None, "daytime", "low_light"):
-        raise BadInput("The lighting is daytime or low_light; choose one.")
+        raise BadInput("recordings-lighting-daytime-low-light-choose-one")
     for column, word in ((recordings.c.camera_id, "camera"), (recordings.c.pose_id, "road pose")):
         if change.get(column.name) is not None:
             row_id = cast(int, change[column.name])
@@ -101,9 +101,7 @@ def note_ingested(
     fingerprint = frame_table_fingerprint(found)
     if is_held(session, recordings, recording_id):
         if fingerprint != frame_table_fingerprint(get_frame_table(session, recording_id)):
-            raise Conflict(
-                "The frames found now are not those that were measured; upload the video as a new one."
-            )
+            raise Conflict("recordings-frames-found-now-not-those-measured")
     else:
         replace_frames(session, recording_id, found)
     values = {**asdict(facts), "frame_count": len(found), "state": "ready", "error": None}
@@ -132,7 +130,7 @@ def remove_recording(session: Session, recording_id: int, *, actor: int | None) 
     """
     gone = get_recording(session, recording_id)
     if is_held(session, recordings, recording_id):
-        raise Conflict("This recording has measurements and stays; an audit needs its frames.")
+        raise Conflict("recordings-recording-measurements-stays-audit-needs-frames")
     remove_frames(session, recording_id)
     change_row(session, recordings, recording_id, {"deleted_at": now()})
     before = {"name": gone.name, "sha256": gone.sha256}
@@ -162,11 +160,9 @@ def decide_drift(session: Session, recording_id: int, reason: str, *, actor: int
     before = _row(session, recording_id)
     check = drift_check_of(before["drift"], before["pose_id"])
     if check is None or check["state"] != "moved":
-        raise Conflict(
-            "The camera was not found to have moved since the road pose; there is nothing to decide."
-        )
+        raise Conflict("recordings-camera-not-found-moved-since-road")
     if not reason.strip():
-        raise BadInput("Say why the road pose is still good, so that an audit can follow it.")
+        raise BadInput("recordings-say-why-road-pose-still-good")
     decision: DriftDecision = {
         "pose_id": before["pose_id"],
         "spans": [one for one in check["spans"] if one["moved"]],
@@ -182,7 +178,7 @@ def take_back_drift_decision(session: Session, recording_id: int, *, actor: int 
     """The measurements after the bump are flagged again. Raises Conflict where nothing was decided."""
     before = _row(session, recording_id)
     if before["drift_decision"] is None:
-        raise Conflict("Nothing was decided about this recording's camera, so there is nothing to take back.")
+        raise Conflict("recordings-nothing-decided-about-recordings-camera-nothing")
     return _drift_decision(session, before, None, "take_back_drift_decision", actor)
 
 
@@ -228,7 +224,7 @@ def _row(session: Session, recording_id: int) -> dict[str, Any]:
 
 def _same_survey(session: Session, table: Any, row_id: int, word: str, survey_id: int) -> None:
     if get_row(session, table, row_id, word)["survey_id"] != survey_id:
-        raise BadInput(f"The {word} {row_id} belongs to another survey; choose one of this survey's.")
+        raise BadInput("recordings-belongs-another-survey-choose-one-surveys-2", word=word, row_id=row_id)
 
 
 def _same_size(session: Session, recording: Mapping[str, Any], pose_id: int) -> None:
@@ -239,8 +235,13 @@ def _same_size(session: Session, recording: Mapping[str, Any], pose_id: int) -> 
     filmed = (recording["width_px"], recording["height_px"])
     if None not in posed + filmed and posed != filmed:
         raise BadInput(
-            f"The road pose {pose_id} is for pictures of {posed[0]} x {posed[1]} px and {recording['name']} "
-            f"has {filmed[0]} x {filmed[1]} px; choose a pose made at the recording's size."
+            "recordings-road-pose-pictures-x-px-x",
+            pose_id=pose_id,
+            posed=posed[0],
+            posed_2=posed[1],
+            name=recording["name"],
+            filmed=filmed[0],
+            filmed_2=filmed[1],
         )
 
 

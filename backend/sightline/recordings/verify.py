@@ -43,7 +43,7 @@ def check_recordings(files: Files, events: RecordingEvents) -> None:
         number = int(row["id"])
         made = events.facts.pop(number, None)
         if made is None or not says(RECORDINGS, row, {**made, **_drift(events, number, row["pose_id"])}):
-            raise Damaged(f"recordings.csv: {row['id']} is not what its audit events say; it was changed.")
+            raise Damaged("recordings-recordings-csv-not-what-audit-events", id=row["id"])
 
 
 def _drift(events: RecordingEvents, number: int, pose: str) -> Cells:

@@ -38,7 +38,7 @@ def standards_in(files: Files) -> tuple[Standard, ...]:
     ):
         height_m = number(height)
         if what not in get_args(StandardHeight) or height_m is None:
-            raise Damaged(f"{STANDARDS.path}: {name} cannot be read; take the whole export again.")
+            raise Damaged("results-cannot-read-take-whole-export-again", path=STANDARDS.path, name=name)
         found.append(
             Standard(
                 unsafe(name), "driver_eye" if what == "driver_eye" else "object", height_m, unsafe(source)

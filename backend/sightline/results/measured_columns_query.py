@@ -182,7 +182,7 @@ def _codes(table: pa.Table, name: str, words: Sequence[str]) -> Ints:
     code = pc.index_in(column, value_set=pa.array(words, pa.string()))
     if code.null_count != column.null_count:
         unknown = sorted(set(column.unique().to_pylist()) - {*words, None})
-        raise Damaged(f"The database holds the {name} “{unknown[0]}”, which this version does not know.")
+        raise Damaged("results-database-holds-which-version-not-know", name=name, unknown=unknown[0])
     return np.asarray(code.fill_null(NONE), dtype=np.int64)
 
 

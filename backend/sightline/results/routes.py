@@ -70,7 +70,7 @@ def statistics_of_measurements(
 ) -> StatisticsBody:
     """Error table, figures and distributions of the measurements that a filter leaves."""
     if not 0.0 <= u_reference_m < 1.0:
-        raise BadInput("The reference heights' u must be at least 0 and below 1 m, such as 0.0173.")
+        raise BadInput("results-reference-heights-u-must-least-0")
     own = _own("driver_eye", eye_limit_m) + _own("object", object_limit_m)
     chosen = Filter(
         survey_ids=tuple(sorted(set(survey))),
@@ -109,9 +109,9 @@ def choose_standards(
 
 def _own(what: StandardHeight, limits_m: list[float]) -> tuple[Standard, ...]:
     if len(limits_m) > MOST_OWN:
-        raise BadInput(f"More than {MOST_OWN} values of your own cannot be drawn; remove some.")
+        raise BadInput("results-more-values-your-own-cannot-drawn", most_own=MOST_OWN)
     if any(not 0.0 < limit < 10.0 for limit in limits_m):
-        raise BadInput("A value of your own must lie between 0 and 10 m, such as 1.08.")
+        raise BadInput("results-value-your-own-must-lie-between")
     return tuple(Standard("own value", what, limit, "entered on the page") for limit in limits_m)
 
 

@@ -56,7 +56,7 @@ def choose_standards(
     """
     before = get_standards(session, survey_id)
     if version != before.version:
-        raise Conflict("Somebody changed the standards meanwhile; load them again and repeat your change.")
+        raise Conflict("results-somebody-changed-standards-meanwhile-load-them")
     table = tuple(Standard(one.name.strip(), one.what, one.height_m, one.source.strip()) for one in standards)
     _refuse(table)
     then, now = ({"standards": [asdict(one) for one in listed]} for listed in (before.standards, table))
@@ -66,16 +66,16 @@ def choose_standards(
 
 def _refuse(table: Sequence[Standard]) -> None:
     if len(table) > MOST:
-        raise BadInput(f"A table of {len(table)} standards cannot be drawn; {MOST} are the most.")
+        raise BadInput("results-table-standards-cannot-drawn-most", count=len(table), most=MOST)
     for one in table:
         if not one.name:
-            raise BadInput("A standard needs a name, such as AASHTO (USA).")
+            raise BadInput("results-standard-needs-name-such-aashto-usa")
         if not 0.0 < one.height_m < 10.0:
-            raise BadInput(f"The height of {one.name} must lie between 0 and 10 m, such as 1.08.")
+            raise BadInput("results-height-must-lie-between-0-10", name=one.name)
     named = [(one.what, one.name) for one in table]
     twice = next((name for what, name in named if named.count((what, name)) > 1), None)
     if twice is not None:
-        raise BadInput(f"{twice} stands in the table twice; give each value a name of its own.")
+        raise BadInput("results-stands-table-twice-give-each-value", twice=twice)
 
 
 def _newest(session: Session, survey_ids: Sequence[int]) -> dict[int, StandardsOfSurvey]:

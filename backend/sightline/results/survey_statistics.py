@@ -149,10 +149,10 @@ def _columns(session: Session, _last_hash: str, survey_ids: tuple[int, ...], day
 
 def _refuse(chosen: Filter, places: Mapping[int, Any]) -> None:
     if chosen.first_day and chosen.last_day and chosen.last_day < chosen.first_day:
-        raise BadInput("The last day lies before the first; exchange them.")
+        raise BadInput("results-last-day-lies-before-first-exchange")
     for survey_id in chosen.survey_ids:
         if survey_id not in places:
-            raise NotFound(f"There is no survey {survey_id}; it may have been removed.")
+            raise NotFound("results-no-survey-may-been-removed", survey_id=survey_id)
 
 
 def filtered(found: Measured, chosen: Filter) -> tuple[Measured, dict[str, int]]:

@@ -15,4 +15,4 @@ def check_standards(files: Files, chosen: Sequence[Mapping[str, Any]] | None) ->
     """The standards are those that the survey's events chose; None: the usual ones. Raises Damaged."""
     expected = STANDARDS if chosen is None else tuple(Standard(**one) for one in chosen)
     if standards_in(files) != tuple(expected):
-        raise Damaged("standards.csv is not what the survey's audit events say; it was changed.")
+        raise Damaged("results-standards-csv-not-what-surveys-audit")

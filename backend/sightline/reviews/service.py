@@ -35,7 +35,7 @@ def review(
     if verdict == "fixed":
         fixed = _fixed(session, before, frame, contact, target_point, actor)
     elif contact is not None or target_point is not None or frame is not None:
-        raise BadInput("Only a fix carries points; leave them out or choose the verdict fixed.")
+        raise BadInput("reviews-only-fix-carries-points-leave-them")
     return add_review(
         session,
         series_id,
@@ -57,7 +57,7 @@ def _fixed(
     actor: int,
 ) -> MeasurementValues:
     if contact is None or target_point is None:
-        raise BadInput("A fix needs both points, contact and target; click them and send them along.")
+        raise BadInput("reviews-fix-needs-both-points-contact-target")
     n = before.values.frame if frame is None else frame
     clicks = clicked_again(before.values, n, contact, target_point)
     return values_at(session, before.recording_id, clicks, actor=actor)

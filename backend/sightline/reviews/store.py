@@ -76,7 +76,7 @@ def require_verdict(standing: ReviewState, seen: Verdict | None) -> None:
     """Raises Conflict if somebody gave another verdict since `seen`; None: not compared."""
     if seen is not None and standing.verdict != seen:
         name = standing.reviewer.name if standing.reviewer else "Somebody"
-        raise Conflict(f"{name} gave the verdict “{standing.verdict}” meanwhile; look at it first.")
+        raise Conflict("reviews-verdict-given-meanwhile", name=name, verdict=standing.verdict)
 
 
 def review_queue(
@@ -158,7 +158,7 @@ def _not_own(session: Session, before: Measurement, actor: int) -> None:
     for one in measurement_revisions(session, before.id):
         own = one.created_by is not None and one.created_by.id == actor
         if own and (one.revision == before.revision or one.values.first_clicks == clicks):
-            raise NotAllowed("Nobody reviews their own measurement; ask another reviewer.")
+            raise NotAllowed("reviews-nobody-reviews-their-own-measurement-ask")
 
 
 def _allowed(
@@ -168,12 +168,12 @@ def _allowed(
     fixed: MeasurementValues | None,
 ) -> None:
     if before.withdrawn:
-        raise Conflict("This measurement is withdrawn; there is nothing to review.")
+        raise Conflict("reviews-measurement-withdrawn-nothing-review")
     if before.repeat_of is not None:
-        raise Conflict("A repeat is not reviewed; review the measurement that it repeats.")
+        raise Conflict("reviews-repeat-not-reviewed-review-measurement-repeats")
     if verdict == "rejected" and not (reason or "").strip():
-        raise BadInput("A rejection needs a reason; say what is wrong so that it can be put right.")
+        raise BadInput("reviews-rejection-needs-reason-say-what-wrong")
     if (verdict == "fixed") != (fixed is not None):
-        raise BadInput("A fix needs the new points, and only a fix has them; click them and send them along.")
+        raise BadInput("reviews-fix-needs-new-points-only-fix")
     if verdict == "reopened" and before.review.verdict in ("to_review", "reopened"):
-        raise Conflict("This measurement waits for a review already.")
+        raise Conflict("reviews-measurement-waits-review-already")

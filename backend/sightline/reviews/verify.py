@@ -26,12 +26,12 @@ def check_verdicts(
     for row in read_rows(files, REVIEWS.path):
         made = reviews.get(int(row["id"]))
         if made is None or not says(REVIEWS, row, _of_review(made)):
-            raise Damaged(f"reviews.csv: {row['id']} is not what its audit event says; it was changed.")
+            raise Damaged("reviews-reviews-csv-not-what-audit-event", id=row["id"])
         there.add(int(row["id"]))
         newest[row["measurement_id"], row["result_revision"]] = row
     for id_, made in reviews.items():
         if id_ not in there and not is_gone(int(made["vehicle_id"])):
-            raise Damaged(f"reviews.csv: {id_} is missing, though its audit event is there.")
+            raise Damaged("reviews-reviews-csv-missing-though-audit-event", id=id_)
     names = ("id", "revision", "verdict", "review_reason", "reviewer_id", "reviewed_at")
     for one, revision, *said in read_columns(files, "measurements.csv", names):
         review = newest.get((one, revision))
@@ -39,9 +39,7 @@ def check_verdicts(
         if review is not None:
             wanted = [review[name] for name in ("verdict", "reason", "reviewer_id", "at")]
         if said != wanted:
-            raise Damaged(
-                f"measurements.csv: the verdict on {one} is not that of its newest review; one is wrong."
-            )
+            raise Damaged("reviews-measurements-csv-verdict-not-newest-review", one=one)
 
 
 def _of_review(made: Mapping[str, Any]) -> dict[str, Any]:

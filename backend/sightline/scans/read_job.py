@@ -60,7 +60,7 @@ def read_scan(context: JobContext) -> Finish:
     try:
         facts = _stored(context, services, scan, folder)
     except IngestCancelled as stopped:
-        raise Cancelled(CANCELLED) from stopped
+        raise Cancelled("said", sentence=CANCELLED) from stopped
     finally:
         shutil.rmtree(folder, ignore_errors=True)
 

@@ -45,11 +45,11 @@ def create_from_strips(
     Raises NotFound, Conflict for an upload that is not whole or belongs to a scan already, BadInput.
     """
     if first_upload == second_upload:
-        raise BadInput("Both cameras name the same upload; upload a strip for each.")
+        raise BadInput("scans-both-cameras-name-same-upload-upload")
     first = _strip(session, survey_id, first_upload, "first")
     second = _strip(session, survey_id, second_upload, "second")
     if first.sha256 == second.sha256:
-        raise BadInput(f"{first.name} and {second.name} are the same picture; give the strip of each camera.")
+        raise BadInput("scans-same-picture-give-strip-each-camera", name=first.name, name_2=second.name)
     made = store.create_scan(
         session,
         survey_id,
@@ -79,18 +79,17 @@ def create_from_video(
     """A scan cut from a video along two pixel columns; its line rate is the video's frame rate."""
     recording = get_recording(session, source.recording_id)
     if recording.state != "ready" or not recording.width_px:
-        raise BadInput(f"{recording.name} has no frames yet; wait until it is ready.")
+        raise BadInput("poses-no-frames-yet-wait-until-ready", name=recording.name)
     rate_hz = recording.report.get("rate_hz")
     if recording.vfr or not rate_hz:
-        raise BadInput(
-            f"{recording.name} has frames at uneven times, and a line scan needs a steady rate; "
-            "record at a constant frame rate."
-        )
+        raise BadInput("scans-frames-uneven-times-line-scan-needs", name=recording.name)
     columns = (source.column_1_px, source.column_2_px)
     if columns[0] == columns[1] or not all(0 <= one < recording.width_px for one in columns):
         raise BadInput(
-            f"Columns {columns[0]} and {columns[1]} cannot be cut; choose two different ones from 0 to "
-            f"{recording.width_px - 1}."
+            "scans-columns-cannot-cut-choose-two-different",
+            columns=columns[0],
+            columns_2=columns[1],
+            width_px=recording.width_px - 1,
         )
     made = store.create_scan(
         session,
@@ -116,7 +115,7 @@ def retry_reading(session: Session, scan_id: int, actor: int) -> Job:
     """Read the strips again after a failed or cancelled reading. Raises Conflict where there is no need."""
     scan = store.get_scan(session, scan_id)
     if scan.state == "ready":
-        raise Conflict(f"{scan.name} was read already; nothing is to be done.")
+        raise Conflict("scans-read-already-nothing-done", name=scan.name)
     require_idle(session, scan)
     find = (scan.job.payload.get("find") if scan.job else None) or None
     scan = store.restart_reading(session, scan_id, actor=actor)
@@ -158,9 +157,9 @@ def shows(scan: Scan, line: float, row_px: float) -> bool:
 def require_ready(scan: Scan) -> None:
     """Raises BadInput while a scan has no strips to look at."""
     if scan.state == "failed":
-        raise BadInput(f"{scan.name} could not be read; see its error and try again.")
+        raise BadInput("scans-could-not-read-see-error-try", name=scan.name)
     if scan.state != "ready":
-        raise BadInput(f"{scan.name} is still being read; wait until it is ready.")
+        raise BadInput("scans-still-being-read-wait-until-ready", name=scan.name)
 
 
 def require_idle(session: Session, scan: Scan) -> None:
@@ -168,7 +167,7 @@ def require_idle(session: Session, scan: Scan) -> None:
     job = latest_jobs_of_scans(session, [scan.id]).get(scan.id)
     if job is not None and job.state in ("queued", "running"):
         what = "being read" if job.kind == READ else "being searched for vehicles"
-        raise Conflict(f"{scan.name} is {what} already; wait for that or cancel it.")
+        raise Conflict("scans-already-wait-cancel", name=scan.name, what=what)
 
 
 def remove_scan(services: Services, scan_id: int, actor: int) -> None:
@@ -203,17 +202,17 @@ def tidy(services: Services, scan: Scan) -> None:
 def _strip(session: Session, survey_id: int, upload_id: int, word: str) -> StripSource:
     upload = get_upload(session, upload_id)
     if upload.survey_id != survey_id:
-        raise BadInput(f"The {word} strip was uploaded to another survey; upload it to this one.")
+        raise BadInput("scans-strip-uploaded-another-survey-upload-one", word=word)
     if upload.purpose != "strip":
-        raise BadInput(f"{upload.filename} was uploaded as a video; upload it again as a strip.")
+        raise BadInput("scans-uploaded-video-upload-again-strip", filename=upload.filename)
     if upload.scan_id is not None:
-        raise Conflict(f"{upload.filename} belongs to a line-scan recording already; upload it again.")
+        raise Conflict("scans-belongs-line-scan-recording-already-upload", filename=upload.filename)
     return _arrived(upload, word)
 
 
 def _arrived(upload: Upload, word: str) -> StripSource:
     if upload.finished_at is None or upload.sha256 is None:
-        raise Conflict(f"The {word} strip, {upload.filename}, has not arrived whole yet; finish its upload.")
+        raise Conflict("scans-strip-not-arrived-whole-yet-finish", word=word, filename=upload.filename)
     return StripSource(upload.filename, upload.media_key, upload.sha256, upload.id)
 
 

@@ -64,7 +64,7 @@ def create_scan(
     if isinstance(source, ColumnSource):
         recording = get_row(session, recordings, source.recording_id, "recording")
         if recording["survey_id"] != survey_id:
-            raise BadInput("The recording belongs to another survey; choose one of this survey's.")
+            raise BadInput("scans-recording-belongs-another-survey-choose-one")
         content |= {"source": "video", "first_source_sha256": recording["sha256"], **asdict(source)}
     else:
         for word, one in zip(("first", "second"), source, strict=True):
@@ -123,13 +123,13 @@ def update_scan(
     before = _row(session, scan_id)
     if before["version"] != version:
         name, when = name_of(session, before["updated_by"]), f"{before['updated_at']:%Y-%m-%d %H:%M:%S} UTC"
-        raise Conflict(f"{name} changed {before['name']} at {when}; look again and redo yours.")
+        raise Conflict("scans-changed-look-again-redo-yours", name=name, name_2=before["name"], when=when)
     change: dict[str, Any] = dict(changes)
     unknown = set(change) - _CHANGEABLE
     if unknown:
-        raise BadInput(f"A scan's {', '.join(sorted(unknown))} cannot be changed; leave it out.")
+        raise BadInput("scans-scans-cannot-changed-leave-out", unknown=", ".join(sorted(unknown)))
     if "name" in change and not str(change["name"]).strip():
-        raise BadInput("A scan needs a name; fill it in.")
+        raise BadInput("scans-scan-needs-name-fill")
     require_rig(Rig(**{key: change.get(key, before[key]) for key in RIG}))
     change_row(
         session,
@@ -150,7 +150,7 @@ def remove_scan(session: Session, scan_id: int, *, actor: int | None) -> Scan:
     """
     gone = get_scan(session, scan_id)
     if scan_worked_on(session, scan_id):
-        raise Conflict("People have worked on this scan's vehicles, so it stays; an audit needs its strips.")
+        raise Conflict("scans-people-worked-scans-vehicles-stays-audit")
     change_row(session, scans, scan_id, {"deleted_at": now()})
     before = {"name": gone.name, "deleted": False}
     trail.record(session, actor, "delete", "scan", scan_id, gone.survey_id, before, {"deleted": True})

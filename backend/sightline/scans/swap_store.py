@@ -28,14 +28,13 @@ def swap_scan_cameras(session: Session, scan_id: int, *, version: int, actor: in
     scan = get_scan(session, scan_id)
     if scan.version != version:
         before = get_row(session, table, scan_id, "line-scan recording")
-        raise Conflict(f"{name_of(session, before['updated_by'])} changed {scan.name}; look again.")
-    if scan.state != "ready":
-        raise Conflict(f"{scan.name} has not been read yet; wait until it is ready.")
-    if scan_worked_on(session, scan_id):
         raise Conflict(
-            f"People have worked on {scan.name}, so its cameras stay; add a line scan with the strips the "
-            "other way round."
+            "scans-changed-look-again", name_of=name_of(session, before["updated_by"]), name=scan.name
         )
+    if scan.state != "ready":
+        raise Conflict("scans-not-been-read-yet-wait-until", name=scan.name)
+    if scan_worked_on(session, scan_id):
+        raise Conflict("scans-people-worked-cameras-stay-add-line", name=scan.name)
     row = get_row(session, table, scan_id, "line-scan recording")
     change = {name: row[other] for pair in _PAIRS for name, other in (pair, pair[::-1])}
     if row["misalignment_px"] is not None:

@@ -40,7 +40,7 @@ def check_scans(files: Files, events_of_scans: int) -> int:
         expected = {number for number in told[entity] if number not in gone[entity]}
         if set(rows[entity]) != expected:
             odd = min(set(rows[entity]) ^ expected)
-            raise Damaged(f"{table.path}: row {odd} is there without its audit event, or is missing.")
+            raise Damaged("scans-row-without-audit-event-missing", path=table.path, odd=odd)
         for number, row in rows[entity].items():
             _same(table, row, told[entity][number])
     _current(rows["scan_vehicle"], rows["scan_measurement"])
@@ -96,7 +96,7 @@ def _same(table: AnyTable, row: Mapping[str, str], told: Mapping[str, Any]) -> N
         if column.type == "number" and isinstance(value, int):
             value = float(value)
         if row[name] != cell_text(column, value):
-            raise Damaged(f"{table.path}: {name} of row {row['id']} is not what its audit event says.")
+            raise Damaged("scans-row-not-what-audit-event-says", path=table.path, name=name, id=row["id"])
 
 
 def _current(vehicles: Mapping[int, Mapping[str, str]], revisions: Mapping[int, Mapping[str, str]]) -> None:
@@ -117,9 +117,7 @@ def _current(vehicles: Mapping[int, Mapping[str, str]], revisions: Mapping[int, 
         if vehicle["measurement_id"] != measured["id"] or any(
             vehicle[name] != measured[name] for name in shared
         ):
-            raise Damaged(
-                f"{SCAN_VEHICLES.path}: vehicle {number} is not its newest revision; it was changed."
-            )
+            raise Damaged("scans-vehicle-not-newest-revision-changed", path=SCAN_VEHICLES.path, number=number)
 
 
 def _verdicts(revisions: Mapping[int, Mapping[str, str]], reviews: Mapping[int, Mapping[str, str]]) -> None:
@@ -127,4 +125,4 @@ def _verdicts(revisions: Mapping[int, Mapping[str, str]], reviews: Mapping[int, 
     newest = {int(one["measurement_id"]): one["verdict"] for _, one in sorted(reviews.items())}
     for number, row in revisions.items():
         if row["verdict"] != newest.get(number, "to_review"):
-            raise Damaged(f"{SCAN_MEASUREMENTS.path}: the verdict of row {number} is not the one given.")
+            raise Damaged("scans-verdict-row-not-one-given", path=SCAN_MEASUREMENTS.path, number=number)

@@ -64,7 +64,7 @@ def survey_by_name(session: Session, name: str) -> Survey:
     query = select(surveys).where(surveys.c.name == name).order_by(surveys.c.id.desc()).limit(1)
     row = session.execute(query).mappings().one_or_none()
     if row is None:
-        raise BadInput(f"There is no survey named “{name}”; check the name on the home page.")
+        raise BadInput("surveys-no-survey-named-check-name-home", name=name)
     return _survey(dict(row))
 
 
@@ -90,7 +90,9 @@ def update_survey(
     if before["version"] != version:
         name_then, when = name_of(session, before["updated_by"]), before["updated_at"]
         raise Conflict(
-            f"{name_then} changed this survey at {when:%Y-%m-%d %H:%M:%S} UTC; look again and redo yours."
+            "surveys-changed-survey-utc-look-again-redo",
+            name_then=name_then,
+            when=format(when, "%Y-%m-%d %H:%M:%S"),
         )
     content = _content(name, site, description, insets)
     stamps = {"version": version + 1, "updated_at": now(), "updated_by": actor}
@@ -102,12 +104,10 @@ def update_survey(
 
 def _content(name: str, site: str, description: str, insets: Mapping[str, Inset]) -> dict[str, Any]:
     if not name.strip():
-        raise BadInput("A survey needs a name; fill it in.")
+        raise BadInput("surveys-survey-needs-name-fill")
     for target, inset in insets.items():
         if target not in DEFAULT_INSETS or not inset.u_inset_m >= 0:
-            raise BadInput(
-                f"The inset of “{target}” cannot be used; give a known target and an uncertainty >= 0."
-            )
+            raise BadInput("surveys-inset-cannot-used-give-known-target", target=target)
     whole = {**default_insets(), **insets}
     return {
         "name": name.strip(),

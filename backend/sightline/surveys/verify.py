@@ -15,4 +15,4 @@ def check_insets(files: Files, insets: Mapping[str, Mapping[str, Any]]) -> None:
     """The insets in force are those of the survey's events, by target. Raises Damaged."""
     rows = {row["target"]: row for row in read_rows(files, INSETS.path)}
     if set(rows) != set(insets) or any(not says(INSETS, rows[one], insets[one]) for one in rows):
-        raise Damaged("insets.csv is not what the survey's audit events say; it was changed.")
+        raise Damaged("surveys-insets-csv-not-what-surveys-audit")

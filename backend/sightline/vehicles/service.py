@@ -11,8 +11,8 @@ from sightline.vehicles.store import get_vehicle, update_vehicle
 class StaleVersion(Conflict):
     """Somebody changed the record in between; `current` is what it holds now (the answer carries it)."""
 
-    def __init__(self, message: str, current: object) -> None:
-        super().__init__(message)
+    def __init__(self, code: str, current: object, **values: object) -> None:
+        super().__init__(code, **values)
         self.current = current
 
 
@@ -23,4 +23,4 @@ def change_vehicle(
     try:
         return update_vehicle(session, vehicle_id, changes, version=version, actor=actor)
     except Conflict as error:
-        raise StaleVersion(error.message, get_vehicle(session, vehicle_id)) from error
+        raise StaleVersion(error.code, get_vehicle(session, vehicle_id), **error.values) from error

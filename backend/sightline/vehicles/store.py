@@ -39,7 +39,7 @@ def create_vehicle(
     """A vehicle of a recording; `first_frame` and `last_frame` are needed. Numbers count up in the survey."""
     recording = get_row(session, recordings, recording_id, "recording", recordings.c.deleted_at.is_(None))
     if "first_frame" not in fields or "last_frame" not in fields:
-        raise BadInput("A vehicle needs its first and last frame; mark the pass on the timeline.")
+        raise BadInput("vehicles-vehicle-needs-first-last-frame-mark")
     content: dict[str, Any] = {**_empty(), **_checked(fields, recording["frame_count"])}
     survey_id, moment = recording["survey_id"], now()
     counted = select(func.coalesce(func.max(vehicles.c.number), 0)).where(vehicles.c.survey_id == survey_id)
@@ -99,7 +99,7 @@ def restore_vehicle(session: Session, vehicle_id: int, *, actor: int | None) -> 
     """Bring a deleted vehicle back. Raises Conflict for one that is not deleted."""
     before = get_row(session, vehicles, vehicle_id, "vehicle")
     if before["deleted_at"] is None:
-        raise Conflict("This vehicle was not deleted, so there is nothing to restore.")
+        raise Conflict("scans-vehicle-not-deleted-nothing-restore")
     stamps = {"version": before["version"] + 1, "updated_at": now(), "updated_by": actor}
     change_row(session, vehicles, vehicle_id, {"deleted_at": None, **stamps})
     then, after = {"deleted": True}, {"deleted": False}
@@ -121,7 +121,9 @@ def _current(session: Session, vehicle_id: int, version: int | None) -> dict[str
     row = get_row(session, vehicles, vehicle_id, "vehicle", _ALIVE)
     if version is not None and row["version"] != version:
         name, when = name_of(session, row["updated_by"]), f"{row['updated_at']:%Y-%m-%d %H:%M:%S} UTC"
-        raise Conflict(f"{name} changed vehicle {row['number']} at {when}; look again and redo yours.")
+        raise Conflict(
+            "scans-changed-vehicle-look-again-redo-yours", name=name, number=row["number"], when=when
+        )
     return row
 
 
@@ -137,20 +139,18 @@ def _checked(fields: Mapping[str, Any], frame_count: int | None) -> dict[str, An
     values = dict(fields)
     unknown = set(values) - _FIELDS
     if unknown:
-        raise BadInput(f"A vehicle has no {', '.join(sorted(unknown))}; leave it out.")
+        raise BadInput("vehicles-vehicle-no-leave-out", unknown=", ".join(sorted(unknown)))
     first, last, best = values["first_frame"], values["last_frame"], values.get("best_frame")
     end = last if frame_count is None else frame_count - 1
     if not 0 <= first <= last <= end:
-        raise BadInput(f"Frames {first} to {last} are not a span of this recording; it ends at frame {end}.")
+        raise BadInput("vehicles-frames-not-span-recording-ends-frame", first=first, last=last, end=end)
     if best is not None and not first <= best <= last:
-        raise BadInput(f"The best frame {best} lies outside frames {first} to {last}; choose one of them.")
+        raise BadInput("vehicles-best-frame-lies-outside-frames-choose", best=best, first=first, last=last)
     height, u_height = values.get("manufacturer_height_m"), values.get("u_manufacturer_height_m")
     if height is not None and not 0 < height <= MOST_HEIGHT_M:
-        raise BadInput(
-            f"A manufacturer's height of {height:g} m cannot be used; give it in metres, as in 1.624."
-        )
+        raise BadInput("vehicles-manufacturers-height-m-cannot-used-give", height=format(height, "g"))
     if u_height is not None and not 0 <= u_height <= MOST_HEIGHT_M:
-        raise BadInput(f"An uncertainty of {u_height:g} m cannot be used; give it in metres, as in 0.005.")
+        raise BadInput("vehicles-uncertainty-m-cannot-used-give-metres", u_height=format(u_height, "g"))
     return values
 
 

@@ -82,7 +82,7 @@ describe("the two verbs", () => {
 describe("errors", () => {
   it("carry the server's sentence, code, status and body", async () => {
     const body = {
-      error: { code: "conflict", message: "Ada changed this a minute ago." },
+      error: { kind: "conflict", code: "x", values: {}, message: "Ada changed this a minute ago." },
       current: { id: 7 },
     };
     server.mockResolvedValue(answer(409, body));
@@ -92,7 +92,7 @@ describe("errors", () => {
     expect(error).toBeInstanceOf(ApiError);
     expect(error).toMatchObject({
       status: 409,
-      code: "conflict",
+      said: { code: "x", values: {} },
       message: "Ada changed this a minute ago.",
       body,
     });
@@ -114,7 +114,7 @@ describe("errors", () => {
     const told = vi.fn();
     const stop = onSignedOut(told);
     server.mockImplementation(async () =>
-      answer(401, { error: { code: "not_signed_in", message: "Sign in." } }),
+      answer(401, { error: { kind: "not_signed_in", code: "x", values: {}, message: "Sign in." } }),
     );
     await api.ask("GET /session", {}, { allowSignedOut: true }).catch(() => {});
     expect(told).not.toHaveBeenCalled();
@@ -145,7 +145,7 @@ describe("a lost connection", () => {
   it("does not send a write twice that may not be, and says so in words", async () => {
     server.mockRejectedValueOnce(new TypeError("failed to fetch"));
     const error = await api.write("POST /surveys", {}, { body: { name: "A" } }).catch((e: unknown) => e);
-    expect(error).toMatchObject({ status: 0, code: "unreachable" });
+    expect(error).toMatchObject({ status: 0, said: { code: "problem-unreachable" } });
     expect(server).toHaveBeenCalledTimes(1);
   });
 

@@ -1,16 +1,17 @@
 /** The only door to the server. One error shape, one header against cross-site requests, retries that are never silent. */
 import { computed, signal } from "@preact/signals";
-import { say } from "./messages";
+import { type MessageKey, type Said, say, sayCode, sentence } from "./messages";
 import type { AddressOf, AnswerOf, BodyOf, Deed, ParamsOf, Question, Route } from "./routes";
 import { changeSave } from "./save";
 
 export class ApiError extends Error {
   /** @param status HTTP status; 0 when the server could not be reached
+   *  @param said the sentence's code and values; the message is the same in English
    *  @param body the whole answer, for errors that carry more (a 409 carries `current`) */
   constructor(
     message: string,
     readonly status: number,
-    readonly code = "unknown",
+    readonly said: Said | null = null,
     readonly body: unknown = null,
   ) {
     super(message);
@@ -147,11 +148,7 @@ async function fetchOnce(path: string, init: RequestInit, mayRepeat: boolean): P
   } catch (error) {
     if (init.signal?.aborted) throw error;
     if (mayRepeat) return null;
-    throw new ApiError(
-      "The server could not be reached, so this was not done; check the connection and try again.",
-      0,
-      "unreachable",
-    );
+    throw problemOf("problem-unreachable", {}, 0);
   }
 }
 
@@ -174,18 +171,24 @@ function parse(text: string): unknown {
 
 /** The server's error shape as an ApiError; an answer of another shape (a proxy's page) still gives a sentence. */
 export function toApiError(status: number, body: unknown): ApiError {
-  const error = (body as { error?: { code?: string; message?: string } } | null)?.error;
+  const error = (body as { error?: Partial<Said> & { message?: string } } | null)?.error;
   const message =
     error?.message ??
     (status >= 500
       ? say("problem-server", { status: String(status) })
       : say("problem-refused", { status: String(status) }));
-  return new ApiError(message, status, error?.code, body);
+  const said = error?.code ? { code: error.code, values: error.values ?? {} } : null;
+  return new ApiError(message, status, said, body);
+}
+
+/** An error of this program's own, told like one of the server's. */
+export function problemOf(code: MessageKey, values: Said["values"], status: number): ApiError {
+  return new ApiError(sentence(code, values), status, { code, values });
 }
 
 /** One sentence for any error, to show to a person. */
 export function explain(error: unknown): string {
-  if (error instanceof ApiError) return error.message;
+  if (error instanceof ApiError) return (error.said && sayCode(error.said)) ?? error.message;
   if (error instanceof Error && error.name === "AbortError") return say("problem-stopped");
   console.error(error);
   return say("problem-page");

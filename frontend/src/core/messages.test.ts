@@ -1,5 +1,5 @@
 import { afterEach, expect, test, vi } from "vitest";
-import { language, preferredLanguage, say, sentence, speak } from "./messages";
+import { language, preferredLanguage, say, sayCode, sentence, speak } from "./messages";
 
 afterEach(() => speak("en"));
 
@@ -25,4 +25,9 @@ test("the first of the browser's languages that there is, else English", () => {
 test("a language without a file leaves English", async () => {
   await speak("xx");
   expect(language.value).toBe("en");
+});
+
+test("a sentence of the server: numbers are not grouped, one that is not known is left to its English", () => {
+  expect(sayCode({ code: "said", values: { sentence: 123456 } })).toBe("123456");
+  expect(sayCode({ code: "no-such-key", values: {} })).toBeNull();
 });

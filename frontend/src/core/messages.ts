@@ -3,7 +3,7 @@
  * The sentences are in `backend/sightline/messages/<language>.ftl` (Project Fluent), which the server reads too.
  * Keys and the values that a sentence takes are type-checked: `npm run types` makes `#messages` out of en.ftl.
  */
-import { FluentBundle, FluentResource, type FluentVariable } from "@fluent/bundle";
+import { FluentBundle, FluentNumber, FluentResource, type FluentVariable } from "@fluent/bundle";
 import { computed, signal } from "@preact/signals";
 import type { Messages } from "#messages";
 import english from "../../../backend/sightline/messages/en.ftl?raw";
@@ -89,6 +89,27 @@ export function sentence(key: string, values?: Record<string, FluentVariable>): 
     return text;
   }
   return key;
+}
+
+/** What the server says: a key of the catalogue and the values of its sentence. */
+export interface Said {
+  code: string;
+  values: Record<string, string | number>;
+}
+
+const MOST_DIGITS = 15;
+
+/** A sentence of the server in the language spoken, or null where this program has none of that name. Numbers are frames
+ *  and identifiers more often than counts, so they are not grouped unless the sentence asks for it. */
+export function sayCode({ code, values }: Said): string | null {
+  if (!bundles.value.some((one) => one.hasMessage(code))) return null;
+  const given = Object.entries(values).map(([name, value]) => [
+    name,
+    typeof value === "number"
+      ? new FluentNumber(value, { useGrouping: false, maximumFractionDigits: MOST_DIGITS })
+      : value,
+  ]);
+  return sentence(code, Object.fromEntries(given));
 }
 
 function bundleOf(name: string, text: string): FluentBundle {

@@ -1,7 +1,5 @@
 /** Fetches stills and lossless crops of one recording; the server is the only decoder. */
-
-import { ApiError, toApiError } from "../core/api";
-import { say } from "../core/messages";
+import { problemOf, toApiError } from "../core/api";
 import { displayQuery } from "./display";
 
 /** Address of a frame; with its checksum it may be kept for ever. */
@@ -37,7 +35,7 @@ export async function fetchFrame(url: string, frame: number, signal: AbortSignal
   if (!answer.ok) throw toApiError(answer.status, await answer.json().catch(() => null));
   const served = answer.headers.get("Sightline-Frame");
   if (served !== null && Number(served) !== frame) {
-    throw new ApiError(say("viewer-wrong-frame", { served, frame: String(frame) }), 500, "wrong_frame");
+    throw problemOf("viewer-wrong-frame", { served, frame }, 500);
   }
   return createImageBitmap(await answer.blob());
 }

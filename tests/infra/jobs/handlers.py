@@ -42,7 +42,7 @@ def fail(context: registry.JobContext) -> registry.Outcome:
     """Ends as the payload says."""
     match context.payload["how"]:
         case "input":
-            raise BadInput("The video has no picture; upload another.")
+            raise BadInput("said", sentence="The video has no picture; upload another.")
         case "program":
             raise ZeroDivisionError
         case "in_finish":
@@ -53,7 +53,7 @@ def fail(context: registry.JobContext) -> registry.Outcome:
 
 def _broken_finish(session: Session) -> Mapping[str, Any]:
     create_survey(session, name="half there", actor=None)
-    raise BadInput("The result cannot be stored; try again.")
+    raise BadInput("said", sentence="The result cannot be stored; try again.")
 
 
 @registry.handler("test_wait", failed=_mark)
@@ -62,7 +62,7 @@ def wait(context: registry.JobContext) -> registry.Outcome:
     while not context.is_cancelled():
         context.progress(0.25, "Waiting.")
         time.sleep(0.02)
-    raise registry.Cancelled("Cancelled.")
+    raise registry.Cancelled("said", sentence="Cancelled.")
 
 
 if __name__ == "__main__":

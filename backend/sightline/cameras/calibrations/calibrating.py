@@ -81,15 +81,13 @@ def frames_of(wish: CalibrationRequest, frame_count: int) -> list[int]:
     last = frame_count - 1 if wish.last_frame is None else wish.last_frame
     if not 0 <= first <= last < frame_count:
         raise BadInput(
-            f"Frames {first} to {last} are not in the recording; it has frames 0 to {frame_count - 1}."
+            "cameras-frames-not-recording-frames-0", first=first, last=last, frame_count=frame_count - 1
         )
     every = wish.every or max(1, -(-(last - first + 1) // USUAL_FRAMES))
     frames = list(range(first, last + 1, every))
     if len(frames) > MOST_FRAMES:
         least = -(-(last - first + 1) // MOST_FRAMES)
-        raise BadInput(
-            f"Every {every}th frame would be {len(frames)} views; take every {least}th or fewer frames."
-        )
+        raise BadInput("cameras-every-th-frame-would-views-take", every=every, count=len(frames), least=least)
     return frames
 
 
@@ -175,15 +173,11 @@ def import_calibration(
 ) -> Calibration:
     """Take intrinsics from another tool's file. Raises BadInput, naming the file and what is wrong in it."""
     if len(content) > MOST_IMPORT_BYTES:
-        raise BadInput(
-            f"{file_name} is too large for a calibration file; choose the file that holds the intrinsics."
-        )
+        raise BadInput("cameras-too-large-calibration-file-choose-file", file_name=file_name)
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        raise BadInput(
-            f"{file_name} is not a text file; choose a calibration as YAML, JSON or cameramodel."
-        ) from error
+        raise BadInput("cameras-not-text-file-choose-calibration-yaml", file_name=file_name) from error
     from sightline.geometry.imports import read_camera  # with its YAML only when it is asked for
 
     imported = read_camera(text, file_name)

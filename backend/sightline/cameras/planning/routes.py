@@ -69,7 +69,7 @@ def plan_line_rate(
     try:
         return line_plan_body(plan_lines(speed_mps, baseline_m, error, line_rate_hz, u_baseline_m))
     except (ValueError, OverflowError) as refused:
-        raise BadInput(str(refused)) from refused
+        raise BadInput("said", sentence=refused) from refused
 
 
 def line_plan_body(plan: LinePlan) -> LinePlanBody:
@@ -94,10 +94,7 @@ def _camera(
     if calibration_id is not None:
         return calibration_id
     if width_px is None or height_px is None or field_of_view_deg is None:
-        raise BadInput(
-            "Choose a calibration, or give the picture's width and height in pixels and its horizontal "
-            "field of view in degrees."
-        )
+        raise BadInput("cameras-choose-calibration-give-pictures-width-height")
     return PlainCamera(width_px, height_px, field_of_view_deg)
 
 

@@ -49,7 +49,7 @@ def check_description(
         found = json.loads(read_whole(files, DESCRIPTION))
         made_with = dict(found["made_with"])
     except (ValueError, KeyError, TypeError) as error:
-        raise Damaged(f"{DESCRIPTION} cannot be read; take the whole export again.") from error
+        raise Damaged("export-cannot-read-take-whole-export-again", description=DESCRIPTION) from error
     words = {name: str(told.survey.get(name, "")) for name in ("name", "site", "description")}
     about = about_of(**words, created=told.moment)
     expected = description_of(about, described_tables(files), others_of(written), written)
@@ -60,14 +60,14 @@ def check_description(
     notes = []
     for name in sorted({*found, *expected} - {"resources"}):
         if found.get(name) != expected.get(name):
-            raise Damaged(f"{DESCRIPTION} has another {name} than the files and the chain; it was changed.")
+            raise Damaged("export-another-files-chain-changed", description=DESCRIPTION, name=name)
     none: dict[str, object] = {}
     for mine, theirs in zip_longest(expected["resources"], found["resources"], fillvalue=none):
         if mine == theirs:
             continue
         if "sightline" not in other or _sums(mine) != _sums(theirs):
             named = (theirs or mine).get("path", "a file")
-            raise Damaged(f"{DESCRIPTION} describes {named} otherwise than this program; it was changed.")
+            raise Damaged("export-describes-otherwise-program-changed", description=DESCRIPTION, named=named)
         notes.append(f"{mine['path']} is described otherwise by this version.")
     drawn_alike = not other - {"sightline"}
     if not drawn_alike:
@@ -106,13 +106,17 @@ def _compare(files: Files, table: Table, rows: Iterable[Row]) -> int:
     count = 0
     for at, (told, row) in enumerate(zip_longest(read_rows(files, table.path), rows), start=2):
         if told is None or row is None:
-            raise Damaged(f"{table.path} has too {'few' if told is None else 'many'} rows; it was changed.")
+            raise Damaged("export-too-rows-changed", path=table.path, value="few" if told is None else "many")
         for column in table.columns:
             found = cell_text(column, row.get(column.name))
             if not same_cell(column, told[column.name], found):
                 raise Damaged(
-                    f"{table.path}, line {at}: {column.name} says {told[column.name] or 'nothing'}, the rows "
-                    f"give {found or 'nothing'}; one is wrong."
+                    "export-line-says-rows-give-one-wrong",
+                    path=table.path,
+                    at=at,
+                    name=column.name,
+                    told=told[column.name] or "nothing",
+                    found=found or "nothing",
                 )
             count += column.type == "number" and found != ""
     return count
@@ -123,10 +127,10 @@ def check_drawn(files: Files, found: PackageStatistics, written: dict[str, Writt
     made = drawn(files, found, written)
     for path, content in made:
         if path not in files.paths or read_whole(files, path) != content:
-            raise Damaged(f"{path} is not the one that these rows and statistics give; it was replaced.")
+            raise Damaged("export-not-one-these-rows-statistics-give", path=path)
     strange = {path for path in files.paths if path.startswith("figures/")} - {path for path, _ in made}
     if strange:
-        raise Damaged(f"{min(strange)} does not follow from these statistics; it was put in.")
+        raise Damaged("export-not-follow-these-statistics-put", strange=min(strange))
     return len(made)
 
 
@@ -145,12 +149,12 @@ def check_crops(files: Files, written: Mapping[str, Written]) -> int:
             continue
         for path in (row["file"], row["overlay"]):
             if path not in there:
-                raise Damaged(f"{path} is missing or named twice in crops.csv; take the whole export again.")
+                raise Damaged("export-missing-named-twice-crops-csv-take", path=path)
             there.discard(path)
         _check_crop(files, row, measured[row["measurement_id"]], written)
         count += 1
     if there:
-        raise Damaged(f"{min(there)} is in no row of crops.csv; it was put in.")
+        raise Damaged("export-no-row-crops-csv-put", there=min(there))
     return count
 
 
@@ -170,11 +174,11 @@ def _check_crop(
             inside = float(measured[f"{word}{k}_{axis}_px"]) - int(row[f"{axis}_px"])
             same = same and float(row[f"{word}_{axis}_px"]) == inside
     if not same:
-        raise Damaged(f"crops.csv: {path} has other points or frames than its measurement; one is wrong.")
+        raise Damaged("export-crops-csv-other-points-frames-measurement", path=path)
     if written[path].sha256 != row["sha256"]:
-        raise Damaged(f"{path} is not the one whose hash crops.csv holds; it was exchanged.")
+        raise Damaged("export-not-one-whose-hash-crops-csv", path=path)
     picture = cv2.imdecode(np.frombuffer(read_whole(files, path), np.uint8), cv2.IMREAD_GRAYSCALE)
     if picture is None or picture.shape != (int(row["height_px"]), int(row["width_px"])):
-        raise Damaged(f"{path} is no picture of the size that crops.csv tells; it was exchanged.")
+        raise Damaged("export-no-picture-size-crops-csv-tells", path=path)
     if read_whole(files, row["overlay"]) != expected_overlay(row, measured):
-        raise Damaged(f"{row['overlay']} does not show the points of its measurement; it was changed.")
+        raise Damaged("export-not-show-points-measurement-changed", overlay=row["overlay"])

@@ -148,30 +148,27 @@ def _same_head(told: ReplayedState, head: str | None) -> None:
         return
     if len(head) < _LEAST_OF_HEAD:
         raise BadInput(
-            f"The first {len(head)} characters of a head prove little; give at least {_LEAST_OF_HEAD}."
+            "export-first-characters-head-prove-little-give", count=len(head), least_of_head=_LEAST_OF_HEAD
         )
     if not told.head.startswith(head.lower()):
-        raise Damaged(
-            f"audit.csv ends with {told.head[:16]}, not with the head that was kept: it was written anew, or "
-            "this is another export."
-        )
+        raise Damaged("export-audit-csv-ends-not-head-kept", head=told.head[:16])
 
 
 def checksums(files: Files) -> dict[str, Written]:
     """Every file is there with the bytes it was written with, and no other. Raises Damaged."""
     there = files.paths
     if CHECKSUMS not in there:
-        raise BadInput(f"There is no {CHECKSUMS}, so this is no whole export; export the survey again.")
+        raise BadInput("export-no-no-whole-export-export-survey", checksums=CHECKSUMS)
     listed = {}
     for line in read_whole(files, CHECKSUMS).decode("utf-8", "replace").splitlines():
         sum_, _, path = line.partition("  ")
         listed[path] = sum_
     strange = sorted(there - set(listed) - {CHECKSUMS})
     if strange:
-        raise Damaged(f"{strange[0]} does not belong to the export; take it out and check again.")
+        raise Damaged("export-not-belong-export-take-out-check", strange=strange[0])
     written = {}
     for path, sum_ in listed.items():
         written[path] = sum_of(files, path)
         if written[path].sha256 != sum_:
-            raise Damaged(f"{path} was changed after the export; take the whole export again.")
+            raise Damaged("export-changed-after-export-take-whole-export", path=path)
     return written

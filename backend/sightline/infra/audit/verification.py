@@ -66,7 +66,7 @@ def verify_database(url: str, name: str = "This address") -> Verification:
     engine = make_engine(url, must_exist=True)
     try:
         if not _holds_a_chain(engine):
-            raise BadInput(f"{name} is not a Sightline database; name the sightline.db of a data folder.")
+            raise BadInput("audit-not-sightline-database-name-sightline-db", name=name)
         with reading(session_factory(engine)) as session:
             _require_version(session)
             return verify_records(session)
@@ -77,10 +77,7 @@ def verify_database(url: str, name: str = "This address") -> Verification:
 def _require_version(session: Session) -> None:
     """Raises BadInput for a database of another version, whose tables are others."""
     if stored_revision(session.connection()) != newest_revision():
-        raise BadInput(
-            "This database was made by another version; verify it with that one, or open it once with this "
-            "one (`sightline serve`), which brings it up to date."
-        )
+        raise BadInput("audit-database-made-another-version-verify-one")
 
 
 def _holds_a_chain(engine: Engine) -> bool:

@@ -23,9 +23,9 @@ def chain(files: Files) -> Iterator[Event]:
     for row in read_rows(files, "audit.csv"):
         number = int(row["id"])
         if before is not None and (number, row["previous_hash"]) != (before[0] + 1, before[1]):
-            raise Damaged(f"audit.csv: event {number} does not follow from the one before; it was changed.")
+            raise Damaged("csv_package-audit-csv-event-not-follow-one", number=number)
         if link_hash(row["previous_hash"], row["content_sha256"]) != row["hash"] or not _content_holds(row):
-            raise Damaged(f"audit.csv: event {number} is not the one that was hashed; it was changed.")
+            raise Damaged("csv_package-audit-csv-event-not-one-hashed", number=number)
         yield row
         before = number, row["hash"]
 

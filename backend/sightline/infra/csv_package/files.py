@@ -167,9 +167,9 @@ def fresh_folder(target: Path) -> Iterator[Path]:
 
 def _refuse_strangers(target: Path) -> None:
     if target.is_symlink() or (target.exists() and not target.is_dir()):
-        raise BadInput(f"{target} is a file; name a folder for the export that does not exist yet.")
+        raise BadInput("csv_package-file-name-folder-export-not-exist", target=target)
     if target.is_dir() and any(target.iterdir()) and not (target / CHECKSUMS).is_file():
-        raise BadInput(f"{target} holds other files; name a folder that is empty or does not exist yet.")
+        raise BadInput("csv_package-holds-other-files-name-folder-empty", target=target)
 
 
 def _put_in_place(fresh: Path, target: Path) -> None:
@@ -221,7 +221,7 @@ class ZipFiles:
         names = [name for name in self._archive.namelist() if not name.endswith("/")]
         self.paths = frozenset(names)
         if len(self.paths) < len(names):
-            raise BadInput(f"{place} holds a file twice, so it is no export; take the export again.")
+            raise BadInput("csv_package-holds-file-twice-no-export-take", place=place)
 
     @contextmanager
     def open(self, path: str) -> Iterator[BinaryIO]:
@@ -231,11 +231,11 @@ class ZipFiles:
             with self._archive.open(path) as file:
                 yield cast(BinaryIO, file)
         except zipfile.BadZipFile as error:
-            raise Damaged(f"{path} cannot be unpacked; take the whole export again.") from error
+            raise Damaged("csv_package-cannot-unpacked-take-whole-export-again", path=path) from error
 
 
 def missing(path: str) -> Damaged:
-    return Damaged(f"{path} is missing; take the whole export again.")
+    return Damaged("csv_package-missing-take-whole-export-again", path=path)
 
 
 def open_package(place: Path) -> Files:
@@ -243,7 +243,7 @@ def open_package(place: Path) -> Files:
     try:
         return FolderFiles(place) if place.is_dir() else ZipFiles(place)
     except (OSError, zipfile.BadZipFile, RuntimeError) as error:
-        raise BadInput(f"{place} cannot be read as an export; name its folder or ZIP.") from error
+        raise BadInput("csv_package-cannot-read-export-name-folder-zip", place=place) from error
 
 
 def sum_of(files: Files, path: str) -> Written:
@@ -269,10 +269,10 @@ def read_rows(files: Files, path: str) -> Iterator[dict[str, str]]:
         try:
             for row in csv.DictReader(text, strict=True):
                 if None in row or None in row.values():
-                    raise Damaged(f"{path} has a row that is too long or too short; it was changed.")
+                    raise Damaged("csv_package-row-too-long-too-short-changed", path=path)
                 yield row
         except (UnicodeDecodeError, csv.Error) as error:
-            raise Damaged(f"{path} cannot be read as CSV; take the whole export again.") from error
+            raise Damaged("csv_package-cannot-read-csv-take-whole-export", path=path) from error
         finally:
             text.detach()
 
@@ -284,7 +284,7 @@ def read_header(files: Files, path: str) -> list[str]:
     try:
         return next(csv.reader([first.decode("utf-8")], strict=True), [])
     except (UnicodeDecodeError, csv.Error) as error:
-        raise Damaged(f"{path} cannot be read as CSV; take the whole export again.") from error
+        raise Damaged("csv_package-cannot-read-csv-take-whole-export", path=path) from error
 
 
 def read_columns(files: Files, path: str, names: tuple[str, ...]) -> Iterator[list[str]]:
@@ -298,9 +298,7 @@ def read_columns(files: Files, path: str, names: tuple[str, ...]) -> Iterator[li
             for row in reader:
                 yield [row[place] for place in places]
         except (UnicodeDecodeError, csv.Error, ValueError, IndexError) as error:
-            raise Damaged(
-                f"{path} cannot be read as it was described; take the whole export again."
-            ) from error
+            raise Damaged("csv_package-cannot-read-described-take-whole-export", path=path) from error
         finally:
             text.detach()
 

@@ -27,8 +27,11 @@ def check_keys(files: Files, described: Sequence[AnyTable]) -> int:
             for values in read_columns(files, one.path, mine):
                 if all(values) and tuple(values) not in known[table, theirs]:
                     raise Damaged(
-                        f"{one.path}: {' '.join(mine)} {' '.join(values)} is not in {table}.csv; "
-                        "a row was taken out or changed."
+                        "csv_package-not-csv-row-taken-out-changed",
+                        path=one.path,
+                        mine=" ".join(mine),
+                        values=" ".join(values),
+                        table=table,
                     )
                 followed += 1
     return followed
@@ -43,7 +46,9 @@ def _keys(files: Files, path: str, columns: tuple[str, ...]) -> set[tuple[str, .
     for values in read_columns(files, path, columns):
         key = tuple(values)
         if key in found:
-            raise Damaged(f"{path}: {' '.join(columns)} {' '.join(values)} is there twice; one was put in.")
+            raise Damaged(
+                "csv_package-twice-one-put", path=path, columns=" ".join(columns), values=" ".join(values)
+            )
         found.add(key)
     return found
 
@@ -63,23 +68,29 @@ def check_records(
     rows = {int(row["id"]): row for row in read_rows(files, table.path)}
     if set(rows) != set(expected):
         odd = min(set(rows) ^ set(expected))
-        raise Damaged(f"{table.path}: {kind} {odd} is there without its audit event, or is missing.")
+        raise Damaged("csv_package-without-audit-event-missing", path=table.path, kind_name=kind, odd=odd)
     for id_, row in rows.items():
         path = record_path(kind, id_)
         record = json.loads(read_whole(files, path))
         if content_hash(record) != expected[id_]:
-            raise Damaged(f"{path} is not what its audit event says; it was changed.")
+            raise Damaged("csv_package-not-what-audit-event-says-changed", path=path)
         if json.loads(read_whole(files, path_of(id_))) != record["document"]:
-            raise Damaged(f"{path_of(id_)} is not the one that the audit chain vouches for; it was changed.")
+            raise Damaged("csv_package-not-one-audit-chain-vouches-changed", path_of=path_of(id_))
         stamped = [row["created_at"], row["created_by_id"]]
         if stamped != [stamp(record["created_at"]), str(record["created_by"] or "")]:
             raise Damaged(
-                f"{table.path}: {kind} {id_} was made by others or at another time than {path} says."
+                "csv_package-made-others-another-time-says",
+                path=table.path,
+                kind_name=kind,
+                id=id_,
+                path_2=path,
             )
         values = values_of(record)
         names = [name for name in table.header if name in values and name not in _ELSEWHERE and row[name]]
         if not says(table, row, {name: values[name] for name in names}):
-            raise Damaged(f"{table.path}: {kind} {id_} differs from {path}; one was changed.")
+            raise Damaged(
+                "csv_package-differs-one-changed", path=table.path, kind_name=kind, id=id_, path_2=path
+            )
 
 
 def says(table: AnyTable, row: Mapping[str, str], values: Mapping[str, Any]) -> bool:

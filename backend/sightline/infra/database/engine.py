@@ -33,7 +33,7 @@ class DatabaseAway(SightlineError):
     """The database does not answer."""
 
     status = 503
-    code = "database_away"
+    kind = "database_away"
 
 
 def sqlite_file(url: str) -> Path | None:
@@ -49,25 +49,23 @@ def make_engine(url: str, *, must_exist: bool = False) -> Engine:
     try:
         parsed = make_url(url)
     except ArgumentError:
-        raise BadInput(
-            "The database address cannot be read; use sqlite:///FILE or postgresql+psycopg://."
-        ) from None
+        raise BadInput("database-database-address-cannot-read-use-sqlite") from None
     if parsed.drivername in ("postgresql", "postgres"):
         parsed = parsed.set(drivername="postgresql+psycopg")
     backend = parsed.get_backend_name()
     if backend == "sqlite":
         path = str(parsed.database or "")
         if must_exist and not Path(path).is_file():
-            raise BadInput(f"There is no database {path}; check its name.")
+            raise BadInput("database-no-database-check-name", path=path)
         return _sqlite_engine(path, parsed.render_as_string(hide_password=False))
     if backend == "postgresql":
         return create_engine(parsed, pool_pre_ping=True, pool_size=10, max_overflow=20)
-    raise BadInput(f"A {backend} database is not supported; {_USE}")
+    raise BadInput("database-database-not-supported-use-sqlite-file", backend=backend)
 
 
 def _sqlite_engine(path: str, url: str) -> Engine:
     if path in ("", ":memory:"):
-        raise BadInput("An in-memory database would be lost; name a file, as in sqlite:///sightline.db.")
+        raise BadInput("database-memory-database-would-lost-name-file")
     Path(path).absolute().parent.mkdir(parents=True, exist_ok=True)
     engine = create_engine(url, connect_args={"timeout": 10, "check_same_thread": False})
     event.listen(engine, "connect", _prepare_sqlite)
@@ -202,7 +200,7 @@ def explained() -> Iterator[None]:
         raise explanation(error) from error
     except DatabaseError as error:
         if "not a database" in str(error.orig):
-            raise BadInput("This file is not a database of this program; give the right one.") from error
+            raise BadInput("database-file-not-database-program-give-right") from error
         raise
 
 
@@ -210,9 +208,9 @@ def explanation(error: OperationalError) -> SightlineError:
     """What an operational error means to the person in front."""
     words = str(error.orig).lower()
     if "full" in words or "no space" in words:
-        return NoRoom("The disk is full, so nothing was saved; make room and try again.")
+        return NoRoom("database-disk-full-nothing-saved-make-room")
     if "locked" in words:
-        return DatabaseAway("The database is busy with another writer; try again in a moment.")
+        return DatabaseAway("database-database-busy-another-writer-try-again")
     if "unable to open" in words or "readonly" in words:
-        return DatabaseAway("The database file cannot be opened for writing; check the folder's permissions.")
-    return DatabaseAway("The database does not answer; check that it runs and that its address is right.")
+        return DatabaseAway("database-database-file-cannot-opened-writing-check")
+    return DatabaseAway("database-database-not-answer-check-runs-address")

@@ -13,9 +13,7 @@ def alembic_config() -> Config:
     """Alembic's configuration, without any ini file."""
     folder = migrations_folder()
     if not (folder / "env.py").is_file():
-        raise BadInput(
-            f"There are no migrations in {folder}; set SIGHTLINE_MIGRATIONS to the folder that has them."
-        )
+        raise BadInput("database-no-migrations-set-sightline-migrations-folder", folder=folder)
     config = Config()
     config.set_main_option("script_location", str(folder).replace("%", "%%"))
     return config
@@ -30,6 +28,6 @@ def upgrade(connection: Connection) -> None:
     known = {script.revision for script in ScriptDirectory.from_config(config).walk_revisions()}
     current = stored_revision(connection)
     if current is not None and current not in known:
-        raise BadInput("The database was made by a newer version; update this one before opening it.")
+        raise BadInput("database-database-made-newer-version-update-one")
     config.attributes["connection"] = connection
     command.upgrade(config, "head")

@@ -68,7 +68,7 @@ def named_table(column: Column[Any]) -> Table:
 def missing(word: str, row_id: int | None = None) -> NotFound:
     """The error for a thing that is not there."""
     number = "" if row_id is None else f" {row_id}"
-    return NotFound(f"There is no {word}{number}; it may have been removed, so go back and choose another.")
+    return NotFound("database-no-may-been-removed-go-back", word=word, number=number)
 
 
 @lru_cache(maxsize=1024)

@@ -36,5 +36,5 @@ def cancel(job_id: PathId, who: Viewer, services: Wired) -> JobBody:
     with services.writing() as session:
         job = store.get_job(session, job_id)
         if job.created_by != who.id and RANK[who.role] < RANK["operator"]:
-            raise NotAllowed("Somebody else started this job; ask them or an operator to cancel it.")
+            raise NotAllowed("jobs-somebody-else-started-job-ask-them")
         return JobBody.model_validate(registry.cancel(session, job, who.id))

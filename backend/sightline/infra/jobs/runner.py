@@ -76,7 +76,7 @@ class Runner:
     def _handle(self, job: Job, watch: "Watch") -> Outcome:
         handler = registered(job.kind)
         if handler is None:
-            raise SightlineError(f"This worker knows no job of kind {job.kind}; start one of this version.")
+            raise SightlineError("jobs-worker-knows-no-job-kind-start", kind_name=job.kind)
         return handler.run(JobContext(job, self.services, watch.report, watch.is_over))
 
     def _finish(self, job: Job, outcome: Outcome) -> None:
@@ -115,9 +115,9 @@ class Watch:
         """Note the progress; the thread stores it. Raises Cancelled or JobLost."""
         self._progress = (min(max(fraction, 0.0), 1.0), message or self._progress[1])
         if not self._hold.held:
-            raise JobLost(f"Job {self._job.id} went to another worker; this one stops.")
+            raise JobLost("jobs-job-went-another-worker-one-stops", id=self._job.id)
         if self.is_over():
-            raise Cancelled(STOPPED)
+            raise Cancelled("said", sentence=STOPPED)
 
     def is_over(self) -> bool:
         """Whether going on is of no use."""

@@ -38,8 +38,10 @@ class Out(BaseModel):
 
 
 class ErrorDetail(Out):
-    code: str
-    message: str = Field(description="One sentence that says what is wrong and what to do.")
+    kind: str = Field(description="What sort of refusal: bad_input, not_found, conflict, ...")
+    code: str = Field(description="The sentence's name in the catalogue of messages.")
+    values: dict[str, str | int | float] = Field(description="What the sentence holds.")
+    message: str = Field(description="The sentence in English: what is wrong and what to do.")
 
 
 class ErrorBody(Out):

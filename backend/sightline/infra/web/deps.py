@@ -60,7 +60,7 @@ def current_person(request: Request) -> Person:
     """
     person: Person | None = request.app.state.sign_in.person_of(request)
     if person is None:
-        raise NotSignedIn("You are not signed in; sign in and try again.")
+        raise NotSignedIn("web-you-not-signed-sign-try-again")
     return person
 
 
@@ -75,9 +75,7 @@ class require:
 
     def __call__(self, person: SignedIn) -> Person:
         if RANK[person.role] < RANK[self.role]:
-            raise NotAllowed(
-                f"This needs the role {self.role}, and you are {person.role}; ask an admin for it."
-            )
+            raise NotAllowed("web-needs-role-you-ask-admin", needed=self.role, role=person.role)
         return person
 
 

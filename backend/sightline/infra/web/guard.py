@@ -6,6 +6,7 @@ from starlette.datastructures import Headers, MutableHeaders
 from starlette.exceptions import HTTPException
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from sightline.errors import NotAllowed
 from sightline.infra.web.error_handlers import answer
 
 SAFE_METHODS = {"GET", "HEAD", "OPTIONS"}
@@ -42,7 +43,11 @@ SECURITY_HEADERS = {
 }
 
 
-def cross_site_reason(headers: Headers) -> str | None:
+class CrossSite(NotAllowed):
+    kind = "cross_site"
+
+
+def cross_site_refusal(headers: Headers) -> CrossSite | None:
     """Why an unsafe request may come from another site; None when it does not.
 
     A page of another site cannot set our header without a preflight that we never grant; browsers that say
@@ -50,12 +55,12 @@ def cross_site_reason(headers: Headers) -> str | None:
     custom request headers, fetch metadata).
     """
     if headers.get(HEADER) != "1":
-        return "Requests that change something need the header X-Sightline: 1; add it and send it again."
+        return CrossSite("request-needs-header", header="X-Sightline: 1")
     if headers.get("sec-fetch-site", "same-origin") not in ("same-origin", "none"):
-        return "This request comes from another site and was refused; use Sightline's own pages."
+        return CrossSite("request-from-another-site")
     origin = headers.get("origin")
     if origin is not None and urlsplit(origin).netloc.lower() != headers.get("host", "").lower():
-        return "This request comes from another site and was refused; use Sightline's own pages."
+        return CrossSite("request-from-another-site")
     return None
 
 
@@ -104,9 +109,9 @@ class Guard:
 
         if scope["method"] not in SAFE_METHODS and scope["path"].startswith("/api"):
             headers = Headers(scope=scope)
-            reason = cross_site_reason(headers)
-            if reason is not None:
-                await answer(403, "cross_site", reason)(scope, receive, send_with_headers)
+            refusal = cross_site_refusal(headers)
+            if refusal is not None:
+                await answer(refusal)(scope, receive, send_with_headers)
                 return
             most = most_bytes(headers)
             if most is not None:

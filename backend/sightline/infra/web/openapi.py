@@ -14,8 +14,8 @@ VERSION = version("sightline").partition("+")[0]
 DESCRIPTION = (
     "Heights of vehicles from roadside video, with their uncertainty and an audit trail. "
     "Sign in with POST /api/session; every request that changes something carries the header "
-    '`X-Sightline: 1`. Every error is `{"error": {"code", "message"}}` with one sentence that says '
-    "what is wrong and what to do."
+    '`X-Sightline: 1`. Every error is `{"error": {"kind", "code", "values", "message"}}` with one '
+    "sentence that says what is wrong and what to do."
 )
 
 

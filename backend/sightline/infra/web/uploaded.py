@@ -20,5 +20,5 @@ def whole_file(file: UploadFile, most_bytes: int, name: str) -> bytes:
     """The content of a small uploaded file. Raises BadInput for one that is too large."""
     content = file.file.read(most_bytes + 1)
     if len(content) > most_bytes:
-        raise BadInput(f"{name} is larger than {most_bytes // 1_000_000} MB; make it smaller and try again.")
+        raise BadInput("web-larger-mb-make-smaller-try-again", name=name, most_bytes=most_bytes // 1000000)
     return content

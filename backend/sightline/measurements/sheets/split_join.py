@@ -26,8 +26,11 @@ def split(
     whole = get_vehicle(session, vehicle_id)
     if not whole.first_frame < frame <= whole.last_frame:
         raise BadInput(
-            f"Frame {frame} does not part vehicle {whole.number}; go to a frame after its first "
-            f"({whole.first_frame}) and up to its last ({whole.last_frame})."
+            "measurements-frame-not-part-vehicle-go-frame",
+            frame=frame,
+            number=whole.number,
+            first_frame=whole.first_frame,
+            last_frame=whole.last_frame,
         )
     later = _side_of_measurements(session, whole, frame)
     sides = (whole.first_frame, frame - 1), (frame, whole.last_frame)
@@ -55,12 +58,13 @@ def join(
     """
     one, other = get_vehicle(session, vehicle_id), get_vehicle(session, other_id)
     if one.id == other.id or one.recording_id != other.recording_id:
-        raise BadInput("Only two passes of the same recording can be joined; choose another one.")
+        raise BadInput("measurements-only-two-passes-same-recording-joined")
     both = frames_used_of_vehicle(session, one.id), frames_used_of_vehicle(session, other.id)
     if both[0] and both[1]:
         raise Conflict(
-            f"Vehicles {one.number} and {other.number} both have measurements, and a measurement stays with "
-            "its vehicle; discard one of the passes instead."
+            "measurements-vehicles-both-measurements-measurement-stays-vehicle",
+            number=one.number,
+            number_2=other.number,
         )
     keeps_other = bool(both[1])
     kept, gone = (other, one) if keeps_other else (one, other)
@@ -80,8 +84,7 @@ def _side_of_measurements(session: Session, whole: Vehicle, frame: int) -> int:
     used = {n for frames in frames_used_of_vehicle(session, whole.id) for n in frames}
     if any(n < frame for n in used) and any(n >= frame for n in used):
         raise Conflict(
-            f"Vehicle {whole.number} was measured before and after frame {frame}, and a measurement stays "
-            "with its vehicle; split at another frame."
+            "measurements-vehicle-measured-before-after-frame-measurement", number=whole.number, frame=frame
         )
     return int(any(n >= frame for n in used))
 

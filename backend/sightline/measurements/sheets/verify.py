@@ -20,7 +20,7 @@ def check_vehicles(
         id_ = int(row["id"])
         made = vehicles.get(id_)
         if made is None or is_gone(id_) or not says(VEHICLES, row, made):
-            raise Damaged(f"vehicles.csv: {id_} is not what its audit events say; it was changed.")
+            raise Damaged("measurements-vehicles-csv-not-what-audit-events", id=id_)
         missing.discard(id_)
     if missing:
-        raise Damaged(f"vehicles.csv: {min(missing)} is missing, though its audit event is there.")
+        raise Damaged("measurements-vehicles-csv-missing-though-audit-event", missing=min(missing))

@@ -55,12 +55,12 @@ def open_store(media_url: str, cache_dir: Path | None = None, cache_bytes: int =
         from sightline.media.store.s3 import S3Store
 
         if cache_dir is None:
-            raise BadInput("Storage on S3 needs a local cache folder; name one beside the media address.")
+            raise BadInput("store-storage-s3-needs-local-cache-folder")
         return S3Store(media_url, cache_dir, cache_bytes)
     if parts.scheme == "file":
         return LocalStore(Path(url2pathname(parts.path)))
     if "://" in media_url or not media_url:
-        raise BadInput(f"{media_url!r} is no media address; use a folder, file:///folder or s3://bucket.")
+        raise BadInput("store-no-media-address-use-folder-file", media_url=repr(media_url))
     return LocalStore(Path(media_url))
 
 
@@ -80,8 +80,10 @@ def check_room(folder: Path, size: int, what: str = "this file") -> None:
     free = shutil.disk_usage(folder).free
     if size + RESERVE_BYTES > free:
         raise NoRoom(
-            f"There is no room for {what} ({_mb(size)} needed, {_mb(max(0, free - RESERVE_BYTES))} free); "
-            "delete recordings that are no longer needed or add disk space, then try again."
+            "store-no-room-needed-free-delete-recordings",
+            what=what,
+            needed=_mb(size),
+            free=_mb(max(0, free - RESERVE_BYTES)),
         )
 
 
@@ -93,10 +95,7 @@ def no_room_told(what: str = "this file") -> Iterator[None]:
     except OSError as error:
         if error.errno not in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG):
             raise
-        raise NoRoom(
-            f"The disk is full, {what} was not stored; delete recordings that are no longer needed or add "
-            "disk space, then try again."
-        ) from error
+        raise NoRoom("store-disk-full-not-stored-delete-recordings", what=what) from error
 
 
 def _mb(size: int) -> str:
@@ -121,7 +120,7 @@ class LocalStore:
     def local_path(self, key: str) -> Path:
         path = self._path(key)
         if not path.is_file():
-            raise NotFound(f"The media file {key} is missing from the store; restore it from a backup.")
+            raise NotFound("store-media-file-missing-store-restore-backup", key=key)
         return path
 
     def exists(self, key: str) -> bool:
@@ -141,7 +140,7 @@ def safe_path(folder: Path, key: str) -> Path:
     """The key as a path inside `folder`. Raises NotFound for one that would lead out of it."""
     parts = key.split("/")
     if not key or any(part in ("", ".", "..") or "\\" in part or "\x00" in part for part in parts):
-        raise NotFound(f"There is no media file {key!r}.")
+        raise NotFound("store-no-media-file", key=repr(key))
     return folder.joinpath(*parts)
 
 

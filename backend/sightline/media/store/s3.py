@@ -38,7 +38,7 @@ class S3Store:
         parts = urlsplit(url)
         query = parse_qs(parts.query)
         if not parts.netloc:
-            raise BadInput(f"{url!r} names no bucket; write s3://bucket/prefix.")
+            raise BadInput("store-names-no-bucket-write-s3-bucket", url=repr(url))
         self._bucket = parts.netloc
         self._prefix = parts.path.strip("/")
         self._cache = cache_dir
@@ -72,7 +72,7 @@ class S3Store:
                 return path
             size = self._size(key)
             if size is None:
-                raise NotFound(f"The media file {key} is missing from the store; restore it from a backup.")
+                raise NotFound("store-media-file-missing-store-restore-backup", key=key)
             with self._room_for(size, key), _told(key), no_room_told(f"a local copy of {key}"):
                 self._fetch(key, path)
             return path
@@ -103,7 +103,7 @@ class S3Store:
             return cast(BinaryIO, self._client.get_object(Bucket=self._bucket, Key=self._name(key))["Body"])
         except ClientError as error:
             if _code(error) in ("NoSuchKey", "404"):
-                raise NotFound(f"The media file {key} is missing from the store.") from error
+                raise NotFound("store-media-file-missing-store", key=key) from error
             raise _failed(key, error) from error
         except BotoCoreError as error:
             raise _failed(key, error) from error
@@ -160,10 +160,7 @@ class _told:
 
 
 def _failed(key: str, error: Exception) -> SightlineError:
-    return SightlineError(
-        f"The media storage did not answer for {key} ({type(error).__name__}); check its address, its "
-        "credentials and that it is running."
-    )
+    return SightlineError("store-media-storage-did-not-answer-check", key=key, name=type(error).__name__)
 
 
 def _code(error: ClientError) -> str:

@@ -37,7 +37,7 @@ def create(upload_dir: Path, upload_id: str, size: int) -> None:
     Raises BadInput (nothing to send), NoRoom (before a byte is sent) and Conflict (id taken).
     """
     if size < 1:
-        raise BadInput("The file is empty; choose a video file.")
+        raise BadInput("store-file-empty-choose-video-file")
     upload_dir.mkdir(parents=True, exist_ok=True)
     check_room(upload_dir, size, "this upload")
     part = _path(upload_dir, upload_id)
@@ -45,7 +45,7 @@ def create(upload_dir: Path, upload_id: str, size: int) -> None:
         try:
             part.touch(exist_ok=False)
         except FileExistsError as error:
-            raise Conflict("An upload with this name is already under way; start a new one.") from error
+            raise Conflict("store-upload-name-already-under-way-start") from error
         sync_folder(upload_dir)
 
 
@@ -66,13 +66,13 @@ def append(upload_dir: Path, upload_id: str, size: int, at: int, chunks: Iterabl
     with _locked(_part(upload_dir, upload_id)) as handle:
         have = os.fstat(handle).st_size
         if at != have:
-            raise Conflict(f"The upload stands at byte {have}, not {at}; continue from there.")
+            raise Conflict("store-upload-stands-byte-not-continue", have=have, at=at)
         os.lseek(handle, have, os.SEEK_SET)
         synced = have
         try:
             for chunk in chunks:
                 if have + len(chunk) > size:
-                    raise BadInput(f"More bytes came than the {size} announced; start the upload again.")
+                    raise BadInput("store-more-bytes-came-announced-start-upload", size=size)
                 with no_room_told("the rest of this upload"):
                     _write_all(handle, chunk)
                 have += len(chunk)
@@ -99,7 +99,7 @@ def finish(upload_dir: Path, upload_id: str, size: int) -> FinishedUpload:
     path = _part(upload_dir, upload_id)
     have = path.stat().st_size
     if have != size:
-        raise Conflict(f"The upload is not complete: {have} of {size} bytes have arrived; continue it.")
+        raise Conflict("store-upload-not-complete-bytes-arrived-continue", have=have, size=size)
     return FinishedUpload(path, sha256_of(path), size)
 
 
@@ -133,7 +133,7 @@ def _part(upload_dir: Path, upload_id: str) -> Path:
 
 
 def _not_there() -> NotFound:
-    return NotFound("There is no such upload; it was finished or given up, start it again.")
+    return NotFound("store-no-such-upload-finished-given-up")
 
 
 @contextmanager
@@ -144,7 +144,7 @@ def _locked(part: Path) -> Iterator[int]:
         try:
             fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError as error:
-            raise Conflict("This upload is being written by another connection; try again.") from error
+            raise Conflict("store-upload-being-written-another-connection-try") from error
         yield handle
     finally:
         os.close(handle)

@@ -44,12 +44,12 @@ def read_notes(name: str, said: str, path: Path) -> StripNotes:
     if beside.is_file():
         if beside.stat().st_size > _SIDECAR_BYTES:
             raise BadInput(
-                f"{what} are larger than {_SIDECAR_BYTES // 10**6} MB; correct or remove that file."
+                "strips-larger-mb-correct-remove-file", what=what, sidecar_bytes=_SIDECAR_BYTES // 10**6
             )
         try:
             document = json.loads(beside.read_bytes())
         except (ValueError, RecursionError):
-            raise BadInput(f"{what} are not readable JSON; correct or remove that file.") from None
+            raise BadInput("strips-not-readable-json-correct-remove-file", what=what) from None
     else:
         what = f"The description inside {name}"
         try:
@@ -66,17 +66,17 @@ def notes_of(document: object, what: str) -> StripNotes:
     number of lines lost just before that line of the file). Raises BadInput, beginning with `what`.
     """
     if not isinstance(document, dict):
-        raise BadInput(f"{what} are no JSON object; correct them.")
+        raise BadInput("strips-no-json-object-correct-them", what=what)
     rate = document.get("line_rate_hz")
     if rate is not None and not _is_number(rate, 0.0):
-        raise BadInput(f"{what} give a line_rate_hz that is no positive number; correct it.")
+        raise BadInput("strips-give-line-rate-hz-no-positive", what=what)
     dropped = document.get("dropped_lines") or []
     pairs = isinstance(dropped, list) and all(
         isinstance(one, list) and len(one) == 2 and all(type(n) is int and n >= 0 for n in one)
         for one in dropped
     )
     if not pairs or dropped != sorted(dropped):
-        raise BadInput(f"{what} give dropped_lines that are no list of [line, count] in order; correct them.")
+        raise BadInput("strips-give-dropped-lines-no-list-line", what=what)
     found = tuple(Dropped(line, count) for line, count in dropped if count)
     return StripNotes(float(rate) if rate is not None else None, found)
 

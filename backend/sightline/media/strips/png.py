@@ -40,23 +40,25 @@ class PngSheet:
         with path.open("rb") as file:
             head = file.read(33)
         if len(head) < 33 or head[12:16] != b"IHDR":
-            raise BadInput(f"{name} is cut off in its header; copy it again from the recorder.")
+            raise BadInput("strips-cut-off-header-copy-again-recorder", name=name)
         size = path.stat().st_size
         self.width_px, self.height_px, depth, colour, _, _, interlaced = struct.unpack(
             ">IIBBBBB", head[16:29]
         )
         if colour in _KINDS:
-            raise BadInput(f"{name} {_KINDS[colour]}; {GREY}.")
+            raise BadInput("strips-problem", name=name, kinds=_KINDS[colour], grey=GREY)
         if colour != 0 or depth not in (8, 16):
-            raise BadInput(f"{name} has {depth} bits a pixel; {GREY}.")
+            raise BadInput("strips-bits-pixel", name=name, depth=depth, grey=GREY)
         if interlaced:
-            raise BadInput(f"{name} is interlaced and cannot be read in pieces; save it without interlacing.")
+            raise BadInput("strips-interlaced-cannot-read-pieces-save-without", name=name)
         self.dtype: np.dtype[Any] = np.dtype(np.uint8 if depth == 8 else np.uint16)
         check_claim(name, self.width_px, self.height_px, depth // 8, size)
         if self.width_px > MOST_WIDE_PX:
             raise BadInput(
-                f"{name} is {self.width_px} pixels wide, a PNG can have {MOST_WIDE_PX} here; save it as TIFF "
-                "or with time along the height."
+                "strips-pixels-wide-png-here-save-tiff",
+                name=name,
+                width_px=self.width_px,
+                most_wide_px=MOST_WIDE_PX,
             )
         self._depth = depth
 
@@ -126,7 +128,7 @@ class PngSheet:
                     continue
                 others += 1
                 if head[4:] == b"acTL" or others > _MOST_CHUNKS:
-                    raise BadInput(f"{self.name} is no plain picture (an animation, or damaged); {GREY}.")
+                    raise BadInput("strips-no-plain-picture-animation-damaged", name=self.name, grey=GREY)
                 file.seek(length + 4, 1)
 
     def _content(self, file: BinaryIO, length: int) -> Iterator[bytes]:
@@ -140,9 +142,7 @@ class PngSheet:
             yield piece
         said = file.read(4)
         if len(said) == 4 and int.from_bytes(said, "big") != crc:
-            raise BadInput(
-                f"{self.name} is damaged: a checksum inside does not match; copy it again from the recorder."
-            )
+            raise BadInput("strips-damaged-checksum-inside-not-match-copy", name=self.name)
 
 
 def _chunk(kind: bytes, content: bytes) -> bytes:

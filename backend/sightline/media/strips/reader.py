@@ -83,18 +83,27 @@ def check_pair(first: Strip, second: Strip) -> None:
     """Refuse two strips that cannot be of one recording. Raises BadInput."""
     if first.rows != second.rows:
         raise BadInput(
-            f"{first.name} has {first.rows} pixels a line and {second.name} {second.rows}; give two strips "
-            "of equal height, or cut them to the part of the scene that both show."
+            "strips-pixels-line-give-two-strips-equal",
+            name=first.name,
+            rows=first.rows,
+            name_2=second.name,
+            rows_2=second.rows,
         )
     if first.dtype != second.dtype:
         raise BadInput(
-            f"{first.name} has {8 * first.dtype.itemsize} bits a pixel and {second.name} "
-            f"{8 * second.dtype.itemsize}; save both alike."
+            "strips-bits-pixel-save-both-alike",
+            name=first.name,
+            value=8 * first.dtype.itemsize,
+            name_2=second.name,
+            value_2=8 * second.dtype.itemsize,
         )
     if first.lines != second.lines:
         raise BadInput(
-            f"{first.name} has {first.lines} lines and {second.name} {second.lines}; both begin and end "
-            "together, so give the two strips of one recording, or cut them to the same time."
+            "strips-lines-both-begin-end-together-give",
+            name=first.name,
+            lines=first.lines,
+            name_2=second.name,
+            lines_2=second.lines,
         )
 
 
@@ -105,20 +114,20 @@ def chunk_lines(rows: int, item_bytes: int) -> int:
 
 def _sheet(path: Path, name: str) -> tuple[Sheet, str]:
     if not path.is_file():
-        raise BadInput(f"{name} is not a file; {_CHOOSE}.")
+        raise BadInput("strips-not-file-give-png-tiff-line", name=name)
     try:
         with path.open("rb") as file:
             head = file.read(16)
     except OSError as error:
-        raise BadInput(f"{name} cannot be read ({error.strerror}); {_CHOOSE}.") from None
+        raise BadInput("strips-cannot-read-give-png-tiff-line", name=name, strerror=error.strerror) from None
     if head.startswith(png.MAGIC):
         return png.PngSheet(path, name), ""
     if head[:4] in tiff.MAGICS:
         return tiff.tiff_sheet(path, name)
     if head.startswith(b"\xff\xd8\xff"):
-        raise BadInput(f"{name} is a JPEG, which changes the pixels; save it as PNG or TIFF in the recorder.")
+        raise BadInput("strips-jpeg-which-changes-pixels-save-png", name=name)
     what = (why_not_video(path) or "is not a picture that is read here").removesuffix(", not a video")
-    raise BadInput(f"{name} {what}; {_CHOOSE}.")
+    raise BadInput("strips-give-png-tiff-line-scan-camera", name=name, what=what)
 
 
 def _check_shape(name: str, lines: int, rows: int, time_axis: TimeAxis) -> None:
@@ -126,29 +135,34 @@ def _check_shape(name: str, lines: int, rows: int, time_axis: TimeAxis) -> None:
         other = "height" if time_axis == "width" else "width"
         hint = f"if time runs along its {other}, say so" if lines <= MOST_ROWS else "give one camera's strip"
         raise BadInput(
-            f"{name} would have {rows} pixels a line with time along its {time_axis}, more than "
-            f"{MOST_ROWS}; {hint}."
+            "strips-would-pixels-line-time-along-more",
+            name=name,
+            rows=rows,
+            time_axis=time_axis,
+            most_rows=MOST_ROWS,
+            hint=hint,
         )
     if rows < LEAST_ROWS or lines < 2:
         raise BadInput(
-            f"{name} has {lines} lines of {rows} pixels with time along its {time_axis}, which shows no "
-            f"vehicle; {_CHOOSE}."
+            "strips-lines-pixels-time-along-which-shows",
+            name=name,
+            lines=lines,
+            rows=rows,
+            time_axis=time_axis,
         )
     if lines > MOST_LINES:
         raise BadInput(
-            f"{name} has more than {MOST_LINES // 10**9} thousand million lines; cut it into parts."
+            "strips-more-thousand-million-lines-cut-into", name=name, most_lines=MOST_LINES // 10**9
         )
 
 
 def _check_gaps(name: str, lines: int, dropped: Sequence[Dropped]) -> None:
     lost = sum(gap.count for gap in dropped)
     if lost > lines // 2:
-        raise BadInput(
-            f"{name}: its notes say that {lost} lines were lost of {lines + lost}; record it again."
-        )
+        raise BadInput("strips-notes-say-lines-lost-record-again", name=name, lost=lost, lines=lines + lost)
     if dropped and dropped[-1].line >= lines:
         raise BadInput(
-            f"{name}: its notes name lost lines at {dropped[-1].line}, but it ends at {lines}; correct them."
+            "strips-notes-name-lost-lines-ends-correct", name=name, line=dropped[-1].line, lines=lines
         )
 
 

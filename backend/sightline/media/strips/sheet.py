@@ -55,22 +55,25 @@ class Sheet(Protocol):
 def check_claim(name: str, width: int, height: int, item_bytes: int, file_bytes: int) -> None:
     """Refuse a header that claims nothing, or more than a file of its size can hold."""
     if width < 1 or height < 1:
-        raise BadInput(f"{name} claims a picture of {width} x {height} pixels; {AGAIN}.")
+        raise BadInput("strips-claims-picture-x-pixels-copy-again", name=name, width=width, height=height)
     if width * height * item_bytes > ANY_FILE_BYTES + LARGEST_RATIO * file_bytes:
         raise BadInput(
-            f"{name} claims {width} x {height} pixels, more than {file_bytes / 1e6:.3g} MB of file can hold; "
-            f"it is damaged or no recording: {AGAIN}."
+            "strips-claims-x-pixels-more-mb-file",
+            name=name,
+            width=width,
+            height=height,
+            file_bytes=format(file_bytes / 1000000.0, ".3g"),
         )
 
 
 def cut_off(name: str, row: int, height: int) -> BadInput:
     """The refusal of a file that ends too early."""
-    return BadInput(f"{name} is cut off: it ends in row {row} of {height}; {AGAIN}.")
+    return BadInput("strips-cut-off-ends-row-copy-again", name=name, row=row, height=height)
 
 
 def damaged(name: str, row: int, height: int) -> BadInput:
     """The refusal of a file whose bytes are not what they were."""
-    return BadInput(f"{name} is damaged at row {row} of {height} and cannot be read on; {AGAIN}.")
+    return BadInput("strips-damaged-row-cannot-read-copy-again", name=name, row=row, height=height)
 
 
 class RawSheet:
@@ -88,7 +91,7 @@ class RawSheet:
         row_bytes = self.width_px * self._stored.itemsize
         if row_bytes > PIECE_BYTES:
             self.close()
-            raise BadInput(f"{name} has rows of {self.width_px} pixels, too long to be read; {AGAIN}.")
+            raise BadInput("strips-rows-pixels-too-long-read-copy", name=name, width_px=self.width_px)
         self._row_bytes = row_bytes
 
     def bands(self) -> Iterator[Pixels]:

@@ -37,7 +37,7 @@ class StripReader:
     def __init__(self, path: Path, name: str | None = None) -> None:
         self.name = name or path.name
         if not path.is_file():
-            raise NotFound(f"The stored strip {self.name} is missing; restore it from a backup.")
+            raise NotFound("strips-stored-strip-missing-restore-backup", name=self.name)
         self._handle = os.open(path, os.O_RDONLY)
         weakref.finalize(self, os.close, self._handle)
         try:
@@ -69,7 +69,9 @@ class StripReader:
         Raises NotFound for a level that is not there, Damaged.
         """
         if not 0 <= level < len(self.levels):
-            raise NotFound(f"The strip {self.name} has no level {level}, only 0 to {len(self.levels) - 1}.")
+            raise NotFound(
+                "strips-strip-no-level-only-0", name=self.name, level=level, count=len(self.levels) - 1
+            )
         start, stop = max(0, start), min(self.levels[level], stop)
         out = np.empty((max(0, stop - start), self.rows), self.dtype)
         for index in range(start // TILE_LINES, -(-stop // TILE_LINES) if stop > start else 0):
@@ -92,10 +94,10 @@ class StripReader:
         out of 0.1 to 50.
         """
         if not 0.1 <= gain <= 50:
-            raise BadInput(f"The gain {gain} cannot be shown; choose one from 0.1 to 50.")
+            raise BadInput("strips-gain-cannot-shown-choose-one-0", gain=gain)
         count = -(-self.levels[level] // TILE_LINES) if 0 <= level < len(self.levels) else 0
         if not 0 <= index < count:
-            raise NotFound(f"The strip {self.name} has no tile {index} in level {level}.")
+            raise NotFound("strips-strip-no-tile-level", name=self.name, index=index, level=level)
         first = index * TILE_LINES
         rows = min(TILE_LINES, self.levels[level] - first)
         return jpeg(self.shown(self._tile(level, index, rows)[:, : self.rows], gain), QUALITY)
@@ -129,7 +131,7 @@ class StripReader:
             raise self._damaged() from error
 
     def _damaged(self) -> Damaged:
-        return Damaged(f"The stored strip {self.name} is damaged; restore it from a backup or read it again.")
+        return Damaged("strips-stored-strip-damaged-restore-backup-read", name=self.name)
 
 
 class ReaderCache:

@@ -108,7 +108,7 @@ def pieces_of(page: tifffile.TiffPage, handle: int, byteorder: str, least: int =
     across, down = -(-width // max(1, piece_width)), -(-length // max(1, piece_length))
     offsets, counts = np.asarray(page.dataoffsets, np.int64), np.asarray(page.databytecounts, np.int64)
     if min(piece_width, piece_length) < 1 or min(len(offsets), len(counts)) < max(least, across * down):
-        raise BadInput(f"has an index of its pixels that does not fit its size; {AGAIN}")
+        raise BadInput("strips-index-pixels-not-fit-size", again=AGAIN)
     stored = np.dtype(f"{byteorder}u{page.bitspersample // 8}")
     return Pieces(
         handle=handle,
@@ -131,7 +131,7 @@ def opened(path: Path, name: str) -> tifffile.TiffFile:
         if not len(tiff.pages):
             raise ValueError
     except Exception:  # damaged tags end in errors of a dozen kinds
-        raise BadInput(f"{name} is a TIFF that is cut off or whose directory is damaged; {AGAIN}.") from None
+        raise BadInput("strips-tiff-cut-off-whose-directory-damaged", name=name, again=AGAIN) from None
     return tiff
 
 
@@ -151,30 +151,30 @@ def tiff_sheet(path: Path, name: str) -> tuple[Sheet, str]:
         except BadInput as error:
             if error.message.startswith(name):
                 raise
-            raise BadInput(f"{name} {error.message}.") from None
+            raise BadInput("strips-problem-2", name=name, message=error.message) from None
         except Exception:  # as above
-            raise BadInput(f"{name} is a TIFF whose directory is damaged; {AGAIN}.") from None
+            raise BadInput("strips-tiff-whose-directory-damaged", name=name, again=AGAIN) from None
 
 
 def _check(name: str, page: Any, further: bool, file_bytes: int) -> None:
     if further:
-        raise BadInput(f"{name} holds several pictures; give each strip as one long picture.")
+        raise BadInput("strips-holds-several-pictures-give-each-strip", name=name)
     if page.photometric == 3:
-        raise BadInput(f"{name} has a palette, and a line scan is grey; {GREY}.")
+        raise BadInput("strips-palette-line-scan-grey", name=name, grey=GREY)
     if page.samplesperpixel != 1 or page.photometric not in (0, 1):
-        raise BadInput(f"{name} is in colour or has a transparency channel, a line scan is grey; {GREY}.")
+        raise BadInput("strips-colour-transparency-channel-line-scan-grey", name=name, grey=GREY)
     if page.sampleformat not in (1, 4):
-        raise BadInput(f"{name} holds signed or floating-point numbers; {GREY}.")
+        raise BadInput("strips-holds-signed-floating-point-numbers", name=name, grey=GREY)
     if page.bitspersample not in (8, 16):
-        raise BadInput(f"{name} has {page.bitspersample} bits a pixel; {GREY}.")
+        raise BadInput("strips-bits-pixel-2", name=name, bitspersample=page.bitspersample, grey=GREY)
     if int(page.compression) not in (1, *_UNPACK):
         kind = getattr(page.compression, "name", str(page.compression))
-        raise BadInput(f"{name} is packed with {kind}, which is not read here; {_HOW}.")
+        raise BadInput("strips-packed-which-not-read-here-save", name=name, kind_name=kind)
     if page.predictor not in (1, 2) or page.fillorder != 1:
-        raise BadInput(f"{name} is packed in an unusual way; {_HOW}.")
+        raise BadInput("strips-packed-unusual-way-save-zstd-deflate", name=name)
     turned = page.tags.get("Orientation")
     if turned is not None and turned.value != 1:
-        raise BadInput(f"{name} is marked as turned or mirrored; save it upright.")
+        raise BadInput("strips-marked-turned-mirrored-save-upright", name=name)
     check_claim(name, page.imagewidth, page.imagelength, page.bitspersample // 8, file_bytes)
 
 
@@ -207,16 +207,14 @@ class PackedSheet:
         self._open = True
         if pieces.length * pieces.width * self.dtype.itemsize > PIECE_BYTES:
             raise BadInput(
-                f"{name} is packed in pieces of more than {PIECE_BYTES >> 20} MB; save it in "
-                "smaller strips or tiles."
+                "strips-packed-pieces-more-mb-save-smaller", name=name, piece_bytes=PIECE_BYTES >> 20
             )
 
     def bands(self) -> Iterator[Pixels]:
         pieces = self._pieces
         if pieces.length * self.width_px * self.dtype.itemsize > 2 * PIECE_BYTES:
             raise BadInput(
-                f"{self.name} has rows of tiles of more than {PIECE_BYTES >> 19} MB; save it in "
-                "smaller tiles."
+                "strips-rows-tiles-more-mb-save-smaller", name=self.name, piece_bytes=PIECE_BYTES >> 19
             )
         for top in range(0, self.height_px, pieces.length):
             rows = min(pieces.length, self.height_px - top)

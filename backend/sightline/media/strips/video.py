@@ -35,15 +35,12 @@ def line_rate(time_s: NDArray[np.float64], name: str, tick_s: float = 0.001) -> 
     """
     count = len(time_s)
     if count < LEAST_FRAMES:
-        raise BadInput(f"{name} has {count} frames, too few for a line scan; choose another recording.")
+        raise BadInput("strips-frames-too-few-line-scan-choose", name=name, count=count)
     step_s = float(time_s[-1] - time_s[0]) / (count - 1)
     off_s = np.abs(time_s - (time_s[0] + step_s * np.arange(count)))
     if step_s <= 0 or float(off_s.max()) > max(ROUNDING * tick_s, JITTER * step_s):
         at = int(np.argmax(np.abs(np.diff(time_s) - np.median(np.diff(time_s)))))
-        raise BadInput(
-            f"{name} has no constant frame rate (its time stamps are uneven, most of all after frame {at}), "
-            "and a line scan needs one; cut out an even part, or record with a fixed frame rate."
-        )
+        raise BadInput("strips-no-constant-frame-rate-time-stamps", name=name, at=at)
     return 1.0 / step_s
 
 
@@ -85,7 +82,9 @@ def cut_strips(
                 file.write(gray[:, column].tobytes())
             count = n + 1
         if count != len(time_s):
-            raise BadInput(f"{name} now gives {count} frames, not {len(time_s)}; ingest it again.")
+            raise BadInput(
+                "strips-now-gives-frames-not-ingest-again", name=name, count=count, count_2=len(time_s)
+            )
         strips = []
         for camera, file in enumerate((first, second), 1):
             file.flush()
@@ -104,6 +103,9 @@ def cut_strips(
 def _check_columns(columns_px: tuple[int, int], width: int, name: str) -> None:
     if not all(0 <= column < width for column in columns_px) or columns_px[0] == columns_px[1]:
         raise BadInput(
-            f"The columns {columns_px[0]} and {columns_px[1]} cannot be cut from {name}; choose two "
-            f"different ones from 0 to {width - 1}."
+            "strips-columns-cannot-cut-choose-two-different",
+            columns_px=columns_px[0],
+            columns_px_2=columns_px[1],
+            name=name,
+            width=width - 1,
         )

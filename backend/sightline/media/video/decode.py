@@ -92,15 +92,15 @@ def open_container(path: Path, name: str | None = None) -> InputContainer:
     """
     name = name or path.name
     if not path.is_file():
-        raise BadInput(f"{name} is not a file; choose a video file.")
+        raise BadInput("video-not-file-choose-video-file", name=name)
     reason = why_not_video(path)
     if reason:
-        raise BadInput(f"{name} {reason}; {_way_out(reason)}.")
+        raise BadInput("video-problem", name=name, reason=reason, way_out=_way_out(reason))
     options = {"format_whitelist": FORMATS, "protocol_whitelist": "file", "max_pixels": str(MAX_PIXELS)}
     try:
         return av.open(f"file:{path}", options=options)
     except (av.error.FFmpegError, ValueError, UnicodeError) as error:
-        raise BadInput(f"{name} is not a video that can be read here; {_WAY_OUT}.") from error
+        raise BadInput("video-not-video-read-here-convert-mp4", name=name) from error
 
 
 def _way_out(reason: str) -> str:
@@ -121,11 +121,11 @@ def video_stream(container: InputContainer, name: str, threads: int = DECODER_TH
     """
     streams = [s for s in container.streams.video if not _is_cover(s)]
     if not streams:
-        raise BadInput(f"{name} holds no moving picture, only sound or data; choose a video file.")
+        raise BadInput("video-holds-no-moving-picture-only-sound", name=name)
     stream = streams[0]
     context = stream.codec_context
     if context is None:
-        raise BadInput(f"{name} uses a video codec that cannot be decoded here; {_WAY_OUT}.")
+        raise BadInput("video-uses-video-codec-cannot-decoded-here", name=name)
     _check_size(name, context.width, context.height, stream.sample_aspect_ratio)
     context.thread_type = "AUTO"
     context.thread_count = threads
@@ -140,16 +140,18 @@ def _is_cover(stream: VideoStream) -> bool:
 
 def _check_size(name: str, width: int, height: int, aspect: Fraction | None) -> None:
     if width <= 0 or height <= 0:
-        raise BadInput(f"{name} does not say how large its picture is, or says it absurdly; {_WAY_OUT}.")
+        raise BadInput("video-not-say-how-large-picture-says", name=name)
     if width > MAX_SIDE_PX or height > MAX_SIDE_PX or width * height > MAX_PIXELS:
         raise BadInput(
-            f"{name} claims a picture of {width} x {height} pixels, more than {MAX_SIDE_PX} on a side or "
-            f"{MAX_PIXELS // 1_000_000} million in all; {_WAY_OUT}."
+            "video-claims-picture-x-pixels-more-side",
+            name=name,
+            width=width,
+            height=height,
+            max_side_px=MAX_SIDE_PX,
+            max_pixels=MAX_PIXELS // 1000000,
         )
     if aspect and not Fraction(1, MAX_ASPECT) <= aspect <= MAX_ASPECT:
-        raise BadInput(
-            f"{name} claims pixels of {aspect} width to height, which is not believable; {_WAY_OUT}."
-        )
+        raise BadInput("video-claims-pixels-width-height-which-not", name=name, aspect=aspect)
 
 
 def decoded(
@@ -220,7 +222,7 @@ def probe(path: Path, name: str | None = None) -> VideoFacts:
         first = next(decoded(container, stream), None)
         if first is None:
             codec = stream.codec_context.name
-            raise BadInput(f"{name} holds no picture that can be decoded (codec {codec}); {_WAY_OUT}.")
+            raise BadInput("video-holds-no-picture-decoded-codec-convert", name=name, codec=codec)
         return facts_of(container, stream, first)
 
 
@@ -274,4 +276,4 @@ def frames_of(path: Path, name: str | None = None) -> Iterator[tuple[int, int, G
             yield n, n if pts == NO_PTS else pts, upright_gray(frame, layout)
             n += 1
         if n == 0:
-            raise BadInput(f"{name} holds no picture that can be decoded; {_WAY_OUT}.")
+            raise BadInput("video-holds-no-picture-decoded-convert-mp4", name=name)

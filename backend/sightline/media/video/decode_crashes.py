@@ -16,7 +16,7 @@ _WAY_OUT = "convert the recording to MP4 with H.264 and upload it again"
 class CannotDecode(BadInput):
     """The decoder crashed, hung or ate memory at this frame; the server did not."""
 
-    code = "cannot_decode"
+    kind = "cannot_decode"
 
 
 class CrashTracker:
@@ -40,9 +40,7 @@ class CrashTracker:
             since = self._clock() - self._limits.aside_s
             kills = [at for at in self._kills.get(recording, ()) if at > since]
         if len(kills) >= self._limits.kills:
-            raise CannotDecode(
-                f"This recording ended the decoder {len(kills)} times and is set aside; {_WAY_OUT}."
-            )
+            raise CannotDecode("video-recording-ended-decoder-times-set-aside", count=len(kills))
 
     def died(self, decoding: Set[str]) -> Set[str]:
         """The process ended while these were being decoded: the guilty ones, perhaps none."""

@@ -69,10 +69,11 @@ class Question:
         n = self.header.get("n")
         if self.media is None or n is None:
             return CannotDecode(
-                f"{self.header.get('name', 'This recording')} cannot be decoded: the decoder {why}; "
-                "save it in another format and try again."
+                "video-cannot-decoded-decoder-save-another-format",
+                header=self.header.get("name", "This recording"),
+                why=why,
             )
-        return CannotDecode(sentence(int(n), why))
+        return CannotDecode("said", sentence=sentence(int(n), why))
 
 
 @dataclass(eq=False)
@@ -299,14 +300,14 @@ class DecodeHost:
         for _ in range(TRIES):
             self._crashes.check(question.recording)
             if not wanted():
-                raise NoLongerWanted("This frame was no longer wanted.")
+                raise NoLongerWanted("video-frame-no-longer-wanted")
             try:
                 with self._crashes.turn(question.recording):
                     return self._running().ask(next(self._numbers), question, wanted)
             except _Died as died:
                 if question.recording in died.culprits:
                     raise question.refusal(died.why) from died
-        raise SightlineError("The decoder ended again and again; look at the memory of this machine.")
+        raise SightlineError("video-decoder-ended-again-again-look-memory")
 
     def _running(self) -> _Child:
         with self._lock:

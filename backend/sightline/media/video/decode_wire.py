@@ -80,15 +80,16 @@ def unpacked(header: Header, body: bytes) -> RecordingMedia:
 
 
 def error_header(error: Exception) -> Header:
-    """An error as data: one of ours by its name and sentence, any other by what it is."""
+    """An error as data: one of ours by its name, code and values, any other by what it is."""
     if isinstance(error, SightlineError):
         known = next(kind.__name__ for kind in type(error).__mro__ if kind.__name__ in _ERRORS)
-        return {"error": known, "message": error.message}
-    return {"error": "", "message": f"{type(error).__name__}: {error}"}
+        return {"error": known, "code": error.code, "values": error.values}
+    return {"error": "", "code": f"{type(error).__name__}: {error}"}
 
 
 def error_of(header: Header) -> Exception:
     """The inverse of `error_header`."""
     kind = _ERRORS.get(str(header["error"]))
-    message = str(header["message"])
-    return kind(message) if kind else RuntimeError(f"the decoding process broke: {message}")
+    if kind is None:
+        return RuntimeError(f"the decoding process broke: {header['code']}")
+    return kind(header["code"], **header["values"])

@@ -108,9 +108,7 @@ class FrameServer:
         Raises BadInput for a size or scale out of bounds.
         """
         if not 1 <= scale <= MOST_CROP_SCALE or w < 1 or h < 1 or w * h * scale * scale > MOST_CROP_PX:
-            raise BadInput(
-                f"A crop of {w} x {h} pixels at scale {scale} is out of bounds; ask for a smaller one."
-            )
+            raise BadInput("video-crop-x-pixels-scale-out-bounds", w=w, h=h, scale=scale)
         _check(media, n)
         return self._pictures.crop_png(media, n, (x, y, w, h, scale), wanted, display)
 
@@ -165,4 +163,4 @@ def _key(media: RecordingMedia, n: int, display: Display = "plain") -> str:
 
 def _check(media: RecordingMedia, n: int) -> None:
     if not 0 <= n < len(media):
-        raise NotFound(f"There is no frame {n}; this recording has frames 0 to {len(media) - 1}.")
+        raise NotFound("video-no-frame-recording-frames-0", n=n, count=len(media) - 1)

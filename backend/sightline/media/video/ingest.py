@@ -190,11 +190,9 @@ def _decode_all(
         rows.crc.append(luma_crc(frame))
         thumbs.offer(len(rows.pts) - 1, frame)
     if layout is None:
-        raise BadInput(
-            f"{watch.name} holds no picture that can be decoded; copy it again or convert it to MP4."
-        )
+        raise BadInput("video-holds-no-picture-decoded-copy-again", name=watch.name)
     if damage.other_size > OTHER_SIZE_SHARE * (len(rows.pts) + damage.other_size):
-        raise BadInput(f"{watch.name} changes its picture size on the way; split it where the size changes.")
+        raise BadInput("video-changes-picture-size-way-split-where", name=watch.name)
     return facts, rows, thumbs
 
 

@@ -20,7 +20,7 @@ Progress = Callable[[float], None]
 class PassesCancelled(BadInput):
     """Nobody wants the passes any more."""
 
-    code = "cancelled"
+    kind = "cancelled"
 
 
 def find_passes(
@@ -50,9 +50,7 @@ def find_passes(
         finder: PassFinder | None = None
         for frame in decoded(container, stream, damage):
             if is_cancelled():
-                raise PassesCancelled(
-                    f"The search for passes in {name} was cancelled; nothing of it was kept."
-                )
+                raise PassesCancelled("video-search-passes-cancelled-nothing-kept", name=name)
             layout = layout or layout_of(frame, stream.sample_aspect_ratio)
             if not same_size(frame, layout):
                 continue
@@ -65,6 +63,6 @@ def find_passes(
             if n % 30 == 0 and damage.position is not None:
                 on_progress(min(0.99, damage.position / size))
     if finder is None:
-        raise BadInput(f"{name} holds no picture that can be decoded; copy it again or convert it to MP4.")
+        raise BadInput("video-holds-no-picture-decoded-copy-again", name=name)
     on_progress(1.0)
     return finder.finish(), n + 1

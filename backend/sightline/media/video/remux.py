@@ -71,10 +71,8 @@ def make_copy(
         return WorkingCopy(_write(path, folder, name, number, is_cancelled), float(rate))
     except (av.error.FFmpegError, ValueError) as error:
         if isinstance(error, OSError) and error.errno == errno.ENOSPC:
-            raise NoRoom(f"The disk is full, {name} was not taken in; make room and try again.") from error
-        raise BadInput(
-            f"{name} cannot be made addressable frame by frame; convert it to MP4 with H.264 and try again."
-        ) from error
+            raise NoRoom("video-disk-full-not-taken-make-room", name=name) from error
+        raise BadInput("video-cannot-made-addressable-frame-frame-convert", name=name) from error
 
 
 def _try_with_times(path: Path, folder: Path, name: str, is_cancelled: Cancelled) -> WorkingCopy | None:

@@ -103,9 +103,7 @@ class Seeker:
             self._container = open_container(self._media.path, name)
             self._stream: VideoStream = video_stream(self._container, name, threads)
         except BadInput as error:
-            raise Damaged(
-                f"The stored video {name} is missing or can no longer be opened; restore it from a backup."
-            ) from error
+            raise Damaged("video-stored-video-missing-no-longer-opened", name=name) from error
         self._threads = threads
         self._frames: Iterator[av.VideoFrame] = self._from_here(self._container)
         self._layout: Layout | None = None
@@ -143,10 +141,7 @@ class Seeker:
         raise self._damaged(n)
 
     def _damaged(self, n: int) -> Damaged:
-        return Damaged(
-            f"Frame {n} cannot be shown: the stored video no longer gives the picture whose checksum was "
-            "written down at ingest; restore the file from a backup or ingest it again as a new recording."
-        )
+        return Damaged("video-frame-cannot-shown-stored-video-no", n=n)
 
     def _short_cuts(self, n: int) -> Iterator[_Attempt]:
         """The nearest start with frames left out, where the way is long."""

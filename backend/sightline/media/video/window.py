@@ -34,7 +34,7 @@ def always() -> bool:
 class NoLongerWanted(NotFound):
     """The asker went away while the frame was being looked for."""
 
-    code = "not_wanted"
+    kind = "not_wanted"
 
 
 class Pictures(Protocol):
@@ -193,7 +193,7 @@ class Window:
         is_step_back = any((identity, m, int(media.crc[m])) in self._frames for m in after)
         found = desk.seeker.find(n, wanted, jump=not is_step_back)
         if found is None:
-            raise NoLongerWanted(f"Frame {n} was no longer wanted.")
+            raise NoLongerWanted("video-frame-no-longer-wanted-2", n=n)
         return found
 
     def _desk(self, media: RecordingMedia, identity: str) -> _OpenDecoder:

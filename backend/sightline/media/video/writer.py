@@ -60,11 +60,13 @@ def _encode(
             container.mux(stream.encode(frame))
             count += 1
         if count == 0:
-            raise BadInput(f"{name} cannot be written without frames.")
+            raise BadInput("video-cannot-written-without-frames", name=name)
         container.mux(stream.encode(None))
     return count
 
 
 def _check_shape(name: str, image: NDArray[np.uint8], width: int, height: int) -> None:
     if image.shape != (height, width, 3) or width % 2 or height % 2:
-        raise BadInput(f"{name} needs BGR frames of one even size, got {image.shape} for {width} x {height}.")
+        raise BadInput(
+            "video-needs-bgr-frames-one-even-size", name=name, shape=image.shape, width=width, height=height
+        )

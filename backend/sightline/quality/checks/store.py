@@ -41,7 +41,7 @@ def add_wheel_pair(
     vehicle = get_row(session, vehicles, vehicle_id, "vehicle", vehicles.c.deleted_at.is_(None))
     found = get_frame(session, vehicle["recording_id"], frame)
     if found.crc32 != frame_crc32:
-        raise Conflict(f"Frame {frame} is not the picture that was clicked on; load it again.")
+        raise Conflict("measurements-frame-not-picture-clicked-load-again", frame=frame)
     values = {
         "frame": frame,
         "pts": found.pts,
@@ -84,7 +84,7 @@ def _require_seen(before: WheelPair | None, seen: int | None) -> None:
     """Raises Conflict if another pair counts than the one that was seen; None: not compared."""
     if seen is not None and seen != (before.id if before else 0):
         name = before.created_by.name if before and before.created_by else "Somebody"
-        raise Conflict(f"{name} changed the tyres of this vehicle meanwhile; look at them first.")
+        raise Conflict("quality-tyres-changed-meanwhile", name=name)
 
 
 def _append(

@@ -113,12 +113,12 @@ def turn_of(session: Session, pose_id: int, seen_rad: float | None = None) -> Tu
     survey_id = get_pose(session, pose_id).survey_id
     at = next((one for one in check_traffic(session, survey_id) if one.pose_id == pose_id), None)
     if at is None:
-        raise Conflict("No recording uses this road pose any more; look at the checks again.")
+        raise Conflict("quality-no-recording-uses-road-pose-any")
     if at.mean_rad is None or at.u_mean_rad is None or at.changes is None:
-        raise BadInput(at.verdict)
+        raise BadInput("said", sentence=at.verdict)
     if seen_rad is not None and abs(seen_rad - at.mean_rad) > _SAME_TURN_RAD:
         raise Conflict(
-            f"The traffic's direction is now {np.rad2deg(at.mean_rad):+.2f}°, not what you saw; look again."
+            "quality-traffics-direction-now-not-what-you", turn_deg=format(np.rad2deg(at.mean_rad), "+.2f")
         )
     return Turn(at.mean_rad, at.u_mean_rad, at.used, at.recordings, at.changes)
 
@@ -270,11 +270,14 @@ def store_pair(
     pose, _, _ = pose_in_force(session, click_context(session, vehicle.recording_id, actor))
     found = heading_of_pair(pose, first, second)
     if isinstance(found, str):
-        raise BadInput(found)
+        raise BadInput("said", sentence=found)
     if not vehicle.first_frame <= frame <= vehicle.last_frame:
         raise BadInput(
-            f"Frame {frame} is not of vehicle {vehicle.number}, which passes in frames {vehicle.first_frame} "
-            f"to {vehicle.last_frame}; go to one of them."
+            "quality-frame-not-vehicle-which-passes-frames",
+            frame=frame,
+            number=vehicle.number,
+            first_frame=vehicle.first_frame,
+            last_frame=vehicle.last_frame,
         )
     stored = get_frame(session, vehicle.recording_id, frame).crc32 if frame_crc32 is None else frame_crc32
     return add_wheel_pair(

@@ -117,7 +117,7 @@ def store_turned(
     Raises Conflict where no recording uses the pose any more.
     """
     if not users:
-        raise Conflict("No recording uses this road pose any more; look at the checks again.")
+        raise Conflict("quality-no-recording-uses-road-pose-any")
     before = get_pose(session, pose_id)
     solved = turned_pose(session, pose_id, turn_rad, u_turn_rad, vehicles)
     own = next((one for one in users if one.id == before.recording_id), users[0])

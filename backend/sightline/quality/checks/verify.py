@@ -17,7 +17,7 @@ def check_wheel_pairs(files: Files, pairs: Mapping[int, Mapping[str, Any]]) -> N
     for row in read_rows(files, WHEEL_PAIRS.path):
         pair = pairs.get(int(row["id"]))
         if pair is None or not says(WHEEL_PAIRS, row, _values(pair)):
-            raise Damaged(f"wheel_pairs.csv: {row['id']} is not what its audit event says; it was changed.")
+            raise Damaged("quality-wheel-pairs-csv-not-what-audit", id=row["id"])
 
 
 def _values(pair: Mapping[str, Any]) -> dict[str, Any]:

@@ -164,8 +164,10 @@ def use_own_sigma(session: Session, survey_id: int, person_id: int, *, own: bool
     found = _of_person(clicks_of_survey(session, survey_id), Who(who.id, who.name), None)
     if not found.may_choose or found.sigma.sd is None:
         raise BadInput(
-            f"{who.name} clicked {found.pairs} of their own measurements again; {LEAST_PAIRS} are needed "
-            "for a sigma of their own. Click more of them again."
+            "quality-clicked-their-own-measurements-again-needed",
+            name=who.name,
+            pairs=found.pairs,
+            least_pairs=LEAST_PAIRS,
         )
     sigma_px = round(found.sigma.sd, 3)
     return choose_click_sigma(

@@ -23,9 +23,9 @@ def check_repeats(
         heights.check(f"repeats.csv: {number}", row)
         digest = events.repeats.pop(number, None)
         if digest is None or not same_repeat(digest, row):
-            raise Damaged(f"repeats.csv: {number} is not what its audit event says; it was changed.")
+            raise Damaged("quality-repeats-csv-not-what-audit-event", number=number)
         count += 1
     left = [number for number in events.repeats if not is_gone(events.of_vehicle[number])]
     if left:
-        raise Damaged(f"repeats.csv: repeat {left[0]} is missing, though its audit event is there.")
+        raise Damaged("quality-repeats-csv-repeat-missing-though-audit", left=left[0])
     return count

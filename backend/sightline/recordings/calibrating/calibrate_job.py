@@ -43,14 +43,14 @@ def start(services: Services, camera_id: int, wish: CalibrationRequest, actor: i
         if wish.recording_id is None:
             if camera.images < 3:
                 raise BadInput(
-                    f"{camera.name} has {camera.images} images; add at least three, better 15 to 25."
+                    "recordings-images-add-least-three-better-15", name=camera.name, images=camera.images
                 )
         else:
             recording = get_recording(session, wish.recording_id)
             if recording.survey_id != camera.survey_id:
-                raise BadInput(f"{recording.name} belongs to another survey; choose one of this survey's.")
+                raise BadInput("recordings-belongs-another-survey-choose-one-surveys", name=recording.name)
             if recording.state != "ready" or recording.frame_count is None:
-                raise BadInput(f"{recording.name} has no frames yet; wait until its ingest is done.")
+                raise BadInput("recordings-no-frames-yet-wait-until-ingest", name=recording.name)
             frames_of(wish, recording.frame_count)
         payload = {"camera_id": camera_id, **vars(wish)}
         return registry.enqueue(

@@ -122,7 +122,7 @@ class Stills:
     def _with_frame(self, recording_id: int, n: int) -> OpenRecording:
         opened = self.open(recording_id)
         if not 0 <= n < len(opened.media):
-            raise NotFound(f"There is no frame {n}; this recording has frames 0 to {len(opened.media) - 1}.")
+            raise NotFound("video-no-frame-recording-frames-0", n=n, count=len(opened.media) - 1)
         return opened
 
     def _read(self, recording_id: int, known: OpenRecording | None) -> OpenRecording:
@@ -136,7 +136,7 @@ class Stills:
                 return OpenRecording(recording, known.media, known.time_s, time.monotonic())
             table = get_frame_table(session, recording_id)
         if len(table) != recording.frame_count:
-            raise Damaged(f"The frame table of {recording.name} is not whole; ingest the recording again.")
+            raise Damaged("recordings-frame-table-not-whole-ingest-recording", name=recording.name)
         media = RecordingMedia(self._store.local_path(file_key(recording)), table.pts, table.crc32, table.key)
         return OpenRecording(recording, media, table.time_s, time.monotonic())
 
@@ -162,7 +162,5 @@ def file_key(recording: Recording) -> str:
 
 def _not_ready(recording: Recording) -> BadInput:
     if recording.state == "failed":
-        return BadInput(
-            f"{recording.name} could not be ingested, so it has no frames; see its error and try again."
-        )
-    return BadInput(f"{recording.name} is still being ingested; wait until it is ready.")
+        return BadInput("recordings-could-not-ingested-no-frames-see", name=recording.name)
+    return BadInput("recordings-still-being-ingested-wait-until-ready", name=recording.name)

@@ -46,7 +46,7 @@ def get_frame(session: Session, recording_id: int, n: int) -> Frame:
 
 def missing_frame(recording_id: int, n: int) -> NotFound:
     """The error for a frame that is not there."""
-    return NotFound(f"Recording {recording_id} has no frame {n}; choose one within the recording.")
+    return NotFound("recordings-recording-no-frame-choose-one-within", recording_id=recording_id, n=n)
 
 
 def replace_frames(session: Session, recording_id: int, found: FrameTable) -> None:

@@ -92,7 +92,7 @@ def take_bytes(services: Services, upload: Upload, at: int, chunks: Iterable[byt
     Raises Conflict (another offset, another writer, finished), BadInput (more than announced), NoRoom.
     """
     if upload.finished_at is not None:
-        raise Conflict("This upload is finished already; look for its recording in the list.")
+        raise Conflict("recordings-upload-finished-already-look-recording-list")
     return upload_parts.append(upload_folder(services), part_name(upload.id), upload.size_bytes, at, chunks)
 
 
@@ -182,9 +182,7 @@ def _recording_of(services: Services, upload_id: int) -> Recording | None:
         try:
             return get_recording(session, upload.recording_id)
         except NotFound as gone:
-            raise Conflict(
-                "This upload became a recording that was deleted since; upload it again."
-            ) from gone
+            raise Conflict("recordings-upload-became-recording-deleted-since-upload") from gone
 
 
 def abandon_upload(services: Services, upload_id: int, actor: int | None) -> None:

@@ -30,7 +30,7 @@ def append_line_pose(
     revision = before.revision if before else 0
     if revision != seen_revision:
         name = before.created_by.name if before and before.created_by else "Somebody"
-        raise Conflict(f"{name} calibrated this line scan meanwhile; look at that calibration first.")
+        raise Conflict("scans-calibrated-line-scan-meanwhile-look-calibration", name=name)
     content: dict[str, Any] = {"survey_id": scan["survey_id"], "scan_id": scan_id, "revision": revision + 1}
     content |= asdict(values)
     row_id = add_row(session, line_poses, {**content, "created_at": now(), "created_by": actor})

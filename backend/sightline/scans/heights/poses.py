@@ -83,14 +83,11 @@ def store_line_pose(
     rounded = _rounded(rod)
     for mark in rounded.marks:
         if not shows(scan, mark.line, mark.row_px):
-            raise BadInput(
-                f"A mark at row {mark.row_px:.1f}, line {mark.line:.0f} lies outside the strip; "
-                "click it again."
-            )
+            raise BadInput("scans-mark-row-line-lies-outside-strip", row_px=mark.row_px, line=mark.line)
     try:
         pose = _solved(rounded)
     except LinePoseError as error:
-        raise BadInput(str(error)) from None
+        raise BadInput("said", sentence=error) from None
     values = solved_values(
         pose,
         [asdict(mark) for mark in rounded.marks],

@@ -25,9 +25,6 @@ from sightline.scans.store import get_scan
 from sightline.scans.vehicles.store import get_scan_vehicle
 from sightline.surveys.store import get_survey
 
-UNCALIBRATED = (
-    "Heights need the line camera's pose; calibrate the height with a rod first (Calibrate height)."
-)
 _BESIDE = "A click lies outside the vehicle's front and rear, so it may be another vehicle's."
 # Bumpers' boundaries are found to some lines; a mirror or an aerial stands out no further than this share.
 _MARGIN = 0.05
@@ -95,7 +92,7 @@ def store_line_height(
     clicks = _filled(session, scan.survey_id, clicked)
     for line, row in (clicks.contact, clicks.target_point):
         if not shows(scan, line, row):
-            raise BadInput(f"A click at line {line:.0f}, row {row:.1f} lies outside the strip; click again.")
+            raise BadInput("scans-click-line-row-lies-outside-strip", line=line, row=row)
     values = height_values(_pose(session, scan.id), clicks, _beside(vehicle, clicks))
     return append_line_height(session, vehicle_id, values, seen_revision=seen_revision, actor=actor)
 
@@ -141,7 +138,7 @@ def height_values(pose: StoredLinePose, clicks: RowClicks, warnings: list[str]) 
 def _pose(session: Session, scan_id: int) -> StoredLinePose:
     found = current_line_poses(session, scan_id)
     if found is None:
-        raise BadInput(UNCALIBRATED)
+        raise BadInput("scans-heights-need-line-cameras-pose-calibrate")
     return found
 
 

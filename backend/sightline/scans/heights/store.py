@@ -34,7 +34,7 @@ def append_line_height(
     Raises NotFound, Conflict if it was measured meanwhile or the vehicle was deleted, BadInput.
     """
     if values.status != "ok" and not values.reason:
-        raise BadInput("A target that has no height needs the reason why; measure it again.")
+        raise BadInput("scans-target-no-height-needs-reason-why")
     return _append(
         session, vehicle_id, values, current(session, vehicle_id, values.target), seen_revision, actor
     )
@@ -48,7 +48,7 @@ def withdraw_line_height(
     if before is None:
         raise missing("height of this target")
     if before.values.withdrawn:
-        raise Conflict("This height was withdrawn already; nothing is to be done.")
+        raise Conflict("scans-height-withdrawn-already-nothing-done")
     values = replace(before.values, withdrawn=True)
     return _append(session, vehicle_id, values, before, seen_revision, actor)
 
@@ -90,7 +90,7 @@ def _append(
     revision = before.revision if before else 0
     if revision != seen_revision:
         name = before.created_by.name if before and before.created_by else "Somebody"
-        raise Conflict(f"{name} measured this target meanwhile; look at that height first.")
+        raise Conflict("scans-measured-target-meanwhile-look-height-first", name=name)
     place = {"survey_id": vehicle["survey_id"], "scan_id": vehicle["scan_id"], "vehicle_id": vehicle_id}
     content: dict[str, Any] = {**place, "revision": revision + 1, **asdict(values)}
     row_id = add_row(session, line_heights, {**content, "created_at": now(), "created_by": actor})

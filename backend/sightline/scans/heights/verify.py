@@ -36,7 +36,9 @@ def check_line_heights(files: Files, told_poses: Mapping[int, Mapping[str, Any]]
         number = int(row["id"])
         poses[number] = _pose(row, marks.pop(number, []), told_poses[number])
     if marks:
-        raise Damaged(f"{LINE_MARKS.path}: calibration {min(marks)} is in no row of {LINE_POSES.path}.")
+        raise Damaged(
+            "scans-calibration-no-row", path=LINE_MARKS.path, marks=min(marks), path_2=LINE_POSES.path
+        )
     return len(poses) + _heights(files, poses)
 
 
@@ -45,13 +47,13 @@ def _pose(row: Row, marks: list[Row], told: Mapping[str, Any]) -> LinePose:
     numbers = ("distance_m", "height_m", "row_px", "line")
     clicked = tuple(Mark(*(float(mark[column]) for column in numbers)) for mark in marks)
     if [asdict(mark) for mark in clicked] != told["marks"]:
-        raise Damaged(f"{LINE_MARKS.path}: the marks of calibration {row['id']} are not those of its event.")
+        raise Damaged("scans-marks-calibration-not-those-event", path=LINE_MARKS.path, id=row["id"])
     sigma_px = float(row["sigma_px"]) if row["sigma_px"] else None
     rod = Rod(clicked, sigma_px, float(row["u_distance_m"]), float(row["u_lean_rad"]))
     try:
         pose = solve(rod)
     except LinePoseError as error:
-        raise Damaged(f"{name} cannot be solved for from its marks; one is wrong.") from error
+        raise Damaged("scans-cannot-solved-marks-one-wrong", name=name) from error
     _same(name, row, "camera_height_m", pose.camera_height_m)
     _same(name, row, "u_camera_height_m", math.sqrt(pose.covariance[3, 3]))
     _same(name, row, "rms_px", pose.rms_px)
@@ -78,20 +80,24 @@ def _heights(files: Files, poses: Mapping[int, LinePose]) -> int:
             marked.add(row["id"])
         count += 1
     if marked != {row["id"] for row in newest.values()}:
-        raise Damaged(f"{LINE_HEIGHTS.path}: a row that is marked as current is not the newest revision.")
+        raise Damaged("scans-row-marked-current-not-newest-revision", path=LINE_HEIGHTS.path)
     if budget:
-        raise Damaged(f"{LINE_BUDGET.path}: height {min(budget)} is in no row of {LINE_HEIGHTS.path}.")
+        raise Damaged(
+            "scans-height-no-row", path=LINE_BUDGET.path, budget=min(budget), path_2=LINE_HEIGHTS.path
+        )
     return count
 
 
 def _height(row: Row, found: LineHeight, budget: list[Row]) -> None:
     name = f"{LINE_HEIGHTS.path}: height {row['id']}"
     if row["status"] != found.status:
-        raise Damaged(f"{name} says {row['status']}, its clicks give {found.status}; one is wrong.")
+        raise Damaged(
+            "measurements-says-clicks-give-one-wrong", name=name, status=row["status"], status_2=found.status
+        )
     for column in _FIGURES:
         _same(name, row, column, getattr(found, column))
     if [one["source"] for one in budget] != [one.source for one in found.budget]:
-        raise Damaged(f"{LINE_BUDGET.path}: the sources of height {row['id']} are not those of its clicks.")
+        raise Damaged("scans-sources-height-not-those-clicks", path=LINE_BUDGET.path, id=row["id"])
     for told, entry in zip(budget, found.budget, strict=True):
         _same(f"{LINE_BUDGET.path}: {entry.source} of height {row['id']}", told, "u_m", entry.u_m)
 
@@ -114,4 +120,6 @@ def _same(name: str, row: Row, column: str, value: float | None) -> None:
         return
     if not told or value is None or math.fabs(float(told) - value) > _TOLERANCE:
         computed = "nothing" if value is None else f"{value:.6f}"
-        raise Damaged(f"{name} has {column} {told or 'empty'}, its marks and clicks give {computed}.")
+        raise Damaged(
+            "scans-marks-clicks-give", name=name, column=column, told=told or "empty", computed=computed
+        )

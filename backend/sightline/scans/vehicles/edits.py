@@ -28,10 +28,6 @@ from sightline.vehicles.catalogue.store import get_catalogue_row
 
 MOST_LINES = 400_000
 MOST_PIXELS = 400_000_000
-UNSEEN = (
-    "Nothing in camera 2's strip looks like this vehicle; place its front and rear there by hand, or leave "
-    "it out if it is none."
-)
 
 
 def place_boundaries(
@@ -69,14 +65,12 @@ def place_wheels(
     vehicle, scan = _seen(services, vehicle_id, version)
     before = vehicle.measurement
     if before is None:
-        raise BadInput(
-            "This vehicle is not measured yet, so it has no wheelbase; place its boundaries first."
-        )
+        raise BadInput("scans-vehicle-not-measured-yet-no-wheelbase")
     values = with_wheels(_own(before.values), lines)
     if lines is not None and values.wheelbase_m is None:
-        raise BadInput(values.warnings[-1].removeprefix("No wheelbase: "))
+        raise BadInput("said", sentence=values.warnings[-1].removeprefix("No wheelbase: "))
     if lines is not None and not all(0 <= line < (scan.lines or 0) for line in lines):
-        raise BadInput(f"A wheel lies outside the strips, which end at line {(scan.lines or 1) - 1}.")
+        raise BadInput("scans-wheel-lies-outside-strips-which-end", lines=(scan.lines or 1) - 1)
     made = replace(values, cause="wheels", placed_by=actor, run_id=None, code_version=code_version())
     with services.writing() as session:
         append_scan_measurement(session, vehicle_id, made, version=version, actor=actor)
@@ -107,7 +101,7 @@ def add_vehicle(
         try:
             crossings = seen_by_camera_2(*first, scan.rig, readers[0].rows, reads)
         except LookupError:
-            raise BadInput(UNSEEN) from None
+            raise BadInput("scans-nothing-camera-2s-strip-looks-like") from None
     else:
         crossings = Crossings(*first, *second)
     motion = measured_at(crossings, scan.rig, method, readers)
@@ -167,17 +161,10 @@ def _check(crossings: Crossings, readers: Readers) -> None:
     )
     for camera, ((front, rear), reader) in enumerate(zip(spans, readers, strict=True), 1):
         if not front < rear:
-            raise BadInput(
-                f"At camera {camera} the front (line {front:.1f}) must come before the rear ({rear:.1f}); "
-                "place them again."
-            )
+            raise BadInput("scans-camera-front-line-must-come-before", camera=camera, front=front, rear=rear)
         if not 0 <= front < rear <= reader.lines - 1:
             raise BadInput(
-                f"The boundaries at camera {camera} lie outside the strip, which ends at line "
-                f"{reader.lines - 1}; place them again."
+                "scans-boundaries-camera-lie-outside-strip-which", camera=camera, lines=reader.lines - 1
             )
         if rear - front > min(MOST_LINES, MOST_PIXELS / reader.rows):
-            raise BadInput(
-                f"Front and rear at camera {camera} are {rear - front:.0f} lines apart, more than one "
-                "vehicle can be; place them again."
-            )
+            raise BadInput("scans-front-rear-camera-lines-apart-more", camera=camera, rear=rear - front)

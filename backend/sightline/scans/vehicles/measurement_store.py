@@ -157,9 +157,6 @@ def _check(values: ScanValues) -> None:
         (2, values.front_line_2, values.rear_line_2),
     ):
         if not front < rear:
-            raise BadInput(
-                f"At camera {camera} the front (line {front:.1f}) must come before the rear ({rear:.1f}); "
-                "place them again."
-            )
+            raise BadInput("scans-camera-front-line-must-come-before", camera=camera, front=front, rear=rear)
     if values.status != "ok" and not values.reason:
-        raise BadInput("A vehicle that has no speed needs the reason why; measure it again.")
+        raise BadInput("scans-vehicle-no-speed-needs-reason-why")

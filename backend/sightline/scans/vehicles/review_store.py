@@ -32,15 +32,15 @@ def add_scan_review(
     before = get_scan_measurement(session, measurement_id)
     require_scan_vehicle_version(session, before.vehicle_id, None)
     if not is_newest_scan_measurement(session, before):
-        raise Conflict("This vehicle was measured again meanwhile; look at the newer result.")
+        raise Conflict("scans-vehicle-measured-again-meanwhile-look-newer")
     if before.values.placed_by == actor:
-        raise NotAllowed("Nobody reviews boundaries that they placed themselves; ask another reviewer.")
+        raise NotAllowed("scans-nobody-reviews-boundaries-they-placed-themselves")
     require_verdict(before.review, seen)
     told = (reason or "").strip() or None
     if verdict == "rejected" and told is None:
-        raise BadInput("A rejection needs a reason; say what is wrong so that it can be put right.")
+        raise BadInput("reviews-rejection-needs-reason-say-what-wrong")
     if verdict == "reopened" and before.review.verdict in ("to_review", "reopened"):
-        raise Conflict("This vehicle waits for a review already.")
+        raise Conflict("scans-vehicle-waits-review-already")
     content = {"survey_id": before.survey_id, "measurement_id": measurement_id}
     content |= {"verdict": verdict, "reason": told}  # type: ignore[dict-item]
     row_id = add_row(session, scan_reviews, {**content, "created_at": now(), "created_by": actor})

@@ -48,7 +48,7 @@ def add_scan_vehicle(
     if body.front_line_2 is not None and body.rear_line_2 is not None:
         second = (body.front_line_2, body.rear_line_2)
     elif body.front_line_2 is not None or body.rear_line_2 is not None:
-        raise BadInput("Camera 2 needs both lines, front and rear, or none; send both or leave both out.")
+        raise BadInput("scans-camera-2-needs-both-lines-front")
     first = (body.front_line_1, body.rear_line_1)
     made = edits.add_vehicle(services, scan_id, first, second, body.method, who.id)
     return _answer(services, made, who.id)
@@ -77,7 +77,7 @@ def place_wheels(vehicle_id: PathId, body: WheelsIn, who: Operator, services: Wi
     if body.front_wheel_line is not None and body.rear_wheel_line is not None:
         lines = (body.front_wheel_line, body.rear_wheel_line)
     elif body.front_wheel_line is not None or body.rear_wheel_line is not None:
-        raise BadInput("A wheelbase needs both wheels; send both lines, or none to take them away.")
+        raise BadInput("scans-wheelbase-needs-both-wheels-send-both")
     edits.place_wheels(services, vehicle_id, lines, body.version, who.id)
     return _answer(services, vehicle_id, who.id)
 

@@ -151,7 +151,7 @@ def restore_scan_vehicle(session: Session, vehicle_id: int, *, actor: int | None
     """Bring a vehicle back. Raises Conflict for one that was not taken out."""
     before = get_row(session, scan_vehicles, vehicle_id, "scanned vehicle")
     if before["deleted_at"] is None:
-        raise Conflict("This vehicle was not deleted, so there is nothing to restore.")
+        raise Conflict("scans-vehicle-not-deleted-nothing-restore")
     stamps = {"version": before["version"] + 1, "updated_at": now(), "updated_by": actor}
     change_row(session, scan_vehicles, vehicle_id, {"deleted_at": None, **stamps})
     then, after = {"deleted": True}, {"deleted": False}
@@ -168,9 +168,11 @@ def require_scan_vehicle_version(session: Session, vehicle_id: int, version: int
     get_row(session, scans, row["scan_id"], "line-scan recording", scans.c.deleted_at.is_(None))
     name, when = name_of(session, row["updated_by"]), f"{row['updated_at']:%Y-%m-%d %H:%M:%S} UTC"
     if row["deleted_at"] is not None:
-        raise Conflict(f"{name} deleted vehicle {row['number']} at {when}; restore it first.")
+        raise Conflict("scans-deleted-vehicle-restore-first", name=name, number=row["number"], when=when)
     if version is not None and row["version"] != version:
-        raise Conflict(f"{name} changed vehicle {row['number']} at {when}; look again and redo yours.")
+        raise Conflict(
+            "scans-changed-vehicle-look-again-redo-yours", name=name, number=row["number"], when=when
+        )
     return row
 
 
@@ -178,12 +180,12 @@ def _checked(fields: Mapping[str, Any]) -> dict[str, Any]:
     values = dict(fields)
     unknown = set(values) - _FIELDS
     if unknown:
-        raise BadInput(f"A scanned vehicle has no {', '.join(sorted(unknown))}; leave it out.")
+        raise BadInput("scans-scanned-vehicle-no-leave-out", unknown=", ".join(sorted(unknown)))
     for name in _LENGTHS:
         value = values.get(name)
         least = 0.0 if name.startswith("u_") else 1e-3
         if value is not None and not least <= value <= 100:
-            raise BadInput(f"A {name} of {value:g} m cannot be used; give it in metres, as in 4.447.")
+            raise BadInput("scans-m-cannot-used-give-metres-4", name=name, value=format(value, "g"))
     return values
 
 

@@ -50,8 +50,5 @@ def photograph_content(services: Services, photograph: Photograph) -> bytes:
     except (NotFound, OSError):
         content = b""
     if sha256_hex(content) != photograph.sha256:
-        raise Damaged(
-            f"The file of the photograph “{photograph.name}” is missing or was changed; take it out of the "
-            "survey and add it again."
-        )
+        raise Damaged("surveys-file-photograph-missing-changed-take-out", name=photograph.name)
     return content

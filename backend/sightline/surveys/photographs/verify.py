@@ -22,21 +22,21 @@ def check_photographs(files: Files, told: Replayed, written: Mapping[str, Writte
     expected = _expected(told)
     rows = list(read_rows(files, PHOTOGRAPHS.path))
     if [row["id"] for row in rows] != [cell_text(PHOTOGRAPHS.columns[0], one["id"]) for one in expected]:
-        raise Damaged(f"{PHOTOGRAPHS.path} has not the photographs of the audit events; it was changed.")
+        raise Damaged("surveys-not-photographs-audit-events-changed", path=PHOTOGRAPHS.path)
     for row, one in zip(rows, expected, strict=True):
         for column in PHOTOGRAPHS.columns:
             if row[column.name] != cell_text(column, one[column.name]):
                 raise Damaged(
-                    f"{PHOTOGRAPHS.path}: {column.name} of {row['id']} is not what its audit events say; "
-                    "it was changed."
+                    "surveys-not-what-audit-events-say-changed",
+                    path=PHOTOGRAPHS.path,
+                    name=column.name,
+                    id=row["id"],
                 )
         if row["file"] not in written or written[row["file"]].sha256 != row["sha256"]:
-            raise Damaged(
-                f"{row['file']} is not the photograph that its audit event names; it was exchanged."
-            )
+            raise Damaged("surveys-not-photograph-audit-event-names-exchanged", file=row["file"])
     strange = {path for path in files.paths if path.startswith(FOLDER)} - {row["file"] for row in rows}
     if strange:
-        raise Damaged(f"{min(strange)} is in no row of {PHOTOGRAPHS.path}; it was put in.")
+        raise Damaged("surveys-no-row-put", strange=min(strange), path=PHOTOGRAPHS.path)
     return len(rows)
 
 

@@ -61,7 +61,7 @@ def import_csv(session: Session, data: bytes, name: str, *, actor: int | None) -
     if not good and not skipped:
         return Imported(0, 0, [])
     if not good:
-        raise BadInput(f"No row of {name} can be used; line {skipped[0].line}: {skipped[0].reason}")
+        raise BadInput("vehicles-no-row-used-line", name=name, line=skipped[0].line, reason=skipped[0].reason)
     result = import_catalogue_rows(session, good, actor=actor)
     return Imported(result.added, result.updated, skipped)
 
@@ -84,17 +84,19 @@ def _lines(data: bytes, name: str) -> Iterator[tuple[int, dict[str, str]]]:
                 yield reader.line_num, paired
     except csv.Error as error:
         raise BadInput(
-            f"{name} cannot be read as CSV near line {reader.line_num} ({error}); save it again as CSV."
+            "vehicles-cannot-read-csv-near-line-save", name=name, line_num=reader.line_num, problem=error
         ) from error
 
 
 def _text(data: bytes, name: str) -> str:
     if len(data) > MOST_BYTES:
-        raise BadInput(f"{name} is larger than {MOST_BYTES // 1_000_000} MB; split it into several files.")
+        raise BadInput(
+            "vehicles-larger-mb-split-into-several-files", name=name, most_bytes=MOST_BYTES // 1000000
+        )
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError:
-        raise BadInput(f"{name} is not a UTF-8 text; save it as CSV in UTF-8.") from None
+        raise BadInput("vehicles-not-utf-8-text-save-csv", name=name) from None
 
 
 def _header(cells: list[str], name: str) -> list[str]:
@@ -103,8 +105,10 @@ def _header(cells: list[str], name: str) -> list[str]:
     missing = [column for column in _NEEDED if column not in header]
     if missing:
         raise BadInput(
-            f"{name} has no column {' and no column '.join(missing)}; its first line names the columns, "
-            f"out of {', '.join(_KNOWN)}."
+            "vehicles-no-column-first-line-names-columns",
+            name=name,
+            missing=" and no column ".join(missing),
+            known=", ".join(_KNOWN),
         )
     return header
 
@@ -115,12 +119,14 @@ def _row(cells: Mapping[str, str]) -> CatalogueRow:
     values |= {column: _year(cells, column) for column in ("year_from", "year_to")}
     category = cells.get("category", "").lower() or None
     if category not in (None, *get_args(Category)):
-        raise BadInput(f"“{category}” is not a category; use one of {', '.join(get_args(Category))}.")
+        raise BadInput(
+            "vehicles-not-category-use-one", category=category, categories=", ".join(get_args(Category))
+        )
     values |= {column: _undefused(cells.get(column, "")) for column in ("make", "model", "source")}
     row = CatalogueRow(**values, category=cast(Category | None, category))
     problem = catalogue_row_problem(row)
     if problem is not None:
-        raise BadInput(problem)
+        raise BadInput("said", sentence=problem)
     return row
 
 
@@ -136,7 +142,7 @@ def _number(cells: Mapping[str, str], column: str) -> float | None:
     try:
         return float(cell)
     except ValueError:
-        raise BadInput(f"{column} is “{cell[:40]}”, which is not a number; give it in metres.") from None
+        raise BadInput("vehicles-which-not-number-give-metres", column=column, cell=cell[:40]) from None
 
 
 def _year(cells: Mapping[str, str], column: str) -> int | None:
@@ -144,5 +150,5 @@ def _year(cells: Mapping[str, str], column: str) -> int | None:
     if not cell:
         return None
     if not cell.isdigit() or not 1885 <= int(cell[:9]) <= 2100:
-        raise BadInput(f"{column} is “{cell[:40]}”, which is not a year; give four digits.")
+        raise BadInput("vehicles-which-not-year-give-four-digits", column=column, cell=cell[:40])
     return int(cell)

@@ -88,7 +88,7 @@ def import_catalogue_rows(
 def _content(row: CatalogueRow) -> dict[str, Any]:
     problem = catalogue_row_problem(row)
     if problem is not None:
-        raise BadInput(problem)
+        raise BadInput("said", sentence=problem)
     content = asdict(row)
     content["make"], content["model"] = row.make.strip(), row.model.strip()
     years = " ".join(str(year) for year in (row.year_from, row.year_to) if year is not None)

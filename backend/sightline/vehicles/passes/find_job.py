@@ -37,11 +37,11 @@ def request_passes(session: Session, recording_id: int, *, actor: int) -> Job:
     """Queue the search. Raises NotFound, BadInput (no frames yet), Conflict while one waits or runs."""
     recording = get_recording(session, recording_id)
     if recording.state != "ready":
-        raise BadInput(f"{recording.name} has no frames yet; wait until it is ready.")
+        raise BadInput("poses-no-frames-yet-wait-until-ready", name=recording.name)
     for state in UNDER_WAY:
         for job in list_jobs(session, survey_id=recording.survey_id, state=state):
             if job.kind == KIND and job.recording_id == recording_id:
-                raise Conflict(f"Passes of {recording.name} are being looked for already; wait for that.")
+                raise Conflict("vehicles-passes-being-looked-already-wait", name=recording.name)
     return registry.enqueue(
         session, KIND, {}, survey_id=recording.survey_id, recording_id=recording_id, actor=actor
     )
@@ -67,11 +67,13 @@ def look_for_passes(context: JobContext) -> Finish:
             name=recording.name,
         )
     except PassesCancelled as stopped:
-        raise Cancelled(STOPPED) from stopped
+        raise Cancelled("vehicles-search-passes-cancelled-start-again-when") from stopped
     if count != len(opened.media):
         raise Damaged(
-            f"{recording.name} gives {count} frames now and gave {len(opened.media)} when it was read; read "
-            "it again."
+            "vehicles-gives-frames-now-gave-when-read",
+            name=recording.name,
+            count=count,
+            count_2=len(opened.media),
         )
     moving = [one for one in found if not _is_board(one, board)]
 

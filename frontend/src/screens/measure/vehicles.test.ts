@@ -29,7 +29,7 @@ function setUp() {
   const told: string[] = [];
   const save = async (_id: number, version: number, fields: Partial<VehicleFields>): Promise<Vehicle> => {
     if (version !== stored.version) {
-      throw new ApiError("AB changed this vehicle at 14:02.", 409, "conflict", { current: stored });
+      throw new ApiError("AB changed this vehicle at 14:02.", 409, null, { current: stored });
     }
     sent.push(fields);
     stored = { ...stored, ...fields, version: version + 1 };

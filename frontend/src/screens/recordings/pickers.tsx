@@ -1,9 +1,6 @@
 import { Segments, SelectField } from "../../components";
-import { Said } from "../../components/Said";
-import { say } from "../../core/messages";
 import { may } from "../../core/session";
 import type { Camera, Lighting, Recording } from "../../core/types";
-import { LIGHTING_WORDS } from "../../core/words";
 
 export function CameraPick({
   recording,
@@ -17,27 +14,21 @@ export function CameraPick({
   if (cameras.length === 0) {
     return (
       <p class="small">
-        <Said
-          what="recordings-no-camera"
-          parts={{ link: (text) => <a href={`/surveys/${recording.survey_id}/camera`}>{text}</a> }}
-        />
+        No camera yet: <a href={`/surveys/${recording.survey_id}/camera`}>calibrate one</a>.
       </p>
     );
   }
   return (
     <div class="recording__pick">
       <SelectField
-        label={say("recordings-camera")}
+        label="Camera"
         value={String(recording.camera_id ?? "")}
         disabled={!may("operator")}
         options={[
-          { value: "", label: say("recordings-camera-unsaid") },
+          { value: "", label: "not said yet" },
           ...cameras.map((camera) => ({
             value: String(camera.id),
-            label:
-              camera.current_calibration_id === null
-                ? say("recordings-camera-uncalibrated", { camera: camera.name })
-                : camera.name,
+            label: camera.current_calibration_id === null ? `${camera.name} (not calibrated)` : camera.name,
           })),
         ]}
         onChange={(value) => pick(value === "" ? null : Number(value))}
@@ -48,32 +39,17 @@ export function CameraPick({
 
 export function LightPick({ recording, pick }: { recording: Recording; pick: (lighting: Lighting) => void }) {
   const proposed = recording.lighting === null && recording.lighting_proposed !== null;
-  const words = (light: Lighting): string => {
-    const lighting = LIGHTING_WORDS[light];
-    const guessed = proposed && recording.lighting_proposed === light;
-    return guessed ? say("recordings-lighting-guess", { lighting }) : lighting;
-  };
+  const value = recording.lighting ?? recording.lighting_proposed;
   return (
     <div class="field">
-      <span class="field__label">
-        {proposed ? (
-          <Said
-            what="recordings-lighting-proposed"
-            parts={{ muted: (text) => <span class="muted">{text}</span> }}
-          />
-        ) : (
-          say("recordings-lighting")
-        )}
-      </span>
+      <span class="field__label">Lighting{proposed && <span class="muted"> (proposed)</span>}</span>
       <Segments<Lighting | "none">
-        label={say(proposed ? "recordings-lighting-of-proposed" : "recordings-lighting-of", {
-          recording: recording.name,
-        })}
+        label={`Lighting of ${recording.name}${proposed ? ", proposed by the machine" : ""}`}
         value={recording.lighting ?? "none"}
         disabled={!may("operator")}
         options={[
-          { value: "daytime", label: words("daytime") },
-          { value: "low_light", label: words("low_light") },
+          { value: "daytime", label: value === "daytime" && proposed ? "Daytime ?" : "Daytime" },
+          { value: "low_light", label: value === "low_light" && proposed ? "Low light ?" : "Low light" },
         ]}
         onChange={(next) => next !== "none" && pick(next)}
       />

@@ -1,0 +1,124 @@
+"""The catalogue of messages: every key that code names is there, with the values that its sentence takes."""
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from fluent.syntax import FluentParser
+from fluent.syntax import ast as ftl
+from fluent.syntax.visitor import Visitor
+
+import sightline
+from sightline import errors, messages
+
+PACKAGE = Path(sightline.__file__).parent
+SOURCE = PACKAGE / "messages/en.ftl"
+
+
+class _Variables(Visitor):  # type: ignore[misc]
+    def __init__(self) -> None:
+        self.names: set[str] = set()
+
+    def visit_VariableReference(self, node: ftl.VariableReference) -> None:
+        self.names.add(node.id.name)
+
+
+def catalogue(text: str) -> dict[str, set[str]]:
+    """The values that each message takes. Fails for what is no Fluent, and for a key that is there twice."""
+    found: dict[str, set[str]] = {}
+    for entry in FluentParser().parse(text).body:
+        assert not isinstance(entry, ftl.Junk), entry.content
+        if isinstance(entry, ftl.Message):
+            assert entry.id.name not in found, f"{entry.id.name} is there twice"
+            variables = _Variables()
+            variables.visit(entry)
+            found[entry.id.name] = variables.names
+    return found
+
+
+def error_classes(trees: list[ast.Module]) -> set[str]:
+    """Names of the classes under SightlineError."""
+    known = {"SightlineError"}
+    for _ in range(4):  # as deep as they stand on each other
+        known |= {
+            one.name
+            for tree in trees
+            for one in ast.walk(tree)
+            if isinstance(one, ast.ClassDef) and known & {_last_name(base) for base in one.bases}
+        }
+    return known
+
+
+def raised(tree: ast.Module, classes: set[str]) -> Iterator[ast.Call]:
+    for one in ast.walk(tree):
+        if isinstance(one, ast.Call) and _last_name(one.func) in classes:
+            yield one
+
+
+def _last_name(node: ast.expr) -> str:
+    return ast.unparse(node).split(".")[-1]
+
+
+def complaint(call: ast.Call, known: dict[str, set[str]]) -> str | None:
+    """What is wrong with an error's code or values; None for one whose code is another error's."""
+    code = call.args[0] if call.args else None
+    if not (isinstance(code, ast.Constant) and isinstance(code.value, str)):
+        return None if isinstance(code, ast.Attribute | ast.Subscript) else "its code is not written out"
+    if code.value not in known:
+        return f"en.ftl has no “{code.value}”"
+    given = {one.arg for one in call.keywords}
+    return None if given == known[code.value] else f"“{code.value}” takes {sorted(known[code.value])}"
+
+
+TREES = {path: ast.parse(path.read_text("utf-8")) for path in sorted(PACKAGE.rglob("*.py"))}
+KNOWN = catalogue(SOURCE.read_text("utf-8"))
+
+
+def test_every_error_is_in_the_catalogue_with_its_values() -> None:
+    classes = error_classes(list(TREES.values()))
+    wrong = [
+        f"{path.relative_to(PACKAGE)}:{call.lineno}: {why}"
+        for path, tree in TREES.items()
+        for call in raised(tree, classes)
+        if (why := complaint(call, KNOWN))
+    ]
+    assert not wrong, "\n".join(wrong)
+
+
+@pytest.mark.parametrize(
+    ("written", "why"),
+    [
+        ('BadInput("There is no survey 3.")', "en.ftl has no"),
+        ('BadInput(f"There is no survey {n}.")', "not written out"),
+        ('BadInput("said")', "takes ['sentence']"),
+        ('BadInput("said", sentence="x", more=1)', "takes ['sentence']"),
+    ],
+)
+def test_a_planted_one_is_found(written: str, why: str) -> None:
+    (call,) = raised(ast.parse(written), {"BadInput"})
+    assert why in (complaint(call, KNOWN) or "")
+
+
+def test_each_language_says_the_same_keys_and_takes_no_other_values() -> None:
+    for language in messages.languages():
+        other = catalogue((PACKAGE / f"messages/{language}.ftl").read_text("utf-8"))
+        assert set(other) <= set(KNOWN)
+        assert all(values <= KNOWN[key] for key, values in other.items())
+
+
+def test_numbers_are_said_whole_and_ungrouped_unless_the_sentence_asks() -> None:
+    assert messages.say("said", {"sentence": 123456}) == "123456"
+    assert messages.say("said", {"sentence": 0.000125}) == "0.000125"
+
+
+def test_a_value_that_is_missing_is_no_sentence() -> None:
+    with pytest.raises(ValueError, match="sentence"):
+        messages.say("said", {})
+    with pytest.raises(KeyError):
+        messages.say("no-such-key", {})
+
+
+def test_an_error_tells_its_sentence_in_english() -> None:
+    error = errors.BadInput("said", sentence=Path("a/b"))
+    assert (str(error), error.values) == ("a/b", {"sentence": "a/b"})
