@@ -7,7 +7,7 @@
  * the version that was seen, and a refusal of a version is looked into before anybody is asked.
  */
 import { computed, effect, signal } from "@preact/signals";
-import { ApiError, connection, explain } from "./api";
+import { ApiError, connection, explain, problemOf } from "./api";
 import { say } from "./messages";
 import { newKey } from "./random";
 
@@ -256,7 +256,7 @@ export class Outbox {
     const kind = this.kinds.get(wish.kind) as AnyKind;
     if (kind.done(wish)) return this.end(wish, "saved");
     try {
-      if (steps > MOST_STEPS) throw new ApiError(say("unsaved-otherwise"), 0, "other");
+      if (steps > MOST_STEPS) throw problemOf("unsaved-otherwise", {}, 0);
       const saved = await kind.send(wish, signal);
       if (!signal.aborted) this.arrived(kind, wish, saved);
     } catch (error) {
@@ -280,7 +280,7 @@ export class Outbox {
       refusal.status === 409 ? await kind.read(sent, refusal, signal).catch(() => undefined) : undefined;
     const now = this.get(sent.key);
     if (signal.aborted || !now) return;
-    const problem = refusal.message;
+    const problem = explain(refusal);
     if (theirs !== undefined && kind.done({ ...sent, saved: theirs })) this.arrived(kind, sent, theirs);
     else if (theirs === undefined || kind.version(theirs) === kind.version(sent.saved))
       this.patch(now.key, { state: "failed", problem });
