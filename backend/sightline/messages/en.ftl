@@ -652,6 +652,75 @@ pose-poses = { $count ->
 pose-made = { $time }, frames { $first_frame } to { $last_frame }
 pose-use-short = Use
 
+## Recordings
+
+recordings-lead = Every frame is numbered by the server as it decodes the file, so frame n is the same picture for everybody.
+recordings-loading = recordings
+recordings-choose = Choose videos to upload
+recordings-drop = Drop videos here, or click to choose
+recordings-drop-hint = A broken connection does no harm: the upload goes on where it stopped, also after this page was closed.
+recordings-uploads = Uploads
+recordings-none-title = No recordings yet
+recordings-none = Drop the day's video above: MP4, MOV, AVI, MKV and what else a camera writes. The clip in which the checkerboard stands on the road counts too: the road pose is found in it.
+recordings-none-look = An operator can upload the day's video here.
+recordings-delete-title = Delete { $recording }?
+recordings-delete-body = The video, its frame table and its road poses go; a recording with measurements cannot be deleted.
+recordings-delete = Delete the recording
+recordings-delete-one = Delete { $recording }
+recordings-deleted = { $recording } was deleted.
+recordings-vfr-title = Variable frame rate: times come from each frame's own time stamp
+recordings-find-road = Find the road
+recordings-measure = Measure
+recordings-read-again = Read it again
+recordings-unreadable = This recording could not be read.
+recordings-no-picture = no picture
+recordings-no-picture-yet = no picture yet
+recordings-rename = Rename
+recordings-rename-one = Rename { $recording }
+recordings-name = Name of the recording
+recordings-frames = { $count ->
+    [one] { $count } frame
+   *[other] { $count } frames
+}
+recordings-rate = { $rate } per second
+recordings-rate-average = { $rate } per second on average
+recordings-codec = { $codec } in { $container }
+recordings-sha256 = SHA-256 { $sha256 }
+recordings-no-camera = No camera yet: <link>calibrate one</link>.
+recordings-camera = Camera
+recordings-camera-unsaid = not said yet
+recordings-camera-uncalibrated = { $camera } (not calibrated)
+recordings-lighting = Lighting
+recordings-lighting-proposed = Lighting <muted>(proposed)</muted>
+recordings-lighting-of = Lighting of { $recording }
+recordings-lighting-of-proposed = Lighting of { $recording }, proposed by the machine
+recordings-lighting-guess = { $lighting } ?
+
+## Uploads
+
+upload-state = { $state ->
+    [waiting] { $file }: about to start
+    [paused] { $file }: paused
+    [retrying] { $file }: connection broken, trying again
+    [failed] { $file }: stopped
+    [read] { $file }: here, being read
+    [kept] { $file }: here
+   *[sending] { $file }: sending
+}
+upload-resumed = { $file }: sending, resumed at { $arrived }
+upload-amount = { $arrived } of { $size }
+upload-rate = { $arrived } of { $size } · { $speed }/s · { $time } left
+upload-pause = Pause
+upload-resume = Resume
+upload-cancel = Cancel the upload of { $file }
+upload-empty = { $file } is empty; choose the file again after checking the copy.
+upload-broken = The connection broke while { $file } was sent; what arrived is kept, so press “Resume” when the connection is back.
+upload-unfinished = { $file }: not finished; drop the same file again and it goes on from here
+upload-discard-title = Throw away the part that arrived?
+upload-discard-body = { $arrived } of { $file } are on the server.
+upload-discard = Throw it away
+upload-discard-one = Throw away the unfinished upload of { $file }
+
 ## Words that many pages need
 
 interval = { $low } to { $high }

@@ -1,5 +1,6 @@
 import { ask, Button, Notice, Progress } from "../../components";
 import { api } from "../../core/api";
+import { say } from "../../core/messages";
 import { formatDuration } from "../../core/times";
 import { toastProblem } from "../../core/toasts";
 import type { UnfinishedUpload } from "../../core/types";
@@ -15,19 +16,19 @@ export function UploadRow({ item }: { item: UploadItem }) {
         <div class="grow">
           <Progress
             value={item.size ? item.sent / item.size : 0}
-            label={`${item.name}: ${words(item)}`}
+            label={words(item)}
             figure={figure(item)}
             still={resting}
           />
         </div>
         {item.state === "sending" && (
           <Button small icon="pause" onClick={() => void pauseUpload(item.key)}>
-            Pause
+            {say("upload-pause")}
           </Button>
         )}
         {(item.state === "paused" || (item.state === "failed" && item.size > 0)) && (
           <Button small icon="play" onClick={() => resumeUpload(item.key)}>
-            Resume
+            {say("upload-resume")}
           </Button>
         )}
         {item.state !== "done" && (
@@ -35,7 +36,7 @@ export function UploadRow({ item }: { item: UploadItem }) {
             small
             kind="quiet"
             icon="close"
-            label={`Cancel the upload of ${item.name}`}
+            label={say("upload-cancel", { file: item.name })}
             onClick={() => void (item.size === 0 ? forget(item.key) : cancelUpload(item.key))}
           />
         )}
@@ -46,35 +47,27 @@ export function UploadRow({ item }: { item: UploadItem }) {
 }
 
 function words(item: UploadItem): string {
-  switch (item.state) {
-    case "waiting":
-      return "about to start";
-    case "paused":
-      return "paused";
-    case "retrying":
-      return "connection broken, trying again";
-    case "failed":
-      return "stopped";
-    case "done":
-      return item.purpose === "strip" ? "here" : "here, being read";
-    case "sending":
-      return item.resumedFrom > 0 ? `sending, resumed at ${formatBytes(item.resumedFrom)}` : "sending";
-  }
+  const { name: file, state, purpose, resumedFrom } = item;
+  if (state === "sending" && resumedFrom > 0)
+    return say("upload-resumed", { file, arrived: formatBytes(resumedFrom) });
+  const arrived = purpose === "strip" ? "kept" : "read";
+  return say("upload-state", { file, state: state === "done" ? arrived : state });
 }
 
 function figure(item: UploadItem): string {
-  const amount = `${formatBytes(item.sent)} of ${formatBytes(item.size)}`;
-  if (!item.speed || item.state !== "sending") return amount;
-  return `${amount} · ${formatBytes(item.speed)}/s · ${formatDuration((item.size - item.sent) / item.speed)} left`;
+  const amount = { arrived: formatBytes(item.sent), size: formatBytes(item.size) };
+  if (!item.speed || item.state !== "sending") return say("upload-amount", amount);
+  const time = formatDuration((item.size - item.sent) / item.speed);
+  return say("upload-rate", { ...amount, speed: formatBytes(item.speed), time });
 }
 
 /** An upload that another page, or this one before a reload, did not finish. */
 export function UnfinishedRow({ upload, gone }: { upload: UnfinishedUpload; gone: () => Promise<void> }) {
   const discard = async () => {
     const yes = await ask({
-      title: "Throw away the part that arrived?",
-      body: `${formatBytes(upload.offset)} of ${upload.filename} are on the server.`,
-      action: "Throw it away",
+      title: say("upload-discard-title"),
+      body: say("upload-discard-body", { arrived: formatBytes(upload.offset), file: upload.filename }),
+      action: say("upload-discard"),
     });
     if (!yes) return;
     try {
@@ -90,8 +83,11 @@ export function UnfinishedRow({ upload, gone }: { upload: UnfinishedUpload; gone
         <div class="grow">
           <Progress
             value={upload.size_bytes ? upload.offset / upload.size_bytes : 0}
-            label={`${upload.filename}: not finished; drop the same file again and it goes on from here`}
-            figure={`${formatBytes(upload.offset)} of ${formatBytes(upload.size_bytes)}`}
+            label={say("upload-unfinished", { file: upload.filename })}
+            figure={say("upload-amount", {
+              arrived: formatBytes(upload.offset),
+              size: formatBytes(upload.size_bytes),
+            })}
             still
           />
         </div>
@@ -99,7 +95,7 @@ export function UnfinishedRow({ upload, gone }: { upload: UnfinishedUpload; gone
           small
           kind="quiet"
           icon="trash"
-          label={`Throw away the unfinished upload of ${upload.filename}`}
+          label={say("upload-discard-one", { file: upload.filename })}
           onClick={discard}
         />
       </div>

@@ -3,6 +3,7 @@
 import { signal } from "@preact/signals";
 import type { DetailedError, Upload as TusUpload } from "tus-js-client";
 import { toApiError } from "../../core/api";
+import { say } from "../../core/messages";
 
 type UploadState = "waiting" | "sending" | "paused" | "retrying" | "done" | "failed";
 
@@ -76,7 +77,7 @@ export async function startUpload(
   if (file.size === 0) {
     change(key, {
       state: "failed",
-      problem: `${file.name} is empty; choose the file again after checking the copy.`,
+      problem: say("upload-empty", { file: file.name }),
     });
     return;
   }
@@ -178,7 +179,7 @@ function sentence(error: Error | DetailedError, name: string): string {
     }
     return toApiError(error.originalResponse.getStatus(), body).message;
   }
-  return `The connection broke while ${name} was sent; what arrived is kept, so press “Resume” when the connection is back.`;
+  return say("upload-broken", { file: name });
 }
 
 export async function pauseUpload(key: number): Promise<void> {
