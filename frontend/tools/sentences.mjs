@@ -10,7 +10,6 @@ const ROOT = fileURLToPath(new URL("..", import.meta.url));
 const NOT_YET = [
   "src/screens/checks",
   "src/screens/measure",
-  "src/screens/recordings",
   "src/screens/review",
   "src/screens/scans",
 ];

@@ -79,7 +79,7 @@ export function Transport({ player, stage }: { player: Player; stage: FrameStage
       <span class="transport__time nowrap">{time === null ? "" : formatFrameTime(time)}</span>
       {player.vfr.value && (
         <span class="badge" title={say("transport-vfr-title")}>
-          {say("transport-vfr")}
+          {say("vfr")}
         </span>
       )}
     </div>

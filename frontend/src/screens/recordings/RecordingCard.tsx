@@ -2,11 +2,12 @@ import { useState } from "preact/hooks";
 import { ask, Button, JobProgress, Notice, Problem, StateMark } from "../../components";
 import { api } from "../../core/api";
 import { cancelJob } from "../../core/jobs";
+import { say } from "../../core/messages";
 import { may } from "../../core/session";
 import { formatDuration, formatMoment } from "../../core/times";
 import { toast } from "../../core/toasts";
 import type { Camera, Recording } from "../../core/types";
-import { formatBytes, plural } from "../../core/units";
+import { fixed, formatBytes } from "../../core/units";
 import { DriftVerdict } from "../../parts/drift/Drift";
 import { FindPasses } from "../../parts/vehicles/FindPasses";
 import { CameraPick, LightPick } from "./pickers";
@@ -38,13 +39,13 @@ export function RecordingCard({ recording, cameras, changed, reload }: Props) {
   const remove = () =>
     run(async () => {
       const yes = await ask({
-        title: `Delete ${recording.name}?`,
-        body: "The video, its frame table and its road poses go; a recording with measurements cannot be deleted.",
-        action: "Delete the recording",
+        title: say("recordings-delete-title", { recording: recording.name }),
+        body: say("recordings-delete-body"),
+        action: say("recordings-delete"),
       });
       if (!yes) return;
       await api.write("DELETE /recordings/{recording_id}", { recording_id: recording.id });
-      toast(`${recording.name} was deleted.`);
+      toast(say("recordings-deleted", { recording: recording.name }));
       await reload();
     });
   const cancel = () =>
@@ -65,11 +66,8 @@ export function RecordingCard({ recording, cameras, changed, reload }: Props) {
           <Name recording={recording} rename={(name) => void put({ name })} />
           <div class="row">
             {recording.vfr && (
-              <span
-                class="badge badge--solid"
-                title="Variable frame rate: times come from each frame's own time stamp"
-              >
-                VFR
+              <span class="badge badge--solid" title={say("recordings-vfr-title")}>
+                {say("vfr")}
               </span>
             )}
             <StateMark state={recording.state} />
@@ -77,7 +75,7 @@ export function RecordingCard({ recording, cameras, changed, reload }: Props) {
               <Button
                 kind="quiet"
                 icon="trash"
-                label={`Delete ${recording.name}`}
+                label={say("recordings-delete-one", { recording: recording.name })}
                 onClick={() => void remove()}
               />
             )}
@@ -116,7 +114,7 @@ export function RecordingCard({ recording, cameras, changed, reload }: Props) {
                 href={`/surveys/${recording.survey_id}/${recording.pose_id === null ? "pose" : "measure"}?recording=${recording.id}`}
                 kind="plain"
               >
-                {recording.pose_id === null ? "Find the road" : "Measure"}
+                {say(recording.pose_id === null ? "recordings-find-road" : "recordings-measure")}
               </Button>
             )}
           </footer>
@@ -133,12 +131,12 @@ function Failed({ reason, again }: { reason: string | null; again?: () => void }
       actions={
         again && (
           <Button small icon="retry" onClick={again}>
-            Read it again
+            {say("recordings-read-again")}
           </Button>
         )
       }
     >
-      {reason ?? "This recording could not be read."}
+      {reason ?? say("recordings-unreadable")}
     </Notice>
   );
 }
@@ -150,7 +148,9 @@ function Poster({ recording }: { recording: Recording }) {
       {thumb ? (
         <img src={thumb.url} alt="" loading="lazy" />
       ) : (
-        <span class="small">{recording.state === "failed" ? "no picture" : "no picture yet"}</span>
+        <span class="small">
+          {say(recording.state === "failed" ? "recordings-no-picture" : "recordings-no-picture-yet")}
+        </span>
       )}
     </div>
   );
@@ -167,9 +167,9 @@ function Name({ recording, rename }: { recording: Recording; rename: (name: stri
             small
             kind="quiet"
             onClick={() => setTyped(recording.name)}
-            label={`Rename ${recording.name}`}
+            label={say("recordings-rename-one", { recording: recording.name })}
           >
-            Rename
+            {say("recordings-rename")}
           </Button>
         )}
       </h2>
@@ -185,7 +185,7 @@ function Name({ recording, rename }: { recording: Recording; rename: (name: stri
     <form class="row grow" onSubmit={done}>
       <input
         class="input"
-        aria-label="Name of the recording"
+        aria-label={say("recordings-name")}
         value={typed}
         ref={(input) => {
           if (input && document.activeElement !== input) input.focus();
@@ -193,7 +193,7 @@ function Name({ recording, rename }: { recording: Recording; rename: (name: stri
         onInput={(event) => setTyped(event.currentTarget.value)}
         onKeyDown={(event) => event.key === "Escape" && setTyped(null)}
       />
-      <Button type="submit">Save</Button>
+      <Button type="submit">{say("action-save")}</Button>
     </form>
   );
 }
@@ -203,16 +203,21 @@ function Facts({ recording }: { recording: Recording }) {
   const rate = frame_count && duration_s ? frame_count / duration_s : null;
   const facts = [
     width_px && height_px ? `${width_px} × ${height_px}` : null,
-    frame_count !== null ? plural(frame_count, "frame") : null,
+    frame_count !== null ? say("recordings-frames", { count: frame_count }) : null,
     duration_s !== null ? formatDuration(duration_s) : null,
-    rate ? `${rate.toFixed(2)} per second${recording.vfr ? " on average" : ""}` : null,
-    codec ? `${codec}${container ? ` in ${container.split(",")[0]}` : ""}` : null,
+    rate
+      ? say(recording.vfr ? "recordings-rate-average" : "recordings-rate", { rate: fixed(rate, 2) })
+      : null,
+    codec && container ? say("recordings-codec", { codec, container: container.split(",")[0] ?? "" }) : codec,
     formatBytes(recording.size_bytes),
   ].filter(Boolean);
   return (
     <p class="recording__facts">
       {facts.join("  ·  ")}
-      <span class="muted" title={recording.sha256 ? `SHA-256 ${recording.sha256}` : undefined}>
+      <span
+        class="muted"
+        title={recording.sha256 ? say("recordings-sha256", { sha256: recording.sha256 }) : undefined}
+      >
         {"  ·  "}
         {formatMoment(recording.created_at)}
         {recording.sha256 && (

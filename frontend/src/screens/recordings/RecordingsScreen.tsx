@@ -1,6 +1,7 @@
 import { useRef } from "preact/hooks";
 import { DropFiles, Empty, Loading, Problem } from "../../components";
 import { api } from "../../core/api";
+import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useEvery, useResource } from "../../core/resource";
 import { may } from "../../core/session";
@@ -61,24 +62,21 @@ export default function RecordingsScreen({ surveyId }: ScreenProps) {
     <div class="page">
       <header class="page__head">
         <div>
-          <h1>Recordings</h1>
-          <p class="page__lead">
-            Every frame is numbered by the server as it decodes the file, so frame n is the same picture for
-            everybody.
-          </p>
+          <h1>{say("page-recordings")}</h1>
+          <p class="page__lead">{say("recordings-lead")}</p>
         </div>
       </header>
       {canWork && (
         <DropFiles
-          label="Choose videos to upload"
-          title="Drop videos here, or click to choose"
-          hint="A broken connection does no harm: the upload goes on where it stopped, also after this page was closed."
+          label={say("recordings-choose")}
+          title={say("recordings-drop")}
+          hint={say("recordings-drop-hint")}
           accept="video/*,.mp4,.mov,.avi,.mkv,.mts,.m2ts,.webm,.mpg,.mpeg,.wmv"
           add={add}
         />
       )}
       {(mine.length > 0 || left.length > 0) && (
-        <section class="panel uploads" aria-label="Uploads">
+        <section class="panel uploads" aria-label={say("recordings-uploads")}>
           {mine.map((item) => (
             <UploadRow key={item.key} item={item} />
           ))}
@@ -88,15 +86,11 @@ export default function RecordingsScreen({ surveyId }: ScreenProps) {
         </section>
       )}
       <Problem error={recordings.error} again={recordings.reload} />
-      {!recordings.data && recordings.loading && <Loading what="recordings" />}
+      {!recordings.data && recordings.loading && <Loading what={say("recordings-loading")} />}
       {recordings.data?.length === 0 && mine.length === 0 && (
         <div class="panel">
-          <Empty title="No recordings yet">
-            <p>
-              {canWork
-                ? "Drop the day's video above: MP4, MOV, AVI, MKV and what else a camera writes. The clip in which the checkerboard stands on the road counts too: the road pose is found in it."
-                : "An operator can upload the day's video here."}
-            </p>
+          <Empty title={say("recordings-none-title")}>
+            <p>{say(canWork ? "recordings-none" : "recordings-none-look")}</p>
           </Empty>
         </div>
       )}

@@ -1,6 +1,9 @@
 import { Segments, SelectField } from "../../components";
+import { Said } from "../../components/Said";
+import { say } from "../../core/messages";
 import { may } from "../../core/session";
 import type { Camera, Lighting, Recording } from "../../core/types";
+import { LIGHTING_WORDS } from "../../core/words";
 
 export function CameraPick({
   recording,
@@ -14,21 +17,27 @@ export function CameraPick({
   if (cameras.length === 0) {
     return (
       <p class="small">
-        No camera yet: <a href={`/surveys/${recording.survey_id}/camera`}>calibrate one</a>.
+        <Said
+          what="recordings-no-camera"
+          parts={{ link: (text) => <a href={`/surveys/${recording.survey_id}/camera`}>{text}</a> }}
+        />
       </p>
     );
   }
   return (
     <div class="recording__pick">
       <SelectField
-        label="Camera"
+        label={say("recordings-camera")}
         value={String(recording.camera_id ?? "")}
         disabled={!may("operator")}
         options={[
-          { value: "", label: "not said yet" },
+          { value: "", label: say("recordings-camera-unsaid") },
           ...cameras.map((camera) => ({
             value: String(camera.id),
-            label: camera.current_calibration_id === null ? `${camera.name} (not calibrated)` : camera.name,
+            label:
+              camera.current_calibration_id === null
+                ? say("recordings-camera-uncalibrated", { camera: camera.name })
+                : camera.name,
           })),
         ]}
         onChange={(value) => pick(value === "" ? null : Number(value))}
@@ -39,17 +48,32 @@ export function CameraPick({
 
 export function LightPick({ recording, pick }: { recording: Recording; pick: (lighting: Lighting) => void }) {
   const proposed = recording.lighting === null && recording.lighting_proposed !== null;
-  const value = recording.lighting ?? recording.lighting_proposed;
+  const words = (light: Lighting): string => {
+    const lighting = LIGHTING_WORDS[light];
+    const guessed = proposed && recording.lighting_proposed === light;
+    return guessed ? say("recordings-lighting-guess", { lighting }) : lighting;
+  };
   return (
     <div class="field">
-      <span class="field__label">Lighting{proposed && <span class="muted"> (proposed)</span>}</span>
+      <span class="field__label">
+        {proposed ? (
+          <Said
+            what="recordings-lighting-proposed"
+            parts={{ muted: (text) => <span class="muted">{text}</span> }}
+          />
+        ) : (
+          say("recordings-lighting")
+        )}
+      </span>
       <Segments<Lighting | "none">
-        label={`Lighting of ${recording.name}${proposed ? ", proposed by the machine" : ""}`}
+        label={say(proposed ? "recordings-lighting-of-proposed" : "recordings-lighting-of", {
+          recording: recording.name,
+        })}
         value={recording.lighting ?? "none"}
         disabled={!may("operator")}
         options={[
-          { value: "daytime", label: value === "daytime" && proposed ? "Daytime ?" : "Daytime" },
-          { value: "low_light", label: value === "low_light" && proposed ? "Low light ?" : "Low light" },
+          { value: "daytime", label: words("daytime") },
+          { value: "low_light", label: words("low_light") },
         ]}
         onChange={(next) => next !== "none" && pick(next)}
       />

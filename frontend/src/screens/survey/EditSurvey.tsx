@@ -42,12 +42,7 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
   const change = (key: Target, part: "inset" | "u", value: string) =>
     setInsets({ ...insets, [key]: { ...insets[key], [part]: value } });
   return (
-    <FormDialog
-      title={say("survey-edit-title")}
-      action={say("survey-edit-save")}
-      onClose={close}
-      submit={submit}
-    >
+    <FormDialog title={say("survey-edit-title")} action={say("action-save")} onClose={close} submit={submit}>
       <TextField
         label={say("survey-name")}
         value={name}
