@@ -23,7 +23,7 @@ const NAMES = /^([A-Z][a-z]+(Error|Exception)|Content-[A-Z][a-z]+|If-Match|Retry
 /** Whether a string reads like words for a person. */
 function readsLikeWords(text) {
   if (KEYS.test(text) || NAMES.test(text) || /^(GET|POST|PUT|PATCH|DELETE) \//.test(text)) return false;
-  if (/--|__|^\(prefers-|\bvar\(|^[.#[]|[{};=]|=>|url\(|^M\d|\d(px|fr|em)\b/.test(text)) return false;
+  if (/--|__|^\(prefers-|\bvar\(|^[.#[]|[{}=]|;(?! \p{L})|=>|url\(|^M\d|\d(px|fr|em)\b/u.test(text)) return false;
   return /\p{L}{2,}[,;:]? \p{L}+/u.test(text) || /\p{L}{2,}[.…?!]$/u.test(text) || /^\p{Lu}\p{Ll}{2,}$/u.test(text);
 }
 

@@ -713,6 +713,7 @@ upload-pause = Pause
 upload-resume = Resume
 upload-cancel = Cancel the upload of { $file }
 upload-empty = { $file } is empty; choose the file again after checking the copy.
+upload-not-loaded = The page could not be loaded fully; reload it and choose the file again.
 upload-broken = The connection broke while { $file } was sent; what arrived is kept, so press “Resume” when the connection is back.
 upload-unfinished = { $file }: not finished; drop the same file again and it goes on from here
 upload-discard-title = Throw away the part that arrived?

@@ -87,7 +87,7 @@ export async function startUpload(
   if (!Upload || !itemOf(key)) {
     change(key, {
       state: "failed",
-      problem: "The page could not be loaded fully; reload it and choose the file again.",
+      problem: say("upload-not-loaded"),
     });
     return;
   }
