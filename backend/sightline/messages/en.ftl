@@ -759,6 +759,131 @@ file-svg = SVG
 unit-px = px
 unit-hz = Hz
 
+## Checks: the page
+
+checks-lead = What the vehicles themselves say of the insets and of the road’s axes.
+checks-loading = the checks
+checks-which = Check
+checks-insets = Insets
+checks-direction = Direction of travel
+checks-eye = Driver’s eye
+
+## Checks: insets
+
+checks-insets-title = Insets in force, and what this survey says
+checks-insets-loading = the estimates
+checks-insets-table = Insets in force
+checks-target = target
+checks-in-force = in force
+checks-from = from
+checks-inset-and-u = inset ± u of the mean
+checks-moves = moves a typical height by
+checks-insets-note = An inset used here counts for measurements made from now on; those that are stored keep theirs, with its value beside them. Its ± is that of a single vehicle: the mean’s, and how much vehicles differ among themselves.
+checks-by-known_heights = manufacturers’ heights
+checks-by-trend = trend with distance
+checks-by-two_frames = two-frame measurements
+checks-measurements = { $count ->
+    [one] { $count } measurement
+   *[other] { $count } measurements
+}
+checks-other-insets = and { NUMBER($count) } on another spot
+checks-estimate = estimate
+checks-vehicles = { $count ->
+    [one] { $count } vehicle
+   *[other] { $count } vehicles
+}
+checks-vehicles-without = { $count ->
+    [one] { $count } vehicle
+   *[other] { $count } vehicles
+} <without>without { $left_out }</without>
+checks-left-out-help = They do not fit the others; look at their clicks and heights.
+checks-spread = { $spread } between vehicles
+checks-use = { $target ->
+    [roof] Use { $inset } ± { $u_inset } for roofs
+    [driver_eye] Use { $inset } ± { $u_inset } for drivers’ eyes
+    [taillight] Use { $inset } ± { $u_inset } for taillights
+    [headlight] Use { $inset } ± { $u_inset } for headlights
+   *[other] Use { $inset } ± { $u_inset } for other targets
+}
+checks-used = { $target ->
+    [roof] The inset of roofs is changed for new measurements; stored ones keep theirs.
+    [driver_eye] The inset of drivers’ eyes is changed for new measurements; stored ones keep theirs.
+    [taillight] The inset of taillights is changed for new measurements; stored ones keep theirs.
+    [headlight] The inset of headlights is changed for new measurements; stored ones keep theirs.
+   *[other] The inset of other targets is changed for new measurements; stored ones keep theirs.
+}
+
+## Checks: what the inset is
+
+checks-inset-what = What the inset is
+checks-inset-title = What the inset is, and why it matters
+checks-inset-plane = A height is read where the line of sight meets the <strong>side plane</strong>: the upright plane through the tyre’s contact with the road, along the traffic. A roof edge or a driver’s eye lies behind that plane, by its <strong>inset</strong>. Read on the plane, a target below the camera seems too high, and one above it too low.
+checks-inset-formula = read − true = (H<sub>c</sub> − h) · inset / (D + inset)
+checks-inset-symbols = H<sub>c</sub> is the camera’s height, h the target’s, D the distance from the camera to the side plane. A camera as high as its target does not mind the inset. Every stored height is corrected for it; the uncorrected one is kept beside it.
+checks-missing-inset = What a missing inset does to a height
+checks-missing-inset-caption = How much too high a target reads without its inset, for the camera at { $camera_height }
+checks-height = height
+checks-inset = inset
+checks-at = at { $distance }
+checks-drawing = Cross-section of the road. The camera looks down at a target that lies behind the side plane through the tyre; its ray meets the plane higher up than the target is.
+checks-drawing-camera = camera
+checks-drawing-side-plane = side plane
+checks-drawing-inset = inset
+checks-drawing-read = read here
+checks-drawing-target = the target
+checks-drawing-too-high =
+    too
+    high
+
+## Checks: the direction of travel
+
+checks-vehicles-loading = the vehicles
+checks-no-vehicles-title = No vehicles yet
+checks-no-vehicles = The direction of travel comes from the tyres of vehicles whose passes are marked.
+checks-mark-passes = Mark the passes
+checks-withdraw = Withdraw the tyres
+checks-previous = Previous
+checks-next = Next
+checks-no-pose = This recording has no road pose yet.
+checks-no-pose-link = Clicks need this recording’s road pose; <link>find the road</link> first.
+checks-turned-road = The road as the turned pose sees it.
+checks-replace = Click again to replace it.
+checks-choose-vehicle = Choose a vehicle.
+checks-first-tyre = Click where the first tyre of the near side touches the road.
+checks-second-tyre = Now the other tyre of the same side.
+checks-verdict = Verdict
+checks-mean = mean
+checks-spread-of-vehicles = between vehicles
+checks-used-vehicles = used
+checks-used-of = { $count ->
+    [one] { $count } vehicle of { NUMBER($all) }
+   *[other] { $count } vehicles of { NUMBER($all) }
+}
+checks-turned-from = This pose was turned by { $turned } from pose { $pose }.
+checks-turn-by = Turn the road axes by { $turn }…
+checks-use-before = Use the pose before
+checks-turned-pose = Turned pose
+checks-turned-by = Turned by { $turn }
+checks-turn-no-heights = No stored height is measured with this pose.
+checks-turn-heights = { $count ->
+    [one] { $count } stored height would differ by up to { $largest } if clicked again; nothing stored changes.
+   *[other] { $count } stored heights would differ by up to { $largest } if clicked again; nothing stored changes.
+}
+checks-differences = Height differences
+checks-vehicle = vehicle
+checks-turned = turned
+checks-turn = Turn
+checks-turn-done = The turned pose now holds for new measurements; stored ones keep theirs.
+checks-turn-back-done = The pose before the turn holds again.
+checks-heading = heading
+checks-u = ± u
+checks-apart = apart
+checks-two-frames = from two frames
+checks-tyres = tyres of vehicle { $vehicle }
+checks-withdrawal = withdrawal of the tyres of vehicle { $vehicle }
+checks-tyres-none = none
+checks-tyres-at = frame { $frame }, at { $first } and { $second } px
+
 ## Repeats: the page
 
 repeats-lead = The same targets clicked again without seeing the first clicks: how far a person comes out beside themselves, and how far two people beside each other.

@@ -1,4 +1,5 @@
 /** The road seen along the traffic: the ray to a target behind the side plane meets that plane at another height. */
+import { say } from "../../core/messages";
 
 // 130 px a metre upwards, 90 px a metre across: camera 1.5 m up, side plane at 3 m, target 0.9 m up, 1.2 m behind
 const ROAD = 284;
@@ -13,7 +14,7 @@ export function InsetDrawing() {
       class="inset-drawing"
       viewBox="0 0 620 344"
       role="img"
-      aria-label="Cross-section of the road. The camera looks down at a target that lies behind the side plane through the tyre; its ray meets the plane higher up than the target is."
+      aria-label={say("checks-drawing")}
       data-testid="inset-drawing"
     >
       <path
@@ -38,32 +39,33 @@ export function InsetDrawing() {
       <circle class="inset-drawing__read" cx={READ.x} cy={READ.y} r="5" />
       <circle class="inset-drawing__target" cx={TARGET.x} cy={TARGET.y} r="6" />
       <text x={CAMERA.x - 34} y={CAMERA.y - 20}>
-        camera
+        {say("checks-drawing-camera")}
       </text>
       <text x={CAMERA.x + 8} y="200">
         H<tspan dy="4">c</tspan>
       </text>
       <text x={PLANE} y="50" text-anchor="middle">
-        side plane
+        {say("checks-drawing-side-plane")}
       </text>
       <text x={(CAMERA.x + PLANE) / 2} y="324" text-anchor="middle">
         D
       </text>
       <text x={(PLANE + TARGET.x) / 2} y="324" text-anchor="middle">
-        inset
+        {say("checks-drawing-inset")}
       </text>
       <text x={READ.x - 10} y={READ.y + 22} text-anchor="end">
-        read here
+        {say("checks-drawing-read")}
       </text>
       <text x={TARGET.x} y={TARGET.y + 24} text-anchor="middle" class="inset-drawing__inside">
-        the target
+        {say("checks-drawing-target")}
       </text>
-      <text x="580" y={(READ.y + TARGET.y) / 2 + 4}>
-        too
-      </text>
-      <text x="580" y={(READ.y + TARGET.y) / 2 + 18}>
-        high
-      </text>
+      {say("checks-drawing-too-high")
+        .split("\n")
+        .map((line, i) => (
+          <text key={line} x="580" y={(READ.y + TARGET.y) / 2 + 4 + i * 14}>
+            {line}
+          </text>
+        ))}
     </svg>
   );
 }

@@ -1,21 +1,23 @@
 /** Per target: the inset in force, what the survey itself says of it, and a button to use that. */
 import { useState } from "preact/hooks";
 import { Button, Loading, Problem, TableScroll } from "../../components";
+import { Said } from "../../components/Said";
 import { api } from "../../core/api";
+import { allOf, say, wordsOf } from "../../core/messages";
 import { useResource } from "../../core/resource";
 import { canWork } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
 import { toast } from "../../core/toasts";
 import type { Survey, Target } from "../../core/types";
-import { formatLength, formatSmall, plural } from "../../core/units";
+import { formatLength, formatSmall } from "../../core/units";
 import { InsetDrawing } from "./InsetDrawing";
-import { type Estimate, type InsetCheck, TARGET_NAMES, TARGETS_MANY, type TargetInsets } from "./types";
+import { type Estimate, type InsetCheck, TARGET_NAMES, type TargetInsets } from "./types";
 
-const METHODS: Record<Estimate["method"], string> = {
-  known_heights: "manufacturers’ heights",
-  trend: "trend with distance",
-  two_frames: "two-frame measurements",
-};
+const METHODS: Readonly<Record<Estimate["method"], string>> = wordsOf({
+  known_heights: "checks-by-known_heights",
+  trend: "checks-by-trend",
+  two_frames: "checks-by-two_frames",
+});
 
 export function InsetsTab({ survey }: { survey: Survey }) {
   const check = useResource(
@@ -36,7 +38,7 @@ export function InsetsTab({ survey }: { survey: Survey }) {
         { survey_id: survey.id },
         { body: { name, site, description, version, insets } },
       );
-      toast(`The inset of ${TARGETS_MANY[target]} is changed for new measurements; stored ones keep theirs.`);
+      toast(say("checks-used", { target }));
     } catch (error) {
       setProblem(error);
     }
@@ -46,22 +48,22 @@ export function InsetsTab({ survey }: { survey: Survey }) {
   return (
     <>
       <Problem error={problem} />
-      <section class="panel" aria-label="Insets">
+      <section class="panel" aria-label={say("checks-insets")}>
         <header class="panel__head">
-          <h2>Insets in force, and what this survey says</h2>
+          <h2>{say("checks-insets-title")}</h2>
         </header>
         <Problem error={check.error} again={check.reload} />
-        {!check.data && check.loading && <Loading what="the estimates" />}
+        {!check.data && check.loading && <Loading what={say("checks-insets-loading")} />}
         {check.data && (
-          <TableScroll label="Insets in force">
+          <TableScroll label={say("checks-insets-table")}>
             <table class="table insets-check" data-testid="insets-check">
               <thead>
                 <tr>
-                  <th>target</th>
-                  <th>in force</th>
-                  <th>from</th>
-                  <th>inset ± u of the mean</th>
-                  <th class="num insets-check__moves">moves a typical height by</th>
+                  <th>{say("checks-target")}</th>
+                  <th>{say("checks-in-force")}</th>
+                  <th>{say("checks-from")}</th>
+                  <th>{say("checks-inset-and-u")}</th>
+                  <th class="num insets-check__moves">{say("checks-moves")}</th>
                 </tr>
               </thead>
               {check.data.targets.map((one) => (
@@ -70,11 +72,7 @@ export function InsetsTab({ survey }: { survey: Survey }) {
             </table>
           </TableScroll>
         )}
-        <p class="panel__body muted small insets-check__foot">
-          An inset used here counts for measurements made from now on; those that are stored keep theirs, with
-          its value beside them. Its ± is that of a single vehicle: the mean’s, and how much vehicles differ
-          among themselves.
-        </p>
+        <p class="panel__body muted small insets-check__foot">{say("checks-insets-note")}</p>
       </section>
       {check.data && <Explanation check={check.data} />}
     </>
@@ -97,16 +95,16 @@ function TargetRows({ target, busy, use }: RowsProps) {
             <>
               <th scope="rowgroup" rowSpan={rows}>
                 {TARGET_NAMES[target.target]}
-                <div class="small muted">{plural(target.measured, "measurement")}</div>
+                <div class="small muted">{say("checks-measurements", { count: target.measured })}</div>
                 {target.other_insets > 0 && (
-                  <div class="small muted">and {target.other_insets} on another spot</div>
+                  <div class="small muted">{say("checks-other-insets", { count: target.other_insets })}</div>
                 )}
               </th>
               <td rowSpan={rows} class="insets-check__force">
                 <span class="nowrap">
                   {formatLength(target.in_force.inset_m, 2)} ± {formatLength(target.in_force.u_inset_m, 2)}
                 </span>{" "}
-                {target.is_default && <span class="badge">estimate</span>}
+                {target.is_default && <span class="badge">{say("checks-estimate")}</span>}
                 {target.in_force.note && <div class="small muted">{target.in_force.note}</div>}
               </td>
             </>
@@ -135,22 +133,19 @@ function Figures(props: { target: Target; one: Estimate; busy: string | null; us
           {formatLength(one.inset_m, 2)} ± {formatLength(one.u_inset_m, 2)}
         </span>
         <div class="small muted">
-          {plural(one.vehicles, "vehicle")}
-          {one.left_out.length > 0 && (
-            <span title="They do not fit the others; look at their clicks and heights.">
-              {" "}
-              without {one.left_out.map((vehicle) => `#${vehicle.number}`).join(", ")}
-            </span>
-          )}
+          <Vehicles one={one} />
         </div>
         {one.spread_m !== null && (
-          <div class="small muted">{formatLength(one.spread_m, 2)} between vehicles</div>
+          <div class="small muted">{say("checks-spread", { spread: formatLength(one.spread_m, 2) })}</div>
         )}
         {one.caution && <div class="small">{one.caution}</div>}
         {one.offer && canWork.value && (
           <Button small busy={busy === name} disabled={busy !== null} onClick={() => void use(target, one)}>
-            Use {formatLength(one.offer.inset_m, 2)} ± {formatLength(one.offer.u_inset_m, 2)} for{" "}
-            {TARGETS_MANY[target]}
+            {say("checks-use", {
+              target,
+              inset: formatLength(one.offer.inset_m, 2),
+              u_inset: formatLength(one.offer.u_inset_m, 2),
+            })}
           </Button>
         )}
       </td>
@@ -159,45 +154,53 @@ function Figures(props: { target: Target; one: Estimate; busy: string | null; us
   );
 }
 
+/** How many vehicles an estimate stands on, and which it leaves out. */
+function Vehicles({ one }: { one: Estimate }) {
+  const count = one.vehicles;
+  if (one.left_out.length === 0) return <>{say("checks-vehicles", { count })}</>;
+  const left_out = allOf(one.left_out.map((vehicle) => `#${vehicle.number}`));
+  return (
+    <Said
+      what="checks-vehicles-without"
+      values={{ count, left_out }}
+      parts={{ without: (text) => <span title={say("checks-left-out-help")}>{text}</span> }}
+    />
+  );
+}
+
 function Explanation({ check }: { check: InsetCheck }) {
   return (
-    <section class="panel" aria-label="What the inset is">
+    <section class="panel" aria-label={say("checks-inset-what")}>
       <header class="panel__head">
-        <h2>What the inset is, and why it matters</h2>
+        <h2>{say("checks-inset-title")}</h2>
       </header>
       <div class="panel__body inset-words">
         <InsetDrawing />
         <div class="stack">
           <p>
-            A height is read where the line of sight meets the <strong>side plane</strong>: the upright plane
-            through the tyre’s contact with the road, along the traffic. A roof edge or a driver’s eye lies
-            behind that plane, by its <strong>inset</strong>. Read on the plane, a target below the camera
-            seems too high, and one above it too low.
+            <Said what="checks-inset-plane" />
           </p>
           <p class="inset-words__formula">
-            read − true = (H<sub>c</sub> − h) · inset / (D + inset)
+            <Said what="checks-inset-formula" />
           </p>
           <p class="muted">
-            H<sub>c</sub> is the camera’s height, h the target’s, D the distance from the camera to the side
-            plane. A camera as high as its target does not mind the inset. Every stored height is corrected
-            for it; the uncorrected one is kept beside it.
+            <Said what="checks-inset-symbols" />
           </p>
         </div>
       </div>
-      <TableScroll label="What a missing inset does to a height">
+      <TableScroll label={say("checks-missing-inset")}>
         <table class="table">
           <caption class="inset-words__caption">
-            How much too high a target reads without its inset, for the camera at{" "}
-            {formatLength(check.camera_height_m, 2)}
+            {say("checks-missing-inset-caption", { camera_height: formatLength(check.camera_height_m, 2) })}
           </caption>
           <thead>
             <tr>
-              <th>target</th>
-              <th class="num">height</th>
-              <th class="num">inset</th>
+              <th>{say("checks-target")}</th>
+              <th class="num">{say("checks-height")}</th>
+              <th class="num">{say("checks-inset")}</th>
               {check.cases_at_m.map((distance) => (
                 <th class="num" key={distance}>
-                  at {formatLength(distance, 0)}
+                  {say("checks-at", { distance: formatLength(distance, 0) })}
                 </th>
               ))}
             </tr>

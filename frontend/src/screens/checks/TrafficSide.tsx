@@ -1,8 +1,9 @@
 /** What the traffic says of the pose, the vehicles with their headings, and the turn before it is accepted. */
 import { Button, SelectField } from "../../components";
+import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import type { Vehicle } from "../../core/types";
-import { formatLength, formatSmall, plural } from "../../core/units";
+import { formatLength, formatSmall } from "../../core/units";
 import { formatDegrees } from "./angles";
 import type { TrafficModel } from "./model";
 import { TARGET_NAMES, type TurnedPose } from "./types";
@@ -10,11 +11,11 @@ import { TARGET_NAMES, type TurnedPose } from "./types";
 export function TrafficSide({ model }: { model: TrafficModel }) {
   const preview = model.preview.value;
   return (
-    <aside class="traffic__side" aria-label="Direction of travel">
+    <aside class="traffic__side" aria-label={say("checks-direction")}>
       {model.reel.recordings.value.length > 1 && (
         <div class="traffic__pose">
           <SelectField
-            label="Recording"
+            label={say("field-recording")}
             hideLabel
             value={String(model.reel.recording.value?.id ?? "")}
             options={model.reel.recordings.value.map((one) => ({ value: String(one.id), label: one.name }))}
@@ -32,39 +33,40 @@ function Verdict({ model }: { model: TrafficModel }) {
   const pose = model.pose.value;
   if (!pose) return null;
   return (
-    <section class="traffic__pose" aria-label="Verdict">
+    <section class="traffic__pose" aria-label={say("checks-verdict")}>
       <p class="traffic__verdict" data-testid="traffic-verdict">
         {pose.verdict}
       </p>
       {pose.mean_rad !== null && (
         <dl class="facts small">
-          <dt>mean</dt>
+          <dt>{say("checks-mean")}</dt>
           <dd>
             {formatDegrees(pose.mean_rad)} ± {formatDegrees(pose.u_mean_rad)}
           </dd>
-          <dt>between vehicles</dt>
+          <dt>{say("checks-spread-of-vehicles")}</dt>
           <dd>{formatDegrees(pose.spread_rad)}</dd>
-          <dt>used</dt>
-          <dd>
-            {plural(pose.used, "vehicle")} of {pose.vehicles.length}
-          </dd>
+          <dt>{say("checks-used-vehicles")}</dt>
+          <dd>{say("checks-used-of", { count: pose.used, all: pose.vehicles.length })}</dd>
         </dl>
       )}
       {pose.turned_from !== null && (
         <p class="small muted">
-          This pose was turned by {formatDegrees(pose.turned_by_rad)} from pose {pose.turned_from}.
+          {say("checks-turned-from", {
+            turned: formatDegrees(pose.turned_by_rad),
+            pose: String(pose.turned_from),
+          })}
         </p>
       )}
       {canWork.value && (
         <div class="row row--wrap">
           {pose.mean_rad !== null && (
             <Button small kind={pose.proposed ? "primary" : "plain"} onClick={() => void model.previewTurn()}>
-              Turn the road axes by {formatDegrees(pose.mean_rad)}…
+              {say("checks-turn-by", { turn: formatDegrees(pose.mean_rad) })}
             </Button>
           )}
           {pose.turned_from !== null && (
             <Button small busy={model.turning.value} onClick={() => void model.turnBack()}>
-              Use the pose before
+              {say("checks-use-before")}
             </Button>
           )}
         </div>
@@ -78,24 +80,24 @@ function Preview({ model, preview }: { model: TrafficModel; preview: TurnedPose 
   const numberOf = (id: number): number | undefined =>
     model.vehicles.value.find((one) => one.id === id)?.number;
   return (
-    <section class="traffic__pose" aria-label="Turned pose" data-testid="turn-preview">
-      <h2>Turned by {formatDegrees(preview.turn_rad)}</h2>
+    <section class="traffic__pose" aria-label={say("checks-turned-pose")} data-testid="turn-preview">
+      <h2>{say("checks-turned-by", { turn: formatDegrees(preview.turn_rad) })}</h2>
       <p class="small">{preview.summary}</p>
       <p class="small">
         {changes.count === 0
-          ? "No stored height is measured with this pose."
-          : `${plural(changes.count, "stored height")} would differ by up to ${formatSmall(changes.largest_m)} if clicked again; nothing stored changes.`}
+          ? say("checks-turn-no-heights")
+          : say("checks-turn-heights", { count: changes.count, largest: formatSmall(changes.largest_m) })}
       </p>
       {changes.count > 0 && (
         // biome-ignore lint/a11y/noNoninteractiveTabindex: a list that scrolls is reached by keyboard
-        <div class="traffic__changes" tabIndex={0} role="region" aria-label="Height differences">
+        <div class="traffic__changes" tabIndex={0} role="region" aria-label={say("checks-differences")}>
           <table class="table">
             <thead>
               <tr>
-                <th>vehicle</th>
-                <th>target</th>
-                <th class="num">height</th>
-                <th class="num">turned</th>
+                <th>{say("checks-vehicle")}</th>
+                <th>{say("checks-target")}</th>
+                <th class="num">{say("checks-height")}</th>
+                <th class="num">{say("checks-turned")}</th>
               </tr>
             </thead>
             <tbody>
@@ -113,7 +115,7 @@ function Preview({ model, preview }: { model: TrafficModel; preview: TurnedPose 
       )}
       <div class="row">
         <Button small kind="primary" busy={model.turning.value} onClick={() => void model.turn()}>
-          Turn
+          {say("checks-turn")}
         </Button>
         <Button
           small
@@ -121,7 +123,7 @@ function Preview({ model, preview }: { model: TrafficModel; preview: TurnedPose 
             model.preview.value = null;
           }}
         >
-          Cancel
+          {say("action-cancel")}
         </Button>
       </div>
     </section>
@@ -133,10 +135,10 @@ function Passes({ model }: { model: TrafficModel }) {
     <table class="table traffic__list">
       <thead>
         <tr>
-          <th>vehicle</th>
-          <th class="num">heading</th>
-          <th class="num">± u</th>
-          <th class="num">apart</th>
+          <th>{say("checks-vehicle")}</th>
+          <th class="num">{say("checks-heading")}</th>
+          <th class="num">{say("checks-u")}</th>
+          <th class="num">{say("checks-apart")}</th>
         </tr>
       </thead>
       <tbody>
@@ -164,11 +166,11 @@ function Row({ model, vehicle }: { model: TrafficModel; vehicle: Vehicle }) {
         >
           <strong>#{vehicle.number}</strong> {[vehicle.make, vehicle.model].filter(Boolean).join(" ")}
         </button>
-        {found?.source === "two_frames" && <div class="small muted">from two frames</div>}
+        {found?.source === "two_frames" && <div class="small muted">{say("checks-two-frames")}</div>}
         {found?.reason && <div class="small">{found.reason}</div>}
         {current && model.pair.value && canWork.value && (
           <Button small kind="quiet" icon="trash" onClick={() => void model.withdraw()}>
-            Withdraw the tyres
+            {say("checks-withdraw")}
           </Button>
         )}
       </td>

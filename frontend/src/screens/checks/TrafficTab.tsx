@@ -2,9 +2,11 @@
 import { useEffect, useMemo } from "preact/hooks";
 import { Button, Empty, Loading, Notice, Problem } from "../../components";
 import { type ButtonCommand, CommandButton } from "../../components/CommandButton";
+import { Said } from "../../components/Said";
 import { type HistoryCommands, historyCommands } from "../../components/undoTools";
 import { query } from "../../core/address";
 import { useCommands } from "../../core/commands";
+import { say } from "../../core/messages";
 import { FrameView } from "../../viewer/FrameView";
 import { AxesLayer, InImage, Line, PointMark } from "../../viewer/Overlay";
 import { RoadOverlay } from "../../viewer/PoseOverlay";
@@ -27,20 +29,20 @@ export function TrafficTab({ surveyId }: { surveyId: number }) {
   const player = model.reel.player.value;
   useCommands([...Object.values(commands), ...frameCommands(model.stage, player)]);
   if (model.problem.value) return <Problem error={model.problem.value} again={load} />;
-  if (!model.loaded.value) return <Loading what="the vehicles" />;
+  if (!model.loaded.value) return <Loading what={say("checks-vehicles-loading")} />;
   if (!player || model.vehicles.value.length === 0) {
     return (
       <Empty
-        title="No vehicles yet"
-        actions={<Button href={`/surveys/${surveyId}/measure`}>Mark the passes</Button>}
+        title={say("checks-no-vehicles-title")}
+        actions={<Button href={`/surveys/${surveyId}/measure`}>{say("checks-mark-passes")}</Button>}
       >
-        <p>The direction of travel comes from the tyres of vehicles whose passes are marked.</p>
+        <p>{say("checks-no-vehicles")}</p>
       </Empty>
     );
   }
   return (
     <div class="traffic">
-      <section class="traffic__frame" aria-label="Frame">
+      <section class="traffic__frame" aria-label={say("stage-frame")}>
         <FrameView
           key={player.recordingId}
           player={player}
@@ -79,7 +81,7 @@ function commandsOf(model: TrafficModel): Commands {
     }),
     next: { id: "passNext", run: () => model.openNext(1) },
     previous: { id: "passPrevious", run: () => model.openNext(-1) },
-    withdraw: { id: "remove", label: "Withdraw the tyres", run: () => void model.withdraw() },
+    withdraw: { id: "remove", label: say("checks-withdraw"), run: () => void model.withdraw() },
   };
 }
 
@@ -123,32 +125,34 @@ function Hint({ model }: { model: TrafficModel }) {
 }
 
 function hintOf(model: TrafficModel, here: boolean): string {
-  if (model.reel.recording.value?.pose_id == null) return "This recording has no road pose yet.";
-  if (model.preview.value) return "The road as the turned pose sees it.";
-  if (here && !model.clicks.first.value) return "Click again to replace it.";
-  return model.stage.hint.value ?? "Choose a vehicle.";
+  if (model.reel.recording.value?.pose_id == null) return say("checks-no-pose");
+  if (model.preview.value) return say("checks-turned-road");
+  if (here && !model.clicks.first.value) return say("checks-replace");
+  return model.stage.hint.value ?? say("checks-choose-vehicle");
 }
 
 function Tools(props: { model: TrafficModel; player: Player; commands: Commands }) {
   const { model, player, commands } = props;
   return (
-    <section class="traffic__tools" aria-label="Frames">
+    <section class="traffic__tools" aria-label={say("stage-frames")}>
       {model.reel.recording.value?.pose_id == null && (
         <Notice kind="warning">
-          Clicks need this recording’s road pose;{" "}
-          <a href={`/surveys/${model.surveyId}/pose`}>find the road</a> first.
+          <Said
+            what="checks-no-pose-link"
+            parts={{ link: (text) => <a href={`/surveys/${model.surveyId}/pose`}>{text}</a> }}
+          />
         </Notice>
       )}
       <div class="frame-tools">
         <CommandButton command={commands.previous} kind="plain">
-          Previous
+          {say("checks-previous")}
         </CommandButton>
         <CommandButton command={commands.next} kind="plain">
-          Next
+          {say("checks-next")}
         </CommandButton>
         <Transport player={player} stage={model.stage} />
         <span class="grow" />
-        <CommandButton command={loupeSwitch(model.stage)}>Loupe</CommandButton>
+        <CommandButton command={loupeSwitch(model.stage)}>{say("stage-loupe")}</CommandButton>
         <CommandButton command={commands.undo} />
       </div>
     </section>

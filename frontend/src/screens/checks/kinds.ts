@@ -1,6 +1,8 @@
 /** How the outbox brings both tyres of a vehicle to the server. */
 import { api } from "../../core/api";
+import { say } from "../../core/messages";
 import { type Kind, outbox } from "../../core/outbox";
+import { fixed } from "../../core/units";
 import type { WheelPair } from "./types";
 import type { Clicks } from "./wheelPair";
 
@@ -32,7 +34,7 @@ const pairKind: Kind<WheelPair, Clicks | null, PairAbout> = {
     return saved.frame === want.frame && `${saved.first} ${saved.second}` === `${want.first} ${want.second}`;
   },
   version: idOf,
-  words: (saved) => (saved && !saved.withdrawn ? pairWords(saved) : "none"),
+  words: (saved) => (saved && !saved.withdrawn ? pairWords(saved) : say("checks-tyres-none")),
 };
 
 function idOf(saved: WheelPair | null): number {
@@ -40,8 +42,8 @@ function idOf(saved: WheelPair | null): number {
 }
 
 export function pairWords({ frame, first, second }: Clicks): string {
-  const at = (point: readonly number[]): string => point.map((one) => one.toFixed(1)).join(", ");
-  return `frame ${frame}, at ${at(first)} and ${at(second)} px`;
+  const at = (point: readonly number[]): string => point.map((one) => fixed(one, 1)).join(", ");
+  return say("checks-tyres-at", { frame: String(frame), first: at(first), second: at(second) });
 }
 
 outbox.register(WHEEL_PAIR, pairKind);

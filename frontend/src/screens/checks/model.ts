@@ -4,6 +4,7 @@ import { setQuery } from "../../core/address";
 import { api } from "../../core/api";
 import { History, type Ledger } from "../../core/history";
 import { Latest } from "../../core/latest";
+import { say } from "../../core/messages";
 import { outbox, type Wish } from "../../core/outbox";
 import { canWork } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
@@ -157,13 +158,13 @@ export class TrafficModel {
   }
 
   clicked(clicks: Clicks): void {
-    if (this.vehicle.value) void this.change(this.vehicle.value, clicks, "tyres");
+    if (this.vehicle.value) void this.change(this.vehicle.value, clicks, "checks-tyres");
   }
 
   /** Takes the vehicle's pair out of the check. */
   async withdraw(): Promise<void> {
     if (this.pair.value && this.vehicle.value && !this.saving.value)
-      await this.change(this.vehicle.value, null, "withdrawal of the tyres");
+      await this.change(this.vehicle.value, null, "checks-withdrawal");
   }
 
   async previewTurn(): Promise<void> {
@@ -186,7 +187,7 @@ export class TrafficModel {
         { pose_id: preview.pose_id },
         { body: { turn_rad: preview.turn_rad } },
       );
-      toast("The turned pose now holds for new measurements; stored ones keep theirs.");
+      toast(say("checks-turn-done"));
     } catch (error) {
       toastProblem(error);
     }
@@ -210,7 +211,7 @@ export class TrafficModel {
           { recording_id: one.id },
           { body: { pose_id: pose.turned_from } },
         );
-      toast("The pose before the turn holds again.");
+      toast(say("checks-turn-back-done"));
     } catch (error) {
       toastProblem(error);
     }
@@ -238,8 +239,8 @@ export class TrafficModel {
         kind: WHEEL_PAIR,
         lane: `vehicle.${vehicleId}`,
         about: { id: vehicleId, surveyId: this.surveyId },
-        what: `tyres of vehicle ${vehicle?.number ?? ""}`,
-        mine: clicks ? pairWords(clicks) : "none",
+        what: say("checks-tyres", { vehicle: String(vehicle?.number ?? "") }),
+        mine: clicks ? pairWords(clicks) : say("checks-tyres-none"),
         page: `/surveys/${this.surveyId}/checks?tab=traffic&vehicle=${vehicleId}`,
         saved: this.stored.value?.pairs.find((one) => one.vehicle_id === vehicleId) ?? null,
         want: clicks,
@@ -248,11 +249,15 @@ export class TrafficModel {
     },
   };
 
-  private async change(vehicle: Vehicle, clicks: Clicks | null, what: string): Promise<void> {
+  private async change(
+    vehicle: Vehicle,
+    clicks: Clicks | null,
+    what: "checks-tyres" | "checks-withdrawal",
+  ): Promise<void> {
     this.saving.value = true;
     try {
       await this.history.inTurn(() =>
-        this.history.run(`${what} of vehicle ${vehicle.number}`, async (changes) => {
+        this.history.run(say(what, { vehicle: String(vehicle.number) }), async (changes) => {
           await changes.write(this.pairs, vehicle.id, clicks);
         }),
       );

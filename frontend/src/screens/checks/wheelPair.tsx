@@ -1,5 +1,6 @@
 /** Both tyres of one side, clicked on one frame: the first, then the second. */
 import { computed, signal } from "@preact/signals";
+import { say } from "../../core/messages";
 import { InImage, Line, PointMark } from "../../viewer/Overlay";
 import { type ImagePoint, pair } from "../../viewer/points";
 import type { Reel } from "../../viewer/reel";
@@ -31,8 +32,8 @@ export class WheelPairTool implements Tool<ImagePoint> {
   );
   readonly placing = computed(() => this.traffic.mayClick());
   readonly hint = computed(() => {
-    if (this.first.value) return "Now the other tyre of the same side.";
-    return this.placing.value ? "Click where the first tyre of the near side touches the road." : null;
+    if (this.first.value) return say("checks-second-tyre");
+    return this.placing.value ? say("checks-first-tyre") : null;
   });
 
   constructor(private readonly traffic: Traffic) {}
