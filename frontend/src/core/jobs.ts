@@ -1,10 +1,15 @@
 /** Long work: poll the server's job table, tell progress, tell the end once. */
 import { useEffect, useState } from "preact/hooks";
-import { api } from "./api";
+import { ApiError, api } from "./api";
 import type { Job } from "./types";
 
 export function isOver(job: Job): boolean {
   return job.state === "done" || job.state === "failed" || job.state === "cancelled";
+}
+
+/** What a job stopped at, as an error that is shown in its own words. */
+export function jobProblem(job: Job, otherwise: string): ApiError {
+  return new ApiError(job.error ?? otherwise, 500);
 }
 
 /** Follows one job until it is over. Polls quickly at first, then every two seconds. */

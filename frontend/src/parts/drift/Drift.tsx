@@ -2,7 +2,7 @@
 import { useState } from "preact/hooks";
 import { Button, JobProgress, type MarkShape, Problem, Shape, TextField } from "../../components";
 import { api } from "../../core/api";
-import { useJob } from "../../core/jobs";
+import { jobProblem, useJob } from "../../core/jobs";
 import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
 import { may } from "../../core/session";
@@ -27,7 +27,7 @@ export function DriftVerdict({ recordingId, poseId, open }: Props) {
   const [problem, setProblem] = useState<unknown>(null);
   const over = (ended: Job): void => {
     setJobId(null);
-    if (ended.state === "failed") setProblem(new Error(ended.error ?? say("drift-stopped")));
+    if (ended.state === "failed") setProblem(jobProblem(ended, say("drift-stopped")));
     void drift.reload();
   };
   const job = useJob(jobId ?? drift.data?.job?.id ?? null, over, setProblem);

@@ -2,7 +2,7 @@
 import { useEffect, useState } from "preact/hooks";
 import { Button, JobProgress, Problem } from "../../components";
 import { api } from "../../core/api";
-import { cancelJob, isOver, useJob } from "../../core/jobs";
+import { cancelJob, isOver, jobProblem, useJob } from "../../core/jobs";
 import { say } from "../../core/messages";
 import { may } from "../../core/session";
 import { toast } from "../../core/toasts";
@@ -28,7 +28,7 @@ export function FindPasses({ recording, found }: Props) {
     jobId,
     (over) => {
       setJobId(null);
-      if (over.state === "failed") setProblem(new Error(over.error ?? say("passes-failed")));
+      if (over.state === "failed") setProblem(jobProblem(over, say("passes-failed")));
       else toast(told(recording.name, over));
       void found();
     },

@@ -1,6 +1,6 @@
 import { useState } from "preact/hooks";
 import { Button, Loading, Problem, SelectField, TextField } from "../../components";
-import { api } from "../../core/api";
+import { ApiError, api } from "../../core/api";
 import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
 import { formatLength, lengthText, lengthUnit, parseLength } from "../../core/units";
@@ -39,7 +39,7 @@ export function StandardsEditor({ surveyId, done }: { surveyId: string; done: (s
   const save = async () => {
     const wrong = rows.find((row) => parseLength(row.height) === null);
     if (wrong) {
-      setProblem(new Error(heightProblem(wrong)));
+      setProblem(new ApiError(heightProblem(wrong), 422));
       return;
     }
     setBusy(true);
