@@ -758,6 +758,8 @@ value-s = { $value } s
 file-svg = SVG
 unit-px = px
 unit-hz = Hz
+unit-ppm = ppm
+unit-mrad = mrad
 
 ## Checks: the page
 
@@ -979,6 +981,217 @@ again-none-title = Nothing is measured yet
 again-none-own = How well you repeat yourself shows once you have measured something in this survey.
 again-none = Measure some vehicles first; then they can be clicked again.
 again-to-measure = Go to measuring
+
+## Line scans: the page
+
+scans-lead = Two line cameras a known baseline apart: speed, length, acceleration and the gaps between vehicles, with the picture to check each by.
+scans-loading = the line scans
+scans-plan = Plan the line rate
+scans-results = Results
+scans-add = Add a line scan
+scans-all = All line scans
+scans-none-title = No line scans yet
+scans-none = An operator can upload the strips of both cameras here.
+scans-delete-title = Delete { $scan }?
+scans-delete-what = Both strips and what was found in them go; a line scan on which somebody worked cannot be deleted.
+scans-delete = Delete the line scan
+scans-delete-one = Delete { $scan }
+scans-deleted = { $scan } was deleted.
+scans-read-again = Read it again
+scans-not-read = The strips could not be read.
+scans-rig = The rig, and what the traffic says of it
+scans-rig-change = Change the rig…
+scans-open = Open the bench
+scans-fact-lines = { $lines ->
+    [one] { $lines } line of { $rows_px } rows
+   *[other] { $lines } lines of { $rows_px } rows
+}
+scans-fact-baseline = baseline { $baseline }
+scans-fact-rate = { $rate_hz } lines a second
+scans-fact-video = cut from a video at columns { $column_1_px } and { $column_2_px }
+scans-count-none = vehicles not looked for yet
+scans-count-vehicles = { $count ->
+    [one] { $count } vehicle
+   *[other] { $count } vehicles
+}
+scans-count-scans = { $count ->
+    [one] { $count } line scan
+   *[other] { $count } line scans
+}
+scans-count-to-review = { NUMBER($count) } to review
+scans-count-accepted = { NUMBER($count) } accepted
+scans-count-rejected = { NUMBER($count) } rejected
+scans-count-not-measurable = { NUMBER($count) } not measurable
+
+## Line scans: what a line scan cannot measure
+
+scans-limits = What a line scan cannot measure
+scans-limit-opposing = Opposing direction
+scans-limit-opposing-why = A pair measures the direction that reaches camera 1 first; a vehicle that comes the other way is told and left out. For the other lane add a second line scan of the same strips with the cameras the other way round, and that lane’s baseline and distance.
+scans-limit-abreast = Side by side
+scans-limit-abreast-why = Two vehicles that hide each other share their lines, so neither has a front and a rear of its own. Only their passing one after the other helps: a lane farther away, or a steeper view from above.
+scans-limit-slow = Stopped, turned back, or very slow
+scans-limit-slow-why = Along a strip runs time, not way. A vehicle that stands paints the same line again and again, and the fit takes one constant acceleration from front to rear; stop-and-go traffic has none.
+scans-limit-cut = Cut off, or lines lost
+scans-limit-cut-why = What began before the recording or ended after it has no front or no rear; where the recorder lost lines the clock of the strip is wrong.
+scans-limit-distance = Another distance than the lane’s
+scans-limit-distance-why = Planes that are not quite parallel make the baseline longer or shorter with the distance; the traffic alone cannot tell that. Enter the divergence’s uncertainty and the lane’s distance under Rig.
+
+## Line scans: adding one
+
+scans-new = A new line scan
+scans-new-from = Where it comes from
+scans-new-strips = Two strips
+scans-new-columns = Two columns of a video
+scans-new-name-hint = Left empty, the file's name is taken.
+scans-new-read = Read it and find the vehicles
+scans-new-no-strip = no strip is here yet
+scans-new-choose-strip = choose a strip
+scans-new-strip = { $file } ({ $size })
+scans-new-choose-both = Choose both strips
+scans-new-drop = Drop both strips here, or click to choose
+scans-new-drop-hint = PNG, TIFF or BigTIFF, 8 or 16 bits, grey; hours long if need be.
+scans-new-camera-1 = Camera 1, which a vehicle reaches first
+scans-new-camera-2 = Camera 2
+scans-new-same-strip = Both cameras cannot have the same strip.
+scans-new-time-axis = Time runs along the picture’s
+scans-new-time-width = width, as usual
+scans-new-time-height = height
+scans-new-no-recording = no recording is ready
+scans-new-choose-recording = choose a recording
+scans-new-recording-hint = Its frame rate is the line rate, so a steady, fast one.
+scans-new-column-1 = Column of camera 1
+scans-new-column-1-hint = The column that a vehicle reaches first.
+scans-new-column-1-hint-to = The column that a vehicle reaches first, 0 to { $last_px }.
+scans-new-column-2 = Column of camera 2
+
+## Line scans: the rig
+
+scans-rig-title = The rig
+scans-rig-store = Store
+scans-rig-traffic = The rig from the traffic
+scans-rig-traffic-title = From the traffic
+scans-rig-note = What was measured keeps the values that it was measured with, and says so, until it is measured again.
+scans-rig-undo = the rig
+scans-rig-stored = The rig’s values were stored.
+scans-rig-stored-older = The rig has other values now; find the vehicles again to bring the results up.
+scans-rig-baseline = Baseline
+scans-rig-baseline-hint = Between the two scanning planes, at the vehicles.
+scans-rig-u = Its standard uncertainty
+scans-rig-baseline-u-hint = A speed is never better known than this.
+scans-rig-rate = Lines a second
+scans-rig-clock = Clock’s uncertainty
+scans-rig-clock-hint = A quartz keeps about 50 ppm.
+scans-rig-more = More: misalignment, divergence, distance of the lane
+scans-rig-misalignment = Misalignment
+scans-rig-from-traffic = from the traffic
+scans-rig-misalignment-hint = Row of a point in strip 2 minus its row in strip 1. Empty: estimated from the traffic, vehicle by vehicle.
+scans-rig-divergence = Divergence of the planes
+scans-rig-divergence-hint = Positive: they open towards the vehicles. The baseline is then the one at the cameras.
+scans-rig-divergence-u-hint = Planes that were set parallel: what the setting leaves.
+scans-rig-distance = Distance of the lane
+scans-rig-distance-hint = From the cameras to the vehicles’ near side. Needed for the divergence only.
+scans-rig-problem-number = Enter a number of 0 or more, or leave it empty.
+scans-rig-problem-length = Enter a length, or leave it empty.
+scans-rig-problem-angle = Enter an angle of at most 200 mrad, or leave it empty.
+scans-rig-problem-baseline = Enter the distance between the two scanning planes.
+scans-rig-problem-rate = Enter how many lines the cameras make a second.
+scans-rig-problem-misalignment = Enter pixels, or leave it empty.
+scans-rig-problem-distance = Enter how far the lane is, or leave the divergence empty: it counts over this distance.
+scans-rig-problem-misalignment-u = Enter the misalignment too, or leave its uncertainty empty.
+
+## Line scans: the rig as the traffic says it
+
+scans-traffic-loading = what the traffic says
+scans-traffic-swapped = The cameras were exchanged; the vehicles are being found again.
+scans-traffic-swap = Swap the cameras
+scans-traffic-table = The rig as the traffic says it
+scans-traffic-says = the traffic says
+scans-traffic-value = value ± u
+scans-traffic-from = from
+scans-traffic-in-force = in force
+scans-traffic-take = take it over
+scans-traffic-gain = Light, camera 2 over 1
+scans-traffic-gain-own = each vehicle’s own
+scans-traffic-baseline = { $of ->
+    [length] Baseline by lengths
+   *[wheelbase] Baseline by wheelbases
+}
+scans-traffic-note = ± u is the standard uncertainty. Nothing here is in force by itself: “Use…” fills it in, and you store it.
+scans-traffic-use = Use…
+scans-traffic-use-for = Use this for { $what }
+
+## Motion: what the line scans of a survey say together
+
+motion-title = Motion of the vehicles
+motion-lead = Speeds, gaps and lengths of every line scan of this survey, and how far known sizes are met.
+motion-loading = the statistics
+motion-which = Which vehicles count
+motion-which-accepted = accepted
+motion-which-all = those to review too
+motion-none-accepted-title = No vehicle is accepted yet
+motion-none-accepted = Review some on the bench, or let those that wait for a review count too.
+motion-none-title = No vehicle is measured yet
+motion-none = Add a line scan and let its vehicles be found.
+motion-counted = { $vehicles ->
+    [one] { $vehicles } vehicle
+   *[other] { $vehicles } vehicles
+} of { $scans ->
+    [one] { $scans } line scan
+   *[other] { $scans } line scans
+}.
+motion-by-lengths = By lengths
+motion-by-wheelbases = By wheelbases
+
+## Motion: errors against known sizes
+
+motion-errors-title = Measured minus the maker’s value
+motion-errors-note = with 95 % intervals
+motion-errors-table = Errors of lengths and wheelbases
+motion-errors-of = of
+motion-errors-n = n
+motion-bias = bias
+motion-mae = MAE
+motion-rmse = RMSE
+motion-sd = SD
+motion-length-daytime = Length, daytime
+motion-length-low_light = Length, low light
+motion-length-overall = Length, overall
+motion-wheelbase-daytime = Wheelbase, daytime
+motion-wheelbase-low_light = Wheelbase, low light
+motion-wheelbase-overall = Wheelbase, overall
+motion-errors-none = No vehicle has a known size.
+
+## Motion: distributions
+
+motion-speed = Speed as the front reaches camera 1
+motion-length = Length
+motion-time-gap = Time gap, rear to front
+motion-distance-gap = Distance gap, rear to front
+motion-headway = Headway, front to front
+motion-percentile = { $percent } %: { $value }
+motion-percentile-interval = { $percent } %: { $value } ({ $low } to { $high })
+motion-percentile-none = { $percent } %: { $reason }
+motion-spread-says = { $count ->
+    [one] Cumulative distribution of { $count } vehicle; { $percentiles } { $unit }
+   *[other] Cumulative distribution of { $count } vehicles; { $percentiles } { $unit }
+}
+motion-spread-note = Percentiles with their 95 % intervals, { $unit }: { $percentiles }.
+motion-spread-y = % of the vehicles
+
+## Motion: the paper's table
+
+motion-paper-title = In the layout of the paper’s Table I
+motion-paper-own = This survey's vehicles
+motion-paper-printed = The paper's Table I, as printed
+motion-head-vehicle = vehicle
+motion-head-car = the paper’s car
+motion-head-speed = speed
+motion-head-acceleration = acc.
+motion-head-size = size
+motion-head-counter = counter
+motion-head-true = true
+motion-head-fit-error = fit error (%)
 
 ## Statistics: the page
 

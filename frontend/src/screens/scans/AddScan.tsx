@@ -2,6 +2,7 @@
 import { useRef, useState } from "preact/hooks";
 import { Button, DropFiles, Problem, Segments, SelectField, TextField } from "../../components";
 import { api } from "../../core/api";
+import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
 import type { BodyOf } from "../../core/routes";
 import { formatBytes, parseNumber } from "../../core/units";
@@ -56,16 +57,16 @@ export function AddScan({ surveyId, onClose, added }: Props) {
       class="panel scan-add stack"
       onSubmit={(event) => void send(event)}
       noValidate
-      aria-label="A new line scan"
+      aria-label={say("scans-new")}
     >
       <header class="panel__head">
-        <h2>A new line scan</h2>
+        <h2>{say("scans-new")}</h2>
         <Segments
-          label="Where it comes from"
+          label={say("scans-new-from")}
           value={source}
           options={[
-            { value: "strips", label: "Two strips" },
-            { value: "video", label: "Two columns of a video" },
+            { value: "strips", label: say("scans-new-strips") },
+            { value: "video", label: say("scans-new-columns") },
           ]}
           onChange={(value) => {
             setSource(value);
@@ -88,13 +89,13 @@ export function AddScan({ surveyId, onClose, added }: Props) {
           setProblems({});
         }}
       />
-      <TextField label="Name" value={name} onInput={setName} hint="Left empty, the file's name is taken." />
+      <TextField label={say("field-name")} value={name} onInput={setName} hint={say("scans-new-name-hint")} />
       <Problem error={problem} />
       <div class="row">
         <Button type="submit" kind="primary" busy={busy} disabled={chosen === null}>
-          Read it and find the vehicles
+          {say("scans-new-read")}
         </Button>
-        {onClose && <Button onClick={onClose}>Cancel</Button>}
+        {onClose && <Button onClick={onClose}>{say("action-cancel")}</Button>}
       </div>
     </form>
   );
@@ -126,19 +127,19 @@ function Strips({ surveyId, choose }: { surveyId: number; choose: (chosen: Chose
     for (const file of files) void startUpload(surveyId, file, () => void arrived(), "strip");
   };
   const options = [
-    { value: "", label: here.length === 0 ? "no strip is here yet" : "choose a strip" },
+    { value: "", label: say(here.length === 0 ? "scans-new-no-strip" : "scans-new-choose-strip") },
     ...here.map((one) => ({
       value: String(one.id),
-      label: `${one.filename} (${formatBytes(one.size_bytes)})`,
+      label: say("scans-new-strip", { file: one.filename, size: formatBytes(one.size_bytes) }),
     })),
   ];
   const mine = uploads.value.filter((item) => item.surveyId === surveyId && item.purpose === "strip");
   return (
     <>
       <DropFiles
-        label="Choose both strips"
-        title="Drop both strips here, or click to choose"
-        hint="PNG, TIFF or BigTIFF, 8 or 16 bits, grey; hours long if need be."
+        label={say("scans-new-choose-both")}
+        title={say("scans-new-drop")}
+        hint={say("scans-new-drop-hint")}
         accept="image/png,image/tiff,.png,.tif,.tiff,.btf"
         add={add}
       />
@@ -148,24 +149,24 @@ function Strips({ surveyId, choose }: { surveyId: number; choose: (chosen: Chose
       <Problem error={waiting.error} again={waiting.reload} />
       <div class="scan__fields">
         <SelectField
-          label="Camera 1, which a vehicle reaches first"
+          label={say("scans-new-camera-1")}
           value={picked.first}
           options={options}
           onChange={(first) => pick({ first })}
         />
         <SelectField
-          label="Camera 2"
+          label={say("scans-new-camera-2")}
           value={picked.second}
           options={options}
-          problem={sameStrip(picked) ? "Both cameras cannot have the same strip." : null}
+          problem={sameStrip(picked) ? say("scans-new-same-strip") : null}
           onChange={(second) => pick({ second })}
         />
         <SelectField
-          label="Time runs along the picture’s"
+          label={say("scans-new-time-axis")}
           value={picked.axis}
           options={[
-            { value: "width", label: "width, as usual" },
-            { value: "height", label: "height" },
+            { value: "width", label: say("scans-new-time-width") },
+            { value: "height", label: say("scans-new-time-height") },
           ]}
           onChange={(axis) => pick({ axis })}
         />
@@ -225,28 +226,35 @@ function Columns({ surveyId, choose }: { surveyId: number; choose: (chosen: Chos
       <Problem error={recordings.error} again={recordings.reload} />
       <div class="scan__fields">
         <SelectField
-          label="Recording"
+          label={say("field-recording")}
           value={values.recording}
           options={[
-            { value: "", label: ready.length === 0 ? "no recording is ready" : "choose a recording" },
+            {
+              value: "",
+              label: say(ready.length === 0 ? "scans-new-no-recording" : "scans-new-choose-recording"),
+            },
             ...ready.map((one) => ({ value: String(one.id), label: one.name })),
           ]}
-          hint="Its frame rate is the line rate, so a steady, fast one."
+          hint={say("scans-new-recording-hint")}
           onChange={(recording) => change({ recording })}
         />
         <TextField
-          label="Column of camera 1"
+          label={say("scans-new-column-1")}
           value={values.one}
           numeric
-          unit="px"
-          hint={`The column that a vehicle reaches first${width_px ? `, 0 to ${width_px - 1}` : ""}.`}
+          unit={say("unit-px")}
+          hint={
+            width_px
+              ? say("scans-new-column-1-hint-to", { last_px: String(width_px - 1) })
+              : say("scans-new-column-1-hint")
+          }
           onInput={(one) => change({ one })}
         />
         <TextField
-          label="Column of camera 2"
+          label={say("scans-new-column-2")}
           value={values.two}
           numeric
-          unit="px"
+          unit={say("unit-px")}
           onInput={(two) => change({ two })}
         />
       </div>

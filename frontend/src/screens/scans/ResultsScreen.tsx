@@ -2,9 +2,9 @@
 import { useState } from "preact/hooks";
 import { Button, Empty, Loading, Notice, Problem, Segments } from "../../components";
 import { api } from "../../core/api";
+import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useResource } from "../../core/resource";
-import { plural } from "../../core/units";
 import { SizeErrors } from "./SizeErrors";
 import { SpreadFigure } from "./SpreadFigure";
 import { TableOne } from "./TableOne";
@@ -29,47 +29,45 @@ export default function ResultsScreen({ surveyId }: ScreenProps) {
     <div class="page">
       <header class="page__head">
         <div>
-          <h1>Motion of the vehicles</h1>
-          <p class="page__lead">
-            Speeds, gaps and lengths of every line scan of this survey, and how far known sizes are met.
-          </p>
+          <h1>{say("motion-title")}</h1>
+          <p class="page__lead">{say("motion-lead")}</p>
         </div>
         <div class="row row--wrap">
           <Segments
-            label="Which vehicles count"
+            label={say("motion-which")}
             value={which}
             options={[
-              { value: "accepted", label: "accepted" },
-              { value: "all", label: "those to review too" },
+              { value: "accepted", label: say("motion-which-accepted") },
+              { value: "all", label: say("motion-which-all") },
             ]}
             onChange={setWhich}
           />
-          <Button href={`/surveys/${surveyId}/scans`}>All line scans</Button>
+          <Button href={`/surveys/${surveyId}/scans`}>{say("scans-all")}</Button>
         </div>
       </header>
       <Problem error={found.error} again={found.reload} />
-      {!data && found.loading && <Loading what="the statistics" />}
+      {!data && found.loading && <Loading what={say("motion-loading")} />}
       {data && vehicles === 0 && (
         <div class="panel">
-          <Empty title={which === "accepted" ? "No vehicle is accepted yet" : "No vehicle is measured yet"}>
-            <p>
-              {which === "accepted"
-                ? "Review some on the bench, or let those that wait for a review count too."
-                : "Add a line scan and let its vehicles be found."}
-            </p>
+          <Empty title={say(which === "accepted" ? "motion-none-accepted-title" : "motion-none-title")}>
+            <p>{say(which === "accepted" ? "motion-none-accepted" : "motion-none")}</p>
           </Empty>
         </div>
       )}
       {data && vehicles > 0 && (
         <div class="stack">
           <p class="small muted" data-testid="scan-counted">
-            {plural(vehicles, "vehicle")} of {plural(data.scans, "line scan")}.
+            {say("motion-counted", { vehicles, scans: data.scans })}
           </p>
           <SizeErrors found={data} />
           {[data.length_ratio, data.wheelbase_ratio].map(
             (one, n) =>
               one.warning && (
-                <Notice key={n} kind="warning" title={n === 0 ? "By lengths" : "By wheelbases"}>
+                <Notice
+                  key={n}
+                  kind="warning"
+                  title={say(n === 0 ? "motion-by-lengths" : "motion-by-wheelbases")}
+                >
                   {one.warning}
                 </Notice>
               ),

@@ -2,6 +2,7 @@
 import { useState } from "preact/hooks";
 import { FormDialog, TextField } from "../../components";
 import { api } from "../../core/api";
+import { say } from "../../core/messages";
 import type { BodyOf } from "../../core/routes";
 import { toast, toastProblem } from "../../core/toasts";
 import type { Scan } from "../../core/types";
@@ -50,12 +51,17 @@ export function RigDialog({ model, scan, onClose, changed, offered }: Props) {
     offerUndo(scan, { ...values, ...words }, stored, model, changed);
   };
   return (
-    <FormDialog title="The rig" action="Store" onClose={onClose} submit={submit}>
-      <TextField label="Name" value={name} onInput={setName} />
+    <FormDialog
+      title={say("scans-rig-title")}
+      action={say("scans-rig-store")}
+      onClose={onClose}
+      submit={submit}
+    >
+      <TextField label={say("field-name")} value={name} onInput={setName} />
       <RigFields typed={typed} problems={problems} noRate={scan.source === "video"} change={change} />
       {scan.run && (
-        <section class="stack stack--tight" aria-label="The rig from the traffic">
-          <h3>From the traffic</h3>
+        <section class="stack stack--tight" aria-label={say("scans-rig-traffic")}>
+          <h3>{say("scans-rig-traffic-title")}</h3>
           <RigOfTraffic
             scan={scan}
             use={change}
@@ -67,9 +73,7 @@ export function RigDialog({ model, scan, onClose, changed, offered }: Props) {
           />
         </section>
       )}
-      <p class="small muted">
-        What was measured keeps the values that it was measured with, and says so, until it is measured again.
-      </p>
+      <p class="small muted">{say("scans-rig-note")}</p>
     </FormDialog>
   );
 }
@@ -106,10 +110,10 @@ function offerUndo(
     const now = await api.ask("GET /scans/{scan_id}", { scan_id: before.id });
     await put(before.id, what, now.version, model, changed);
   };
-  model?.history.push({ label: "the rig", undo: () => again(then), redo: () => again(values) });
-  const older =
-    stored.counts.older > 0
-      ? "The rig has other values now; find the vehicles again to bring the results up."
-      : "The rig’s values were stored.";
-  toast(older, model ? {} : { action: { label: "Undo", run: () => void again(then).catch(toastProblem) } });
+  model?.history.push({ label: say("scans-rig-undo"), undo: () => again(then), redo: () => again(values) });
+  const action = { label: say("command-undo"), run: () => void again(then).catch(toastProblem) };
+  toast(
+    say(stored.counts.older > 0 ? "scans-rig-stored-older" : "scans-rig-stored"),
+    model ? {} : { action },
+  );
 }

@@ -1,4 +1,5 @@
 import { TextField } from "../../components";
+import { say } from "../../core/messages";
 import { lengthUnit } from "../../core/units";
 import type { RigProblems, RigTyped } from "./rig";
 
@@ -23,26 +24,26 @@ export function RigFields({ noRate, plain, ...of }: Props) {
         <Typed
           name="baseline"
           of={of}
-          label="Baseline"
+          label={say("scans-rig-baseline")}
           unit={unit}
-          hint="Between the two scanning planes, at the vehicles."
+          hint={say("scans-rig-baseline-hint")}
         />
         <Typed
           name="uBaseline"
           of={of}
-          label="Its standard uncertainty"
+          label={say("scans-rig-u")}
           unit={unit}
-          hint="A speed is never better known than this."
+          hint={say("scans-rig-baseline-u-hint")}
         />
         {!noRate && (
           <>
-            <Typed name="rate" of={of} label="Lines a second" unit="Hz" />
+            <Typed name="rate" of={of} label={say("scans-rig-rate")} unit={say("unit-hz")} />
             <Typed
               name="ratePpm"
               of={of}
-              label="Clock’s uncertainty"
-              unit="ppm"
-              hint="A quartz keeps about 50 ppm."
+              label={say("scans-rig-clock")}
+              unit={say("unit-ppm")}
+              hint={say("scans-rig-clock-hint")}
             />
           </>
         )}
@@ -59,37 +60,37 @@ function Advanced({ of }: { of: Typing }) {
   const used = ADVANCED.some((name) => of.typed[name] !== "" || of.problems[name]);
   return (
     <details class="scan__advanced" open={used || undefined}>
-      <summary>More: misalignment, divergence, distance of the lane</summary>
+      <summary>{say("scans-rig-more")}</summary>
       <div class="scan__pairs">
         <Typed
           name="misalignment"
           of={of}
-          label="Misalignment"
-          unit="px"
-          placeholder="from the traffic"
-          hint="Row of a point in strip 2 minus its row in strip 1. Empty: estimated from the traffic, vehicle by vehicle."
+          label={say("scans-rig-misalignment")}
+          unit={say("unit-px")}
+          placeholder={say("scans-rig-from-traffic")}
+          hint={say("scans-rig-misalignment-hint")}
         />
-        <Typed name="uMisalignment" of={of} label="Its standard uncertainty" unit="px" />
+        <Typed name="uMisalignment" of={of} label={say("scans-rig-u")} unit={say("unit-px")} />
         <Typed
           name="divergence"
           of={of}
-          label="Divergence of the planes"
-          unit="mrad"
-          hint="Positive: they open towards the vehicles. The baseline is then the one at the cameras."
+          label={say("scans-rig-divergence")}
+          unit={say("unit-mrad")}
+          hint={say("scans-rig-divergence-hint")}
         />
         <Typed
           name="uDivergence"
           of={of}
-          label="Its standard uncertainty"
-          unit="mrad"
-          hint="Planes that were set parallel: what the setting leaves."
+          label={say("scans-rig-u")}
+          unit={say("unit-mrad")}
+          hint={say("scans-rig-divergence-u-hint")}
         />
         <Typed
           name="distance"
           of={of}
-          label="Distance of the lane"
+          label={say("scans-rig-distance")}
           unit={lengthUnit.value}
-          hint="From the cameras to the vehicles’ near side. Needed for the divergence only."
+          hint={say("scans-rig-distance-hint")}
         />
       </div>
     </details>

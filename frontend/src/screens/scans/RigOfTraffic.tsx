@@ -2,11 +2,12 @@
 
 import { Button, Loading, Notice, Problem, TableScroll } from "../../components";
 import { api } from "../../core/api";
+import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
 import { may } from "../../core/session";
 import { toast, toastProblem } from "../../core/toasts";
 import type { Scan } from "../../core/types";
-import { fixed, formatLength, lengthUnit, plural } from "../../core/units";
+import { fixed, formatLength, lengthUnit } from "../../core/units";
 import { type RigOfTraffic as Found, type RigTyped, typedLength } from "./rig";
 
 interface Props {
@@ -25,8 +26,8 @@ async function swapCameras({ id }: Pick<Scan, "id">, changed: () => Promise<void
     const { version } = await api.ask("GET /scans/{scan_id}", { scan_id: id });
     await api.write("POST /scans/{scan_id}/swap", { scan_id: id }, { body: { version } });
     await changed();
-    toast("The cameras were exchanged; the vehicles are being found again.", {
-      action: { label: "Undo", run: () => void swapCameras({ id }, changed) },
+    toast(say("scans-traffic-swapped"), {
+      action: { label: say("command-undo"), run: () => void swapCameras({ id }, changed) },
     });
   } catch (error) {
     toastProblem(error);
@@ -39,7 +40,7 @@ export function RigOfTraffic({ scan, use, narrow, changed }: Props) {
     [scan.id, scan.version],
   );
   if (found.error) return <Problem error={found.error} again={found.reload} />;
-  if (!found.data) return <Loading what="what the traffic says" />;
+  if (!found.data) return <Loading what={say("scans-traffic-loading")} />;
   return <Told found={found.data} scan={scan} use={use} narrow={narrow} changed={changed} />;
 }
 
@@ -55,7 +56,7 @@ function Told({ found, scan, use, narrow, changed }: Props & { found: Found }) {
           actions={
             may("operator") && (
               <Button small onClick={() => void swapCameras(scan, changed)}>
-                Swap the cameras
+                {say("scans-traffic-swap")}
               </Button>
             )
           }
@@ -63,30 +64,30 @@ function Told({ found, scan, use, narrow, changed }: Props & { found: Found }) {
           {found.order}
         </Notice>
       )}
-      <TableScroll label="The rig as the traffic says it">
+      <TableScroll label={say("scans-traffic-table")}>
         <table class={narrow ? "table table--dense" : "table"}>
           <thead>
             <tr>
-              <th>the traffic says</th>
-              <th class="num">value ± u</th>
-              <th class="num">from</th>
-              {!narrow && <th class="num">in force</th>}
+              <th>{say("scans-traffic-says")}</th>
+              <th class="num">{say("scans-traffic-value")}</th>
+              <th class="num">{say("scans-traffic-from")}</th>
+              {!narrow && <th class="num">{say("scans-traffic-in-force")}</th>}
               <th>
-                <span class="visually-hidden">take it over</span>
+                <span class="visually-hidden">{say("scans-traffic-take")}</span>
               </th>
             </tr>
           </thead>
           <tbody>
             <Row
-              what="Misalignment"
-              value={pair(misalignment.value, misalignment.u, 3, "px")}
+              what={say("scans-rig-misalignment")}
+              value={pixels(misalignment.value, misalignment.u)}
               n={misalignment.n}
               inForce={
                 narrow
                   ? null
                   : rig.misalignment_px === null
-                    ? "from the traffic"
-                    : (pair(rig.misalignment_px, rig.u_misalignment_px, 3, "px") ?? "–")
+                    ? say("scans-rig-from-traffic")
+                    : (pixels(rig.misalignment_px, rig.u_misalignment_px) ?? "–")
               }
               reason={misalignment.reason}
               use={() =>
@@ -97,16 +98,16 @@ function Told({ found, scan, use, narrow, changed }: Props & { found: Found }) {
               }
             />
             <Row
-              what="Light, camera 2 over 1"
-              value={pair(gain.value, gain.u, 3)}
+              what={say("scans-traffic-gain")}
+              value={pair(gain.value, gain.u)}
               n={gain.n}
-              inForce={narrow ? null : "each vehicle’s own"}
+              inForce={narrow ? null : say("scans-traffic-gain-own")}
               reason={gain.reason}
             />
             {found.baselines.map((one) => (
               <Row
                 key={one.of}
-                what={`Baseline by ${one.of}s`}
+                what={say("scans-traffic-baseline", { of: one.of })}
                 value={
                   one.baseline_m === null || one.u_baseline_m === null
                     ? null
@@ -134,10 +135,7 @@ function Told({ found, scan, use, narrow, changed }: Props & { found: Found }) {
           {one}
         </p>
       ))}
-      <p class="small muted">
-        ± u is the standard uncertainty. Nothing here is in force by itself: “Use…” fills it in, and you store
-        it.
-      </p>
+      <p class="small muted">{say("scans-traffic-note")}</p>
     </div>
   );
 }
@@ -162,14 +160,14 @@ function Row({ what, value, n, inForce, reason, use }: RowProps) {
       ) : (
         <>
           <td class="num">{value}</td>
-          <td class="num">{plural(n, "vehicle")}</td>
+          <td class="num">{say("scans-count-vehicles", { count: n })}</td>
         </>
       )}
       {inForce !== null && <td class="num">{inForce}</td>}
       <td class="num">
         {use && value !== null && may("operator") && (
-          <Button small label={`Use this for ${what}`} onClick={use}>
-            Use…
+          <Button small label={say("scans-traffic-use-for", { what })} onClick={use}>
+            {say("scans-traffic-use")}
           </Button>
         )}
       </td>
@@ -179,9 +177,14 @@ function Row({ what, value, n, inForce, reason, use }: RowProps) {
 
 const NBSP = "\u00a0";
 
-function pair(value: number | null, u: number | null, digits: number, unit = ""): string | null {
+function pair(value: number | null, u: number | null): string | null {
   if (value === null || u === null) return null;
-  return `${fixed(value, digits)}${NBSP}±${NBSP}${fixed(u, digits)}${unit && NBSP}${unit}`;
+  return `${fixed(value, 3)}${NBSP}±${NBSP}${fixed(u, 3)}`;
+}
+
+function pixels(value: number | null, u: number | null): string | null {
+  const both = pair(value, u);
+  return both && say("value-px", { value: both });
 }
 
 function length(metres: number, u_m: number): string {

@@ -2,13 +2,14 @@
 import { useState } from "preact/hooks";
 import { ask, Button, Empty, JobProgress, Loading, Notice, Problem, StateMark } from "../../components";
 import { api } from "../../core/api";
+import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useEvery, useResource } from "../../core/resource";
 import { canWork } from "../../core/session";
 import { formatDuration } from "../../core/times";
 import { toast, toastProblem } from "../../core/toasts";
 import type { Scan } from "../../core/types";
-import { formatCount, formatLength, plural } from "../../core/units";
+import { formatCount, formatLength } from "../../core/units";
 import { AddScan } from "./AddScan";
 import { RigDialog } from "./RigDialog";
 import { RigOfTraffic } from "./RigOfTraffic";
@@ -28,28 +29,25 @@ export default function ScansScreen({ surveyId }: ScreenProps) {
     <div class="page">
       <header class="page__head">
         <div>
-          <h1>Line scans</h1>
-          <p class="page__lead">
-            Two line cameras a known baseline apart: speed, length, acceleration and the gaps between
-            vehicles, with the picture to check each by.
-          </p>
+          <h1>{say("page-scans")}</h1>
+          <p class="page__lead">{say("scans-lead")}</p>
         </div>
         <div class="row row--wrap">
-          <Button href={`/surveys/${surveyId}/planning?plan=lines`}>Plan the line rate</Button>
+          <Button href={`/surveys/${surveyId}/planning?plan=lines`}>{say("scans-plan")}</Button>
           {!none && (
             <Button icon="chart" href={`/surveys/${surveyId}/scans/results`}>
-              Results
+              {say("scans-results")}
             </Button>
           )}
           {!none && canWork.value && !adding && (
             <Button kind="primary" icon="add" onClick={() => setAdding(true)}>
-              Add a line scan
+              {say("scans-add")}
             </Button>
           )}
         </div>
       </header>
       <Problem error={scans.error} again={scans.reload} />
-      {!scans.data && scans.loading && <Loading what="the line scans" />}
+      {!scans.data && scans.loading && <Loading what={say("scans-loading")} />}
       {canWork.value && (adding || none) && (
         <AddScan
           surveyId={surveyId}
@@ -62,8 +60,8 @@ export default function ScansScreen({ surveyId }: ScreenProps) {
       )}
       {none && !canWork.value && (
         <div class="panel">
-          <Empty title="No line scans yet">
-            <p>An operator can upload the strips of both cameras here.</p>
+          <Empty title={say("scans-none-title")}>
+            <p>{say("scans-none")}</p>
           </Empty>
         </div>
       )}
@@ -81,35 +79,18 @@ export default function ScansScreen({ surveyId }: ScreenProps) {
 function Limits() {
   return (
     <details class="scan-limits">
-      <summary>What a line scan cannot measure</summary>
+      <summary>{say("scans-limits")}</summary>
       <dl>
-        <dt>Opposing direction</dt>
-        <dd>
-          A pair measures the direction that reaches camera 1 first; a vehicle that comes the other way is
-          told and left out. For the other lane add a second line scan of the same strips with the cameras the
-          other way round, and that lane’s baseline and distance.
-        </dd>
-        <dt>Side by side</dt>
-        <dd>
-          Two vehicles that hide each other share their lines, so neither has a front and a rear of its own.
-          Only their passing one after the other helps: a lane farther away, or a steeper view from above.
-        </dd>
-        <dt>Stopped, turned back, or very slow</dt>
-        <dd>
-          Along a strip runs time, not way. A vehicle that stands paints the same line again and again, and
-          the fit takes one constant acceleration from front to rear; stop-and-go traffic has none.
-        </dd>
-        <dt>Cut off, or lines lost</dt>
-        <dd>
-          What began before the recording or ended after it has no front or no rear; where the recorder lost
-          lines the clock of the strip is wrong.
-        </dd>
-        <dt>Another distance than the lane’s</dt>
-        <dd>
-          Planes that are not quite parallel make the baseline longer or shorter with the distance; the
-          traffic alone cannot tell that. Enter the divergence’s uncertainty and the lane’s distance under
-          Rig.
-        </dd>
+        <dt>{say("scans-limit-opposing")}</dt>
+        <dd>{say("scans-limit-opposing-why")}</dd>
+        <dt>{say("scans-limit-abreast")}</dt>
+        <dd>{say("scans-limit-abreast-why")}</dd>
+        <dt>{say("scans-limit-slow")}</dt>
+        <dd>{say("scans-limit-slow-why")}</dd>
+        <dt>{say("scans-limit-cut")}</dt>
+        <dd>{say("scans-limit-cut-why")}</dd>
+        <dt>{say("scans-limit-distance")}</dt>
+        <dd>{say("scans-limit-distance-why")}</dd>
       </dl>
     </details>
   );
@@ -133,13 +114,13 @@ function ScanCard({ scan, reload }: { scan: Scan; reload: () => Promise<void> })
   const remove = () =>
     run(async () => {
       const yes = await ask({
-        title: `Delete ${scan.name}?`,
-        body: "Both strips and what was found in them go; a line scan on which somebody worked cannot be deleted.",
-        action: "Delete the line scan",
+        title: say("scans-delete-title", { scan: scan.name }),
+        body: say("scans-delete-what"),
+        action: say("scans-delete"),
       });
       if (!yes) return;
       await api.write("DELETE /scans/{scan_id}", { scan_id: scan.id });
-      toast(`${scan.name} was deleted.`);
+      toast(say("scans-deleted", { scan: scan.name }));
     });
   const bench = `/surveys/${scan.survey_id}/scan?scan=${scan.id}`;
   return (
@@ -155,7 +136,12 @@ function ScanCard({ scan, reload }: { scan: Scan; reload: () => Promise<void> })
           <div class="row">
             <StateMark state={scan.state === "reading" ? "ingesting" : scan.state} />
             {canWork.value && scan.state !== "reading" && (
-              <Button kind="quiet" icon="trash" label={`Delete ${scan.name}`} onClick={() => void remove()} />
+              <Button
+                kind="quiet"
+                icon="trash"
+                label={say("scans-delete-one", { scan: scan.name })}
+                onClick={() => void remove()}
+              />
             )}
           </div>
         </header>
@@ -173,12 +159,12 @@ function ScanCard({ scan, reload }: { scan: Scan; reload: () => Promise<void> })
                     void run(() => api.write("POST /scans/{scan_id}/read", { scan_id: scan.id }))
                   }
                 >
-                  Read it again
+                  {say("scans-read-again")}
                 </Button>
               )
             }
           >
-            {scan.error ?? "The strips could not be read."}
+            {scan.error ?? say("scans-not-read")}
           </Notice>
         )}
         {scan.notes.map((note) => (
@@ -191,13 +177,13 @@ function ScanCard({ scan, reload }: { scan: Scan; reload: () => Promise<void> })
             class="scan__advanced"
             onToggle={(event) => setRigOpen((event.currentTarget as HTMLDetailsElement).open)}
           >
-            <summary>The rig, and what the traffic says of it</summary>
+            <summary>{say("scans-rig")}</summary>
             {rigOpen && (
               <>
                 <RigOfTraffic scan={scan} use={setOffered} changed={reload} />
                 {canWork.value && (
                   <Button small onClick={() => setOffered({})}>
-                    Change the rig…
+                    {say("scans-rig-change")}
                   </Button>
                 )}
               </>
@@ -211,7 +197,7 @@ function ScanCard({ scan, reload }: { scan: Scan; reload: () => Promise<void> })
           <footer class="row row--apart">
             <span class="small">{counts(scan)}</span>
             <Button kind="primary" href={bench}>
-              Open the bench
+              {say("scans-open")}
             </Button>
           </footer>
         )}
@@ -244,12 +230,17 @@ function Overview({ scan }: { scan: Scan }) {
 
 function facts(scan: Scan): string {
   return [
-    scan.lines !== null ? `${formatCount(scan.lines)} lines of ${scan.rows_px} rows` : null,
+    scan.lines !== null
+      ? say("scans-fact-lines", { lines: scan.lines, rows_px: String(scan.rows_px) })
+      : null,
     scan.duration_s !== null ? formatDuration(scan.duration_s) : null,
-    `baseline ${formatLength(scan.rig.baseline_m)}`,
-    `${formatCount(scan.rig.line_rate_hz)} lines a second`,
+    say("scans-fact-baseline", { baseline: formatLength(scan.rig.baseline_m) }),
+    say("scans-fact-rate", { rate_hz: formatCount(scan.rig.line_rate_hz) }),
     scan.source === "video"
-      ? `cut from a video at columns ${scan.column_1_px} and ${scan.column_2_px}`
+      ? say("scans-fact-video", {
+          column_1_px: String(scan.column_1_px),
+          column_2_px: String(scan.column_2_px),
+        })
       : null,
   ]
     .filter(Boolean)
@@ -257,11 +248,11 @@ function facts(scan: Scan): string {
 }
 
 function counts({ counts: one, run }: Scan): string {
-  if (!run && one.vehicles === 0) return "vehicles not looked for yet";
-  const parts = [plural(one.vehicles, "vehicle")];
-  if (one.to_review > 0) parts.push(`${one.to_review} to review`);
-  if (one.accepted > 0) parts.push(`${one.accepted} accepted`);
-  if (one.rejected > 0) parts.push(`${one.rejected} rejected`);
-  if (one.not_measurable > 0) parts.push(`${one.not_measurable} not measurable`);
+  if (!run && one.vehicles === 0) return say("scans-count-none");
+  const parts = [say("scans-count-vehicles", { count: one.vehicles })];
+  if (one.to_review > 0) parts.push(say("scans-count-to-review", { count: one.to_review }));
+  if (one.accepted > 0) parts.push(say("scans-count-accepted", { count: one.accepted }));
+  if (one.rejected > 0) parts.push(say("scans-count-rejected", { count: one.rejected }));
+  if (one.not_measurable > 0) parts.push(say("scans-count-not-measurable", { count: one.not_measurable }));
   return parts.join(", ");
 }

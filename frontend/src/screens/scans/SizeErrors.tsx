@@ -1,39 +1,50 @@
 /** Lengths and wheelbases against what their makers say. */
 import { TableScroll } from "../../components";
+import { say, wordsOf } from "../../core/messages";
 import type { ScanErrorGroup, ScanStatistics } from "../../core/types";
 import { formatSmall } from "../../core/units";
 
-const GROUPS: Record<string, string> = { daytime: "Daytime", low_light: "Low light", overall: "Overall" };
-const COLUMNS = [
-  ["bias_m", "bias"],
-  ["mae_m", "MAE"],
-  ["rmse_m", "RMSE"],
-  ["sd_m", "SD"],
-] as const;
+const LENGTHS = wordsOf({
+  daytime: "motion-length-daytime",
+  low_light: "motion-length-low_light",
+  overall: "motion-length-overall",
+});
+const WHEELBASES = wordsOf({
+  daytime: "motion-wheelbase-daytime",
+  low_light: "motion-wheelbase-low_light",
+  overall: "motion-wheelbase-overall",
+});
+const COLUMNS = ["bias_m", "mae_m", "rmse_m", "sd_m"] as const;
+const HEADS = wordsOf({
+  bias_m: "motion-bias",
+  mae_m: "motion-mae",
+  rmse_m: "motion-rmse",
+  sd_m: "motion-sd",
+});
 
 export function SizeErrors({ found }: { found: ScanStatistics }) {
   return (
     <section class="panel" aria-labelledby="scan-errors">
       <header class="panel__head">
-        <h2 id="scan-errors">Measured minus the maker’s value</h2>
-        <span class="muted small">with 95 % intervals</span>
+        <h2 id="scan-errors">{say("motion-errors-title")}</h2>
+        <span class="muted small">{say("motion-errors-note")}</span>
       </header>
-      <TableScroll label="Errors of lengths and wheelbases">
+      <TableScroll label={say("motion-errors-table")}>
         <table class="table" data-testid="scan-errors">
           <thead>
             <tr>
-              <th>of</th>
-              <th class="num">n</th>
-              {COLUMNS.map(([, head]) => (
-                <th key={head} class="num">
-                  {head}
+              <th>{say("motion-errors-of")}</th>
+              <th class="num">{say("motion-errors-n")}</th>
+              {COLUMNS.map((name) => (
+                <th key={name} class="num">
+                  {HEADS[name]}
                 </th>
               ))}
             </tr>
           </thead>
           <tbody>
-            <Rows what="Length" groups={found.length_errors} />
-            <Rows what="Wheelbase" groups={found.wheelbase_errors} />
+            <Rows words={LENGTHS} groups={found.length_errors} />
+            <Rows words={WHEELBASES} groups={found.wheelbase_errors} />
           </tbody>
         </table>
       </TableScroll>
@@ -41,22 +52,26 @@ export function SizeErrors({ found }: { found: ScanStatistics }) {
   );
 }
 
-function Rows({ what, groups }: { what: string; groups: readonly ScanErrorGroup[] }) {
+interface RowsProps {
+  /** What each group is called. */
+  words: Readonly<Record<string, string>>;
+  groups: readonly ScanErrorGroup[];
+}
+
+function Rows({ words, groups }: RowsProps) {
   const told = groups.filter((one) => one.n > 0 || one.group === "overall");
   return (
     <>
       {told.map((group) => (
         <tr key={group.group}>
-          <td>
-            {what}, {(GROUPS[group.group] ?? group.group).toLowerCase()}
-          </td>
+          <td>{words[group.group] ?? group.group}</td>
           <td class="num">{group.n}</td>
           {group.n === 0 ? (
             <td colSpan={COLUMNS.length} class="small muted">
-              {group.reason ?? "No vehicle has a known size."}
+              {group.reason ?? say("motion-errors-none")}
             </td>
           ) : (
-            COLUMNS.map(([key]) => <Cell key={key} group={group} name={key} />)
+            COLUMNS.map((name) => <Cell key={name} group={group} name={name} />)
           )}
         </tr>
       ))}
@@ -72,7 +87,7 @@ function Cell({ group, name }: { group: ScanErrorGroup; name: string }) {
       {figure?.value == null ? "–" : formatSmall(figure.value)}
       {within && (
         <p class="small muted nowrap">
-          {formatSmall(within.low)} to {formatSmall(within.high)}
+          {say("interval", { low: formatSmall(within.low), high: formatSmall(within.high) })}
         </p>
       )}
     </td>

@@ -1,17 +1,18 @@
 /** The cumulative distribution of one quantity with its band, and the percentiles that are asked for. */
 
+import { say, wordsOf } from "../../core/messages";
 import type { ScanSpread } from "../../core/types";
 import { fixed, lengthScale, type Scale, speedScale } from "../../core/units";
 import { ecdfMarks } from "../../parts/figures/curves";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
 
-const TITLES: Record<string, string> = {
-  speed: "Speed as the front reaches camera 1",
-  length: "Length",
-  time_gap: "Time gap, rear to front",
-  distance_gap: "Distance gap, rear to front",
-  headway: "Headway, front to front",
-};
+const TITLES: Readonly<Record<string, string>> = wordsOf({
+  speed: "motion-speed",
+  length: "motion-length",
+  time_gap: "motion-time-gap",
+  distance_gap: "motion-distance-gap",
+  headway: "motion-headway",
+});
 /** 85: the speed that limits are set by. */
 const ASKED = [15, 50, 85];
 
@@ -28,30 +29,19 @@ export function SpreadFigure({ spread }: { spread: ScanSpread }) {
   const title = TITLES[spread.quantity] ?? spread.quantity;
   const there = "value" in ecdf;
   const asked = spread.percentiles.filter((one) => ASKED.includes(one.percent));
-  const words = asked.map((one) => {
-    if (one.reason) return `${one.percent} %: ${one.reason}`;
-    const within =
-      one.low === null || one.high === null
-        ? ""
-        : ` (${fixed(one.low * by, 2)} to ${fixed(one.high * by, 2)})`;
-    return `${one.percent} %: ${fixed(one.value * by, 2)}${within}`;
-  });
+  const percentiles = asked.map((one) => percentileWords(one, by)).join("; ");
   return (
     <PlotFigure
       name={`scan-${spread.quantity}`}
       title={title}
-      says={`Cumulative distribution of ${spread.n} vehicles; ${words.join("; ")} ${unit}`}
+      says={say("motion-spread-says", { count: spread.n, percentiles, unit })}
       data={spread}
       reason={there ? null : ecdf.reason}
-      note={
-        there && words.length > 0
-          ? `Percentiles with their 95 % intervals, ${unit}: ${words.join("; ")}.`
-          : undefined
-      }
+      note={there && percentiles ? say("motion-spread-note", { unit, percentiles }) : undefined}
       options={(plot) => ({
         height: 240,
         x: { label: unit, grid: true },
-        y: { label: "% of the vehicles", domain: [0, 100], grid: true },
+        y: { label: say("motion-spread-y"), domain: [0, 100], grid: true },
         marks: there
           ? [
               ...ecdfMarks(plot, ecdf, { word: "", band: true }, by),
@@ -80,4 +70,13 @@ export function SpreadFigure({ spread }: { spread: ScanSpread }) {
       })}
     />
   );
+}
+
+function percentileWords(one: ScanSpread["percentiles"][number], by: number): string {
+  const percent = String(one.percent);
+  if (one.reason) return say("motion-percentile-none", { percent, reason: one.reason });
+  const value = fixed(one.value * by, 2);
+  if (one.low === null || one.high === null) return say("motion-percentile", { percent, value });
+  const [low, high] = [fixed(one.low * by, 2), fixed(one.high * by, 2)];
+  return say("motion-percentile-interval", { percent, value, low, high });
 }

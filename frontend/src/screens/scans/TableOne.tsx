@@ -1,5 +1,6 @@
 /** The vehicles in the layout of the paper's Table I, the printed table beside them. */
 import { TableScroll } from "../../components";
+import { say } from "../../core/messages";
 import type { ScanStatistics } from "../../core/types";
 import { fixed, heads, plainAcceleration, plainLength, plainSpeed, speedScale } from "../../core/units";
 
@@ -7,7 +8,7 @@ export function TableOne({ found }: { found: ScanStatistics }) {
   return (
     <section class="panel" aria-labelledby="scan-table-one">
       <header class="panel__head">
-        <h2 id="scan-table-one">In the layout of the paper’s Table I</h2>
+        <h2 id="scan-table-one">{say("motion-paper-title")}</h2>
       </header>
       <div class="scan-tables">
         <Own found={found} />
@@ -24,12 +25,14 @@ function Head({ first, counter }: { first: string; counter?: boolean }) {
     <thead>
       <tr>
         <th>{first}</th>
-        <th class="num">speed ({units.speed})</th>
-        <th class="num">acc. ({units.acceleration})</th>
-        <th class="num">size ({units.length})</th>
-        {counter && <th>counter</th>}
-        <th class="num">true ({units.length})</th>
-        <th class="num">fit error (%)</th>
+        <th class="num">{say("with-unit", { name: say("motion-head-speed"), unit: units.speed })}</th>
+        <th class="num">
+          {say("with-unit", { name: say("motion-head-acceleration"), unit: units.acceleration })}
+        </th>
+        <th class="num">{say("with-unit", { name: say("motion-head-size"), unit: units.length })}</th>
+        {counter && <th>{say("motion-head-counter")}</th>}
+        <th class="num">{say("with-unit", { name: say("motion-head-true"), unit: units.length })}</th>
+        <th class="num">{say("motion-head-fit-error")}</th>
       </tr>
     </thead>
   );
@@ -37,9 +40,9 @@ function Head({ first, counter }: { first: string; counter?: boolean }) {
 
 function Own({ found }: { found: ScanStatistics }) {
   return (
-    <TableScroll label="This survey's vehicles">
+    <TableScroll label={say("motion-paper-own")}>
       <table class="table" data-testid="scan-table-own">
-        <Head first="vehicle" />
+        <Head first={say("motion-head-vehicle")} />
         <tbody>
           {found.table.map((row) => (
             <tr key={row.vehicle_id}>
@@ -59,9 +62,9 @@ function Own({ found }: { found: ScanStatistics }) {
 
 function Printed({ found }: { found: ScanStatistics }) {
   return (
-    <TableScroll label="The paper's Table I, as printed">
+    <TableScroll label={say("motion-paper-printed")}>
       <table class="table">
-        <Head first="the paper’s car" counter />
+        <Head first={say("motion-head-car")} counter />
         <tbody>
           {found.paper.map((row) => (
             <tr key={row.car_id}>

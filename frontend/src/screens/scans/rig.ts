@@ -1,5 +1,6 @@
 /** The rig's values as they are typed, and what is wrong with them. */
 import type { components } from "#schema";
+import { say } from "../../core/messages";
 import type { Scan } from "../../core/types";
 import { fixed, lengthScale, parseLength, parseNumber } from "../../core/units";
 
@@ -76,31 +77,31 @@ export function valuesOf(typed: RigTyped): RigValues | RigProblems {
   const positive = (value: number) => value > 0;
   const notNegative = (value: number) => value >= 0;
   const small = (value: number) => Math.abs(value) <= 200;
-  const number = "Enter a number of 0 or more, or leave it empty.";
-  const length = "Enter a length, or leave it empty.";
-  const angle = "Enter an angle of at most 200 mrad, or leave it empty.";
+  const number = say("scans-rig-problem-number");
+  const length = say("scans-rig-problem-length");
+  const angle = say("scans-rig-problem-angle");
   const values = {
-    baseline_m: read(
-      "baseline",
-      parseLength,
-      positive,
-      "Enter the distance between the two scanning planes.",
-    ),
+    baseline_m: read("baseline", parseLength, positive, say("scans-rig-problem-baseline")),
     u_baseline_m: read("uBaseline", parseLength, notNegative, length, 0),
-    line_rate_hz: read("rate", parseNumber, positive, "Enter how many lines the cameras make a second."),
+    line_rate_hz: read("rate", parseNumber, positive, say("scans-rig-problem-rate")),
     ppm: read("ratePpm", parseNumber, notNegative, number, 0),
     divergence: read("divergence", parseNumber, small, angle, 0),
     uDivergence: read("uDivergence", parseNumber, (value) => value >= 0 && small(value), angle, 0),
     distance_m: read("distance", parseLength, positive, length, null),
-    misalignment_px: read("misalignment", parseNumber, () => true, "Enter pixels, or leave it empty.", null),
+    misalignment_px: read(
+      "misalignment",
+      parseNumber,
+      () => true,
+      say("scans-rig-problem-misalignment"),
+      null,
+    ),
     u_misalignment_px: read("uMisalignment", parseNumber, notNegative, number, 0),
   };
   const { ppm, divergence, uDivergence, ...rest } = values;
   if ((divergence || uDivergence) && rest.distance_m === null && !wrong.distance)
-    wrong.distance =
-      "Enter how far the lane is, or leave the divergence empty: it counts over this distance.";
+    wrong.distance = say("scans-rig-problem-distance");
   if (rest.misalignment_px === null && rest.u_misalignment_px && !wrong.misalignment)
-    wrong.misalignment = "Enter the misalignment too, or leave its uncertainty empty.";
+    wrong.misalignment = say("scans-rig-problem-misalignment-u");
   if (Object.keys(wrong).length > 0) return wrong;
   return {
     ...rest,
