@@ -143,7 +143,7 @@ def test_a_line_rate_is_planned_with_the_surveys_rig(page: Page, scan: dict[str,
     page.get_by_label("Camera’s line rate").blur()
     page.get_by_label("Baseline").fill("1")
     page.get_by_label("Baseline").blur()
-    expect(plan).to_contain_text(re.compile(r"6\s?667\sHz"))
+    expect(plan).to_contain_text(re.compile(r"6[,\s]?667\sHz"))
     page.reload()
     expect(plan).to_contain_text(re.compile(r"6\s?600\sHz"))
 

@@ -166,6 +166,11 @@ def asked_by(address: str) -> set[tuple[str, str]]:
     return set(parse_qsl(urlsplit(address).query))
 
 
+def of_another_survey(link: str) -> bool:
+    """Surveys that other tests made stand in any state, some with work that never ends."""
+    return re.match(r"/surveys/(?!1\b)", link) is not None
+
+
 def test_every_link_forth_and_back_shows_what_a_reload_shows(walker: Page, complaints: list[str]) -> None:
     walker.goto("/")
     wait_for_demonstration(walker)
@@ -177,7 +182,7 @@ def test_every_link_forth_and_back_shows_what_a_reload_shows(walker: Page, compl
         for link in dict.fromkeys(walker.evaluate(LINKS)):
             # a link to the page itself is walked from each page: it may keep what it should forget
             within = path_of(link) == path_of(here) and link != here
-            if link in known and not within:
+            if (link in known and not within) or of_another_survey(link):
                 continue
             if link not in known:
                 ways.append(link)
