@@ -10,6 +10,11 @@ target-driver_eye = Driver's eye
 target-taillight = Taillight
 target-headlight = Headlight
 target-other = Other
+target-noun-roof = roof
+target-noun-driver_eye = driver's eye
+target-noun-taillight = taillight
+target-noun-headlight = headlight
+target-noun-other = other
 target-hint-roof = the highest point of the roof
 target-hint-driver_eye = the driver's eye
 target-hint-taillight = the lower limit of the lit area of the taillight
@@ -48,6 +53,8 @@ state-inactive = switched off
 
 lighting-daytime = Daytime
 lighting-low_light = Low light
+lighting-noun-daytime = daytime
+lighting-noun-low_light = low light
 category-hatchback = Hatchback
 category-saloon = Saloon
 category-estate = Estate
@@ -885,6 +892,292 @@ checks-tyres = tyres of vehicle { $vehicle }
 checks-withdrawal = withdrawal of the tyres of vehicle { $vehicle }
 checks-tyres-none = none
 checks-tyres-at = frame { $frame }, at { $first } and { $second } px
+
+## Measure: the page
+
+measure-loading = the frame
+measure-none-title = No recording to measure yet
+measure-none = Heights are measured on the frames of a recording. Add the day's videos first; they can be measured as soon as they are read.
+measure-add-recordings = Add recordings
+measure-recording-elsewhere = The recording in this address is not in this survey.
+measure-last-pass = This is the last pass in the list.
+measure-first-pass = This is the first pass in the list.
+measure-all-passes-done = Every pass of this survey is measured.
+measure-other-tab = This vehicle is open in another tab too; if both change it, you will be asked.
+
+## Measure: the passes
+
+measure-passes = Passes
+measure-passes-open = Passes <muted>{ NUMBER($count) } to do</muted>
+measure-passes-show = Show
+measure-passes-order = Order
+measure-passes-none = No passes yet. Let them be found, or go to the first frame of a vehicle and mark it.
+measure-passes-none-in-state = No pass is in this state.
+measure-progress = { NUMBER($count) } of { NUMBER($all) }
+measure-pass-begins = The pass begins on this frame
+measure-pass-begin = New pass here
+measure-pass-ends = The pass ends on this frame
+measure-pass-end = …ends here
+measure-pass-drop = Do not add a pass
+measure-pass-frames = { $count ->
+    [one] { $count } frame
+   *[other] { $count } frames
+}
+measure-pass-marked = The pass begins at frame { $frame }; go to its last frame and mark it too.
+measure-pass-new = New pass
+measure-pass-new-short = new
+measure-pass-found = found
+measure-pass-title = Pass { $vehicle }: frames { $first_frame } to { $last_frame }
+measure-pass-title-more = Pass { $vehicle }: frames { $first_frame } to { $last_frame }, { $more }
+measure-way-right = to the right
+measure-way-left = to the left
+measure-unconfirmed = found by the search, not yet confirmed
+measure-unconfirmed-way = { $way ->
+    [right] to the right, found by the search, not yet confirmed
+   *[left] to the left, found by the search, not yet confirmed
+}
+measure-pass-menu = Vehicle { $vehicle }: split, join, discard
+measure-pass-confirm = { $lighting ->
+    [daytime] Confirm: daytime
+   *[low_light] Confirm: low light
+}
+measure-pass-split = Split before this frame
+measure-pass-join = Join with the next pass
+measure-pass-splitted = Vehicle { $vehicle } was split at frame { $frame }; the other part is vehicle { $other }.
+measure-pass-joined = Vehicle { $gone } was joined to vehicle { $kept }.
+measure-pass-no-next = No pass of this recording begins after this one, so there is none to join it with.
+measure-pass-delete-of = Delete the pass of vehicle { $vehicle }
+measure-pass-delete-title = Delete vehicle { $vehicle }?
+measure-pass-delete-body = { $count ->
+    [0] Vehicle { $vehicle } leaves the list. Undo brings it back.
+    [one] Vehicle { $vehicle } leaves the list, and its { $count } measurement with it. Undo brings it back.
+   *[other] Vehicle { $vehicle } leaves the list, and its { $count } measurements with it. Undo brings it back.
+}
+measure-pass-delete = Delete the pass
+
+## Measure: what undo and redo name
+
+measure-step-vehicle = vehicle { $vehicle }
+measure-step-new-pass = new pass { $vehicle }
+measure-step-deletion = deletion of vehicle { $vehicle }
+measure-step-split = split of vehicle { $vehicle }
+measure-step-joining = joining of vehicles { $vehicle } and { $next }
+measure-step-contact = contact point
+measure-step-contact-removal = removal of the contact
+measure-step-move = move of a point
+measure-step-inset = inset
+measure-step-new = { $target ->
+    [roof] new roof
+    [driver_eye] new driver's eye
+    [taillight] new taillight
+    [headlight] new headlight
+   *[other] new other
+}
+measure-step-withdrawal = { $target ->
+    [roof] withdrawal of roof
+    [driver_eye] withdrawal of driver's eye
+    [taillight] withdrawal of taillight
+    [headlight] withdrawal of headlight
+   *[other] withdrawal of other
+}
+measure-step-frame = { $nth ->
+    [2] second frame
+    [3] third frame
+    [4] fourth frame
+    [5] fifth frame
+    [6] sixth frame
+    [7] seventh frame
+    [8] eighth frame
+   *[other] further frame
+}
+measure-step-frame-removal = removal of frame { $frame }
+
+## Measure: the frame
+
+measure-find-pose = Find the road pose
+measure-no-pose = This recording has no road pose yet, so nothing can be measured on it.
+measure-choose-pass = Choose a pass on the left, or mark a new one with [ and ].
+measure-look-only = You may look, not measure.
+measure-vehicle-done = All three are measured. { $key } goes to the next pass, 1 to 5 measure again.
+measure-choose-target = Choose a target: 1 to 5.
+measure-drift = The camera had moved by { $moved_px } px since its road pose. <link>Take a new pose or decide</link>
+measure-drift-off = The camera had moved by { $moved_px } px since its road pose, heights here are off by up to { $off }. <link>Take a new pose or decide</link>
+measure-proposal-looking = Looking for the wheel…
+measure-proposal-take = { $proposal }. Enter or a click on it takes it.
+measure-proposal-no-pass = Choose a pass first; then a contact can be proposed.
+measure-proposal-no-contact = No contact is awaited here; begin a new one with the key for a new contact point.
+measure-proposal-no-pointer = Point at where the tyre meets the road, then ask for a proposal.
+
+## Measure: the measurements of a vehicle
+
+measure-measurements = Measurements
+measure-target = Measure: { $target }
+measure-target-afresh = Measure afresh: { $target }
+measure-afresh = { $target ->
+    [roof] Roof is measured afresh; the click before stays in its history.
+    [driver_eye] Driver's eye is measured afresh; the click before stays in its history.
+    [taillight] Taillight is measured afresh; the click before stays in its history.
+    [headlight] Headlight is measured afresh; the click before stays in its history.
+   *[other] Other is measured afresh; the click before stays in its history.
+}
+measure-show-point = Show and select the point
+measure-click = click on the frame
+measure-details-show = { $target ->
+    [roof] Show the details of roof
+    [driver_eye] Show the details of driver's eye
+    [taillight] Show the details of taillight
+    [headlight] Show the details of headlight
+   *[other] Show the details of other
+}
+measure-details-hide = { $target ->
+    [roof] Hide the details of roof
+    [driver_eye] Hide the details of driver's eye
+    [taillight] Hide the details of taillight
+    [headlight] Hide the details of headlight
+   *[other] Hide the details of other
+}
+measure-discard = Discard
+measure-not-yet-saved = not yet saved…
+measure-not-stored = not stored
+measure-click-again = Click it again.
+measure-click-again-key = Click it again ({ $key }).
+measure-no-way-back = This could not be taken back.
+measure-clicked-on = clicked on frame { $frame }
+measure-contact = Contact
+measure-point = Target
+measure-distance = Distance
+measure-without-inset = Without inset
+measure-withdraw = Withdraw
+measure-px = { $across_px }, { $down_px } px
+measure-inset = Inset
+measure-inset-u = ± u
+measure-estimate = estimate
+measure-inset-solved = not used while several frames are clicked: they solve for it
+measure-inset-what = how far the target lies behind the side of the vehicle
+measure-inset-as-survey = As the survey has it: { $inset } ± { $u_inset }
+measure-inset-side = The driver sits on the
+measure-inset-roof = Clicked on the roof: its
+measure-inset-now = inset { $inset } ± { $u_inset }, estimate
+
+## Measure: several frames
+
+measure-second-looking = Looking for the frame that gains most …
+measure-second-hint = { $nth ->
+    [2] Second frame
+    [3] Third frame
+    [4] Fourth frame
+    [5] Fifth frame
+    [6] Sixth frame
+    [7] Seventh frame
+    [8] Eighth frame
+   *[other] Further frame
+}: { $what ->
+    [elsewhere] go to another frame of the pass
+    [contact] click the same tyre contact
+    [roof] click the same roof point
+    [driver_eye] click the same driver's eye point
+    [taillight] click the same taillight point
+    [headlight] click the same headlight point
+   *[other] click the same other point
+}
+measure-second-hint-care = { $hint }. { $care }
+measure-second-nothing-yet = Measure a target first; then a second frame can be clicked.
+measure-second-no-use = No other frame would help.
+measure-second-clicked-already = This frame is clicked already; go to another one of the pass.
+measure-second-expected = expected about here
+measure-second-expected-at = at { $speed }
+measure-frames-said = { $count ->
+    [one] From { $count } frame
+   *[other] From { $count } frames
+}
+measure-frames-said-inset = { $count ->
+    [one] From { $count } frame; inset { $inset }, u { $u_inset }
+   *[other] From { $count } frames; inset { $inset }, u { $u_inset }
+}
+measure-frame = Frame { $frame }
+measure-frame-first = first
+measure-frame-remove = Remove frame { $frame }
+measure-frame-remove-this = Remove this frame
+measure-frame-removed = { $count ->
+    [one] Frame { $frame } is taken away; { $count } frame left.
+   *[other] Frame { $frame } is taken away; { $count } frames left.
+}
+measure-one-frame = One frame
+measure-all-frames = { $count ->
+    [one] { $count } frame
+   *[other] { $count } frames
+}
+measure-gain-looking = { $which ->
+    [second] Second frame gains: looking …
+   *[another] Another frame gains: looking …
+}
+measure-gain = { $which ->
+    [second] Second frame gains: { $U95_now } → { $U95_then }
+   *[another] Another frame gains: { $U95_now } → { $U95_then }
+}
+measure-gain-go = Go to frame { $frame } and click the same two points
+
+## Measure: the vehicle
+
+measure-vehicle = Vehicle
+measure-vehicle-number = Vehicle { $vehicle }
+measure-vehicle-none = Choose a pass on the left. Its vehicle and measurements appear here.
+measure-save-again = Save again
+measure-record = Vehicle record
+measure-facts-of = facts of vehicle { $vehicle }
+measure-makers-height = Maker's height
+measure-makers-height-u = ± u of it
+measure-year-problem = A year has four digits.
+measure-span = Frames of the pass
+measure-span-first = First
+measure-span-best = Best
+measure-span-last = Last
+measure-span-first-here = Begin here
+measure-span-best-here = Best here
+measure-span-last-here = End here
+measure-span-elsewhere = Another recording is open.
+measure-span-frame-problem = Give a frame number.
+measure-span-order = { $first_frame } is after { $last_frame }.
+measure-span-choose = Choose { $first_frame } to { $last_frame }.
+measure-span-move-best = Move best ({ $best_frame }) first.
+
+## Measure: facts of a vehicle, and two people who changed the same
+
+measure-field-first_frame = First frame
+measure-field-best_frame = Best frame
+measure-field-last_frame = Last frame
+measure-field-make = Make
+measure-field-model = Model
+measure-field-year = Year
+measure-field-category = Category
+measure-field-manufacturer_height_m = Manufacturer height
+measure-field-u_manufacturer_height_m = ± of the manufacturer height
+measure-field-height_source = Source of the height
+measure-field-lighting = Lighting
+measure-fact = { $field ->
+    [first_frame] first frame { $value }
+    [best_frame] best frame { $value }
+    [last_frame] last frame { $value }
+    [make] make { $value }
+    [model] model { $value }
+    [year] year { $value }
+    [category] category { $value }
+    [manufacturer_height_m] manufacturer height { $value }
+    [u_manufacturer_height_m] ± of the manufacturer height { $value }
+    [height_source] source of the height { $value }
+    [lighting] lighting { $value }
+   *[notes] notes { $value }
+}
+measure-fact-empty = empty
+measure-deleted = deleted
+measure-merged = { $problem } Your changes are to other fields, so both are kept.
+measure-conflict = Changed by somebody else
+measure-conflict-kept = Both versions are kept until you choose.
+measure-conflict-mine = mine: { $value }
+measure-conflict-theirs = theirs: { $value }
+measure-conflict-save = Save this
+measure-conflict-both = Theirs ({ $person }): { $theirs }. Yours: { $mine }.
+measure-conflict-somebody = somebody
 
 ## Repeats: the page
 

@@ -14,6 +14,15 @@ export const TARGET_WORDS = wordsOf({
   other: "target-other",
 });
 
+/** The same within a list, beside a point, after a colon. */
+export const TARGET_NOUNS: Readonly<Record<Target, string>> = wordsOf({
+  roof: "target-noun-roof",
+  driver_eye: "target-noun-driver_eye",
+  taillight: "target-noun-taillight",
+  headlight: "target-noun-headlight",
+  other: "target-noun-other",
+});
+
 /** Where to click, in the operator's words. */
 export const TARGET_HINTS = wordsOf({
   roof: "target-hint-roof",
@@ -26,6 +35,12 @@ export const TARGET_HINTS = wordsOf({
 export const LIGHTING_WORDS: Readonly<Record<Lighting, string>> = wordsOf({
   daytime: "lighting-daytime",
   low_light: "lighting-low_light",
+});
+
+/** The same within a list. */
+export const LIGHTING_NOUNS: Readonly<Record<Lighting, string>> = wordsOf({
+  daytime: "lighting-noun-daytime",
+  low_light: "lighting-noun-low_light",
 });
 
 export const CATEGORY_WORDS: Readonly<Record<Category, string>> = wordsOf({

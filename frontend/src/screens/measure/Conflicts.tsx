@@ -1,8 +1,10 @@
 /** Somebody else changed the same thing: who, what, and the choice of theirs or mine. Nothing is lost before it is made. */
 import { useSignal } from "@preact/signals";
 import { Button, Segments } from "../../components";
+import { say } from "../../core/messages";
 import { outbox } from "../../core/outbox";
 import { formatHeight } from "../../core/units";
+import { STATE_WORDS } from "../../core/words";
 import { FIELD_WORDS, type Field } from "./fields";
 import { showFact } from "./kinds";
 import type { MeasureModel } from "./model";
@@ -22,11 +24,11 @@ export function VehicleConflict({ model, id }: { model: MeasureModel; id: number
     <section
       class="conflict"
       role="alertdialog"
-      aria-label="Changed by somebody else"
+      aria-label={say("measure-conflict")}
       data-testid="vehicle-conflict"
     >
       <p>{whoOnly(draft.problem)}</p>
-      <p class="small muted">Both versions are kept until you choose.</p>
+      <p class="small muted">{say("measure-conflict-kept")}</p>
       {draft.disputed.map((field) => (
         <div key={field} class="conflict__field">
           <strong class="small">{FIELD_WORDS[field]}</strong>
@@ -34,8 +36,14 @@ export function VehicleConflict({ model, id }: { model: MeasureModel; id: number
             label={FIELD_WORDS[field]}
             value={chosen(field)}
             options={[
-              { value: "mine", label: `mine: ${showFact(field, draft.changes[field])}` },
-              { value: "theirs", label: `theirs: ${showFact(field, theirs[field])}` },
+              {
+                value: "mine",
+                label: say("measure-conflict-mine", { value: showFact(field, draft.changes[field]) }),
+              },
+              {
+                value: "theirs",
+                label: say("measure-conflict-theirs", { value: showFact(field, theirs[field]) }),
+              },
             ]}
             onChange={(side) => {
               choice.value = new Map(choice.value).set(field, side);
@@ -44,7 +52,7 @@ export function VehicleConflict({ model, id }: { model: MeasureModel; id: number
         </div>
       ))}
       <Button small kind="primary" onClick={settle}>
-        Save this
+        {say("measure-conflict-save")}
       </Button>
     </section>
   );
@@ -53,20 +61,23 @@ export function VehicleConflict({ model, id }: { model: MeasureModel; id: number
 export function MeasurementConflict({ entry }: { entry: Entry }) {
   const theirs = entry.theirs;
   if (!theirs) return null;
-  const words = theirs.withdrawn ? "withdrawn" : formatHeight(theirs.height_m, theirs.U95_height_m);
+  const words = theirs.withdrawn ? STATE_WORDS.withdrawn : formatHeight(theirs.height_m, theirs.U95_height_m);
   return (
     <div class="conflict" role="alert" data-testid="measurement-conflict">
       <p>{whoOnly(entry.problem)}</p>
       <p class="small">
-        Theirs ({theirs.created_by?.name ?? "somebody"}): {words}. Yours:{" "}
-        {entry.values.withdrawn ? "withdrawn" : heightWords(entry)}.
+        {say("measure-conflict-both", {
+          person: theirs.created_by?.name ?? say("measure-conflict-somebody"),
+          theirs: words,
+          mine: entry.values.withdrawn ? STATE_WORDS.withdrawn : heightWords(entry),
+        })}
       </p>
       <div class="row">
         <Button small onClick={() => outbox.resolve(entry.key, "theirs")}>
-          Take theirs
+          {say("unsaved-take")}
         </Button>
         <Button small onClick={() => outbox.resolve(entry.key, "mine")}>
-          Keep mine
+          {say("unsaved-keep")}
         </Button>
       </div>
     </div>

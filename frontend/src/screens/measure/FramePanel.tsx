@@ -1,10 +1,11 @@
 /** The frame with axes, ladder, points and the height under the pointer. */
 import { useSignal, useSignalEffect } from "@preact/signals";
 import { showChord } from "../../core/commands";
+import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import type { HeightAnswer } from "../../core/types";
 import { formatHeight } from "../../core/units";
-import { TARGET_HINTS, TARGET_WORDS } from "../../core/words";
+import { STATE_WORDS, TARGET_NOUNS, TARGET_WORDS, vehicleName } from "../../core/words";
 import { AnswerLines } from "../../viewer/AnswerLines";
 import { FrameView } from "../../viewer/FrameView";
 import { loupeBelow } from "../../viewer/Loupe";
@@ -21,7 +22,7 @@ import { SecondMarks } from "./SecondFrameParts";
 export function FramePanel({ model, player }: { model: MeasureModel; player: Player }) {
   const { stage, points, assist } = model;
   return (
-    <section class="measure__frame" aria-label="Frame">
+    <section class="measure__frame" aria-label={say("stage-frame")}>
       <FrameView
         player={player}
         stage={stage}
@@ -81,9 +82,7 @@ function Marks({ model, selections }: { model: MeasureModel; selections: readonl
               kind={one.role}
               selected={isSelected(one)}
               faint={one.role === "contact" && renew}
-              text={
-                one.role === "point" && entry ? TARGET_WORDS[entry.values.target].toLowerCase() : undefined
-              }
+              text={one.role === "point" && entry ? TARGET_NOUNS[entry.values.target] : undefined}
             />
           )
         );
@@ -99,12 +98,12 @@ function Hint({ model }: { model: MeasureModel }) {
   const target = model.second.now.value?.target ?? model.flow.value.target;
   return (
     <p class="frame-hint" id="measure-hint">
-      {vehicle && <strong>{String(vehicle.number).padStart(2, "0")}</strong>}
+      {vehicle && <strong>{vehicleName(vehicle.number)}</strong>}
       {target && model.hasPose.value && <strong>{TARGET_WORDS[target]}</strong>}
       <span>{hintWords(model)}</span>
       {!model.hasPose.value && (
         <a href={`/surveys/${model.surveyId}/pose?recording=${model.reel.player.value?.recordingId ?? ""}`}>
-          Find the road pose
+          {say("measure-find-pose")}
         </a>
       )}
     </p>
@@ -115,17 +114,18 @@ function hintWords(model: MeasureModel): string {
   const { target } = model.flow.value;
   const said = model.stage.hint.value;
   if (said) return said;
-  if (!model.hasPose.value) return "This recording has no road pose yet, so nothing can be measured on it.";
-  if (model.vehicleId.value === null) return "Choose a pass on the left, or mark a new one with [ and ].";
-  if (!canWork.value) return "You may look, not measure.";
+  if (!model.hasPose.value) return say("measure-no-pose");
+  if (model.vehicleId.value === null) return say("measure-choose-pass");
+  if (!canWork.value) return say("measure-look-only");
   if (model.geometry.problem.value) return model.geometry.problem.value;
   if (target === null) {
     const done = model.points.missing().length === 0;
-    const next = `${showChord("Ctrl+Enter")} goes to the next pass`;
-    return done ? `All three are measured. ${next}, 1 to 5 measure again.` : "Choose a target: 1 to 5.";
+    return done
+      ? say("measure-vehicle-done", { key: showChord("Ctrl+Enter") })
+      : say("measure-choose-target");
   }
-  if (model.awaiting.value === "contact") return "click where the tyre meets the road";
-  return `click ${TARGET_HINTS[target]}`;
+  if (model.awaiting.value === "contact") return say("blind-contact");
+  return say("blind-target", { target });
 }
 
 /** The height beside the pointer, as the server last answered it. */
@@ -153,7 +153,7 @@ function words(answer: HeightAnswer | null, problem: string | null): string {
   if (!answer) return problem ?? "";
   return answer.status === "ok"
     ? formatHeight(answer.height_m, answer.U95_height_m)
-    : (answer.reason ?? "not measurable");
+    : (answer.reason ?? STATE_WORDS.not_measurable);
 }
 
 /** The same for screen readers: said once the pointer rests, not at every pixel. */

@@ -1,5 +1,6 @@
 /** What only a look at the vehicle can tell (on which side the driver sits): asked where the target is clicked. */
 import { Segments } from "../../components";
+import { say, wordsOf } from "../../core/messages";
 import { canWork } from "../../core/session";
 import { survey } from "../../core/survey";
 import type { Target } from "../../core/types";
@@ -8,10 +9,10 @@ import { TARGET_WORDS } from "../../core/words";
 import type { MeasureModel } from "./model";
 import type { Entry } from "./records";
 
-const ASKED: Partial<Record<Target, string>> = {
-  driver_eye: "The driver sits on the",
-  roof: "Clicked on the roof: its",
-};
+const ASKED: Readonly<Partial<Record<Target, string>>> = wordsOf({
+  driver_eye: "measure-inset-side",
+  roof: "measure-inset-roof",
+});
 
 interface Props {
   model: MeasureModel;
@@ -43,7 +44,10 @@ export function InsetChoice({ model, target, entry }: Props) {
         }}
       />
       <span class="small muted">
-        inset {formatLength(now?.inset_m ?? null, 2)} ± {formatLength(now?.u_inset_m ?? null, 2)}, estimate
+        {say("measure-inset-now", {
+          inset: formatLength(now?.inset_m ?? null, 2),
+          u_inset: formatLength(now?.u_inset_m ?? null, 2),
+        })}
       </span>
     </div>
   );

@@ -5,6 +5,7 @@ import { Button } from "../../components/Button";
 import type { ButtonCommand } from "../../components/CommandButton";
 import { type HistoryCommands, historyCommands, useUndoTools } from "../../components/undoTools";
 import { type ActionId, useCommands } from "../../core/commands";
+import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { canWork } from "../../core/session";
 import type { Target } from "../../core/types";
@@ -42,12 +43,12 @@ export default function MeasureScreen({ surveyId }: ScreenProps) {
   if (model.loaded.value && !player) return <NothingToMeasure surveyId={surveyId} />;
   return (
     <div class="measure">
-      <h1 class="visually-hidden">Measure</h1>
+      <h1 class="visually-hidden">{say("page-measure")}</h1>
       <PassList model={model} />
       {player ? (
         <FramePanel key={player.recordingId} model={model} player={player} />
       ) : (
-        <Loading what="the frame" />
+        <Loading what={say("measure-loading")} />
       )}
       <VehiclePanel model={model} />
       {player && <TimelinePanel model={model} player={player} />}
@@ -58,17 +59,14 @@ export default function MeasureScreen({ surveyId }: ScreenProps) {
 function NothingToMeasure({ surveyId }: { surveyId: number }) {
   return (
     <Empty
-      title="No recording to measure yet"
+      title={say("measure-none-title")}
       actions={
         <Button kind="primary" href={`/surveys/${surveyId}/recordings`}>
-          Add recordings
+          {say("measure-add-recordings")}
         </Button>
       }
     >
-      <p>
-        Heights are measured on the frames of a recording. Add the day's videos first; they can be measured as
-        soon as they are read.
-      </p>
+      <p>{say("measure-none")}</p>
     </Empty>
   );
 }

@@ -1,5 +1,6 @@
 import { Button } from "../../components";
 import { CommitField } from "../../components/CommitField";
+import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import { fixed, formatLength, lengthProblem, lengthText, lengthUnit, parseLength } from "../../core/units";
 import { Budget } from "../../parts/vehicles/Budget";
@@ -17,17 +18,17 @@ export function MeasurementDetail({ model, entry }: { model: MeasureModel; entry
       <InsetEditor model={model} entry={entry} />
       {source && source.budget.length > 0 && <Budget entries={source.budget} total_m={source.u_height_m} />}
       <dl class="facts small">
-        <dt>Frame</dt>
+        <dt>{say("stage-frame")}</dt>
         <dd>{entry.values.frame}</dd>
-        <dt>Contact</dt>
+        <dt>{say("measure-contact")}</dt>
         <dd>{pixels(entry.values.contact)}</dd>
-        <dt>Target</dt>
+        <dt>{say("measure-point")}</dt>
         <dd>{pixels(entry.values.point)}</dd>
         {entry.saved && (
           <>
-            <dt>Distance</dt>
+            <dt>{say("measure-distance")}</dt>
             <dd>{formatLength(entry.saved.distance_m, 2)}</dd>
-            <dt>Without inset</dt>
+            <dt>{say("measure-without-inset")}</dt>
             <dd>{formatLength(entry.saved.uncorrected_height_m)}</dd>
           </>
         )}
@@ -35,7 +36,7 @@ export function MeasurementDetail({ model, entry }: { model: MeasureModel; entry
       {entry.saved && <Revisions id={entry.saved.id} revision={entry.saved.revision} />}
       {canWork.value && (
         <Button small icon="trash" onClick={() => model.points.withdraw(entry.key)}>
-          Withdraw
+          {say("measure-withdraw")}
         </Button>
       )}
     </div>
@@ -43,7 +44,7 @@ export function MeasurementDetail({ model, entry }: { model: MeasureModel; entry
 }
 
 function pixels(point: readonly number[]): string {
-  return `${fixed(point[0] ?? 0, 1)}, ${fixed(point[1] ?? 0, 1)} px`;
+  return say("measure-px", { across_px: fixed(point[0] ?? 0, 1), down_px: fixed(point[1] ?? 0, 1) });
 }
 
 /** How far the target lies behind the side plane: an estimate, with its own uncertainty. */
@@ -58,16 +59,14 @@ function InsetEditor({ model, entry }: { model: MeasureModel; entry: Entry }) {
   return (
     <div>
       <p class="small">
-        <strong>Inset</strong> <span class="badge">estimate</span>{" "}
+        <strong>{say("measure-inset")}</strong> <span class="badge">{say("measure-estimate")}</span>{" "}
         <span class="muted">
-          {entry.values.more.length > 0
-            ? "not used while several frames are clicked: they solve for it"
-            : "how far the target lies behind the side of the vehicle"}
+          {say(entry.values.more.length > 0 ? "measure-inset-solved" : "measure-inset-what")}
         </span>
       </p>
       <div class="height-detail__inset">
         <CommitField
-          label="Inset"
+          label={say("measure-inset")}
           unit={unit}
           numeric
           disabled={!canWork.value}
@@ -76,7 +75,7 @@ function InsetEditor({ model, entry }: { model: MeasureModel; entry: Entry }) {
           onCommit={(text) => set({ inset_m: parseLength(text) ?? now.inset_m })}
         />
         <CommitField
-          label="± u"
+          label={say("measure-inset-u")}
           unit={unit}
           numeric
           disabled={!canWork.value}
@@ -91,7 +90,10 @@ function InsetEditor({ model, entry }: { model: MeasureModel; entry: Entry }) {
           kind="quiet"
           onClick={() => set({ inset_m: usual.inset_m, u_inset_m: usual.u_inset_m })}
         >
-          As the survey has it: {formatLength(usual.inset_m, 2)} ± {formatLength(usual.u_inset_m, 2)}
+          {say("measure-inset-as-survey", {
+            inset: formatLength(usual.inset_m, 2),
+            u_inset: formatLength(usual.u_inset_m, 2),
+          })}
         </Button>
       )}
     </div>

@@ -1,12 +1,13 @@
 /** What has been measured of a vehicle: one line per target, its value, its state; more on demand. */
 import { useSignal } from "@preact/signals";
 import { Button, Icon, StateMark } from "../../components";
-import { hint, keyMap, showChord } from "../../core/commands";
+import { keyMap, showChord } from "../../core/commands";
+import { say } from "../../core/messages";
 import { outbox } from "../../core/outbox";
 import { canWork } from "../../core/session";
 import type { Target } from "../../core/types";
 import { inUnits } from "../../core/units";
-import { REQUIRED, TARGET_WORDS, TARGETS } from "../../core/words";
+import { REQUIRED, TARGET_NOUNS, TARGET_WORDS, TARGETS } from "../../core/words";
 import { MeasurementConflict } from "./Conflicts";
 import { InsetChoice } from "./InsetChoice";
 import { MeasurementDetail } from "./MeasurementDetail";
@@ -21,7 +22,7 @@ export function MeasurementList({ model }: { model: MeasureModel }) {
   const detail = (entry: Entry) =>
     open.value === entry.key && <MeasurementDetail model={model} entry={entry} />;
   return (
-    <section class="heights" aria-label="Measurements">
+    <section class="heights" aria-label={say("measure-measurements")}>
       <ul>
         {TARGETS.map((target, i) => {
           const own = entries.filter((entry) => entry.values.target === target);
@@ -68,7 +69,7 @@ interface RowProps {
 function Row({ model, target, index, entry, open, onOpen }: RowProps) {
   const active = model.flow.value.target === target;
   const selected = entry !== null && model.flow.value.selection?.key === entry.key;
-  const key = keyMap.value[KEYS[index] ?? "target1"][0];
+  const key = keyOf(index);
   return (
     <div
       class={`height-row${active ? " height-row--active" : ""}${selected ? " height-row--selected" : ""}`}
@@ -81,20 +82,20 @@ function Row({ model, target, index, entry, open, onOpen }: RowProps) {
         data-testid={`target-${target}`}
         aria-pressed={active}
         disabled={!canWork.value}
-        title={`${entry ? "Measure afresh" : "Measure"}: ${TARGET_WORDS[target].toLowerCase()}`}
+        title={say(entry ? "measure-target-afresh" : "measure-target", { target: TARGET_NOUNS[target] })}
         onClick={() => {
           model.dispatch({ type: "choose", target });
           model.stage.focus();
         }}
       >
-        <kbd>{key ? showChord(key) : ""}</kbd>
+        <kbd>{key}</kbd>
         <span>{TARGET_WORDS[target]}</span>
       </button>
       {entry ? (
         <button
           type="button"
           class="height-row__value"
-          title="Show and select the point"
+          title={say("measure-show-point")}
           onClick={() => {
             model.reel.player.value?.go(entry.values.frame);
             model.second.last = entry.key;
@@ -106,7 +107,7 @@ function Row({ model, target, index, entry, open, onOpen }: RowProps) {
         </button>
       ) : (
         <span class="height-row__value muted">
-          {active && model.hasPose.value ? "click on the frame" : "–"}
+          {active && model.hasPose.value ? say("measure-click") : "–"}
         </span>
       )}
       {entry && (
@@ -114,7 +115,7 @@ function Row({ model, target, index, entry, open, onOpen }: RowProps) {
           small
           kind="quiet"
           icon={open ? "chevron" : "right"}
-          label={`${open ? "Hide" : "Show"} the details of ${TARGET_WORDS[target].toLowerCase()}`}
+          label={say(open ? "measure-details-hide" : "measure-details-show", { target })}
           onClick={() => onOpen?.()}
         />
       )}
@@ -123,6 +124,17 @@ function Row({ model, target, index, entry, open, onOpen }: RowProps) {
 }
 
 const KEYS = ["target1", "target2", "target3", "target4", "target5"] as const;
+
+/** The key of a target, as a keycap shows it; empty if it has none. */
+function keyOf(index: number): string {
+  const key = keyMap.value[KEYS[index] ?? "target1"][0];
+  return key ? showChord(key) : "";
+}
+
+function clickAgain(target: Target): string {
+  const key = keyOf(TARGETS.indexOf(target));
+  return key ? say("measure-click-again-key", { key }) : say("measure-click-again");
+}
 
 /** The line under a row, when there is something to say. */
 function Said({ entry }: { entry: Entry }) {
@@ -133,15 +145,15 @@ function Said({ entry }: { entry: Entry }) {
         <Icon name="warning" size={14} />
         <span class="grow">{entry.problem}</span>
         <Button small onClick={() => outbox.send(entry.key)}>
-          Try again
+          {say("action-try-again")}
         </Button>
         <Button small kind="quiet" onClick={() => outbox.discard(entry.key)}>
-          Discard
+          {say("measure-discard")}
         </Button>
       </div>
     );
   }
-  if (entry.state === "saving") return <p class="height-row__said muted">not yet saved…</p>;
+  if (entry.state === "saving") return <p class="height-row__said muted">{say("measure-not-yet-saved")}</p>;
   const m = entry.saved;
   if (!m) return null;
   const verdict = m.review.verdict;
@@ -164,9 +176,7 @@ function Said({ entry }: { entry: Entry }) {
         <p class="height-row__said">
           <StateMark state={verdict} />
           {m.review.reason && <span>{m.review.reason}</span>}
-          {verdict === "rejected" && canWork.value && (
-            <span class="muted">Click it again{hint(KEYS[TARGETS.indexOf(m.target)] ?? "target1")}.</span>
-          )}
+          {verdict === "rejected" && canWork.value && <span class="muted">{clickAgain(m.target)}</span>}
         </p>
       )}
     </>

@@ -2,11 +2,12 @@
 import { useComputed, useSignalEffect } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { Button, StateMark } from "../../components";
+import { Said } from "../../components/Said";
 import { hint } from "../../core/commands";
+import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import type { Vehicle } from "../../core/types";
-import { plural } from "../../core/units";
-import { REQUIRED } from "../../core/words";
+import { LIGHTING_NOUNS, LIGHTING_WORDS, REQUIRED, STATE_WORDS, vehicleName } from "../../core/words";
 import { FindPasses } from "../../parts/vehicles/FindPasses";
 import {
   FILTER_WORDS,
@@ -36,15 +37,19 @@ export function PassList({ model }: { model: MeasureModel }) {
     );
   });
   return (
-    <nav class="passes" aria-label="Passes">
+    <nav class="passes" aria-label={say("measure-passes")}>
       <header class="passes__head">
         <h2>
-          Passes <span class="muted small">{open} to do</span>
+          <Said
+            what="measure-passes-open"
+            values={{ count: open }}
+            parts={{ muted: (text) => <span class="muted small">{text}</span> }}
+          />
         </h2>
         <div class="passes__choose">
           <select
             class="input"
-            aria-label="Show"
+            aria-label={say("measure-passes-show")}
             value={filter.value}
             onChange={(event) => {
               filter.value = event.currentTarget.value as Filter;
@@ -58,7 +63,7 @@ export function PassList({ model }: { model: MeasureModel }) {
           </select>
           <select
             class="input"
-            aria-label="Order"
+            aria-label={say("measure-passes-order")}
             value={order.value}
             onChange={(event) => {
               order.value = event.currentTarget.value as Order;
@@ -78,9 +83,7 @@ export function PassList({ model }: { model: MeasureModel }) {
         ))}
         {list.length === 0 && (
           <li class="passes__none muted">
-            {all.length === 0
-              ? "No passes yet. Let them be found, or go to the first frame of a vehicle and mark it."
-              : "No pass is in this state."}
+            {say(all.length === 0 ? "measure-passes-none" : "measure-passes-none-in-state")}
             {all.length === 0 && recording && (
               <FindPasses recording={recording} found={() => readAgain(model)} />
             )}
@@ -114,15 +117,15 @@ function Row({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
           model.stage.focus();
         }}
       >
-        <strong class="pass__number">{String(vehicle.number).padStart(2, "0")}</strong>
+        <strong class="pass__number">{vehicleName(vehicle.number)}</strong>
         <span class="pass__state">
           <StateMark state={vehicle.state} word={word} />
         </span>
         <PassMark vehicle={vehicle} />
         {vehicle.lighting === "low_light" && (
-          <span class="pass__light" title="Low light">
+          <span class="pass__light" title={LIGHTING_WORDS.low_light}>
             <Moon />
-            <span class="visually-hidden">, low light</span>
+            <span class="visually-hidden">, {LIGHTING_NOUNS.low_light}</span>
           </span>
         )}
         {name && <span class="pass__name clip">{name}</span>}
@@ -133,7 +136,7 @@ function Row({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
 
 /** "2 of 3" while it is being measured, else the state's own word. */
 function progress(model: MeasureModel, vehicle: Vehicle): string | undefined {
-  if (vehicle.state === "rejected") return "rejected";
+  if (vehicle.state === "rejected") return STATE_WORDS.rejected;
   if (vehicle.state === "accepted") return undefined;
   const have = new Set(
     model.records
@@ -142,7 +145,9 @@ function progress(model: MeasureModel, vehicle: Vehicle): string | undefined {
       .map((entry) => entry.values.target),
   );
   const count = REQUIRED.filter((target) => have.has(target)).length;
-  return count > 0 && count < REQUIRED.length ? `${count} of ${REQUIRED.length}` : undefined;
+  return count > 0 && count < REQUIRED.length
+    ? say("measure-progress", { count, all: REQUIRED.length })
+    : undefined;
 }
 
 function NewPass({ model }: { model: MeasureModel }) {
@@ -153,31 +158,33 @@ function NewPass({ model }: { model: MeasureModel }) {
         <Button
           small
           icon="add"
-          title={`The pass begins on this frame${hint("passBegin")}`}
+          title={say("measure-pass-begins") + hint("passBegin")}
           onClick={() => model.markPass("first")}
         >
-          New pass here
+          {say("measure-pass-begin")}
         </Button>
       ) : (
         <>
           <Button
             small
             kind="primary"
-            title={`The pass ends on this frame${hint("passEnd")}`}
+            title={say("measure-pass-ends") + hint("passEnd")}
             onClick={() => model.markPass("last")}
           >
-            …ends here
+            {say("measure-pass-end")}
           </Button>
           <Button
             small
             kind="quiet"
             icon="close"
-            label="Do not add a pass"
+            label={say("measure-pass-drop")}
             onClick={() => {
               model.passFrom.value = null;
             }}
           />
-          <span class="small muted">{plural(Math.abs(model.seenFrame.value - from) + 1, "frame")}</span>
+          <span class="small muted">
+            {say("measure-pass-frames", { count: Math.abs(model.seenFrame.value - from) + 1 })}
+          </span>
         </>
       )}
       {from === null && <PassMenu model={model} />}

@@ -3,6 +3,7 @@ import { useEffect, useState } from "preact/hooks";
 import { Button } from "../../components";
 import { explain } from "../../core/api";
 import { hint } from "../../core/commands";
+import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import type { HeightAnswer, Measurement, SecondFrameAnswer } from "../../core/types";
 import { formatHeight, formatLength, formatSmall, formatSpeed, speedScale } from "../../core/units";
@@ -25,8 +26,10 @@ export function SecondMarks({ model }: { model: MeasureModel }) {
       {second.spots.value.map((spot) => {
         const word =
           spot.assumed_kmh === null
-            ? "expected about here"
-            : `at ${formatSpeed(spot.assumed_kmh / speedScale("m")[0], null, 0)}`;
+            ? say("measure-second-expected")
+            : say("measure-second-expected-at", {
+                speed: formatSpeed(spot.assumed_kmh / speedScale("m")[0], null, 0),
+              });
         const key = `${spot.assumed_kmh} ${spot.travel_m}`;
         return (
           <g key={key}>
@@ -65,11 +68,14 @@ function Expected({ stage, at, text }: { stage: FrameStage; at: ImagePoint; text
 /** Under a measurement that stands on several frames. */
 export function FramesSaid({ m }: { m: Measurement }) {
   if (m.more_frames.length === 0) return null;
+  const count = m.more_frames.length + 1;
+  const inset = formatLength(m.solved_inset_m, 2);
+  const u_inset = formatLength(m.u_solved_inset_m, 2);
   return (
     <p class="height-row__said muted" data-testid="frames-said">
-      From {m.more_frames.length + 1} frames
-      {m.solved_inset_m !== null &&
-        `; inset ${formatLength(m.solved_inset_m, 2)}, u ${formatLength(m.u_solved_inset_m, 2)}`}
+      {m.solved_inset_m === null
+        ? say("measure-frames-said", { count })
+        : say("measure-frames-said-inset", { count, inset, u_inset })}
     </p>
   );
 }
@@ -94,16 +100,16 @@ export function Frames({ model, entry }: { model: MeasureModel; entry: Entry }) 
                     model.stage.focus();
                   }}
                 >
-                  Frame {frame}
+                  {say("measure-frame", { frame: String(frame) })}
                 </Button>
-                <span class="grow muted small">{i === 0 ? "first" : ""}</span>
+                <span class="grow muted small">{i === 0 ? say("measure-frame-first") : ""}</span>
                 {canWork.value && (
                   <Button
                     small
                     kind="quiet"
                     icon="trash"
-                    label={`Remove frame ${frame}`}
-                    title="Remove this frame"
+                    label={say("measure-frame-remove", { frame: String(frame) })}
+                    title={say("measure-frame-remove-this")}
                     onClick={() => model.second.remove(entry.key, frame)}
                   />
                 )}
@@ -131,9 +137,9 @@ function AgainstOne({ model, entry }: { model: MeasureModel; entry: Entry }) {
   if (!answer?.single) return null;
   return (
     <dl class="facts small">
-      <dt>One frame</dt>
+      <dt>{say("measure-one-frame")}</dt>
       <dd>{formatHeight(answer.single.height_m, answer.single.U95_height_m)}</dd>
-      <dt>{answer.frames} frames</dt>
+      <dt>{say("measure-all-frames", { count: answer.frames })}</dt>
       <dd>{answer.status === "ok" ? formatHeight(answer.height_m, answer.U95_height_m) : answer.reason}</dd>
     </dl>
   );
@@ -145,18 +151,22 @@ function GainButton({ model, entry }: { model: MeasureModel; entry: Entry }) {
     const recordingId = recordingOf(model);
     return recordingId === undefined ? null : askSecondFrame(recordingId, entry.vehicleId, entry.values);
   });
-  const nth = entry.values.more.length === 0 ? "Second frame" : "Another frame";
+  const which = entry.values.more.length === 0 ? "second" : "another";
   if (problem) return <p class="small muted">{problem}</p>;
-  if (!answer) return <p class="small muted">{nth} gains: looking …</p>;
+  if (!answer) return <p class="small muted">{say("measure-gain-looking", { which })}</p>;
   if (!answer.ok) return <p class="small muted">{answer.reason}</p>;
   return (
     <div data-testid="second-frame-gain">
       <Button
         small
-        title={`Go to frame ${answer.frame} and click the same two points${hint("secondFrame")}`}
+        title={say("measure-gain-go", { frame: String(answer.frame) }) + hint("secondFrame")}
         onClick={() => void model.second.start(entry.key)}
       >
-        {nth} gains: {formatSmall(answer.U95_now_m)} → {formatSmall(answer.U95_then_m)}
+        {say("measure-gain", {
+          which,
+          U95_now: formatSmall(answer.U95_now_m),
+          U95_then: formatSmall(answer.U95_then_m),
+        })}
       </Button>
     </div>
   );

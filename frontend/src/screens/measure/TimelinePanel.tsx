@@ -1,7 +1,9 @@
 /** Below the frame: recording, steps, frame and time, loupe; and the timeline with the passes. */
 import { useEffect } from "preact/hooks";
 import { CommandButton } from "../../components/CommandButton";
+import { say } from "../../core/messages";
 import type { Vehicle } from "../../core/types";
+import { vehicleName } from "../../core/words";
 import { bestFrame, isOpen, nextOpen } from "../../parts/vehicles/passes";
 import { around } from "../../viewer/ahead";
 import type { Player } from "../../viewer/player";
@@ -25,21 +27,21 @@ export function TimelinePanel({ model, player }: { model: MeasureModel; player: 
       id: "new",
       first: Math.min(from, at),
       last: Math.max(from, at),
-      label: "new",
-      title: "New pass",
+      label: say("measure-pass-new-short"),
+      title: say("measure-pass-new"),
       kind: "current",
     });
   }
   return (
-    <section class="measure__time" aria-label="Timeline">
+    <section class="measure__time" aria-label={say("stage-timeline")}>
       <div class="frame-tools">
         <Transport player={player} stage={model.stage} />
         <span class="grow" />
         {model.reel.recordings.value.length > 1 && <RecordingChoice model={model} player={player} />}
-        <CommandButton command={fitCommand(model.stage)}>Fit</CommandButton>
-        <CommandButton command={linesSwitch}>Lines</CommandButton>
-        <CommandButton command={brightSwitch}>Bright</CommandButton>
-        <CommandButton command={loupeSwitch(model.stage)}>Loupe</CommandButton>
+        <CommandButton command={fitCommand(model.stage)}>{say("stage-fit")}</CommandButton>
+        <CommandButton command={linesSwitch}>{say("stage-lines")}</CommandButton>
+        <CommandButton command={brightSwitch}>{say("stage-bright")}</CommandButton>
+        <CommandButton command={loupeSwitch(model.stage)}>{say("stage-loupe")}</CommandButton>
       </div>
       <Timeline player={player} spans={spans} />
     </section>
@@ -47,24 +49,31 @@ export function TimelinePanel({ model, player }: { model: MeasureModel; player: 
 }
 
 function spanOf(vehicle: Vehicle, current: number | null): Span {
-  const number = String(vehicle.number).padStart(2, "0");
   return {
     id: String(vehicle.id),
     first: vehicle.first_frame,
     last: vehicle.last_frame,
     label: spanLabel(vehicle),
-    title: [`Pass ${number}: frames ${vehicle.first_frame} to ${vehicle.last_frame}`, passWords(vehicle)]
-      .filter(Boolean)
-      .join(", "),
+    title: titleOf(vehicle),
     kind: vehicle.id === current ? "current" : isOpen(vehicle) ? "todo" : "done",
   };
+}
+
+function titleOf(vehicle: Vehicle): string {
+  const span = {
+    vehicle: vehicleName(vehicle.number),
+    first_frame: String(vehicle.first_frame),
+    last_frame: String(vehicle.last_frame),
+  };
+  const more = passWords(vehicle);
+  return more ? say("measure-pass-title-more", { ...span, more }) : say("measure-pass-title", span);
 }
 
 function RecordingChoice({ model, player }: { model: MeasureModel; player: Player }) {
   return (
     <select
       class="input measure__recording"
-      aria-label="Recording"
+      aria-label={say("field-recording")}
       value={player.recordingId}
       onChange={(event) => model.chooseRecording(Number(event.currentTarget.value))}
     >

@@ -3,47 +3,37 @@ import { useMemo } from "preact/hooks";
 import { Button, SelectField, StateMark } from "../../components";
 import { CommitField } from "../../components/CommitField";
 import { TypingHold } from "../../components/typing";
+import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
-import type { CatalogueRow, Category, Lighting, Vehicle } from "../../core/types";
+import type { CatalogueRow, Vehicle } from "../../core/types";
 import { lengthProblem, lengthText, lengthUnit, parseLength } from "../../core/units";
+import { CATEGORY_WORDS, LIGHTING_WORDS, vehicleName } from "../../core/words";
 import { CatalogueField } from "../../parts/vehicles/CatalogueField";
 import { VehicleConflict } from "./Conflicts";
+import { FIELD_WORDS } from "./fields";
 import { MeasurementList } from "./MeasurementList";
 import type { MeasureModel } from "./model";
 import { SpanEditor } from "./SpanEditor";
 
-const CATEGORIES: readonly { value: Category | ""; label: string }[] = [
-  { value: "", label: "–" },
-  { value: "hatchback", label: "Hatchback" },
-  { value: "saloon", label: "Saloon" },
-  { value: "estate", label: "Estate" },
-  { value: "suv", label: "SUV" },
-  { value: "van", label: "Van" },
-  { value: "lorry", label: "Lorry" },
-  { value: "other", label: "Other" },
-];
-
-const LIGHTINGS: readonly { value: Lighting | ""; label: string }[] = [
-  { value: "", label: "–" },
-  { value: "daytime", label: "Daytime" },
-  { value: "low_light", label: "Low light" },
-];
+/** What can be chosen, or nothing. */
+function choices<W extends string>(words: Readonly<Record<W, string>>): { value: W | ""; label: string }[] {
+  const named = (Object.keys(words) as W[]).map((value) => ({ value, label: words[value] }));
+  return [{ value: "", label: "–" }, ...named];
+}
 
 export function VehiclePanel({ model }: { model: MeasureModel }) {
   const vehicle = model.vehicle.value;
   if (!vehicle) {
     return (
-      <aside class="measure__vehicle" aria-label="Vehicle">
-        <p class="measure__none muted">
-          Choose a pass on the left. Its vehicle and measurements appear here.
-        </p>
+      <aside class="measure__vehicle" aria-label={say("measure-vehicle")}>
+        <p class="measure__none muted">{say("measure-vehicle-none")}</p>
       </aside>
     );
   }
   return (
-    <aside class="measure__vehicle" aria-label="Vehicle" key={vehicle.id}>
+    <aside class="measure__vehicle" aria-label={say("measure-vehicle")} key={vehicle.id}>
       <header class="vehicle__head">
-        <h2>Vehicle {String(vehicle.number).padStart(2, "0")}</h2>
+        <h2>{say("measure-vehicle-number", { vehicle: vehicleName(vehicle.number) })}</h2>
         <StateMark state={vehicle.state} />
         <span class="grow" />
         <DraftWord model={model} id={vehicle.id} />
@@ -52,7 +42,7 @@ export function VehiclePanel({ model }: { model: MeasureModel }) {
             small
             kind="quiet"
             icon="trash"
-            label={`Delete the pass of vehicle ${vehicle.number}`}
+            label={say("measure-pass-delete-of", { vehicle: String(vehicle.number) })}
             onClick={() => void model.removePass()}
           />
         )}
@@ -76,11 +66,11 @@ function DraftWord({ model, id }: { model: MeasureModel; id: number }) {
         title={draft.problem ?? undefined}
         onClick={() => void model.vehicles.flush(id)}
       >
-        Save again
+        {say("measure-save-again")}
       </Button>
     );
   }
-  return <span class="small muted">saving…</span>;
+  return <span class="small muted">{say("save-pending")}</span>;
 }
 
 function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
@@ -93,8 +83,8 @@ function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
   );
   const take = (row: CatalogueRow): void => model.edit(fromCatalogue(row));
   return (
-    <section class="facts-form" aria-label="Vehicle record">
-      <h3>Vehicle record</h3>
+    <section class="facts-form" aria-label={say("measure-record")}>
+      <h3>{say("measure-record")}</h3>
       {draft?.state === "failed" && (
         <p class="small" role="alert">
           {draft.problem}
@@ -103,7 +93,7 @@ function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
       <TypingHold.Provider value={hold}>
         <div class="facts-form__grid">
           <CatalogueField
-            label="Make"
+            label={FIELD_WORDS.make}
             value={vehicle.make ?? ""}
             query={(text) => text}
             disabled={locked}
@@ -111,7 +101,7 @@ function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
             onCommit={(text) => model.edit({ make: text || null })}
           />
           <CatalogueField
-            label="Model"
+            label={FIELD_WORDS.model}
             value={vehicle.model ?? ""}
             query={(text) => `${vehicle.make ?? ""} ${text}`.trim()}
             disabled={locked}
@@ -119,24 +109,24 @@ function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
             onCommit={(text) => model.edit({ model: text || null })}
           />
           <CommitField
-            label="Year"
+            label={FIELD_WORDS.year}
             value={vehicle.year === null ? "" : String(vehicle.year)}
             numeric
             disabled={locked}
             check={(text) =>
-              text === "" || /^(18|19|20)\d\d$/.test(text) ? null : "A year has four digits."
+              text === "" || /^(18|19|20)\d\d$/.test(text) ? null : say("measure-year-problem")
             }
             onCommit={(text) => model.edit({ year: text === "" ? null : Number(text) })}
           />
           <SelectField
-            label="Category"
+            label={FIELD_WORDS.category}
             value={vehicle.category ?? ""}
-            options={CATEGORIES}
+            options={choices(CATEGORY_WORDS)}
             disabled={locked}
             onChange={(category) => model.edit({ category: category === "" ? null : category })}
           />
           <CommitField
-            label="Maker's height"
+            label={say("measure-makers-height")}
             value={lengthText(vehicle.manufacturer_height_m, unit)}
             numeric
             unit={unit}
@@ -145,7 +135,7 @@ function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
             onCommit={(text) => model.edit({ manufacturer_height_m: parseLength(text) })}
           />
           <CommitField
-            label="± u of it"
+            label={say("measure-makers-height-u")}
             value={lengthText(vehicle.u_manufacturer_height_m, unit)}
             numeric
             unit={unit}
@@ -155,23 +145,23 @@ function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
           />
           <div class="facts-form__wide">
             <CommitField
-              label="Source of the height"
+              label={FIELD_WORDS.height_source}
               value={vehicle.height_source ?? ""}
               disabled={locked}
               onCommit={(text) => model.edit({ height_source: text || null })}
             />
           </div>
           <SelectField
-            label="Lighting"
+            label={FIELD_WORDS.lighting}
             value={vehicle.lighting ?? ""}
-            options={LIGHTINGS}
+            options={choices(LIGHTING_WORDS)}
             disabled={locked}
             onChange={(lighting) => model.edit({ lighting: lighting === "" ? null : lighting })}
           />
           <div class="facts-form__wide">
             <CommitField
               rows={2}
-              label="Notes"
+              label={FIELD_WORDS.notes}
               value={vehicle.notes}
               disabled={locked}
               onCommit={(notes) => model.edit({ notes })}

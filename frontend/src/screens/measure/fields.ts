@@ -1,4 +1,5 @@
 /** What an operator may say of a vehicle, and where two people said different things. */
+import { wordsOf } from "../../core/messages";
 import type { Vehicle, VehicleFields } from "../../core/types";
 
 const FIELDS = [
@@ -18,20 +19,20 @@ const FIELDS = [
 export type Field = (typeof FIELDS)[number];
 export type Changes = Partial<VehicleFields>;
 
-export const FIELD_WORDS: Record<Field, string> = {
-  first_frame: "First frame",
-  best_frame: "Best frame",
-  last_frame: "Last frame",
-  make: "Make",
-  model: "Model",
-  year: "Year",
-  category: "Category",
-  manufacturer_height_m: "Manufacturer height",
-  u_manufacturer_height_m: "± of the manufacturer height",
-  height_source: "Source of the height",
-  lighting: "Lighting",
-  notes: "Notes",
-};
+export const FIELD_WORDS: Readonly<Record<Field, string>> = wordsOf({
+  first_frame: "measure-field-first_frame",
+  best_frame: "measure-field-best_frame",
+  last_frame: "measure-field-last_frame",
+  make: "measure-field-make",
+  model: "measure-field-model",
+  year: "measure-field-year",
+  category: "measure-field-category",
+  manufacturer_height_m: "measure-field-manufacturer_height_m",
+  u_manufacturer_height_m: "measure-field-u_manufacturer_height_m",
+  height_source: "measure-field-height_source",
+  lighting: "measure-field-lighting",
+  notes: "field-notes",
+});
 
 /** Fields that both sides changed from the base, to different values. */
 export function disputedFields(base: Vehicle, mine: Changes, theirs: Vehicle): Field[] {

@@ -1,8 +1,10 @@
 /** How the outbox brings clicks and facts of vehicles to the server: addresses, bodies, and when two of them are the same. */
 import { type ApiError, api } from "../../core/api";
+import { allOf, say } from "../../core/messages";
 import { type Kind, outbox } from "../../core/outbox";
-import type { Measurement, Vehicle } from "../../core/types";
+import type { Category, Lighting, Measurement, Vehicle } from "../../core/types";
 import { formatHeight, formatLength } from "../../core/units";
+import { CATEGORY_WORDS, LIGHTING_NOUNS, STATE_WORDS } from "../../core/words";
 import { clickBody, sameValues, type Values, valuesOf } from "../../viewer/values";
 import { type Changes, disputedFields, FIELD_WORDS, type Field } from "./fields";
 
@@ -39,7 +41,7 @@ export const measurementKind = (port: RecordsPort): Kind<Measurement, Values, Me
   done: ({ saved, want }) => (saved ? sameValues(valuesOf(saved), want) : want.withdrawn),
   version: (saved) => saved?.revision ?? 0,
   words: (saved) =>
-    !saved || saved.withdrawn ? "withdrawn" : formatHeight(saved.height_m, saved.U95_height_m),
+    !saved || saved.withdrawn ? STATE_WORDS.withdrawn : formatHeight(saved.height_m, saved.U95_height_m),
 });
 
 export const vehicleKind = (port: VehiclesPort): Kind<Vehicle, Changes, { id: number }> => ({
@@ -48,23 +50,23 @@ export const vehicleKind = (port: VehiclesPort): Kind<Vehicle, Changes, { id: nu
   done: ({ saved, want }) =>
     saved !== null && (Object.keys(want) as Field[]).every((field) => saved[field] === want[field]),
   version: (saved) => saved?.version ?? 0,
-  words: (saved) => (saved ? factWords(saved) : "deleted"),
+  words: (saved) => (saved ? factWords(saved) : say("measure-deleted")),
   fits: ({ saved, want }, theirs) => saved !== null && disputedFields(saved, want, theirs).length === 0,
   left: (sent, want) =>
     Object.fromEntries(Object.entries(want).filter(([field, value]) => sent[field as Field] !== value)),
 });
 
-/** "make Peugeot, year 2019", with lengths in the chosen unit. */
+/** "make Peugeot and year 2019", with lengths in the chosen unit. */
 export function factWords(changes: Changes): string {
   const told = (Object.keys(FIELD_WORDS) as Field[]).filter((field) => field in changes);
-  return told
-    .map((field) => `${FIELD_WORDS[field].toLowerCase()} ${showFact(field, changes[field])}`)
-    .join(", ");
+  return allOf(told.map((field) => say("measure-fact", { field, value: showFact(field, changes[field]) })));
 }
 
 export function showFact(field: Field, value: unknown): string {
-  if (value === null || value === undefined || value === "") return "empty";
-  return field.endsWith("_m") ? formatLength(Number(value)) : String(value).replace("_", " ");
+  if (value === null || value === undefined || value === "") return say("measure-fact-empty");
+  if (field === "category") return CATEGORY_WORDS[value as Category];
+  if (field === "lighting") return LIGHTING_NOUNS[value as Lighting];
+  return field.endsWith("_m") ? formatLength(Number(value)) : String(value);
 }
 
 function currentOf(error: ApiError): Vehicle | null {

@@ -6,6 +6,7 @@ import { batch, computed, effect, signal, untracked } from "@preact/signals";
 import { ask } from "../../components";
 import { query, setQuery } from "../../core/address";
 import { History, type Ledger } from "../../core/history";
+import { say } from "../../core/messages";
 import { outbox } from "../../core/outbox";
 import { canWork } from "../../core/session";
 import { stored } from "../../core/stored";
@@ -175,8 +176,7 @@ export class MeasureModel implements Desk {
   go(direction: 1 | -1): void {
     const next = neighbour(this.list.value, this.vehicle.value, direction);
     if (next) this.open(next);
-    else
-      toast(direction === 1 ? "This is the last pass in the list." : "This is the first pass in the list.");
+    else toast(say(direction === 1 ? "measure-last-pass" : "measure-first-pass"));
   }
 
   /** Ctrl+Enter: what is typed is saved, and on to the next pass with something to do. */
@@ -188,7 +188,7 @@ export class MeasureModel implements Desk {
       return;
     }
     this.leave();
-    toast("Every pass of this survey is measured.");
+    toast(say("measure-all-passes-done"));
   }
 
   toBestFrame(): void {
@@ -217,7 +217,7 @@ export class MeasureModel implements Desk {
   edit(changes: Changes): void {
     const vehicle = this.vehicle.value;
     if (!vehicle) return;
-    this.history.run(`vehicle ${vehicle.number}`, (step) => {
+    this.history.run(say("measure-step-vehicle", { vehicle: String(vehicle.number) }), (step) => {
       for (const field of Object.keys(changes) as (keyof Changes)[])
         step.touch(this.facts, { id: vehicle.id, field });
       this.vehicles.edit(vehicle.id, changes);
@@ -229,7 +229,7 @@ export class MeasureModel implements Desk {
     if (frame < 0) return;
     if (end === "first" || this.passFrom.value === null) {
       this.passFrom.value = frame;
-      toast(`The pass begins at frame ${frame}; go to its last frame and mark it too.`);
+      toast(say("measure-pass-marked", { frame: String(frame) }));
       return;
     }
     const [first, last] = [Math.min(this.passFrom.value, frame), Math.max(this.passFrom.value, frame)];
@@ -238,14 +238,16 @@ export class MeasureModel implements Desk {
   }
 
   async removePass(): Promise<void> {
-    const vehicle = this.vehicle.value;
-    if (!vehicle) return;
+    const open = this.vehicle.value;
+    if (!open) return;
+    const vehicle = String(open.number);
     const count = this.entries.value.filter((entry) => !entry.values.withdrawn).length;
-    const body = `Vehicle ${vehicle.number} leaves the list${count > 0 ? `, and its ${count} measurements with it` : ""}. Undo brings it back.`;
-    if (!(await ask({ title: `Delete vehicle ${vehicle.number}?`, body, action: "Delete the pass" }))) return;
+    const title = say("measure-pass-delete-title", { vehicle });
+    const body = say("measure-pass-delete-body", { vehicle, count });
+    if (!(await ask({ title, body, action: say("measure-pass-delete") }))) return;
     await this.inTurn(() =>
-      this.history.run(`deletion of vehicle ${vehicle.number}`, async (step) => {
-        await step.write(this.passes, vehicle.id, false);
+      this.history.run(say("measure-step-deletion", { vehicle }), async (step) => {
+        await step.write(this.passes, open.id, false);
       }),
     );
   }
@@ -255,7 +257,7 @@ export class MeasureModel implements Desk {
     if (recordingId === undefined) return;
     await this.inTurn(async () => {
       const vehicle = await server.addVehicle(recordingId, first, last);
-      this.history.run(`new pass ${vehicle.number}`, (step) => {
+      this.history.run(say("measure-step-new-pass", { vehicle: String(vehicle.number) }), (step) => {
         step.touch(this.passes, vehicle.id);
         this.put(vehicle);
         this.open(vehicle);
@@ -345,7 +347,7 @@ export class MeasureModel implements Desk {
     const facts = this.reel.recordings.value.find((one) => one.id === now?.recordingId);
     if (now && facts) now.describe(facts);
     else if (now) {
-      toast("The recording in this address is not in this survey.");
+      toast(say("measure-recording-elsewhere"));
       this.reel.close();
     }
     const named = this.vehicles.get(Number(params.get("vehicle")));

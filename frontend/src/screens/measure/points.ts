@@ -1,11 +1,12 @@
 /** Points under the operator's hand: stored by a click, dragged, nudged, withdrawn; each of them a step that can be undone. */
 import { computed } from "@preact/signals";
 import type { ChangeSet } from "../../core/history";
+import { say } from "../../core/messages";
 import { newKey } from "../../core/random";
 import { canWork } from "../../core/session";
 import { toast } from "../../core/toasts";
 import type { Target } from "../../core/types";
-import { REQUIRED, TARGET_WORDS } from "../../core/words";
+import { REQUIRED, TARGET_NOUNS } from "../../core/words";
 import { type ImagePoint, imagePoint, samePoint } from "../../viewer/points";
 import type { DragPhase, Handle } from "../../viewer/tool";
 import { type FramePoints, type Inset, movedOn, pointsOn } from "../../viewer/values";
@@ -219,7 +220,7 @@ export class Points implements ClickTool {
     this.endBurst();
     if (selection.key === null) {
       this.desk.dispatch({ type: "select", selection: null });
-      this.desk.history.run("removal of the contact", (changes) => {
+      this.desk.history.run(say("measure-step-contact-removal"), (changes) => {
         changes.write(this.contacts, this.contactKey(this.desk.seenFrame.value), null);
       });
     } else if (!this.second.removeHere(selection.key)) this.withdraw(selection.key);
@@ -228,7 +229,7 @@ export class Points implements ClickTool {
   withdraw(key: string): void {
     const values = this.desk.records.find(key)?.values;
     if (!values) return;
-    this.desk.history.run(`withdrawal of ${wordOf(values.target)}`, (changes) => {
+    this.desk.history.run(say("measure-step-withdrawal", { target: values.target }), (changes) => {
       changes.write(this.clicks, key, { ...values, withdrawn: true });
     });
   }
@@ -237,7 +238,7 @@ export class Points implements ClickTool {
   setInset(key: string, inset: Inset): void {
     const values = this.desk.records.find(key)?.values;
     if (!values) return;
-    this.desk.history.run("inset", (changes) => {
+    this.desk.history.run(say("measure-step-inset"), (changes) => {
       changes.write(this.clicks, key, { ...values, inset });
     });
   }
@@ -262,8 +263,8 @@ export class Points implements ClickTool {
   }
 
   private labelOf(target: Target): string {
-    if (this.desk.awaiting.value === "contact") return "contact point";
-    return this.revised(target) ? `new ${wordOf(target)}` : wordOf(target);
+    if (this.desk.awaiting.value === "contact") return say("measure-step-contact");
+    return this.revised(target) ? say("measure-step-new", { target }) : TARGET_NOUNS[target];
   }
 
   private contactKey(frame: number) {
@@ -281,7 +282,7 @@ export class Points implements ClickTool {
     changes.touch(this.clicks, key);
     if (old) {
       records.change(key, { frame, contact, point, more, ...(inset ? { inset } : {}) }, { preview });
-      toast(`${TARGET_WORDS[target]} is measured afresh; the click before stays in its history.`);
+      toast(say("measure-afresh", { target }));
     } else {
       const values = { target, frame, contact, point, more, inset, sigma_px: null, withdrawn: false };
       records.create(vehicleId, values, preview, key);
@@ -314,13 +315,13 @@ export class Points implements ClickTool {
   async rest(key: string): Promise<void> {
     const entry = await this.desk.records.settled(key);
     if (entry?.state === "failed" || entry?.state === "conflict")
-      toast(entry.problem ?? "This could not be taken back.", { kind: "problem" });
+      toast(entry.problem ?? say("measure-no-way-back"), { kind: "problem" });
   }
 
   private begin(selection: Selection): void {
     const frame = this.desk.seenFrame.value;
     const keys = this.groupOf(selection).map((entry) => entry.key);
-    const changes = this.desk.history.begin("move of a point");
+    const changes = this.desk.history.begin(say("measure-step-move"));
     for (const key of keys) changes.touch(this.clicks, key);
     const contact = this.desk.contact.value;
     const movesContact =
@@ -358,10 +359,6 @@ export class Points implements ClickTool {
 
 export function idOf(selection: Selection): string {
   return `${selection.role}:${selection.key ?? ""}`;
-}
-
-function wordOf(target: Target): string {
-  return TARGET_WORDS[target].toLowerCase();
 }
 
 /** Rejected by a reviewer and not yet clicked again. */

@@ -3,11 +3,12 @@
  * Every change only sets what is wanted; one loop per measurement brings the server there, in order, and says how far it is.
  */
 import { signal } from "@preact/signals";
+import { say } from "../../core/messages";
 import type { Outbox, Wish } from "../../core/outbox";
 import { newKey } from "../../core/random";
 import type { HeightAnswer, Measurement, Vehicle } from "../../core/types";
 import { formatHeight } from "../../core/units";
-import { TARGET_WORDS } from "../../core/words";
+import { STATE_WORDS, TARGET_NOUNS } from "../../core/words";
 import { type Values, valuesOf } from "../../viewer/values";
 import { MEASUREMENT, type MeasurementAbout } from "./kinds";
 
@@ -115,7 +116,7 @@ export class Records {
       kind: MEASUREMENT,
       lane: `vehicle.${vehicleId}`,
       about: { vehicleId },
-      what: TARGET_WORDS[values.target].toLowerCase(),
+      what: TARGET_NOUNS[values.target],
       mine: wordsOf(entry),
       page: `/surveys/${this.surveyId}/measure?vehicle=${vehicleId}`,
       saved,
@@ -191,7 +192,7 @@ function unsaved(key: string, vehicleId: number, values: Values, preview: Height
 
 /** What it is to become, for whoever has to choose: the height as it was answered for the clicks, if it was. */
 function wordsOf({ values, preview }: Entry): string {
-  if (values.withdrawn) return "withdrawn";
-  if (preview?.status !== "ok") return `clicked on frame ${values.frame}`;
+  if (values.withdrawn) return STATE_WORDS.withdrawn;
+  if (preview?.status !== "ok") return say("measure-clicked-on", { frame: String(values.frame) });
   return formatHeight(preview.height_m, preview.U95_height_m);
 }

@@ -4,10 +4,9 @@
  */
 import { computed, signal } from "@preact/signals";
 import { explain } from "../../core/api";
+import { say } from "../../core/messages";
 import { toast } from "../../core/toasts";
 import type { SecondFrameAnswer, Target } from "../../core/types";
-import { plural } from "../../core/units";
-import { TARGET_WORDS } from "../../core/words";
 import { askSecondFrame } from "../../viewer/geometry";
 import { type ImagePoint, samePoint } from "../../viewer/points";
 import { framesOf, ofFrames, pointsOn, type Values } from "../../viewer/values";
@@ -21,8 +20,6 @@ export interface Going {
   readonly target: Target;
   readonly answer: SecondFrameAnswer;
 }
-
-const NTH = ["first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth"];
 
 /** How a change of a measurement is stored: as a step, and read again once the server has it. */
 interface Storing {
@@ -62,17 +59,14 @@ export class SecondFrame implements ClickTool {
 
   readonly hint = computed<string | null>(() => {
     const going = this.now.value;
-    if (!going) return this.looking.value ? "Looking for the frame that gains most …" : null;
+    if (!going) return this.looking.value ? say("measure-second-looking") : null;
     const values = this.entry?.values;
-    const nth = NTH[values ? framesOf(values).length : 1] ?? "further";
-    const name = `${nth[0]?.toUpperCase()}${nth.slice(1)} frame`;
-    if (this.awaiting.value === null) return `${name}: go to another frame of the pass`;
-    const what =
-      this.awaiting.value === "contact"
-        ? "the same tyre contact"
-        : `the same ${TARGET_WORDS[going.target].toLowerCase()} point`;
-    const care = going.answer.source === "assumed" ? `. ${going.answer.words}` : "";
-    return `${name}: click ${what}${care}`;
+    const nth = 1 + (values ? framesOf(values).length : 1);
+    if (this.awaiting.value === null) return say("measure-second-hint", { nth, what: "elsewhere" });
+    const what = this.awaiting.value === "contact" ? "contact" : going.target;
+    const hint = say("measure-second-hint", { nth, what });
+    if (going.answer.source !== "assumed") return hint;
+    return say("measure-second-hint-care", { hint, care: going.answer.words });
   });
 
   constructor(
@@ -90,7 +84,7 @@ export class SecondFrame implements ClickTool {
     const entry = key === null ? undefined : this.desk.records.find(key);
     const recordingId = this.desk.reel.player.value?.recordingId;
     if (!entry || recordingId === undefined) {
-      toast("Measure a target first; then a second frame can be clicked.");
+      toast(say("measure-second-nothing-yet"));
       return;
     }
     this.leave();
@@ -100,7 +94,7 @@ export class SecondFrame implements ClickTool {
     try {
       const answer = await askSecondFrame(recordingId, entry.vehicleId, entry.values);
       if (turn !== this.asked || this.desk.vehicleId.value !== entry.vehicleId) return;
-      if (!answer.ok || answer.frame === null) toast(answer.reason ?? "No other frame would help.");
+      if (!answer.ok || answer.frame === null) toast(answer.reason ?? say("measure-second-no-use"));
       else this.go(entry, answer, answer.frame);
     } catch (error) {
       if (turn === this.asked) toast(explain(error), { kind: "problem" });
@@ -160,7 +154,7 @@ export class SecondFrame implements ClickTool {
     if (!going || !entry) return false;
     const frame = this.desk.seenFrame.value;
     const contact = this.contact.value;
-    if (this.awaiting.value === null) toast("This frame is clicked already; go to another one of the pass.");
+    if (this.awaiting.value === null) toast(say("measure-second-clicked-already"));
     else if (!contact) this.clicked.value = { frame, contact: point };
     else this.store(entry, frame, contact, point);
     return true;
@@ -193,7 +187,7 @@ export class SecondFrame implements ClickTool {
     this.change(
       entry,
       { more },
-      `${NTH[more.length] ?? "further"} frame`,
+      say("measure-step-frame", { nth: more.length + 1 }),
       fits ? (live.answer ?? null) : null,
     );
     this.last = entry.key;
@@ -204,8 +198,9 @@ export class SecondFrame implements ClickTool {
     const entry = this.desk.records.find(key);
     const rest = entry ? framesOf(entry.values).filter((one) => one.frame !== frame) : [];
     if (!entry || rest.length === 0) return;
-    this.change(entry, ofFrames(rest), `removal of frame ${frame}`, null);
-    toast(`Frame ${frame} is taken away; ${plural(rest.length, "frame")} left.`);
+    const gone = { frame: String(frame) };
+    this.change(entry, ofFrames(rest), say("measure-step-frame-removal", gone), null);
+    toast(say("measure-frame-removed", { ...gone, count: rest.length }));
   }
 
   /** Del on a point of a further frame. False where the measurement stands on the frame that is seen. */

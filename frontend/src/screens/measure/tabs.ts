@@ -1,6 +1,7 @@
 /** Tabs of one browser tell each other what they edit; a record changed in another tab is read again here. */
 import { useSignalEffect } from "@preact/signals";
 import { useEffect, useMemo } from "preact/hooks";
+import { say } from "../../core/messages";
 import { toast } from "../../core/toasts";
 import type { MeasureModel } from "./model";
 
@@ -15,7 +16,7 @@ export function useTabs(model: MeasureModel): void {
     () => (typeof BroadcastChannel === "undefined" ? null : new BroadcastChannel("sightline.vehicles")),
     [model],
   );
-  const say = (kind: News["kind"], vehicle: number): void => {
+  const tell = (kind: News["kind"], vehicle: number): void => {
     channel?.postMessage({ survey: model.surveyId, vehicle, kind } satisfies News);
   };
   useEffect(() => {
@@ -24,15 +25,15 @@ export function useTabs(model: MeasureModel): void {
       if (data.survey !== model.surveyId) return;
       if (data.kind === "stored") void model.refresh(data.vehicle);
       if (data.vehicle !== model.vehicleId.peek() || data.kind === "stored") return;
-      if (data.kind === "opened") say("here-too", data.vehicle);
-      toast("This vehicle is open in another tab too; if both change it, you will be asked.");
+      if (data.kind === "opened") tell("here-too", data.vehicle);
+      toast(say("measure-other-tab"));
     };
-    model.onStored = (vehicle) => say("stored", vehicle);
+    model.onStored = (vehicle) => tell("stored", vehicle);
     return () => channel.close();
   }, [channel]);
   useSignalEffect(() => {
     const vehicle = model.vehicleId.value;
-    if (vehicle !== null) say("opened", vehicle);
+    if (vehicle !== null) tell("opened", vehicle);
   });
   useEffect(() => {
     // another person may have worked meanwhile: read the open vehicle again when the window comes back

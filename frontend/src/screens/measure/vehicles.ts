@@ -3,6 +3,7 @@
  * else changed the same record meanwhile. Fields changed on one side only are merged; the others are asked about.
  */
 import { computed, signal } from "@preact/signals";
+import { say } from "../../core/messages";
 import type { Outbox, Wish } from "../../core/outbox";
 import type { Vehicle } from "../../core/types";
 import { type Changes, disputedFields, type Field } from "./fields";
@@ -120,7 +121,7 @@ export class Vehicles {
         kind: VEHICLE,
         lane: `vehicle.${id}`,
         about: { id },
-        what: `facts of vehicle ${base.number}`,
+        what: say("measure-facts-of", { vehicle: String(base.number) }),
         mine: factWords(changes),
         page: `/surveys/${this.surveyId}/measure?vehicle=${id}`,
         saved: base,
@@ -134,8 +135,7 @@ export class Vehicles {
     if (state === "saved" && page.startsWith(`/surveys/${this.surveyId}/`)) this.told.stored?.(about.id);
     if (!saved || !this.get(about.id)) return;
     if (state !== "held") this.take(saved);
-    if (state === "saving" && problem)
-      this.told.merged?.(`${problem} Your changes are to other fields, so both are kept.`);
+    if (state === "saving" && problem) this.told.merged?.(say("measure-merged", { problem }));
   }
 }
 

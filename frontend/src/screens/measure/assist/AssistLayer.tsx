@@ -1,4 +1,5 @@
 /** A proposal over the frame: dashed, a diamond, and the word; nothing is stored until a person clicks. */
+import { say } from "../../../core/messages";
 import { InImage } from "../../../viewer/Overlay";
 import type { FrameStage } from "../../../viewer/stage";
 import type { Assist } from "./assist";
@@ -30,11 +31,11 @@ export function AssistLayer({ assist, stage }: { assist: Assist; stage: FrameSta
 export function AssistNote({ assist }: { assist: Assist }) {
   const answer = assist.answer.value;
   const words = assist.waiting.value
-    ? "Looking for the wheel…"
+    ? say("measure-proposal-looking")
     : (assist.problem.value ??
       (answer
         ? answer.contact
-          ? `${answer.words}. Enter or a click on it takes it.`
+          ? say("measure-proposal-take", { proposal: answer.words })
           : answer.words
         : null));
   if (!words) return null;

@@ -1,4 +1,5 @@
 /** One line on the frame when the camera had moved by then. */
+import { Said } from "../../../components/Said";
 import { api } from "../../../core/api";
 import { useResource } from "../../../core/resource";
 import type { Drift } from "../../../core/types";
@@ -12,12 +13,17 @@ export function DriftLine(props: { surveyId: number; recordingId: number; frame:
   ).data;
   const span = drift?.flagged.find((one) => one.first_frame <= frame && frame <= one.last_frame);
   if (!span) return null;
-  const off =
-    span.change_m === null ? "" : `, heights here are off by up to ${formatSmall(Math.abs(span.change_m))}`;
+  const moved_px = fixed(span.moved_px, 1);
+  const off = formatSmall(span.change_m === null ? null : Math.abs(span.change_m));
+  const page = `/surveys/${props.surveyId}/pose?recording=${recordingId}`;
+  const parts = { link: (text: string) => <a href={page}>{text}</a> };
   return (
     <p class="frame-note" role="status" data-testid="drift-line">
-      The camera had moved by {fixed(span.moved_px, 1)} px since its road pose{off}.{" "}
-      <a href={`/surveys/${props.surveyId}/pose?recording=${recordingId}`}>Take a new pose or decide</a>
+      {span.change_m === null ? (
+        <Said what="measure-drift" values={{ moved_px }} parts={parts} />
+      ) : (
+        <Said what="measure-drift-off" values={{ moved_px, off }} parts={parts} />
+      )}
     </p>
   );
 }

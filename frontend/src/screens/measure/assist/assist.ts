@@ -1,6 +1,7 @@
 /** The contact assistant: asks the server where the wheel at the pointer stands, and holds the proposal until it is taken or let go. */
 import { computed, effect, signal } from "@preact/signals";
 import { api, explain } from "../../../core/api";
+import { say } from "../../../core/messages";
 import { canWork } from "../../../core/session";
 import type { ContactProposal } from "../../../core/types";
 import { fromServer, type ImagePoint, screenDistance } from "../../../viewer/points";
@@ -56,13 +57,11 @@ export class Assist implements Tool<ImagePoint> {
     if (!canWork.value || !desk.hasPose.value || recordingId === undefined) return false;
     if (desk.awaiting.value !== "contact") {
       this.problem.value =
-        desk.vehicleId.value === null
-          ? "Choose a pass first; then a contact can be proposed."
-          : "No contact is awaited here; begin a new one with the key for a new contact point.";
+        desk.vehicleId.value === null ? say("measure-proposal-no-pass") : say("measure-proposal-no-contact");
       return true;
     }
     if (!pointer) {
-      this.problem.value = "Point at where the tyre meets the road, then ask for a proposal.";
+      this.problem.value = say("measure-proposal-no-pointer");
       return true;
     }
     void this.ask({ recordingId, frame: desk.seenFrame.value }, pointer);

@@ -2,6 +2,7 @@
 import { Icon, Menu } from "../../../components";
 import { type ButtonCommand, CommandItem } from "../../../components/CommandButton";
 import { useCommands } from "../../../core/commands";
+import { say } from "../../../core/messages";
 import { canWork } from "../../../core/session";
 import { isUnconfirmed, lightingProposed } from "../../../parts/vehicles/passes";
 import type { MeasureModel } from "../model";
@@ -10,8 +11,8 @@ import { confirmPass, joinPass, splitPass } from "./actions";
 export function PassMenu({ model }: { model: MeasureModel }) {
   const enabled = (): boolean => canWork.value;
   const commands: ButtonCommand[] = [
-    { id: "passSplit", label: "Split before this frame", run: () => void splitPass(model), enabled },
-    { id: "passJoin", label: "Join with the next pass", run: () => void joinPass(model), enabled },
+    { id: "passSplit", label: say("measure-pass-split"), run: () => void splitPass(model), enabled },
+    { id: "passJoin", label: say("measure-pass-join"), run: () => void joinPass(model), enabled },
     { id: "passDiscard", run: () => void model.removePass(), enabled },
   ];
   useCommands(commands);
@@ -21,12 +22,12 @@ export function PassMenu({ model }: { model: MeasureModel }) {
   return (
     <Menu
       button={<Icon name="chevron" />}
-      label={`Vehicle ${vehicle.number}: split, join, discard`}
+      label={say("measure-pass-menu", { vehicle: String(vehicle.number) })}
       class="btn btn--quiet btn--small pass-menu"
     >
       {proposed && (
         <button type="button" class="menu__item" onClick={() => confirmPass(model)}>
-          Confirm: {proposed === "daytime" ? "daytime" : "low light"}
+          {say("measure-pass-confirm", { lighting: proposed })}
         </button>
       )}
       {commands.map((command) => (

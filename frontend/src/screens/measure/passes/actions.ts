@@ -1,6 +1,7 @@
 /** Passes taken apart, put together and confirmed; each a step that can be undone. */
 
 import { api } from "../../../core/api";
+import { say } from "../../../core/messages";
 import { toast, toastProblem } from "../../../core/toasts";
 import type { Vehicle } from "../../../core/types";
 import { lightingProposed } from "../../../parts/vehicles/passes";
@@ -29,7 +30,7 @@ export async function splitPass(model: MeasureModel): Promise<void> {
     const vehicle = model.vehicles.get(chosen.id) ?? chosen;
     let made = await split(model, vehicle, frame);
     model.history.push({
-      label: `split of vehicle ${vehicle.number}`,
+      label: say("measure-step-split", { vehicle: String(vehicle.number) }),
       undo: async () => {
         await dropPass(model, made);
         await putSpan(model, vehicle);
@@ -38,7 +39,8 @@ export async function splitPass(model: MeasureModel): Promise<void> {
         made = await split(model, vehicle, frame);
       },
     });
-    toast(`Vehicle ${vehicle.number} was split at frame ${frame}; the other part is vehicle ${made.number}.`);
+    const parts = { vehicle: String(vehicle.number), other: String(made.number) };
+    toast(say("measure-pass-splitted", { ...parts, frame: String(frame) }));
   });
 }
 
@@ -50,12 +52,12 @@ export async function joinPass(model: MeasureModel): Promise<void> {
     const vehicle = model.vehicles.get(chosen.id) ?? chosen;
     const next = nextInTime(model.vehicles.list.value, vehicle);
     if (!next) {
-      toast("No pass of this recording begins after this one, so there is none to join it with.");
+      toast(say("measure-pass-no-next"));
       return;
     }
     let kept = await join(model, vehicle, next);
     model.history.push({
-      label: `joining of vehicles ${vehicle.number} and ${next.number}`,
+      label: say("measure-step-joining", { vehicle: String(vehicle.number), next: String(next.number) }),
       undo: async () => {
         const gone = kept.id === vehicle.id ? next : vehicle;
         put(model, await restoreVehicle(gone.id));
@@ -66,7 +68,7 @@ export async function joinPass(model: MeasureModel): Promise<void> {
       },
     });
     const gone = kept.id === vehicle.id ? next : vehicle;
-    toast(`Vehicle ${gone.number} was joined to vehicle ${kept.number}.`);
+    toast(say("measure-pass-joined", { gone: String(gone.number), kept: String(kept.number) }));
   });
 }
 
