@@ -1179,6 +1179,103 @@ measure-conflict-save = Save this
 measure-conflict-both = Theirs ({ $person }): { $theirs }. Yours: { $mine }.
 measure-conflict-somebody = somebody
 
+## Review: the page
+
+review-loading = the queue
+review-back-to-frame = Back to frame { $frame }
+review-none-in-state-title = Nothing in this state
+review-none-in-state = Choose another state in the list on the left.
+review-all-done-title = Everything is reviewed
+review-all-done = Each measurement has a verdict. New and corrected ones appear here by themselves.
+review-to-export = Go to the export
+review-none-title = Nothing to review yet
+review-none = Measurements appear here as soon as an operator has clicked them.
+review-to-measure = Go to measuring
+review-other-point = Choose the other point
+review-other-frame = Another frame than the one that was clicked.
+review-fix-hint = Drag the points, or choose one with S and nudge it; Enter saves the fix, Esc leaves it.
+
+## Review: the queue
+
+review-queue = Queue
+review-queue-title = Review <muted>{ NUMBER($count) } to review</muted>
+review-queue-end = This is the end of the queue.
+review-queue-start = This is the start of the queue.
+review-queue-more = Show more
+review-show = Show
+review-state-to_review = To review
+review-state-rejected = Rejected
+review-state-accepted = Accepted
+review-state-fixed = Fixed
+review-state-all = All
+review-counts = { NUMBER($accepted) } accepted, { NUMBER($rejected) } rejected of { NUMBER($count) }
+review-mine = mine
+
+## Review: clicking again before the points are seen
+
+review-blind = Click blind
+review-blind-help = Which measurements you click again before you see them
+review-blind-plan = { $one_in ->
+    [0] none blind
+    [1] all blind
+   *[other] 1 in { $one_in } blind
+}
+review-blind-click = click it again
+review-blind-title = Click it again first
+review-blind-contact = Click the tyre's contact, then the target. The points and the height are shown afterwards, beside yours.
+review-blind-target = Now the target. Esc takes the contact back.
+review-blind-why = Two clicks that do not know of each other tell how well people click. The queue's second list says how many measurements are clicked so.
+review-blind-show = Show without clicking
+review-again = Clicked again
+review-again-you = <strong>You</strong> clicked it again: <height>{ $height }</height>
+review-again-person = <strong>{ $person }</strong> clicked it again: <height>{ $height }</height>
+review-again-somebody = <strong>Somebody</strong> clicked it again: <height>{ $height }</height>
+review-again-take-back = Take it back
+review-again-agree = agree: { $apart } apart, expected within { $expected }
+review-again-differ = differ by { $apart }, expected within { $expected }
+review-again-not-compared = not compared
+
+## Review: what is known of a measurement
+
+review-measurement = Measurement
+review-facts = Facts and history
+review-contact = contact
+review-pixels = { $point ->
+    [contact] Pixels around the contact point
+    [roof] Pixels around the roof point
+    [driver_eye] Pixels around the driver's eye point
+    [taillight] Pixels around the taillight point
+    [headlight] Pixels around the headlight point
+   *[other] Pixels around the other point
+}
+review-vehicle = Vehicle
+review-vehicle-unknown = not known
+review-manufacturer-height = Manufacturer height
+review-lighting = Lighting
+review-frame-at = { $frame }, { $time }
+review-further-frames = Further frames
+review-distance = Distance
+review-inset = Inset
+review-inset-estimate = { $inset } (u { $u_inset }, estimate)
+review-clicked-by = Clicked by
+
+## Review: the verdict
+
+review-look-only = You may look; a reviewer gives the verdict.
+review-own = You made this measurement, so somebody else reviews it.
+review-pose-changed = The recording has another road pose since this was measured; the fix is computed with the new one.
+review-fix-save = Save the fix
+review-fix-leave = Leave it
+review-fix-mine = Fix it with my points
+review-reopen = Reopen it
+review-reject-why = Why is it rejected?
+review-reject-words = In your own words
+review-reason-contact = The contact is not where the tyre meets the road.
+review-reason-point = The target point is beside the feature.
+review-reason-frame = Another frame shows it better.
+review-reason-hidden = The feature is hidden.
+review-reason-wrong = The wrong vehicle or target.
+
 ## Repeats: the page
 
 repeats-lead = The same targets clicked again without seeing the first clicks: how far a person comes out beside themselves, and how far two people beside each other.

@@ -1,38 +1,33 @@
 /** The second click beside the first: before it, nothing is told; after it, how far apart they are. */
 import { Button, Icon, StateMark } from "../../components";
+import { Said } from "../../components/Said";
+import { say } from "../../core/messages";
 import { me } from "../../core/session";
-import type { Comparison, ReviewItem } from "../../core/types";
+import type { Comparison, Measurement, ReviewItem } from "../../core/types";
 import { formatLength, formatSmall } from "../../core/units";
-import { TARGET_WORDS } from "../../core/words";
+import { TARGET_WORDS, vehicleName } from "../../core/words";
 import type { ReviewModel } from "./model";
 
 /** What may be known of a measurement that is to be clicked again: vehicle, target and frame. */
 export function BlindPanel({ model, item }: { model: ReviewModel; item: ReviewItem }) {
   const m = item.measurement;
   return (
-    <aside class="review__side" aria-label="Measurement" key={m.id} data-testid="blind-panel">
+    <aside class="review__side" aria-label={say("review-measurement")} key={m.id} data-testid="blind-panel">
       <header class="vehicle__head">
         <h2>
-          {String(item.vehicle.number).padStart(2, "0")} {TARGET_WORDS[m.target]}
+          {vehicleName(item.vehicle.number)} {TARGET_WORDS[m.target]}
         </h2>
         <StateMark state={m.review.verdict} />
       </header>
       <div class="review__body">
-        <h3>Click it again first</h3>
-        <p>
-          {model.blind.contact.value
-            ? "Now the target. Esc takes the contact back."
-            : "Click the tyre's contact, then the target. The points and the height are shown afterwards, beside yours."}
-        </p>
-        <p class="small muted">
-          Two clicks that do not know of each other tell how well people click. The queue's second list says
-          how many measurements are clicked so.
-        </p>
+        <h3>{say("review-blind-title")}</h3>
+        <p>{say(model.blind.contact.value ? "review-blind-target" : "review-blind-contact")}</p>
+        <p class="small muted">{say("review-blind-why")}</p>
       </div>
       <footer class="review__verdict">
         <span data-testid="blind-show">
           <Button busy={model.blind.busy.value} onClick={() => model.reveal(m.id)}>
-            Show without clicking
+            {say("review-blind-show")}
           </Button>
         </span>
       </footer>
@@ -44,7 +39,7 @@ export function Comparisons({ model }: { model: ReviewModel }) {
   const found = model.comparisons.value ?? [];
   if (found.length === 0) return null;
   return (
-    <section class="review__again" aria-label="Clicked again" data-testid="comparisons">
+    <section class="review__again" aria-label={say("review-again")} data-testid="comparisons">
       {found.map((one) => (
         <Row key={one.repeat.id} model={model} one={one} />
       ))}
@@ -58,15 +53,14 @@ function Row({ model, one }: { model: ReviewModel; one: Comparison }) {
   return (
     <div class="review__again-row">
       <p>
-        <strong>{own ? "You" : (repeat.created_by?.name ?? "Somebody")}</strong> clicked it again:{" "}
-        <span class="nowrap">{formatLength(repeat.height_m)}</span>
+        <Who repeat={repeat} own={own} />
       </p>
       <p class="row small">
         <Icon name={one.agrees === null ? "info" : one.agrees ? "check" : "warning"} size={14} />
         <span class="grow">{comparisonWords(one)}</span>
         {own && (
           <Button small kind="quiet" onClick={() => void model.takeBack(repeat)}>
-            Take it back
+            {say("review-again-take-back")}
           </Button>
         )}
       </p>
@@ -74,10 +68,20 @@ function Row({ model, one }: { model: ReviewModel; one: Comparison }) {
   );
 }
 
+function Who({ repeat, own }: { repeat: Measurement; own: boolean }) {
+  const height = formatLength(repeat.height_m);
+  const person = repeat.created_by?.name;
+  const parts = { height: (text: string) => <span class="nowrap">{text}</span> };
+  if (own) return <Said what="review-again-you" values={{ height }} parts={parts} />;
+  if (!person) return <Said what="review-again-somebody" values={{ height }} parts={parts} />;
+  return <Said what="review-again-person" values={{ person, height }} parts={parts} />;
+}
+
 /** "agree: 3 mm apart, expected within 9 mm"; the server says whether they do. */
 function comparisonWords(one: Comparison): string {
-  if (one.difference_m === null || one.expected_m === null) return one.reason ?? "not compared";
+  if (one.difference_m === null || one.expected_m === null)
+    return one.reason ?? say("review-again-not-compared");
   const apart = formatSmall(Math.abs(one.difference_m));
-  const expected = `expected within ${formatSmall(one.expected_m)}`;
-  return one.agrees ? `agree: ${apart} apart, ${expected}` : `differ by ${apart}, ${expected}`;
+  const expected = formatSmall(one.expected_m);
+  return say(one.agrees ? "review-again-agree" : "review-again-differ", { apart, expected });
 }

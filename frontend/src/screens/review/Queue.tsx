@@ -2,20 +2,23 @@
 import { useSignalEffect } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { Button, StateMark } from "../../components";
+import { Said } from "../../components/Said";
+import { say, wordsOf } from "../../core/messages";
 import { may } from "../../core/session";
 import { survey } from "../../core/survey";
 import type { ReviewItem } from "../../core/types";
 import { formatHeight } from "../../core/units";
-import { TARGET_WORDS } from "../../core/words";
+import { STATE_WORDS, TARGET_WORDS, vehicleName } from "../../core/words";
 import type { ReviewModel, Shown } from "./model";
 
-const STATES: readonly { value: Shown; label: string }[] = [
-  { value: "to_review", label: "To review" },
-  { value: "rejected", label: "Rejected" },
-  { value: "accepted", label: "Accepted" },
-  { value: "fixed", label: "Fixed" },
-  { value: "all", label: "All" },
-];
+const STATES: readonly Shown[] = ["to_review", "rejected", "accepted", "fixed", "all"];
+const SHOWN_WORDS: Readonly<Record<Shown, string>> = wordsOf({
+  to_review: "review-state-to_review",
+  rejected: "review-state-rejected",
+  accepted: "review-state-accepted",
+  fixed: "review-state-fixed",
+  all: "review-state-all",
+});
 
 export function Queue({ model }: { model: ReviewModel }) {
   const items = model.items.value ?? [];
@@ -28,36 +31,44 @@ export function Queue({ model }: { model: ReviewModel }) {
     );
   });
   return (
-    <nav class="passes" aria-label="Queue">
+    <nav class="passes" aria-label={say("review-queue")}>
       <header class="passes__head">
         <h2>
-          Review <span class="muted small">{counts ? `${counts.to_review} to review` : ""}</span>
+          {counts ? (
+            <Said
+              what="review-queue-title"
+              values={{ count: counts.to_review }}
+              parts={{ muted: (text) => <span class="muted small">{text}</span> }}
+            />
+          ) : (
+            say("page-review")
+          )}
         </h2>
         <div class="review__choose">
           <select
             class="input"
-            aria-label="Show"
+            aria-label={say("review-show")}
             value={model.shown.value}
             onChange={(event) => void model.show(event.currentTarget.value as Shown)}
           >
             {STATES.map((one) => (
-              <option key={one.value} value={one.value}>
-                {one.label}
+              <option key={one} value={one}>
+                {SHOWN_WORDS[one]}
               </option>
             ))}
           </select>
           {may("reviewer") && (
             <select
               class="input"
-              aria-label="Click blind"
-              title="Which measurements you click again before you see them"
+              aria-label={say("review-blind")}
+              title={say("review-blind-help")}
               data-testid="blind-plan"
               value={model.oneIn.value}
               onChange={(event) => model.plan(Number(event.currentTarget.value))}
             >
               {plansWith(model.oneIn.value).map((oneIn) => (
                 <option key={oneIn} value={oneIn}>
-                  {planWords(oneIn)}
+                  {say("review-blind-plan", { one_in: oneIn })}
                 </option>
               ))}
             </select>
@@ -65,7 +76,11 @@ export function Queue({ model }: { model: ReviewModel }) {
         </div>
         {counts && (
           <p class="small muted" data-testid="review-counts">
-            {counts.accepted} accepted, {counts.rejected} rejected of {counts.measurements}
+            {say("review-counts", {
+              accepted: counts.accepted,
+              rejected: counts.rejected,
+              count: counts.measurements,
+            })}
           </p>
         )}
       </header>
@@ -76,7 +91,7 @@ export function Queue({ model }: { model: ReviewModel }) {
         {model.more.value && (
           <li>
             <Button small kind="quiet" onClick={() => void model.loadMore()}>
-              Show more
+              {say("review-queue-more")}
             </Button>
           </li>
         )}
@@ -89,11 +104,6 @@ const PLANS = [1, 2, 5, 10, 20, 0];
 
 function plansWith(oneIn: number): readonly number[] {
   return PLANS.includes(oneIn) ? PLANS : [oneIn, ...PLANS];
-}
-
-function planWords(oneIn: number): string {
-  if (oneIn === 0) return "none blind";
-  return oneIn === 1 ? "all blind" : `1 in ${oneIn} blind`;
 }
 
 function Row({ model, item }: { model: ReviewModel; item: ReviewItem }) {
@@ -111,19 +121,19 @@ function Row({ model, item }: { model: ReviewModel; item: ReviewItem }) {
           model.stage.focus();
         }}
       >
-        <strong class="pass__number">{String(item.vehicle.number).padStart(2, "0")}</strong>
+        <strong class="pass__number">{vehicleName(item.vehicle.number)}</strong>
         <span>{TARGET_WORDS[m.target]}</span>
         {item.mine ? (
-          <span class="badge">mine</span>
+          <span class="badge">{say("review-mine")}</span>
         ) : (
           m.review.verdict !== "to_review" && <StateMark state={m.review.verdict} hideWord />
         )}
         <span class="pass__name">
           {model.isHidden(item)
-            ? "click it again"
+            ? say("review-blind-click")
             : m.status === "ok"
               ? formatHeight(m.height_m, m.U95_height_m)
-              : "not measurable"}
+              : STATE_WORDS.not_measurable}
         </span>
       </button>
     </li>

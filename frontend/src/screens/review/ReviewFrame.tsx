@@ -1,7 +1,8 @@
 /** The picture with the reviewed points, their axes and ladder; the points can be dragged while fixing. */
 
+import { say } from "../../core/messages";
 import { formatHeight } from "../../core/units";
-import { TARGET_WORDS } from "../../core/words";
+import { TARGET_NOUNS } from "../../core/words";
 import { AnswerLines } from "../../viewer/AnswerLines";
 import { FrameView } from "../../viewer/FrameView";
 import { InImage, Line, PointMark } from "../../viewer/Overlay";
@@ -28,11 +29,7 @@ export function ReviewFrame({ model, player }: { model: ReviewModel; player: Pla
             at={point}
             kind="point"
             selected={fix?.selected === "point"}
-            text={
-              model.current.value
-                ? TARGET_WORDS[model.current.value.measurement.target].toLowerCase()
-                : undefined
-            }
+            text={model.current.value ? TARGET_NOUNS[model.current.value.measurement.target] : undefined}
           />
         </>
       )}
@@ -60,8 +57,7 @@ function SecondClicks({ model }: { model: ReviewModel }) {
 
 function Hint({ model }: { model: ReviewModel }) {
   const live = model.geometry.live.value?.answer;
-  const words =
-    model.stage.hint.value ?? (model.onFrame.value ? "" : "Another frame than the one that was clicked.");
+  const words = model.stage.hint.value ?? (model.onFrame.value ? "" : say("review-other-frame"));
   if (!words) return <p class="visually-hidden" id="review-hint" />;
   return (
     <p class="frame-hint" id="review-hint" role="status">

@@ -3,6 +3,7 @@ import { useEffect, useMemo } from "preact/hooks";
 import { Button, Empty, Loading, Problem } from "../../components";
 import { type ButtonCommand, CommandButton } from "../../components/CommandButton";
 import { useCommands } from "../../core/commands";
+import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { may } from "../../core/session";
 import { survey } from "../../core/survey";
@@ -35,13 +36,13 @@ export default function ReviewScreen({ surveyId }: ScreenProps) {
   const items = model.items.value;
   return (
     <div class="review">
-      <h1 class="visually-hidden">Review</h1>
+      <h1 class="visually-hidden">{say("page-review")}</h1>
       <Queue model={model} />
       {items === null ? (
-        <Loading what="the queue" />
+        <Loading what={say("review-loading")} />
       ) : model.current.value && player ? (
         <>
-          <section class="review__frame" aria-label="Frame">
+          <section class="review__frame" aria-label={say("stage-frame")}>
             {model.hidden.value ? (
               <BlindFrame key={player.recordingId} blind={model.blind} player={player} stage={model.stage} />
             ) : (
@@ -49,7 +50,7 @@ export default function ReviewScreen({ surveyId }: ScreenProps) {
             )}
           </section>
           <VerdictPanel model={model} item={model.current.value} />
-          <section class="review__time frame-tools" aria-label="Frames">
+          <section class="review__time frame-tools" aria-label={say("stage-frames")}>
             <Transport player={player} stage={model.stage} />
             <span class="grow" />
             {!model.onFrame.value && (
@@ -57,11 +58,11 @@ export default function ReviewScreen({ surveyId }: ScreenProps) {
                 small
                 onClick={() => model.current.value && model.showFrame(model.current.value.measurement)}
               >
-                Back to frame {model.current.value.measurement.frame}
+                {say("review-back-to-frame", { frame: String(model.current.value.measurement.frame) })}
               </Button>
             )}
-            <CommandButton command={brightSwitch}>Bright</CommandButton>
-            <CommandButton command={loupeSwitch(model.stage)}>Loupe</CommandButton>
+            <CommandButton command={brightSwitch}>{say("stage-bright")}</CommandButton>
+            <CommandButton command={loupeSwitch(model.stage)}>{say("stage-loupe")}</CommandButton>
           </section>
         </>
       ) : (
@@ -74,26 +75,22 @@ export default function ReviewScreen({ surveyId }: ScreenProps) {
 function NothingHere({ surveyId, shown }: { surveyId: number; shown: Shown }) {
   if (shown !== "to_review") {
     return (
-      <Empty title="Nothing in this state">
-        <p>Choose another state in the list on the left.</p>
+      <Empty title={say("review-none-in-state-title")}>
+        <p>{say("review-none-in-state")}</p>
       </Empty>
     );
   }
   const measured = survey.value?.counts.measurements ?? 0;
   return (
     <Empty
-      title={measured > 0 ? "Everything is reviewed" : "Nothing to review yet"}
+      title={say(measured > 0 ? "review-all-done-title" : "review-none-title")}
       actions={
         <Button kind="primary" href={`/surveys/${surveyId}/${measured > 0 ? "export" : "measure"}`}>
-          {measured > 0 ? "Go to the export" : "Go to measuring"}
+          {say(measured > 0 ? "review-to-export" : "review-to-measure")}
         </Button>
       }
     >
-      <p>
-        {measured > 0
-          ? "Each measurement has a verdict. New and corrected ones appear here by themselves."
-          : "Measurements appear here as soon as an operator has clicked them."}
-      </p>
+      <p>{say(measured > 0 ? "review-all-done" : "review-none")}</p>
     </Empty>
   );
 }
@@ -116,6 +113,6 @@ function reviewCommands(model: ReviewModel): ButtonCommand[] {
       enabled: mayReview,
     },
     { id: "reviewFix", run: () => model.startFix(), enabled: mayReview },
-    { id: "selectNext", label: "Choose the other point", run: () => model.fixing.selectNext() },
+    { id: "selectNext", label: say("review-other-point"), run: () => model.fixing.selectNext() },
   ];
 }

@@ -1,12 +1,13 @@
 /** What is known of the reviewed measurement, and the verdict: accept, fix, reject with a reason. */
 import { useEffect, useRef, useState } from "preact/hooks";
 import { Button, Icon, Notice, StateMark } from "../../components";
-import { hint } from "../../core/commands";
+import { commandName, hint } from "../../core/commands";
+import { allOf, say } from "../../core/messages";
 import { may } from "../../core/session";
 import { formatFrameTime, formatMoment } from "../../core/times";
-import type { Measurement, Px, Recording, ReviewItem } from "../../core/types";
+import type { Measurement, Px, Recording, ReviewItem, Target } from "../../core/types";
 import { formatHeight, formatLength, inUnits } from "../../core/units";
-import { TARGET_WORDS } from "../../core/words";
+import { LIGHTING_NOUNS, STATE_WORDS, TARGET_NOUNS, TARGET_WORDS, vehicleName } from "../../core/words";
 import { Revisions } from "../../parts/vehicles/Revisions";
 import { cropUrl } from "../../viewer/frames";
 import { clamp } from "../../viewer/view";
@@ -14,28 +15,28 @@ import { BlindPanel, Comparisons } from "./Comparisons";
 import type { ReviewModel } from "./model";
 
 const REASONS = [
-  "The contact is not where the tyre meets the road.",
-  "The target point is beside the feature.",
-  "Another frame shows it better.",
-  "The feature is hidden.",
-  "The wrong vehicle or target.",
+  "review-reason-contact",
+  "review-reason-point",
+  "review-reason-frame",
+  "review-reason-hidden",
+  "review-reason-wrong",
 ] as const;
 
 export function VerdictPanel({ model, item }: { model: ReviewModel; item: ReviewItem }) {
   const m = item.measurement;
   if (model.hidden.value) return <BlindPanel model={model} item={item} />;
   return (
-    <aside class="review__side" aria-label="Measurement" key={m.id}>
+    <aside class="review__side" aria-label={say("review-measurement")} key={m.id}>
       <header class="vehicle__head">
         <h2>
-          {String(item.vehicle.number).padStart(2, "0")} {TARGET_WORDS[m.target]}
+          {vehicleName(item.vehicle.number)} {TARGET_WORDS[m.target]}
         </h2>
         <StateMark state={m.review.verdict} />
       </header>
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, so the keyboard must reach it */}
-      <div class="review__body" role="group" aria-label="Facts and history" tabIndex={0}>
+      <div class="review__body" role="group" aria-label={say("review-facts")} tabIndex={0}>
         <p class="vehicle__height">
-          {m.status === "ok" ? formatHeight(m.height_m, m.U95_height_m) : "not measurable"}
+          {m.status === "ok" ? formatHeight(m.height_m, m.U95_height_m) : STATE_WORDS.not_measurable}
         </p>
         {m.reason && <p>{inUnits(m.reason)}</p>}
         {m.flags.map((flag) => (
@@ -59,8 +60,8 @@ function Crops({ m, recording }: { m: Measurement; recording: Recording | null }
   if (size.width === 0) return null;
   return (
     <div class="review__crops">
-      <Crop m={m} at={m.contact} name="contact" size={size} />
-      <Crop m={m} at={m.target_point} name={TARGET_WORDS[m.target].toLowerCase()} size={size} />
+      <Crop m={m} at={m.contact} point="contact" size={size} />
+      <Crop m={m} at={m.target_point} point={m.target} size={size} />
     </div>
   );
 }
@@ -71,11 +72,11 @@ const ZOOM = 4;
 interface CropProps {
   m: Measurement;
   at: Px;
-  name: string;
+  point: "contact" | Target;
   size: { width: number; height: number };
 }
 
-function Crop({ m, at, name, size }: CropProps) {
+function Crop({ m, at, point, size }: CropProps) {
   const x = clamp(Math.round(at[0]) - CROP_PX / 2, 0, Math.max(0, size.width - CROP_PX));
   const y = clamp(Math.round(at[1]) - CROP_PX / 2, 0, Math.max(0, size.height - CROP_PX));
   const w = Math.min(CROP_PX, size.width);
@@ -88,14 +89,16 @@ function Crop({ m, at, name, size }: CropProps) {
           src={cropUrl(m.recording_id, m.frame, { x, y, w, h })}
           width={w * ZOOM}
           height={h * ZOOM}
-          alt={`Pixels around the ${name} point`}
+          alt={say("review-pixels", { point })}
         />
         <svg viewBox="-20 -20 40 40" style={cross} aria-hidden="true">
           <path class="review__cross review__cross--halo" d="M-18 0H-6M6 0H18M0 -18V-6M0 6V18" />
           <path class="review__cross" d="M-18 0H-6M6 0H18M0 -18V-6M0 6V18" />
         </svg>
       </div>
-      <figcaption class="small muted">{name}</figcaption>
+      <figcaption class="small muted">
+        {point === "contact" ? say("review-contact") : TARGET_NOUNS[point]}
+      </figcaption>
     </figure>
   );
 }
@@ -105,39 +108,43 @@ function Facts({ item }: { item: ReviewItem }) {
   const name = [vehicle.make, vehicle.model, vehicle.year].filter(Boolean).join(" ");
   return (
     <dl class="facts small">
-      <dt>Vehicle</dt>
-      <dd>{name || "not known"}</dd>
+      <dt>{say("review-vehicle")}</dt>
+      <dd>{name || say("review-vehicle-unknown")}</dd>
       {vehicle.manufacturer_height_m !== null && (
         <>
-          <dt>Manufacturer height</dt>
+          <dt>{say("review-manufacturer-height")}</dt>
           <dd>{formatLength(vehicle.manufacturer_height_m)}</dd>
         </>
       )}
       {vehicle.lighting && (
         <>
-          <dt>Lighting</dt>
-          <dd>{vehicle.lighting === "daytime" ? "daytime" : "low light"}</dd>
+          <dt>{say("review-lighting")}</dt>
+          <dd>{LIGHTING_NOUNS[vehicle.lighting]}</dd>
         </>
       )}
-      <dt>Frame</dt>
-      <dd>
-        {m.frame}, {formatFrameTime(m.time_s)}
-      </dd>
+      <dt>{say("stage-frame")}</dt>
+      <dd>{say("review-frame-at", { frame: String(m.frame), time: formatFrameTime(m.time_s) })}</dd>
       {m.more_frames.length > 0 && (
         <>
-          <dt>Further frames</dt>
-          <dd>{m.more_frames.map((one) => one.frame).join(", ")}</dd>
+          <dt>{say("review-further-frames")}</dt>
+          <dd>{allOf(m.more_frames.map((one) => String(one.frame)))}</dd>
         </>
       )}
-      <dt>Distance</dt>
+      <dt>{say("review-distance")}</dt>
       <dd>{formatLength(m.distance_m, 2)}</dd>
-      <dt>Inset</dt>
+      <dt>{say("review-inset")}</dt>
       <dd>
-        {formatHeight(m.inset_m, null, 2)} (u {formatLength(m.u_inset_m, 2)}, estimate)
+        {say("review-inset-estimate", {
+          inset: formatLength(m.inset_m, 2),
+          u_inset: formatLength(m.u_inset_m, 2),
+        })}
       </dd>
-      <dt>Clicked by</dt>
+      <dt>{say("review-clicked-by")}</dt>
       <dd>
-        {m.created_by?.name ?? "unknown"}, {formatMoment(m.created_at)}
+        {say("revisions-who", {
+          person: m.created_by?.name ?? say("person-unknown"),
+          time: formatMoment(m.created_at),
+        })}
       </dd>
     </dl>
   );
@@ -145,12 +152,12 @@ function Facts({ item }: { item: ReviewItem }) {
 
 function Verdict({ model, item }: { model: ReviewModel; item: ReviewItem }) {
   if (!may("reviewer")) {
-    return <footer class="review__verdict small muted">You may look; a reviewer gives the verdict.</footer>;
+    return <footer class="review__verdict small muted">{say("review-look-only")}</footer>;
   }
   if (item.mine) {
     return (
       <footer class="review__verdict" data-testid="review-mine">
-        <Notice>You made this measurement, so somebody else reviews it.</Notice>
+        <Notice>{say("review-own")}</Notice>
       </footer>
     );
   }
@@ -159,18 +166,14 @@ function Verdict({ model, item }: { model: ReviewModel; item: ReviewItem }) {
     const changed = model.poseChanged(item.measurement);
     return (
       <footer class="review__verdict">
-        {changed && (
-          <Notice kind="warning">
-            The recording has another road pose since this was measured; the fix is computed with the new one.
-          </Notice>
-        )}
+        {changed && <Notice kind="warning">{say("review-pose-changed")}</Notice>}
         <div class="row">
           <span class="grow" data-testid="review-save-fix">
             <Button kind="primary" busy={model.busy.value} onClick={() => void model.judge("fixed")}>
-              Save the fix
+              {say("review-fix-save")}
             </Button>
           </span>
-          <Button onClick={() => model.cancel()}>Leave it</Button>
+          <Button onClick={() => model.cancel()}>{say("review-fix-leave")}</Button>
         </div>
       </footer>
     );
@@ -186,42 +189,42 @@ function Verdict({ model, item }: { model: ReviewModel; item: ReviewItem }) {
             kind="primary"
             icon="check"
             disabled={!model.mayJudge}
-            title={`Accept${hint("reviewAccept")}`}
+            title={commandName("reviewAccept") + hint("reviewAccept")}
             onClick={() => void model.judge("accepted")}
           >
-            Accept <kbd>A</kbd>
+            {commandName("reviewAccept")} <kbd>A</kbd>
           </Button>
         </span>
         <span data-testid="review-fix">
           <Button
             disabled={!model.mayJudge}
-            title={`Fix${hint("reviewFix")}`}
+            title={commandName("reviewFix") + hint("reviewFix")}
             onClick={() => model.startFix()}
           >
-            Fix <kbd>E</kbd>
+            {commandName("reviewFix")} <kbd>E</kbd>
           </Button>
         </span>
         <span data-testid="review-reject">
           <Button
             icon="close"
             disabled={!model.mayJudge}
-            title={`Reject${hint("reviewReject")}`}
+            title={commandName("reviewReject") + hint("reviewReject")}
             onClick={() => {
               model.rejecting.value = true;
             }}
           >
-            Reject <kbd>X</kbd>
+            {commandName("reviewReject")} <kbd>X</kbd>
           </Button>
         </span>
       </div>
       {own && own.repeat.frame === item.measurement.frame && (
         <Button small disabled={!model.mayJudge} onClick={() => model.startFix(own.repeat)}>
-          Fix it with my points
+          {say("review-fix-mine")}
         </Button>
       )}
       {judged && (
         <Button small kind="quiet" onClick={() => void model.judge("reopened")}>
-          Reopen it
+          {say("review-reopen")}
         </Button>
       )}
     </footer>
@@ -238,16 +241,16 @@ function Reject({ model }: { model: ReviewModel }) {
   };
   return (
     <footer class="review__verdict" data-testid="review-reasons">
-      <h3>Why is it rejected?</h3>
+      <h3>{say("review-reject-why")}</h3>
       <div class="review__reasons">
-        {REASONS.map((one) => (
+        {REASONS.map((key) => say(key)).map((one) => (
           <Button key={one} small pressed={reason === one} onClick={() => setReason(one)}>
             {one}
           </Button>
         ))}
       </div>
       <label class="field">
-        <span class="field__label">In your own words</span>
+        <span class="field__label">{say("review-reject-words")}</span>
         <textarea
           class="input"
           rows={2}
@@ -266,10 +269,10 @@ function Reject({ model }: { model: ReviewModel }) {
       <div class="row">
         <span class="grow" data-testid="review-send-rejection">
           <Button kind="primary" busy={model.busy.value} disabled={!reason.trim()} onClick={send}>
-            Reject
+            {commandName("reviewReject")}
           </Button>
         </span>
-        <Button onClick={() => model.cancel()}>Cancel</Button>
+        <Button onClick={() => model.cancel()}>{say("action-cancel")}</Button>
       </div>
     </footer>
   );

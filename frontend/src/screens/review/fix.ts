@@ -1,5 +1,6 @@
 /** The points of a measurement moved by its reviewer: dragged, or chosen and nudged; Enter saves them, Esc leaves them. */
 import { computed, signal } from "@preact/signals";
+import { say } from "../../core/messages";
 import type { ImagePoint } from "../../viewer/points";
 import { imagePoint } from "../../viewer/points";
 import type { DragPhase, Handle, Tool } from "../../viewer/tool";
@@ -21,11 +22,7 @@ export interface FixHost {
 
 export class FixTool implements Tool<ImagePoint> {
   readonly fix = signal<Fix | null>(null);
-  readonly hint = computed(() =>
-    this.fix.value
-      ? "Drag the points, or choose one with S and nudge it; Enter saves the fix, Esc leaves it."
-      : null,
-  );
+  readonly hint = computed(() => (this.fix.value ? say("review-fix-hint") : null));
   readonly handles = computed<readonly Handle<ImagePoint>[]>(() => {
     const fix = this.fix.value;
     if (!fix) return [];

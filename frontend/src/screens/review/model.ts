@@ -2,6 +2,7 @@
 import { batch, computed, effect, type ReadonlySignal, signal } from "@preact/signals";
 import { setQuery } from "../../core/address";
 import { api } from "../../core/api";
+import { say } from "../../core/messages";
 import { may, me } from "../../core/session";
 import { stored } from "../../core/stored";
 import { refreshSurvey } from "../../core/survey";
@@ -192,7 +193,7 @@ export class ReviewModel {
     const next = items[at + step];
     if (next) this.open(next);
     else if (step === 1 && this.more.value) void this.loadMore().then(() => this.go(1));
-    else toast(step === 1 ? "This is the end of the queue." : "This is the start of the queue.");
+    else toast(say(step === 1 ? "review-queue-end" : "review-queue-start"));
   }
 
   /** True if this person may give a verdict on what is shown. */
