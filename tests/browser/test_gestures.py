@@ -223,3 +223,19 @@ def test_the_loupe_is_there_while_it_is_armed(page: Page, one: OwnVehicle) -> No
     expect(loupe).to_contain_text(re.compile(rf"x {x:.0f}|x {int(x)}\.\d"))
     page.keyboard.up("z")
     expect(loupe).to_have_count(0)
+
+
+def test_a_lost_connection_is_told_without_moving_the_picture(page: Page, one: OwnVehicle) -> None:
+    # a click on its way to a roof must land there, whatever is told meanwhile
+    place, box = picture(page), page.get_by_test_id("frame-view").bounding_box()
+    page.context.set_offline(True)
+    page.get_by_test_id("target-taillight").click()
+    click_at(page, one.pixels["taillight"])
+    expect(page.locator(".offline")).to_be_visible()
+    page.screenshot(path=".build/screenshots/offline.png")
+    assert picture(page) == place
+    assert page.get_by_test_id("frame-view").bounding_box() == box
+    page.context.set_offline(False)
+    expect(page.get_by_test_id("measurement-row-taillight")).to_have_attribute("data-state", "saved")
+    expect(page.locator(".offline")).to_have_count(0)
+    assert near(stored(page, one.vehicle["id"])["taillight"]["target_point"], one.pixels["taillight"], 0.6)

@@ -82,8 +82,10 @@ function Body() {
         {say("app-skip")}
       </a>
       <TopBar />
-      <Offline />
-      <Unsaved />
+      <div class="over">
+        <Offline />
+        <Unsaved />
+      </div>
       <main id="main" class={`main${full ? " main--full" : ""}`} tabIndex={-1}>
         {here === null ? (
           <NotFound />
