@@ -162,6 +162,22 @@ command-reviewFix = Fix
 command-reviewNext = Next measurement
 command-reviewPrevious = Previous measurement
 
+## Keys, as keycaps show them
+
+key-Ctrl = Ctrl
+key-Alt = Alt
+key-Shift = Shift
+key-Space = Space
+key-Enter = Enter
+key-Tab = Tab
+key-Backspace = Backspace
+key-Home = Home
+key-End = End
+key-Delete = Del
+key-Escape = Esc
+key-PageUp = PgUp
+key-PageDown = PgDn
+
 ## Where keys listen
 
 scope-anywhere = Everywhere
@@ -265,8 +281,8 @@ offline-try = Try now
 
 ## App: what was refused, or changed by somebody else meanwhile
 
-unsaved-refused = { $problem } Yours: { $mine }.
-unsaved-conflict = { $problem } Yours: { $mine }. Theirs: { $theirs }.
+unsaved-refused = <link>{ $what }</link>: { $problem } Yours: { $mine }.
+unsaved-conflict = <link>{ $what }</link>: { $problem } Yours: { $mine }. Theirs: { $theirs }.
 unsaved-take = Take theirs
 unsaved-keep = Keep mine
 unsaved-again = Try again

@@ -1,5 +1,6 @@
 /** What the server refused, or somebody else changed meanwhile: both values, and the choice. Nothing is lost before it is made. */
 import { Button, Icon } from "../components";
+import { Said } from "../components/Said";
 import { current } from "../core/address";
 import { say } from "../core/messages";
 import { outbox, type Wish } from "../core/outbox";
@@ -13,7 +14,7 @@ export function Unsaved() {
         <div key={wish.key} class="row row--wrap">
           <Icon name="warning" />
           <span class="grow">
-            <a href={wish.page}>{wish.what}</a>: {wordsOf(wish)}
+            <Told wish={wish} />
           </span>
           {wish.state === "conflict" ? <Choice wish={wish} /> : <Again wish={wish} />}
         </div>
@@ -48,10 +49,13 @@ function Again({ wish }: { wish: Wish }) {
   );
 }
 
-function wordsOf(wish: Wish): string {
-  const told = { problem: wish.problem ?? "", mine: wish.mine };
-  if (wish.state === "failed") return say("unsaved-refused", told);
-  return say("unsaved-conflict", { ...told, theirs: outbox.theirs(wish) });
+function Told({ wish }: { wish: Wish }) {
+  const { what, mine } = wish;
+  const told = { what, mine, problem: wish.problem ?? "" };
+  const parts = { link: (text: string) => <a href={wish.page}>{text}</a> };
+  if (wish.state === "failed") return <Said what="unsaved-refused" values={told} parts={parts} />;
+  const theirs = outbox.theirs(wish);
+  return <Said what="unsaved-conflict" values={{ ...told, theirs }} parts={parts} />;
 }
 
 function isOpen({ state }: Wish): boolean {

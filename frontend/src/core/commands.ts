@@ -173,19 +173,30 @@ const SIGNS: Record<string, string> = {
   ArrowRight: "→",
   ArrowUp: "↑",
   ArrowDown: "↓",
-  PageUp: "PgUp",
-  PageDown: "PgDn",
-  Delete: "Del",
-  Escape: "Esc",
   "-": "−",
 };
+const KEY_WORDS: Readonly<Record<string, string>> = wordsOf({
+  Ctrl: "key-Ctrl",
+  Alt: "key-Alt",
+  Shift: "key-Shift",
+  Space: "key-Space",
+  Enter: "key-Enter",
+  Tab: "key-Tab",
+  Backspace: "key-Backspace",
+  Home: "key-Home",
+  End: "key-End",
+  Delete: "key-Delete",
+  Escape: "key-Escape",
+  PageUp: "key-PageUp",
+  PageDown: "key-PageDown",
+});
 
 /** A chord as a keycap shows it. */
 export function showChord(chord: string): string {
   if (chord === "+") return "+";
   return chord
     .split(/\+(?=.)/)
-    .map((part) => SIGNS[part] ?? part)
+    .map((part) => SIGNS[part] ?? KEY_WORDS[part] ?? part)
     .join(" ");
 }
 

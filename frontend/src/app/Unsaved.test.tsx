@@ -1,0 +1,46 @@
+import { render } from "preact";
+import { act } from "preact/test-utils";
+import { afterEach, describe, expect, it } from "vitest";
+import { outbox, type Wish } from "../core/outbox";
+import { Unsaved } from "./Unsaved";
+
+const REFUSED: Wish = {
+  key: "m1",
+  kind: "measurement",
+  lane: "vehicle.7",
+  about: {},
+  what: "roof < eye",
+  mine: "1.460 m",
+  page: "/surveys/5/measure?vehicle=7",
+  saved: null,
+  want: {},
+  state: "failed",
+  problem: "The recording has no road pose; find it first.",
+  theirs: null,
+};
+
+function show(wish: Wish): string {
+  outbox.wishes.value = new Map([[wish.key, wish]]);
+  act(() => render(<Unsaved />, document.body));
+  return document.querySelector("[data-testid=unsaved] .grow")?.textContent ?? "";
+}
+
+afterEach(() => {
+  render(null, document.body);
+  outbox.wishes.value = new Map();
+});
+
+describe("what was refused", () => {
+  it("is told in one sentence, with a link to where it was done", () => {
+    expect(show(REFUSED)).toBe("roof < eye: The recording has no road pose; find it first. Yours: 1.460 m.");
+    const link = document.querySelector("[data-testid=unsaved] a");
+    expect(link?.getAttribute("href")).toBe(REFUSED.page);
+    expect(link?.textContent).toBe("roof < eye");
+  });
+
+  it("names both values where somebody else changed it", () => {
+    outbox.register("measurement", { words: () => "1.480 m" } as never);
+    const told = show({ ...REFUSED, state: "conflict", problem: "Olga changed it at 10:04." });
+    expect(told).toBe("roof < eye: Olga changed it at 10:04. Yours: 1.460 m. Theirs: 1.480 m.");
+  });
+});
