@@ -777,7 +777,7 @@ figure-share-of-vehicles = share of vehicles (%)
 with-unit = { $name } ({ $unit })
 percent = { $percent } %
 value-px = { $value } px
-value-s = { $value } s
+value-s = { $value } s
 file-svg = SVG
 unit-px = px
 unit-hz = Hz
@@ -1420,10 +1420,6 @@ scans-count-vehicles = { $count ->
     [one] { $count } vehicle
    *[other] { $count } vehicles
 }
-scans-count-scans = { $count ->
-    [one] { $count } line scan
-   *[other] { $count } line scans
-}
 scans-count-to-review = { NUMBER($count) } to review
 scans-count-accepted = { NUMBER($count) } accepted
 scans-count-rejected = { NUMBER($count) } rejected
@@ -1526,6 +1522,360 @@ scans-traffic-baseline = { $of ->
 scans-traffic-note = ± u is the standard uncertainty. Nothing here is in force by itself: “Use…” fills it in, and you store it.
 scans-traffic-use = Use…
 scans-traffic-use-for = Use this for { $what }
+
+## Line scan: the bench
+
+scan-loading = the line scan
+scan-vehicles = Vehicles
+scan-head-vehicle = Vehicle
+scan-calibrate = Calibrate height
+scan-rig = Rig…
+scan-find = Find the vehicles…
+scan-nothing-found-title = No vehicle was found
+scan-nothing-yet-title = No vehicles yet
+scan-nothing-found = Look at the strips: where a vehicle is seen, add it by two clicks, on its front and on its rear.
+scan-nothing-yet = Let them be found: front, rear, speed, length and the gaps between them come by themselves.
+scan-find-now = Find the vehicles
+scan-none-title = No line scan is chosen
+scan-none-choose = Choose one
+scan-on = On along the strips
+scan-back = Back along the strips
+scan-on-window = On by a window
+scan-back-window = Back by a window
+scan-to-first = To the first line
+scan-to-last = To the last line
+scan-next-vehicle = Next vehicle
+scan-previous-vehicle = Previous vehicle
+scan-take-out-vehicle = Take the vehicle out
+scan-last-vehicle = This is the last vehicle.
+scan-first-vehicle = This is the first vehicle.
+scan-search-stopped = The search stopped.
+
+## Line scan: finding the vehicles
+
+scan-find-title = Find the vehicles
+scan-find-and-measure = Find and measure
+scan-find-again = Measure again
+scan-find-method = Method
+scan-find-direct = Direct registration
+scan-find-paper = The paper’s method
+scan-find-direct-what = Both strips of a vehicle are laid over each other as a whole: speed, acceleration and the cameras' misalignment in one fit. The default.
+scan-find-paper-what = Block matching and a linear regression, as Douxchamps, Macq and Chihara published it; to compare with.
+scan-find-what = What
+scan-find-all = Look through the whole recording
+scan-find-known = Measure the known vehicles again
+scan-find-note = Boundaries that somebody placed stay, and so does what was taken out. Every result is a revision of its own; accepted ones that change are to be reviewed again.
+
+## Line scan: the strips, and what the next click is to hit
+
+scan-strips = line-scan strips
+scan-strips-label = Camera 1 above, camera 2 below, time to the right
+scan-camera-1 = camera 1
+scan-camera-2 = camera 2
+scan-strips-missing = Some of the picture could not be fetched.
+scan-asked = { $what } (Esc stops)
+scan-asked-stretch = { $what } (R stretches, Esc stops)
+scan-click-camera-1 = Click on camera 1, the upper strip.
+scan-click-rod-distance = Enter the rod's distance on the right
+scan-click-rod = Click the rod { $distance } away, { $height } above the road
+scan-click-tyre = Click where a tyre stands on the road, on camera 1
+scan-click-target = { $target ->
+    [roof] Click { target-hint-roof }
+    [driver_eye] Click { target-hint-driver_eye }
+    [taillight] Click { target-hint-taillight }
+    [headlight] Click { target-hint-headlight }
+   *[other] Click { target-hint-other }
+}
+scan-click-any-target = Click the target
+scan-click-front-wheel = Click the hub of the front wheel on camera 1
+scan-click-rear-wheel = Click the hub of the rear wheel on camera 1
+scan-click-front = Click the vehicle's front on camera 1
+scan-click-rear = Click the vehicle's rear on camera 1
+scan-drawn-height = { $target } { $height }
+scan-drawn-away = { $distance } away
+scan-drawn-mark-away = { $height }, { $distance } away
+
+## Line scan: the table of vehicles
+
+scan-head-number = no.
+scan-head-time = time
+scan-head-speed = speed
+scan-head-acceleration = acc.
+scan-head-length = length
+scan-head-gap = gap
+scan-head-headway = headway
+scan-head-state = state
+scan-choose-vehicle = { $vehicle } <hidden>choose</hidden>
+
+## Line scan: the chosen vehicle
+
+scan-vehicle = Vehicle
+scan-vehicle-none = Choose a vehicle in the list or in the picture{ $key }: its motion, the fit and the gaps come here.
+scan-vehicle-body = Motion and history
+scan-fit-loading = the fit
+scan-motion = Motion
+scan-not-measurable = Not measurable
+scan-older = Measured with other values of the rig than the recording has now; measure again to bring it up.
+scan-length = Length
+scan-acceleration = Acceleration
+scan-wheelbase = Wheelbase
+scan-wheelbase-none = not clicked
+scan-time-gap = Time gap
+scan-time-gap-first = the first vehicle
+scan-distance-gap = Distance gap
+scan-distance-gap-paper = { $gap } <muted>(by mean speed { $paper_gap })</muted>
+scan-headway = Headway
+scan-by = By
+scan-cause = { $method ->
+    [paper] the paper's method
+   *[direct] direct registration
+}
+scan-cause-by-hand = { $method ->
+    [paper] the paper's method, boundaries placed by hand
+   *[direct] direct registration, boundaries placed by hand
+}
+scan-cause-scatter = { $cause }; scatter of the blocks { $percent } %
+scan-misalignment = Misalignment
+scan-misalignment-u = { $value_px } px (u { $u_px } px)
+scan-show = Show
+scan-show-title = Fill the window
+scan-wheels = Click the wheels
+scan-wheels-again = Click the wheels again
+scan-wheels-title = Click both hubs
+scan-heights-measure = Measure heights
+scan-heights-title = Click a tyre's contact, then roof, eye and lamp
+scan-take-out = Take out
+scan-take-out-title = Take the vehicle out
+
+## Line scan: what is known of a vehicle, its budget and its history
+
+scan-known = What is known of the vehicle
+scan-known-make = Make
+scan-known-model = Model
+scan-known-length = True length
+scan-known-wheelbase = True wheelbase
+scan-known-problem = This is no length.
+scan-known-off = measured { $difference }
+scan-budget-note = standard uncertainties
+scan-budget = Budget
+scan-budget-source = source
+scan-budget-speed = speed
+scan-budget-acceleration = acceleration
+scan-budget-length = length
+scan-history = History ({ NUMBER($count) })
+scan-revision = <strong>{ $speed }</strong>, { $length } <muted>{ $cause }</muted>
+scan-revision-who = { $person }, { $time }
+scan-revision-verdict = { $verdict ->
+    [accepted] { $person }, { $time }; accepted by { $reviewer }
+    [rejected] { $person }, { $time }; rejected by { $reviewer }
+   *[reopened] { $person }, { $time }; reopened by { $reviewer }
+}
+scan-revision-verdict-why = { $verdict ->
+    [accepted] { $person }, { $time }; accepted by { $reviewer }: { $reason }
+    [rejected] { $person }, { $time }; rejected by { $reviewer }: { $reason }
+   *[reopened] { $person }, { $time }; reopened by { $reviewer }: { $reason }
+}
+scan-by-search = the search
+scan-by-program = the program
+scan-by-somebody = somebody
+scan-by-nobody = nobody
+
+## Line scan: the fit of a vehicle
+
+scan-profile-title = Speed along the vehicle
+scan-profile-says = { $count ->
+    [one] Speed of { $count } block along vehicle { $vehicle } and the fitted motion
+   *[other] Speed of { $count } blocks along vehicle { $vehicle } and the fitted motion
+}
+scan-profile-none = There is no speed profile, since the vehicle has no measured motion.
+scan-profile-fitted = fitted motion
+scan-profile-used = block, used
+scan-profile-left-out = block, left out
+scan-profile-note = Each block's mean speed between the cameras.
+scan-profile-beyond = { $count ->
+    [one] { $count } block lies outside this picture; the CSV has all of them.
+   *[other] { $count } blocks lie outside this picture; the CSV has all of them.
+}
+scan-profile-x = seconds after the front reached camera 1
+scan-match-title = Strip 2 laid over strip 1
+scan-match-picture = Picture of the match
+scan-match-1 = 1
+scan-match-2 = 2
+scan-match-blink = blink
+scan-match-difference = difference
+scan-match-alt-1 = The vehicle on camera 1
+scan-match-alt-2 = The vehicle on camera 2
+scan-match-alt-difference = Difference of the two strips; even grey where they agree
+scan-match-note = Strip 2 is moved by the fitted speed and acceleration. Even grey: the same in both; wheels turn and what shines through windows stays behind, so they show.
+
+## Line scan: the verdict
+
+scan-reason-boundary = A boundary is not where the vehicle begins or ends.
+scan-reason-not-one = It is not one vehicle.
+scan-reason-match = The strips do not match.
+scan-verdict-mine = You placed these boundaries, so somebody else reviews them.
+scan-verdict-given = { $verdict ->
+    [accepted] Accepted by { $person }
+   *[rejected] Rejected by { $person }
+}
+scan-verdict-given-why = { $verdict ->
+    [accepted] Accepted by { $person }: { $reason }
+   *[rejected] Rejected by { $person }: { $reason }
+}
+scan-verdict-reopen = Reopen
+scan-verdict-accept = Accept
+scan-verdict-reject = Reject
+scan-verdict-reject-why = Reject…
+scan-verdict-reason = Why it is rejected
+scan-verdict-leave = Leave it
+
+## Line scan: heights
+
+scan-heights = Heights
+scan-heights-camera = camera at { $height }
+scan-heights-older = { $count ->
+    [one] { $count } height of this line scan stand on an earlier calibration.
+   *[other] { $count } heights of this line scan stand on an earlier calibration.
+}
+scan-heights-older-again = Compute them again
+scan-heights-no-pose = Heights need the pose of camera 1. Record a rod with marks, or a checkerboard, held upright at two distances in its plane; then click the marks.
+scan-heights-calibrate = Calibrate the height
+scan-heights-calibrate-first = Heights need the line camera's pose; calibrate the height with a rod first.
+scan-height-hide = { $target ->
+    [roof] Hide the details of roof
+    [driver_eye] Hide the details of driver's eye
+    [taillight] Hide the details of taillight
+    [headlight] Hide the details of headlight
+   *[other] Hide the details of other
+}
+scan-height-show = { $target ->
+    [roof] Show the details of roof
+    [driver_eye] Show the details of driver's eye
+    [taillight] Show the details of taillight
+    [headlight] Show the details of headlight
+   *[other] Show the details of other
+}
+scan-height-measure = { $target ->
+    [roof] Measure: roof
+    [driver_eye] Measure: driver's eye
+    [taillight] Measure: taillight
+    [headlight] Measure: headlight
+   *[other] Measure: other
+}
+scan-height-measure-again = { $target ->
+    [roof] Measure again: roof
+    [driver_eye] Measure again: driver's eye
+    [taillight] Measure again: taillight
+    [headlight] Measure again: headlight
+   *[other] Measure again: other
+}
+scan-height-unsaved = not yet saved…
+scan-height-older = Computed with the calibration before; compute it again.
+scan-height-again = Compute again
+scan-height-withdraw = Withdraw
+scan-height-inset-driver_eye = The driver sits on the
+scan-height-inset-roof = Clicked on the roof: its
+scan-height-distance = Lateral distance
+scan-height-inset = Inset
+scan-height-inset-value = { $inset } ± { $u_inset }, estimate
+scan-height-rows = Rows
+scan-height-rows-value = contact { $contact_px }, target { $target_px }
+scan-height-revision = { $height } <muted>{ $person }, { $time }</muted>
+
+## Line scan: the rod, which calibrates the height
+
+scan-rod-title = Calibrate the height
+scan-rod-label = Calibration of the height
+scan-rod-body = Marks of the rod
+scan-rod-none-title = No marks yet
+scan-rod-none = Enter how far the rod stood from camera 1, then click its marks from the foot up. Do the same where it stood at another distance.
+scan-rod-next = Next mark
+scan-rod-distance = Rod's distance
+scan-rod-height = Mark's height
+scan-rod-step = Then higher by
+scan-rod-next-note = Distances run level from the camera's centre. A checkerboard held upright will do as well: “higher by” is then the size of its squares.
+scan-rod-marks = Marks
+scan-rod-head-distance = distance
+scan-rod-head-height = height
+scan-rod-head-row = row
+scan-rod-head-residual = residual
+scan-rod-head-remove = remove
+scan-rod-remove = Remove mark { $number }
+scan-rod-result = What the marks give
+scan-rod-camera-height = Camera's height
+scan-rod-residuals = Residuals
+scan-rod-rms = { $rms_px } px rms
+scan-rod-store = Store the calibration
+scan-rod-clear = Remove all marks
+scan-rod-reset = Back to what is stored
+scan-rod-u = Standard uncertainties
+scan-rod-u-row = u of a mark's row
+scan-rod-u-distance = u of a distance
+scan-rod-u-lean = u of the rod's lean
+scan-rod-at-least = A number from { $least }, please.
+scan-rod-distance-first = Enter the rod's distance from the camera first, then click its marks.
+scan-rod-stored = The calibration is stored. Choose a vehicle and measure its heights.
+scan-rod-stored-older = The calibration is stored. Heights keep the one before until they are computed again, beside each vehicle.
+
+## Line scan: steps that can be taken back, and what is kept until it is sent
+
+scan-step-mark = mark of the rod
+scan-step-mark-removed = removing a mark
+scan-step-marks-removed = removing all marks
+scan-step-calibration = calibration of the height
+scan-step-boundaries = boundaries of vehicle { $vehicle }
+scan-step-wheels = wheels of vehicle { $vehicle }
+scan-step-known = what is known of vehicle { $vehicle }
+scan-step-take-out = taking out vehicle { $vehicle }
+scan-step-vehicle = vehicle { $vehicle }
+scan-step-height = { $target ->
+    [roof] roof of vehicle { $vehicle }
+    [driver_eye] driver's eye of vehicle { $vehicle }
+    [taillight] taillight of vehicle { $vehicle }
+    [headlight] headlight of vehicle { $vehicle }
+   *[other] other of vehicle { $vehicle }
+}
+scan-step-withdraw = { $target ->
+    [roof] withdrawing the roof of vehicle { $vehicle }
+    [driver_eye] withdrawing the driver's eye of vehicle { $vehicle }
+    [taillight] withdrawing the taillight of vehicle { $vehicle }
+    [headlight] withdrawing the headlight of vehicle { $vehicle }
+   *[other] withdrawing the other of vehicle { $vehicle }
+}
+scan-taken-out = Vehicle { $vehicle } was taken out; Ctrl Z brings it back.
+scan-kept-vehicle = The vehicle is kept here, and comes into the list when the connection is back.
+scan-wish-a-vehicle = a vehicle
+scan-wish-verdict = verdict on vehicle { $vehicle }
+scan-wish-lines = front at line { $front }, rear at line { $rear }
+scan-wish-clicked = clicked at line { $line }, row { $row }
+scan-wish-marks = { $count ->
+    [one] { $count } mark at { $distances }
+   *[other] { $count } marks at { $distances }
+}
+scan-wish-no-marks = none
+scan-wish-there = in the list
+scan-wish-taken-out = taken out
+scan-wish-boundaries = boundaries at lines { $lines }
+scan-wish-hubs = wheels at lines { $lines }
+scan-wish-no-line = none
+scan-wish-nothing-known = nothing known
+scan-wish-verdict-word = { $verdict ->
+    [accepted] accepted
+    [rejected] rejected
+   *[reopened] reopened
+}
+scan-wish-verdict-why = { $verdict ->
+    [accepted] accepted: { $reason }
+    [rejected] rejected: { $reason }
+   *[reopened] reopened: { $reason }
+}
+scan-wish-verdict-by = { $verdict ->
+    [to_review] to review by { $person }
+    [accepted] accepted by { $person }
+    [fixed] fixed by { $person }
+    [rejected] rejected by { $person }
+   *[reopened] reopened by { $person }
+}
 
 ## Motion: what the line scans of a survey say together
 

@@ -23,15 +23,6 @@ export const TARGET_NOUNS: Readonly<Record<Target, string>> = wordsOf({
   other: "target-noun-other",
 });
 
-/** Where to click, in the operator's words. */
-export const TARGET_HINTS = wordsOf({
-  roof: "target-hint-roof",
-  driver_eye: "target-hint-driver_eye",
-  taillight: "target-hint-taillight",
-  headlight: "target-hint-headlight",
-  other: "target-hint-other",
-});
-
 export const LIGHTING_WORDS: Readonly<Record<Lighting, string>> = wordsOf({
   daytime: "lighting-daytime",
   low_light: "lighting-low_light",

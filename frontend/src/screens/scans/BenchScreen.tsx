@@ -6,6 +6,7 @@ import { historyCommands, useUndoTools } from "../../components/undoTools";
 import { query } from "../../core/address";
 import { type ActionId, useCommands } from "../../core/commands";
 import { cancelJob } from "../../core/jobs";
+import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { canWork, may } from "../../core/session";
 import { formatDuration } from "../../core/times";
@@ -44,13 +45,13 @@ export default function BenchScreen({ surveyId }: ScreenProps) {
       </div>
     );
   }
-  if (!scan) return <Loading what="the line scan" />;
+  if (!scan) return <Loading what={say("scan-loading")} />;
   if (scan.state !== "ready") return <NotReady scan={scan} model={model} surveyId={surveyId} />;
   return (
     <div class="scan">
       <Head model={model} scan={scan} surveyId={surveyId} />
       <StripView model={model} />
-      <section class="scan__list" aria-label="Vehicles">
+      <section class="scan__list" aria-label={say("scan-vehicles")}>
         {model.vehicles.value.length > 0 ? (
           <VehicleTable model={model} />
         ) : (
@@ -83,22 +84,22 @@ function Head({ model, scan, surveyId }: { model: ScanModel; scan: Scan; surveyI
         canWork.value && (
           <>
             <CommandButton command={addVehicle(model)} kind="plain">
-              Vehicle
+              {say("scan-head-vehicle")}
             </CommandButton>
             <CommandButton command={calibrateHeight(model)} kind="plain">
-              Calibrate height
+              {say("scan-calibrate")}
             </CommandButton>
             <Button small onClick={() => setOpen("rig")}>
-              Rig…
+              {say("scan-rig")}
             </Button>
             <Button small kind={scan.run ? "plain" : "primary"} icon="search" onClick={() => setOpen("find")}>
-              Find the vehicles…
+              {say("scan-find")}
             </Button>
           </>
         )
       )}
       <Button small kind="quiet" href={`/surveys/${surveyId}/scans`}>
-        All line scans
+        {say("scans-all")}
       </Button>
       {open === "find" && <FindDialog model={model} scan={scan} onClose={() => setOpen(null)} />}
       {open === "rig" && <RigDialog model={model} scan={scan} onClose={() => setOpen(null)} />}
@@ -109,10 +110,10 @@ function Head({ model, scan, surveyId }: { model: ScanModel; scan: Scan; surveyI
 
 function headWords({ lines, rows_px, duration_s, rig, run }: Scan): string {
   const words = [
-    `${formatCount(lines ?? 0)} lines of ${rows_px} rows`,
+    say("scans-fact-lines", { lines: lines ?? 0, rows_px: String(rows_px) }),
     formatDuration(duration_s ?? 0),
-    `baseline ${formatLength(rig.baseline_m)}`,
-    `${formatCount(rig.line_rate_hz)} lines a second`,
+    say("scans-fact-baseline", { baseline: formatLength(rig.baseline_m) }),
+    say("scans-fact-rate", { rate_hz: formatCount(rig.line_rate_hz) }),
     run?.misalignment_words,
   ];
   return words.filter(Boolean).join("  ·  ");
@@ -133,20 +134,16 @@ function RunWarnings({ scan }: { scan: Scan }) {
 function NoVehicles({ model, scan }: { model: ScanModel; scan: Scan }) {
   return (
     <Empty
-      title={scan.run ? "No vehicle was found" : "No vehicles yet"}
+      title={say(scan.run ? "scan-nothing-found-title" : "scan-nothing-yet-title")}
       actions={
         canWork.value && model.job.value === null ? (
           <Button kind="primary" onClick={() => void model.find("direct", true)}>
-            Find the vehicles
+            {say("scan-find-now")}
           </Button>
         ) : undefined
       }
     >
-      <p>
-        {scan.run
-          ? "Look at the strips: where a vehicle is seen, add it by two clicks, on its front and on its rear."
-          : "Let them be found: front, rear, speed, length and the gaps between them come by themselves."}
-      </p>
+      <p>{say(scan.run ? "scan-nothing-found" : "scan-nothing-yet")}</p>
     </Empty>
   );
 }
@@ -157,12 +154,12 @@ function NotReady({ scan, model, surveyId }: { scan: Scan; model: ScanModel; sur
     <div class="page">
       <h1>{scan.name}</h1>
       {scan.state === "failed" ? (
-        <Notice kind="problem">{scan.error ?? "The strips could not be read."}</Notice>
+        <Notice kind="problem">{scan.error ?? say("scans-not-read")}</Notice>
       ) : (
         job && <JobProgress job={job} />
       )}
       <p>
-        <Button href={`/surveys/${surveyId}/scans`}>All line scans</Button>
+        <Button href={`/surveys/${surveyId}/scans`}>{say("scans-all")}</Button>
       </p>
     </div>
   );
@@ -172,8 +169,8 @@ function Nothing({ surveyId }: { surveyId: number }) {
   return (
     <div class="page">
       <Empty
-        title="No line scan is chosen"
-        actions={<Button href={`/surveys/${surveyId}/scans`}>Choose one</Button>}
+        title={say("scan-none-title")}
+        actions={<Button href={`/surveys/${surveyId}/scans`}>{say("scan-none-choose")}</Button>}
       />
     </div>
   );
@@ -192,12 +189,12 @@ function benchCommands(model: ScanModel): ButtonCommand[] {
     run: () => heights.begin(at),
   });
   return [
-    { id: "frameNext", label: "On along the strips", run: pan(PAN_SHARE) },
-    { id: "framePrevious", label: "Back along the strips", run: pan(-PAN_SHARE) },
-    { id: "frameNextTen", label: "On by a window", run: pan(0.9) },
-    { id: "framePreviousTen", label: "Back by a window", run: pan(-0.9) },
-    { id: "frameFirst", label: "To the first line", run: pan(-1e9) },
-    { id: "frameLast", label: "To the last line", run: pan(1e9) },
+    { id: "frameNext", label: say("scan-on"), run: pan(PAN_SHARE) },
+    { id: "framePrevious", label: say("scan-back"), run: pan(-PAN_SHARE) },
+    { id: "frameNextTen", label: say("scan-on-window"), run: pan(0.9) },
+    { id: "framePreviousTen", label: say("scan-back-window"), run: pan(-0.9) },
+    { id: "frameFirst", label: say("scan-to-first"), run: pan(-1e9) },
+    { id: "frameLast", label: say("scan-to-last"), run: pan(1e9) },
     { id: "scanTaller", run: () => stage.zoom(1.5, true) },
     { id: "scanFlatter", run: () => stage.zoom(1 / 1.5, true) },
     { id: "scanFit", run: () => model.show("fit") },
@@ -207,10 +204,10 @@ function benchCommands(model: ScanModel): ButtonCommand[] {
     { id: "scanHeight", run: () => heights.begin(null) },
     { id: "newContact", run: () => heights.newContact() },
     ...TARGETS.map(target),
-    { id: "passNext", label: "Next vehicle", run: () => model.step(1) },
-    { id: "passPrevious", label: "Previous vehicle", run: () => model.step(-1) },
+    { id: "passNext", label: say("scan-next-vehicle"), run: () => model.step(1) },
+    { id: "passPrevious", label: say("scan-previous-vehicle"), run: () => model.step(-1) },
     { id: "selectNext", run: () => model.selectNext() },
-    { id: "remove", label: "Take the vehicle out", run: () => void model.remove() },
+    { id: "remove", label: say("scan-take-out-vehicle"), run: () => void model.remove() },
     { id: "reviewAccept", run: () => void model.review("accepted") },
     {
       id: "reviewReject",

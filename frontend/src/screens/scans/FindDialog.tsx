@@ -1,6 +1,7 @@
 /** Which method looks for the vehicles, and whether those that are known are measured again. */
 import { useState } from "preact/hooks";
 import { FormDialog, Segments } from "../../components";
+import { say } from "../../core/messages";
 import type { Scan, ScanMethod } from "../../core/types";
 import type { ScanModel } from "./model";
 
@@ -20,40 +21,33 @@ export function FindDialog({ model, scan, onClose }: Props) {
   };
   return (
     <FormDialog
-      title="Find the vehicles"
-      action={search === "search" ? "Find and measure" : "Measure again"}
+      title={say("scan-find-title")}
+      action={say(search === "search" ? "scan-find-and-measure" : "scan-find-again")}
       onClose={onClose}
       submit={submit}
     >
       <Segments
-        label="Method"
+        label={say("scan-find-method")}
         value={method}
         options={[
-          { value: "direct", label: "Direct registration" },
-          { value: "paper", label: "The paper’s method" },
+          { value: "direct", label: say("scan-find-direct") },
+          { value: "paper", label: say("scan-find-paper") },
         ]}
         onChange={setMethod}
       />
-      <p class="small muted">
-        {method === "direct"
-          ? "Both strips of a vehicle are laid over each other as a whole: speed, acceleration and the cameras' misalignment in one fit. The default."
-          : "Block matching and a linear regression, as Douxchamps, Macq and Chihara published it; to compare with."}
-      </p>
+      <p class="small muted">{say(method === "direct" ? "scan-find-direct-what" : "scan-find-paper-what")}</p>
       {known && (
         <Segments
-          label="What"
+          label={say("scan-find-what")}
           value={search}
           options={[
-            { value: "search", label: "Look through the whole recording" },
-            { value: "again", label: "Measure the known vehicles again" },
+            { value: "search", label: say("scan-find-all") },
+            { value: "again", label: say("scan-find-known") },
           ]}
           onChange={setSearch}
         />
       )}
-      <p class="small muted">
-        Boundaries that somebody placed stay, and so does what was taken out. Every result is a revision of
-        its own; accepted ones that change are to be reviewed again.
-      </p>
+      <p class="small muted">{say("scan-find-note")}</p>
     </FormDialog>
   );
 }

@@ -1,15 +1,17 @@
 /** The chosen vehicle's heights: one line per target; budget, inset and history on demand. */
 import { useEffect, useRef, useState } from "preact/hooks";
 import { Button, Notice, Problem, Segments } from "../../components";
+import { Said } from "../../components/Said";
 import { api } from "../../core/api";
 import { keyMap, showChord } from "../../core/commands";
+import { say, wordsOf } from "../../core/messages";
 import { outbox } from "../../core/outbox";
 import { canWork } from "../../core/session";
 import { survey } from "../../core/survey";
 import { formatMoment } from "../../core/times";
 import type { LineHeight, LineHeightAnswer, Target } from "../../core/types";
-import { fixed, formatHeight, formatLength, plural } from "../../core/units";
-import { TARGET_WORDS, TARGETS } from "../../core/words";
+import { fixed, formatHeight, formatLength } from "../../core/units";
+import { STATE_WORDS, TARGET_WORDS, TARGETS } from "../../core/words";
 import { Budget } from "../../parts/vehicles/Budget";
 import { heightKey } from "./heights";
 import type { ScanModel } from "./model";
@@ -21,10 +23,12 @@ export function HeightList({ model }: { model: ScanModel }) {
   return (
     <section class="panel line-heights" aria-labelledby="line-heights">
       <header class="panel__head">
-        <h3 id="line-heights">Heights</h3>
+        <h3 id="line-heights">{say("scan-heights")}</h3>
         {pose && (
           <span class="muted small">
-            camera at {formatHeight(pose.solved.camera_height_m, pose.solved.U95_camera_height_m)}
+            {say("scan-heights-camera", {
+              height: formatHeight(pose.solved.camera_height_m, pose.solved.U95_camera_height_m),
+            })}
           </span>
         )}
       </header>
@@ -49,9 +53,9 @@ function Older({ model }: { model: ScanModel }) {
   if (count === 0 || !canWork.value) return null;
   return (
     <div class="line-heights__older small">
-      <span>{plural(count, "height")} of this line scan stand on an earlier calibration.</span>
+      <span>{say("scan-heights-older", { count })}</span>
       <Button small busy={model.busy.value} onClick={() => void model.heights.againAll()}>
-        Compute them again
+        {say("scan-heights-older-again")}
       </Button>
     </div>
   );
@@ -60,13 +64,10 @@ function Older({ model }: { model: ScanModel }) {
 function Uncalibrated({ model }: { model: ScanModel }) {
   return (
     <div class="panel__body stack">
-      <p class="small">
-        Heights need the pose of camera 1. Record a rod with marks, or a checkerboard, held upright at two
-        distances in its plane; then click the marks.
-      </p>
+      <p class="small">{say("scan-heights-no-pose")}</p>
       {canWork.value && (
         <Button small onClick={() => model.start("rod")}>
-          Calibrate the height
+          {say("scan-heights-calibrate")}
         </Button>
       )}
     </div>
@@ -95,12 +96,14 @@ function Row({ model, target, index }: { model: ScanModel; target: Target; index
             small
             kind="quiet"
             icon={open ? "chevron" : "right"}
-            label={`${open ? "Hide" : "Show"} the details of ${TARGET_WORDS[target].toLowerCase()}`}
+            label={say(open ? "scan-height-hide" : "scan-height-show", { target })}
             onClick={() => setOpen(!open)}
           />
         )}
       </div>
-      {one && outbox.get(heightKey(one.vehicle_id, target)) && <p class="small muted">not yet saved…</p>}
+      {one && outbox.get(heightKey(one.vehicle_id, target)) && (
+        <p class="small muted">{say("scan-height-unsaved")}</p>
+      )}
       {live?.problem && <Notice kind="warning">{live.problem}</Notice>}
       <Why one={one} live={live?.answer ?? null} />
       {(active || open) && <InsetOf model={model} target={target} />}
@@ -125,7 +128,7 @@ function TargetButton({ model, target, index, measured }: TargetButtonProps) {
       data-testid={`line-target-${target}`}
       aria-pressed={model.heights.target.value === target}
       disabled={!canWork.value}
-      title={`${measured ? "Measure again" : "Measure"}: ${TARGET_WORDS[target].toLowerCase()}`}
+      title={say(measured ? "scan-height-measure-again" : "scan-height-measure", { target })}
       onClick={() => model.heights.begin(target)}
     >
       <kbd>{key}</kbd>
@@ -143,22 +146,23 @@ function Why({ one, live }: { one: LineHeight | null; live: LineHeightAnswer | n
 function valueWords(one: LineHeight | null, live: LineHeightAnswer | null): string {
   const shown = live?.status === "contact" ? one : (live ?? one);
   if (!shown) return "–";
-  return shown.status === "ok" ? formatHeight(shown.height_m, shown.U95_height_m) : "not measurable";
+  return shown.status === "ok"
+    ? formatHeight(shown.height_m, shown.U95_height_m)
+    : STATE_WORDS.not_measurable;
 }
 
 function reasonOf(one: LineHeight | null, live: LineHeightAnswer | null): string | null {
   const shown = live ?? one;
   if (!shown) return null;
   if (shown.reason) return shown.reason;
-  const older =
-    live === null && one?.older ? ["Computed with the calibration before; compute it again."] : [];
+  const older = live === null && one?.older ? [say("scan-height-older")] : [];
   return [...shown.warnings, ...older].join(" ") || null;
 }
 
-const ASKED: Partial<Record<Target, string>> = {
-  driver_eye: "The driver sits on the",
-  roof: "Clicked on the roof: its",
-};
+const ASKED: Readonly<Partial<Record<Target, string>>> = wordsOf({
+  driver_eye: "scan-height-inset-driver_eye",
+  roof: "scan-height-inset-roof",
+});
 
 function InsetOf({ model, target }: { model: ScanModel; target: Target }) {
   const choices = survey.value?.inset_choices?.[target] ?? [];
@@ -189,15 +193,21 @@ function Detail({ model, one }: { model: ScanModel; one: LineHeight }) {
     <div class="stack line-heights__detail">
       {one.budget.length > 0 && <Budget entries={one.budget} total_m={one.u_height_m} />}
       <dl class="facts small">
-        <dt>Lateral distance</dt>
+        <dt>{say("scan-height-distance")}</dt>
         <dd>{formatHeight(one.distance_m, one.U95_distance_m)}</dd>
-        <dt>Inset</dt>
+        <dt>{say("scan-height-inset")}</dt>
         <dd>
-          {formatLength(one.inset_m, 2)} ± {formatLength(one.u_inset_m, 2)}, estimate
+          {say("scan-height-inset-value", {
+            inset: formatLength(one.inset_m, 2),
+            u_inset: formatLength(one.u_inset_m, 2),
+          })}
         </dd>
-        <dt>Rows</dt>
+        <dt>{say("scan-height-rows")}</dt>
         <dd>
-          contact {fixed(one.contact_row_px, 1)}, target {fixed(one.target_row_px, 1)}
+          {say("scan-height-rows-value", {
+            contact_px: fixed(one.contact_row_px, 1),
+            target_px: fixed(one.target_row_px, 1),
+          })}
         </dd>
       </dl>
       <Revisions one={one} />
@@ -205,11 +215,11 @@ function Detail({ model, one }: { model: ScanModel; one: LineHeight }) {
         <div class="row row--wrap">
           {one.older && (
             <Button small onClick={() => void model.heights.again(one.target)}>
-              Compute again
+              {say("scan-height-again")}
             </Button>
           )}
           <Button small icon="trash" onClick={() => void model.heights.withdraw(one.target)}>
-            Withdraw
+            {say("scan-height-withdraw")}
           </Button>
         </div>
       )}
@@ -240,10 +250,15 @@ function Revisions({ one }: { one: LineHeight }) {
         .reverse()
         .map((revision) => (
           <li key={revision.id}>
-            {revision.withdrawn ? "withdrawn" : valueWords(revision, null)}{" "}
-            <span class="muted">
-              {revision.created_by?.name ?? "the program"}, {formatMoment(revision.created_at)}
-            </span>
+            <Said
+              what="scan-height-revision"
+              values={{
+                height: revision.withdrawn ? STATE_WORDS.withdrawn : valueWords(revision, null),
+                person: revision.created_by?.name ?? say("scan-by-program"),
+                time: formatMoment(revision.created_at),
+              }}
+              parts={{ muted: (text) => <span class="muted">{text}</span> }}
+            />
           </li>
         ))}
     </ul>

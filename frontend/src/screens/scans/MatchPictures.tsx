@@ -1,10 +1,16 @@
 /** Both strips of one vehicle, the second resampled by the fitted motion: what fits vanishes in the difference. */
 import { useEffect, useState } from "preact/hooks";
 import { Segments } from "../../components";
+import { say, wordsOf } from "../../core/messages";
 import type { ScanVehicleDetail } from "../../core/types";
 
 type Shown = "first" | "second" | "blink" | "difference";
 const BLINK_MS = 450;
+const ALTS = wordsOf({
+  first: "scan-match-alt-1",
+  second: "scan-match-alt-2",
+  difference: "scan-match-alt-difference",
+});
 
 export function MatchPictures({ detail }: { detail: ScanVehicleDetail }) {
   const [shown, setShown] = useState<Shown>("difference");
@@ -21,37 +27,25 @@ export function MatchPictures({ detail }: { detail: ScanVehicleDetail }) {
   return (
     <section class="panel scan__match" aria-labelledby="scan-match">
       <header class="panel__head">
-        <h3 id="scan-match">Strip 2 laid over strip 1</h3>
+        <h3 id="scan-match">{say("scan-match-title")}</h3>
         <Segments
-          label="Picture of the match"
+          label={say("scan-match-picture")}
           value={shown}
           options={[
-            { value: "first", label: "1" },
-            { value: "second", label: "2" },
-            { value: "blink", label: "blink" },
-            { value: "difference", label: "difference" },
+            { value: "first", label: say("scan-match-1") },
+            { value: "second", label: say("scan-match-2") },
+            { value: "blink", label: say("scan-match-blink") },
+            { value: "difference", label: say("scan-match-difference") },
           ]}
           onChange={setShown}
         />
       </header>
       <div class="scan__match-box">
         {(["first", "second", "difference"] as const).map((one) => (
-          <img
-            key={one}
-            src={urls[one]}
-            hidden={one !== picture}
-            alt={
-              one === "difference"
-                ? "Difference of the two strips; even grey where they agree"
-                : `The vehicle on camera ${one === "first" ? 1 : 2}`
-            }
-          />
+          <img key={one} src={urls[one]} hidden={one !== picture} alt={ALTS[one]} />
         ))}
       </div>
-      <p class="small muted">
-        Strip 2 is moved by the fitted speed and acceleration. Even grey: the same in both; wheels turn and
-        what shines through windows stays behind, so they show.
-      </p>
+      <p class="small muted">{say("scan-match-note")}</p>
     </section>
   );
 }

@@ -1,5 +1,6 @@
 /** Speed along the vehicle with the fitted motion, and what is left over; blocks outside the fit are hollow. */
 
+import { say } from "../../core/messages";
 import type { ScanVehicleDetail } from "../../core/types";
 import { speedScale } from "../../core/units";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
@@ -25,25 +26,19 @@ export function ProfileFigure({ detail }: { detail: ScanVehicleDetail }) {
   return (
     <PlotFigure
       name={`speed-profile-${detail.vehicle.number}`}
-      title="Speed along the vehicle"
-      says={`Speed of ${rows.length} blocks along vehicle ${detail.vehicle.number} and the fitted motion`}
+      title={say("scan-profile-title")}
+      says={say("scan-profile-says", { count: rows.length, vehicle: String(detail.vehicle.number) })}
       data={profile}
-      reason={
-        profile === null ? "There is no speed profile, since the vehicle has no measured motion." : null
-      }
+      reason={profile === null ? say("scan-profile-none") : null}
       legend={[
-        { word: "fitted motion" },
-        { word: "block, used", dot: "circle" },
-        { word: "block, left out", dot: "triangle", faint: true },
+        { word: say("scan-profile-fitted") },
+        { word: say("scan-profile-used"), dot: "circle" },
+        { word: say("scan-profile-left-out"), dot: "triangle", faint: true },
       ]}
-      note={
-        beyond > 0
-          ? `${beyond} blocks lie outside this picture; the CSV has all of them.`
-          : "Each block's mean speed between the cameras."
-      }
+      note={beyond > 0 ? say("scan-profile-beyond", { count: beyond }) : say("scan-profile-note")}
       options={(plot) => ({
         height: 220,
-        x: { label: "seconds after the front reached camera 1" },
+        x: { label: say("scan-profile-x") },
         y: { label: unit, domain: [low, high], grid: true },
         marks: [
           plot.line(rows, { x: "time_s", y: "fitted", strokeWidth: 2 }),

@@ -1,6 +1,7 @@
 /** The line camera's calibration: where the rod stood, its marks with their residuals, and what they give. */
 import { Button, Empty, Notice, TableScroll } from "../../components";
 import { CommitField } from "../../components/CommitField";
+import { say, wordsOf } from "../../core/messages";
 import type { RodMark } from "../../core/types";
 import {
   fixed,
@@ -20,23 +21,20 @@ export function RodPanel({ model }: { model: ScanModel }) {
   const { marks } = rod.values.value;
   const solved = rod.solved.value;
   return (
-    <aside class="scan__side" aria-label="Calibration of the height">
+    <aside class="scan__side" aria-label={say("scan-rod-label")}>
       <header class="vehicle__head">
-        <h2>Calibrate the height</h2>
+        <h2>{say("scan-rod-title")}</h2>
         <span class="grow" />
         <Button small kind="quiet" onClick={() => model.cancel()}>
-          Close
+          {say("action-close")}
         </Button>
       </header>
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, so the keyboard must reach it */}
-      <div class="scan__body stack" role="group" aria-label="Marks of the rod" tabIndex={0}>
+      <div class="scan__body stack" role="group" aria-label={say("scan-rod-body")} tabIndex={0}>
         <NextMark model={model} />
         {marks.length === 0 ? (
-          <Empty title="No marks yet">
-            <p>
-              Enter how far the rod stood from camera 1, then click its marks from the foot up. Do the same
-              where it stood at another distance.
-            </p>
+          <Empty title={say("scan-rod-none-title")}>
+            <p>{say("scan-rod-none")}</p>
           </Empty>
         ) : (
           <Marks model={model} marks={marks} residuals={solved?.residuals_px ?? []} />
@@ -51,12 +49,18 @@ export function RodPanel({ model }: { model: ScanModel }) {
 type NextName = "distance_m" | "height_m" | "step_m";
 type Check = (text: string) => string | null;
 
-const positive: Check = (text) => ((parseLength(text) ?? 0) > 0 ? null : "A length, such as 2.70.");
-const any: Check = (text) => (parseLength(text) === null ? "A length, such as 0.50." : null);
-const NEXT: readonly { name: NextName; label: string; check: Check }[] = [
-  { name: "distance_m", label: "Rod's distance", check: positive },
-  { name: "height_m", label: "Mark's height", check: any },
-  { name: "step_m", label: "Then higher by", check: any },
+const positive: Check = (text) =>
+  (parseLength(text) ?? 0) > 0 ? null : say("length-problem", { example: "2.70" });
+const any: Check = (text) => (parseLength(text) === null ? say("length-problem", { example: "0.50" }) : null);
+const NEXT_WORDS = wordsOf({
+  distance_m: "scan-rod-distance",
+  height_m: "scan-rod-height",
+  step_m: "scan-rod-step",
+});
+const NEXT: readonly { name: NextName; check: Check }[] = [
+  { name: "distance_m", check: positive },
+  { name: "height_m", check: any },
+  { name: "step_m", check: any },
 ];
 
 function NextMark({ model }: { model: ScanModel }) {
@@ -69,12 +73,12 @@ function NextMark({ model }: { model: ScanModel }) {
     next.value = { ...next.value, ...(name === "distance_m" ? { height_m: 0 } : {}), [name]: value };
   };
   return (
-    <section aria-label="Next mark">
+    <section aria-label={say("scan-rod-next")}>
       <div class="rod__fields">
-        {NEXT.map(({ name, label, check }) => (
+        {NEXT.map(({ name, check }) => (
           <CommitField
             key={name}
-            label={label}
+            label={NEXT_WORDS[name]}
             value={lengthText(next.value[name])}
             numeric
             unit={unit}
@@ -83,10 +87,7 @@ function NextMark({ model }: { model: ScanModel }) {
           />
         ))}
       </div>
-      <p class="small muted">
-        Distances run level from the camera's centre. A checkerboard held upright will do as well: “higher by”
-        is then the size of its squares.
-      </p>
+      <p class="small muted">{say("scan-rod-next-note")}</p>
     </section>
   );
 }
@@ -100,16 +101,16 @@ interface MarksProps {
 function Marks({ model, marks, residuals }: MarksProps) {
   const largest = Math.max(...residuals.map(Math.abs), 0);
   return (
-    <section aria-label="Marks">
-      <TableScroll label="Marks">
+    <section aria-label={say("scan-rod-marks")}>
+      <TableScroll label={say("scan-rod-marks")}>
         <table class="table table--dense" data-testid="rod-marks">
           <thead>
             <tr>
-              <th class="num">distance</th>
-              <th class="num">height</th>
-              <th class="num">row</th>
-              <th class="num">residual</th>
-              <th aria-label="remove" />
+              <th class="num">{say("scan-rod-head-distance")}</th>
+              <th class="num">{say("scan-rod-head-height")}</th>
+              <th class="num">{say("scan-rod-head-row")}</th>
+              <th class="num">{say("scan-rod-head-residual")}</th>
+              <th aria-label={say("scan-rod-head-remove")} />
             </tr>
           </thead>
           <tbody>
@@ -125,7 +126,9 @@ function Marks({ model, marks, residuals }: MarksProps) {
                     {residual === undefined ? (
                       "–"
                     ) : (
-                      <span class={worst ? "rod__worst" : ""}>{fixed(residual, 2)} px</span>
+                      <span class={worst ? "rod__worst" : ""}>
+                        {say("value-px", { value: fixed(residual, 2) })}
+                      </span>
                     )}
                   </td>
                   <td>
@@ -133,7 +136,7 @@ function Marks({ model, marks, residuals }: MarksProps) {
                       small
                       kind="quiet"
                       icon="trash"
-                      label={`Remove mark ${index + 1}`}
+                      label={say("scan-rod-remove", { number: String(index + 1) })}
                       onClick={() => model.rod.remove(index)}
                     />
                   </td>
@@ -152,17 +155,17 @@ function Result({ model }: { model: ScanModel }) {
   const solved = rod.solved.value;
   const marks = rod.values.value.marks.length;
   return (
-    <section class="stack" aria-label="What the marks give" aria-live="polite">
+    <section class="stack" aria-label={say("scan-rod-result")} aria-live="polite">
       {solved?.status === "ok" && (
         <dl class="facts small">
-          <dt>Camera's height</dt>
+          <dt>{say("scan-rod-camera-height")}</dt>
           <dd>
             <strong data-testid="rod-camera-height">
               {formatHeight(solved.camera_height_m, solved.U95_camera_height_m)}
             </strong>
           </dd>
-          <dt>Residuals</dt>
-          <dd>{fixed(solved.rms_px ?? 0, 2)} px rms</dd>
+          <dt>{say("scan-rod-residuals")}</dt>
+          <dd>{say("scan-rod-rms", { rms_px: fixed(solved.rms_px ?? 0, 2) })}</dd>
         </dl>
       )}
       {solved && solved.status !== "ok" && marks > 0 && <Notice>{solved.reason}</Notice>}
@@ -178,12 +181,12 @@ function Result({ model }: { model: ScanModel }) {
           disabled={solved?.status !== "ok" || !rod.changed.value}
           onClick={() => void rod.store()}
         >
-          Store the calibration
+          {say("scan-rod-store")}
         </Button>
-        {marks > 0 && <Button onClick={() => rod.clear()}>Remove all marks</Button>}
+        {marks > 0 && <Button onClick={() => rod.clear()}>{say("scan-rod-clear")}</Button>}
         {rod.changed.value && model.heights.pose.value && (
           <Button kind="quiet" onClick={() => rod.reset()}>
-            Back to what is stored
+            {say("scan-rod-reset")}
           </Button>
         )}
       </div>
@@ -197,28 +200,28 @@ function Uncertainties({ model }: { model: ScanModel }) {
   const { sigma_px, u_distance_m, u_lean_rad } = rod.values.value;
   const atLeast = (least: number) => (text: string) => {
     const value = parseNumber(text);
-    return value === null || value < least ? `A number from ${least}, please.` : null;
+    return value === null || value < least ? say("scan-rod-at-least", { least: String(least) }) : null;
   };
   return (
-    <section class="rod__fields" aria-label="Standard uncertainties">
+    <section class="rod__fields" aria-label={say("scan-rod-u")}>
       <CommitField
-        label="u of a mark's row"
+        label={say("scan-rod-u-row")}
         value={String(sigma_px)}
         numeric
-        unit="px"
+        unit={say("unit-px")}
         check={atLeast(0.01)}
         onCommit={(text) => rod.change({ sigma_px: parseNumber(text) ?? sigma_px })}
       />
       <CommitField
-        label="u of a distance"
+        label={say("scan-rod-u-distance")}
         value={lengthText(u_distance_m)}
         numeric
         unit={unit}
-        check={(text) => ((parseLength(text) ?? -1) < 0 ? "A length, such as 0.005." : null)}
+        check={(text) => ((parseLength(text) ?? -1) < 0 ? say("length-problem", { example: "0.005" }) : null)}
         onCommit={(text) => rod.change({ u_distance_m: parseLength(text) ?? u_distance_m })}
       />
       <CommitField
-        label="u of the rod's lean"
+        label={say("scan-rod-u-lean")}
         value={String(Number((u_lean_rad / DEGREE).toFixed(3)))}
         numeric
         unit="°"

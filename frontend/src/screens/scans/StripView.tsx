@@ -1,4 +1,5 @@
 /** Both strips on one time axis: drag to pan, wheel to zoom the time, with Shift the height; boundaries are dragged. */
+import { say } from "../../core/messages";
 import { theme } from "../../core/theme";
 import { Picture } from "../../viewer/Picture";
 import { Asked } from "./Asked";
@@ -14,21 +15,21 @@ export function StripView({ model }: { model: ScanModel }) {
       stage={model.stage}
       class="strips"
       testId="strips"
-      what="line-scan strips"
-      label="Camera 1 above, camera 2 below, time to the right"
+      what={say("scan-strips")}
+      label={say("scan-strips-label")}
       panByDrag
       draw={(canvas, view) => drawStrips(canvas, model, view)}
       onDblClick={() => model.show("fit")}
       above={
         <>
-          <span class="strips__name">camera 1</span>
-          <span class="strips__name strips__name--second">camera 2</span>
+          <span class="strips__name">{say("scan-camera-1")}</span>
+          <span class="strips__name strips__name--second">{say("scan-camera-2")}</span>
           <Asked model={model} />
           {model.tiles.failed.value && (
             <div class="strips__problem" role="alert">
-              Some of the picture could not be fetched.{" "}
+              {say("scan-strips-missing")}{" "}
               <button type="button" class="btn btn--small" onClick={() => model.tiles.retry()}>
-                Try again
+                {say("action-try-again")}
               </button>
             </div>
           )}

@@ -3,6 +3,7 @@ import { TableScroll } from "../../components";
 import { say } from "../../core/messages";
 import type { ScanStatistics } from "../../core/types";
 import { fixed, heads, plainAcceleration, plainLength, plainSpeed, speedScale } from "../../core/units";
+import { vehicleName } from "../../core/words";
 
 export function TableOne({ found }: { found: ScanStatistics }) {
   return (
@@ -46,7 +47,7 @@ function Own({ found }: { found: ScanStatistics }) {
         <tbody>
           {found.table.map((row) => (
             <tr key={row.vehicle_id}>
-              <td>{String(row.number).padStart(2, "0")}</td>
+              <td>{vehicleName(row.number)}</td>
               <td class="num">{plainSpeed(row.speed_mps)}</td>
               <td class="num">{plainAcceleration(row.acceleration_mps2)}</td>
               <td class="num">{plainLength(row.length_m)}</td>

@@ -1,9 +1,12 @@
 /** The chosen vehicle: its numbers, what is known of it, profile, match, budget, history, and the verdict. */
 import { Button, Loading, Notice, StateMark } from "../../components";
+import { Said } from "../../components/Said";
 import { hint } from "../../core/commands";
+import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import type { ScanMotion, ScanVehicle } from "../../core/types";
 import { fixed, formatAcceleration, formatLength, formatSpeed } from "../../core/units";
+import { vehicleName } from "../../core/words";
 import { HeightList } from "./HeightList";
 import { MatchPictures } from "./MatchPictures";
 import type { ScanModel } from "./model";
@@ -17,26 +20,23 @@ export function VehiclePanel({ model }: { model: ScanModel }) {
   const detail = model.detail.value;
   if (!vehicle) {
     return (
-      <aside class="scan__side scan__side--empty" aria-label="Vehicle">
-        <p class="muted">
-          Choose a vehicle in the list or in the picture{hint("passNext")}: its motion, the fit and the gaps
-          come here.
-        </p>
+      <aside class="scan__side scan__side--empty" aria-label={say("scan-vehicle")}>
+        <p class="muted">{say("scan-vehicle-none", { key: hint("passNext") })}</p>
       </aside>
     );
   }
   const m = vehicle.measurement;
   return (
-    <aside class="scan__side" aria-label="Vehicle" key={vehicle.id}>
+    <aside class="scan__side" aria-label={say("scan-vehicle")} key={vehicle.id}>
       <header class="vehicle__head">
         <h2>
-          {String(vehicle.number).padStart(2, "0")}{" "}
+          {vehicleName(vehicle.number)}{" "}
           <span class="muted">{[vehicle.make, vehicle.model].filter(Boolean).join(" ")}</span>
         </h2>
         <StateMark state={stateOf(vehicle)} />
       </header>
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, so the keyboard must reach it */}
-      <div class="scan__body stack" role="group" aria-label="Motion and history" tabIndex={0}>
+      <div class="scan__body stack" role="group" aria-label={say("scan-vehicle-body")} tabIndex={0}>
         {m && <Numbers m={m} vehicle={vehicle} />}
         {m && <Verdict model={model} m={m} />}
         {canWork.value && <Tools model={model} m={m} />}
@@ -50,7 +50,7 @@ export function VehiclePanel({ model }: { model: ScanModel }) {
             <History detail={detail} />
           </>
         ) : (
-          <Loading what="the fit" />
+          <Loading what={say("scan-fit-loading")} />
         )}
       </div>
     </aside>
@@ -60,13 +60,13 @@ export function VehiclePanel({ model }: { model: ScanModel }) {
 function Numbers({ m, vehicle }: { m: ScanMotion; vehicle: ScanVehicle }) {
   const gap = vehicle.gap;
   return (
-    <section class="stack stack--tight" aria-label="Motion">
+    <section class="stack stack--tight" aria-label={say("scan-motion")}>
       {m.status === "ok" ? (
         <p class="vehicle__height" data-testid="scan-speed">
           {formatSpeed(m.speed_mps, m.U95_speed_mps, 2)}
         </p>
       ) : (
-        <Notice kind="warning" title="Not measurable">
+        <Notice kind="warning" title={say("scan-not-measurable")}>
           {m.reason}
         </Notice>
       )}
@@ -75,53 +75,48 @@ function Numbers({ m, vehicle }: { m: ScanMotion; vehicle: ScanVehicle }) {
           {one}
         </Notice>
       ))}
-      {m.older && (
-        <Notice>
-          Measured with other values of the rig than the recording has now; measure again to bring it up.
-        </Notice>
-      )}
+      {m.older && <Notice>{say("scan-older")}</Notice>}
       <dl class="facts small">
         {m.status === "ok" && (
           <>
-            <dt>Length</dt>
+            <dt>{say("scan-length")}</dt>
             <dd data-testid="scan-length">{formatMeasured(m.length_m, m.U95_length_m)}</dd>
-            <dt>Acceleration</dt>
+            <dt>{say("scan-acceleration")}</dt>
             <dd>{formatAcceleration(m.acceleration_mps2, m.U95_acceleration_mps2)}</dd>
-            <dt>Wheelbase</dt>
+            <dt>{say("scan-wheelbase")}</dt>
             <dd data-testid="scan-wheelbase">
-              {m.wheelbase_m === null ? "not clicked" : formatMeasured(m.wheelbase_m, m.U95_wheelbase_m)}
+              {m.wheelbase_m === null
+                ? say("scan-wheelbase-none")
+                : formatMeasured(m.wheelbase_m, m.U95_wheelbase_m)}
             </dd>
           </>
         )}
-        <dt>Time gap</dt>
+        <dt>{say("scan-time-gap")}</dt>
         <dd>
-          {gap?.time_gap_s == null ? (gap?.reason ?? "the first vehicle") : formatSeconds(gap.time_gap_s, 3)}
+          {gap?.time_gap_s == null
+            ? (gap?.reason ?? say("scan-time-gap-first"))
+            : formatSeconds(gap.time_gap_s, 3)}
         </dd>
         {gap?.time_gap_s != null && (
           <>
-            <dt>Distance gap</dt>
+            <dt>{say("scan-distance-gap")}</dt>
             <dd>
-              {gap.distance_gap_m === null ? gap.reason : formatLength(gap.distance_gap_m, 2)}
-              {gap.paper_distance_gap_m !== null && (
-                <span class="muted"> (by mean speed {formatLength(gap.paper_distance_gap_m, 2)})</span>
-              )}
+              <DistanceGap gap={gap} />
             </dd>
-            <dt>Headway</dt>
+            <dt>{say("scan-headway")}</dt>
             <dd>{formatSeconds(gap.headway_s, 3)}</dd>
           </>
         )}
-        <dt>By</dt>
+        <dt>{say("scan-by")}</dt>
         <dd>
-          {causeWords(m)}
-          {m.fit_error_percent !== null && <>; scatter of the blocks {fixed(m.fit_error_percent, 2)} %</>}
+          {m.fit_error_percent === null
+            ? causeWords(m)
+            : say("scan-cause-scatter", { cause: causeWords(m), percent: fixed(m.fit_error_percent, 2) })}
         </dd>
         {m.misalignment_px !== null && (
           <>
-            <dt>Misalignment</dt>
-            <dd>
-              {fixed(m.misalignment_px, 2)} px
-              {m.u_misalignment_px !== null && ` (u ${fixed(m.u_misalignment_px, 2)} px)`}
-            </dd>
+            <dt>{say("scan-misalignment")}</dt>
+            <dd>{misalignmentWords(m.misalignment_px, m.u_misalignment_px)}</dd>
           </>
         )}
       </dl>
@@ -129,40 +124,58 @@ function Numbers({ m, vehicle }: { m: ScanMotion; vehicle: ScanVehicle }) {
   );
 }
 
+function DistanceGap({ gap }: { gap: NonNullable<ScanVehicle["gap"]> }) {
+  const words = gap.distance_gap_m === null ? gap.reason : formatLength(gap.distance_gap_m, 2);
+  if (gap.paper_distance_gap_m === null) return <>{words}</>;
+  return (
+    <Said
+      what="scan-distance-gap-paper"
+      values={{ gap: words ?? "", paper_gap: formatLength(gap.paper_distance_gap_m, 2) }}
+      parts={{ muted: (text) => <span class="muted">{text}</span> }}
+    />
+  );
+}
+
+function misalignmentWords(value: number, u: number | null): string {
+  const value_px = fixed(value, 2);
+  if (u === null) return say("value-px", { value: value_px });
+  return say("scan-misalignment-u", { value_px, u_px: fixed(u, 2) });
+}
+
 function Tools({ model, m }: { model: ScanModel; m: ScanMotion | null }) {
   const wheels = model.mode.value === "wheels";
   return (
     <div class="row row--wrap">
-      <Button small title={`Fill the window${hint("scanFit")}`} onClick={() => model.show("fit")}>
-        Show
+      <Button small title={say("scan-show-title") + hint("scanFit")} onClick={() => model.show("fit")}>
+        {say("scan-show")}
       </Button>
       {m?.status === "ok" && (
         <Button
           small
           pressed={wheels}
-          title={`Click both hubs${hint("scanWheels")}`}
+          title={say("scan-wheels-title") + hint("scanWheels")}
           onClick={() => model.start("wheels")}
         >
-          {m.wheelbase_m === null ? "Click the wheels" : "Click the wheels again"}
+          {say(m.wheelbase_m === null ? "scan-wheels" : "scan-wheels-again")}
         </Button>
       )}
       {model.heights.pose.value && (
         <Button
           small
           pressed={model.mode.value === "height"}
-          title={`Click a tyre's contact, then roof, eye and lamp${hint("scanHeight")}`}
+          title={say("scan-heights-title") + hint("scanHeight")}
           onClick={() => model.heights.begin(null)}
         >
-          Measure heights
+          {say("scan-heights-measure")}
         </Button>
       )}
       <Button
         small
         icon="trash"
-        title={`Take the vehicle out${hint("remove")}`}
+        title={say("scan-take-out-title") + hint("remove")}
         onClick={() => void model.remove()}
       >
-        Take out
+        {say("scan-take-out")}
       </Button>
     </div>
   );

@@ -1,9 +1,11 @@
 /** Parts of the chosen vehicle's panel: what is known of it, the motion's budget, its revisions. */
 import { TableScroll } from "../../components";
 import { CommitField } from "../../components/CommitField";
+import { Said } from "../../components/Said";
+import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import { formatMoment } from "../../core/times";
-import type { CatalogueRow, ScanVehicle, ScanVehicleDetail } from "../../core/types";
+import type { CatalogueRow, ScanMotion, ScanVehicle, ScanVehicleDetail } from "../../core/types";
 import {
   formatAcceleration,
   formatLength,
@@ -13,6 +15,7 @@ import {
   parseLength,
   plainLength,
 } from "../../core/units";
+import { STATE_WORDS } from "../../core/words";
 import { CatalogueField } from "../../parts/vehicles/CatalogueField";
 import type { Facts } from "./kinds";
 import type { ScanModel } from "./model";
@@ -22,13 +25,14 @@ export function Known({ model, vehicle }: { model: ScanModel; vehicle: ScanVehic
   const disabled = !canWork.value;
   const unit = lengthUnit.value;
   const length = (value: number | null) => (value === null ? "" : plainLength(value, 3));
-  const wrong = (text: string) => (text === "" || (parseLength(text) ?? 0) > 0 ? null : "This is no length.");
+  const wrong = (text: string) =>
+    text === "" || (parseLength(text) ?? 0) > 0 ? null : say("scan-known-problem");
   const put = (name: "true_length_m" | "true_wheelbase_m") => (text: string) =>
     void model.fillIn({ [name]: text.trim() === "" ? null : parseLength(text) });
   return (
-    <section class="scan__known" aria-label="What is known of the vehicle">
+    <section class="scan__known" aria-label={say("scan-known")}>
       <CatalogueField
-        label="Make"
+        label={say("scan-known-make")}
         value={vehicle.make ?? ""}
         query={(text) => text}
         disabled={disabled}
@@ -36,7 +40,7 @@ export function Known({ model, vehicle }: { model: ScanModel; vehicle: ScanVehic
         onCommit={(make) => void model.fillIn({ make: make || null })}
       />
       <CatalogueField
-        label="Model"
+        label={say("scan-known-model")}
         value={vehicle.model ?? ""}
         query={(text) => `${vehicle.make ?? ""} ${text}`}
         disabled={disabled}
@@ -44,7 +48,7 @@ export function Known({ model, vehicle }: { model: ScanModel; vehicle: ScanVehic
         onCommit={(name) => void model.fillIn({ model: name || null })}
       />
       <CommitField
-        label="True length"
+        label={say("scan-known-length")}
         value={length(vehicle.true_length_m)}
         numeric
         unit={unit}
@@ -54,7 +58,7 @@ export function Known({ model, vehicle }: { model: ScanModel; vehicle: ScanVehic
         onCommit={put("true_length_m")}
       />
       <CommitField
-        label="True wheelbase"
+        label={say("scan-known-wheelbase")}
         value={length(vehicle.true_wheelbase_m)}
         numeric
         unit={unit}
@@ -74,7 +78,7 @@ function fromCatalogue({ make, model, category, length_m, wheelbase_m, source }:
 
 function off(metres: number | null): string | undefined {
   if (metres === null) return undefined;
-  return `measured ${metres < 0 ? "" : "+"}${formatSmall(metres)}`;
+  return say("scan-known-off", { difference: `${metres < 0 ? "" : "+"}${formatSmall(metres)}` });
 }
 
 export function Budget({ detail }: { detail: ScanVehicleDetail }) {
@@ -82,17 +86,17 @@ export function Budget({ detail }: { detail: ScanVehicleDetail }) {
   return (
     <section class="panel" aria-labelledby="scan-budget">
       <header class="panel__head">
-        <h3 id="scan-budget">Where the uncertainty comes from</h3>
-        <span class="muted small">standard uncertainties</span>
+        <h3 id="scan-budget">{say("budget-title")}</h3>
+        <span class="muted small">{say("scan-budget-note")}</span>
       </header>
-      <TableScroll label="Budget">
+      <TableScroll label={say("scan-budget")}>
         <table class="table table--dense">
           <thead>
             <tr>
-              <th>source</th>
-              <th class="num">speed</th>
-              <th class="num">acceleration</th>
-              <th class="num">length</th>
+              <th>{say("scan-budget-source")}</th>
+              <th class="num">{say("scan-budget-speed")}</th>
+              <th class="num">{say("scan-budget-acceleration")}</th>
+              <th class="num">{say("scan-budget-length")}</th>
             </tr>
           </thead>
           <tbody>
@@ -107,7 +111,7 @@ export function Budget({ detail }: { detail: ScanVehicleDetail }) {
             {m && (
               <tr>
                 <td>
-                  <strong>together</strong>
+                  <strong>{say("budget-together")}</strong>
                 </td>
                 <td class="num">{formatSpeed(m.u_speed_mps, null, 3)}</td>
                 <td class="num">{formatAcceleration(m.u_acceleration_mps2)}</td>
@@ -125,24 +129,35 @@ export function History({ detail }: { detail: ScanVehicleDetail }) {
   const reviews = new Map(detail.reviews.map((one) => [one.revision, one]));
   return (
     <details open={detail.history.length > 1}>
-      <summary>History ({detail.history.length})</summary>
+      <summary>{say("scan-history", { count: detail.history.length })}</summary>
       <ul class="scan__history small">
-        {[...detail.history].reverse().map((one) => {
-          const verdict = reviews.get(one.revision);
-          return (
-            <li key={one.id}>
-              <strong>{one.status === "ok" ? formatSpeed(one.speed_mps, null, 2) : "not measurable"}</strong>,{" "}
-              {formatLength(one.length_m)} <span class="muted">{causeWords(one)}</span>
-              <br />
-              <span class="muted">
-                {one.created_by?.name ?? "the search"}, {formatMoment(one.created_at)}
-                {verdict && `; ${verdict.verdict} by ${verdict.reviewer?.name ?? "somebody"}`}
-                {verdict?.reason && `: ${verdict.reason}`}
-              </span>
-            </li>
-          );
-        })}
+        {[...detail.history].reverse().map((one) => (
+          <li key={one.id}>
+            <Said
+              what="scan-revision"
+              values={{
+                speed: one.status === "ok" ? formatSpeed(one.speed_mps, null, 2) : STATE_WORDS.not_measurable,
+                length: formatLength(one.length_m),
+                cause: causeWords(one),
+              }}
+              parts={{ muted: (text) => <span class="muted">{text}</span> }}
+            />
+            <br />
+            <span class="muted">{whoWords(one, reviews.get(one.revision))}</span>
+          </li>
+        ))}
       </ul>
     </details>
   );
+}
+
+/** Who made a revision and when, and the verdict on it. */
+function whoWords(one: ScanMotion, review?: ScanVehicleDetail["reviews"][number]): string {
+  const person = one.created_by?.name ?? say("scan-by-search");
+  const time = formatMoment(one.created_at);
+  if (!review) return say("scan-revision-who", { person, time });
+  const { verdict, reason } = review;
+  const reviewer = review.reviewer?.name ?? say("scan-by-somebody");
+  if (!reason) return say("scan-revision-verdict", { person, time, verdict, reviewer });
+  return say("scan-revision-verdict-why", { person, time, verdict, reviewer, reason });
 }

@@ -2,8 +2,11 @@
 import { useSignalEffect } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { StateMark, TableScroll } from "../../components";
+import { Said } from "../../components/Said";
+import { say } from "../../core/messages";
 import type { ScanVehicle } from "../../core/types";
 import { fixed, heads, plainAcceleration, plainLength, plainSpeed } from "../../core/units";
+import { vehicleName } from "../../core/words";
 import type { ScanModel } from "./model";
 import { stateOf } from "./words";
 
@@ -18,19 +21,21 @@ export function VehicleTable({ model }: { model: ScanModel }) {
   });
   const vehicles = model.vehicles.value;
   return (
-    <TableScroll label="Vehicles" class="scan__table">
+    <TableScroll label={say("scan-vehicles")} class="scan__table">
       <table class="table table--dense">
         <thead>
           <tr>
-            <th>no.</th>
-            <th class="num">time (s)</th>
-            <th class="num">speed ({units.speed})</th>
-            <th class="num">acc. ({units.acceleration})</th>
-            <th class="num">length ({units.length})</th>
-            <th class="num">gap (s)</th>
-            <th class="num">gap ({units.length})</th>
-            <th class="num">headway (s)</th>
-            <th>state</th>
+            <th>{say("scan-head-number")}</th>
+            <th class="num">{say("with-unit", { name: say("scan-head-time"), unit: "s" })}</th>
+            <th class="num">{say("with-unit", { name: say("scan-head-speed"), unit: units.speed })}</th>
+            <th class="num">
+              {say("with-unit", { name: say("scan-head-acceleration"), unit: units.acceleration })}
+            </th>
+            <th class="num">{say("with-unit", { name: say("scan-head-length"), unit: units.length })}</th>
+            <th class="num">{say("with-unit", { name: say("scan-head-gap"), unit: "s" })}</th>
+            <th class="num">{say("with-unit", { name: say("scan-head-gap"), unit: units.length })}</th>
+            <th class="num">{say("with-unit", { name: say("scan-head-headway"), unit: "s" })}</th>
+            <th>{say("scan-head-state")}</th>
           </tr>
         </thead>
         <tbody ref={box}>
@@ -56,8 +61,11 @@ function Row({ vehicle, model }: { vehicle: ScanVehicle; model: ScanModel }) {
     >
       <td>
         <button type="button" class="scan__pick" aria-pressed={here} onClick={() => model.choose(vehicle.id)}>
-          {String(vehicle.number).padStart(2, "0")}
-          <span class="visually-hidden"> choose</span>
+          <Said
+            what="scan-choose-vehicle"
+            values={{ vehicle: vehicleName(vehicle.number) }}
+            parts={{ hidden: (text) => <span class="visually-hidden">{text}</span> }}
+          />
         </button>
       </td>
       <td class="num">{m ? fixed(m.time_s, 2) : "–"}</td>

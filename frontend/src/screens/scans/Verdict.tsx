@@ -2,30 +2,28 @@
 import { useState } from "preact/hooks";
 import { Button, Notice, TextField } from "../../components";
 import { hint } from "../../core/commands";
+import { say, wordsOf } from "../../core/messages";
 import { may } from "../../core/session";
 import type { ScanMotion } from "../../core/types";
 import type { ScanModel } from "./model";
 
-const REASONS = [
-  "A boundary is not where the vehicle begins or ends.",
-  "It is not one vehicle.",
-  "The strips do not match.",
-] as const;
+const REASONS = wordsOf({
+  boundary: "scan-reason-boundary",
+  notOne: "scan-reason-not-one",
+  match: "scan-reason-match",
+});
 
 export function Verdict({ model, m }: { model: ScanModel; m: ScanMotion }) {
   if (m.status !== "ok" || !may("reviewer")) return null;
-  if (m.mine) return <Notice>You placed these boundaries, so somebody else reviews them.</Notice>;
+  if (m.mine) return <Notice>{say("scan-verdict-mine")}</Notice>;
   if (model.rejecting.value) return <Reject model={model} />;
   const verdict = m.review.verdict;
   if (verdict === "accepted" || verdict === "rejected") {
     return (
       <div class="row row--wrap">
-        <span class="small grow">
-          {verdict === "accepted" ? "Accepted" : "Rejected"} by {m.review.reviewer?.name ?? "somebody"}
-          {m.review.reason && `: ${m.review.reason}`}
-        </span>
+        <span class="small grow">{givenWords(verdict, m.review)}</span>
         <Button small busy={model.busy.value} onClick={() => void model.review("reopened")}>
-          Reopen
+          {say("scan-verdict-reopen")}
         </Button>
       </div>
     );
@@ -36,21 +34,27 @@ export function Verdict({ model, m }: { model: ScanModel; m: ScanMotion }) {
         kind="primary"
         icon="check"
         busy={model.busy.value}
-        title={`Accept${hint("reviewAccept")}`}
+        title={say("scan-verdict-accept") + hint("reviewAccept")}
         onClick={() => void model.review("accepted")}
       >
-        Accept
+        {say("scan-verdict-accept")}
       </Button>
       <Button
-        title={`Reject${hint("reviewReject")}`}
+        title={say("scan-verdict-reject") + hint("reviewReject")}
         onClick={() => {
           model.rejecting.value = true;
         }}
       >
-        Reject…
+        {say("scan-verdict-reject-why")}
       </Button>
     </div>
   );
+}
+
+function givenWords(verdict: "accepted" | "rejected", review: ScanMotion["review"]): string {
+  const person = review.reviewer?.name ?? say("scan-by-somebody");
+  if (!review.reason) return say("scan-verdict-given", { verdict, person });
+  return say("scan-verdict-given-why", { verdict, person, reason: review.reason });
 }
 
 function Reject({ model }: { model: ScanModel }) {
@@ -64,23 +68,23 @@ function Reject({ model }: { model: ScanModel }) {
   return (
     <form class="stack stack--tight" onSubmit={send}>
       <div class="row row--wrap">
-        {REASONS.map((one) => (
+        {Object.values(REASONS).map((one) => (
           <Button key={one} small pressed={reason === one} onClick={() => setReason(one)}>
             {one}
           </Button>
         ))}
       </div>
-      <TextField label="Why it is rejected" value={reason} onInput={setReason} />
+      <TextField label={say("scan-verdict-reason")} value={reason} onInput={setReason} />
       <div class="row">
         <Button type="submit" kind="primary" disabled={reason.trim() === ""}>
-          Reject
+          {say("scan-verdict-reject")}
         </Button>
         <Button
           onClick={() => {
             model.rejecting.value = false;
           }}
         >
-          Leave it
+          {say("scan-verdict-leave")}
         </Button>
       </div>
     </form>

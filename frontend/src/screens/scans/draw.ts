@@ -1,5 +1,7 @@
 /** Draws the two strips, the vehicles' spans and the boundaries of the chosen one on a canvas. */
+import { say } from "../../core/messages";
 import type { Scan, ScanVehicle } from "../../core/types";
+import { fixed } from "../../core/units";
 import { type Crossings, EDGES, type Edge } from "./kinds";
 import type { Tiles } from "./tiles";
 import { AXIS_PX, levelFor, type StripsView, stripTop, tilesIn, xOf, yOf } from "./view";
@@ -200,6 +202,6 @@ function timeAxis(pen: CanvasRenderingContext2D, what: Drawing, colours: Colours
     pen.moveTo(Math.round(x) + 0.5, top);
     pen.lineTo(Math.round(x) + 0.5, top + AXIS_PX);
     pen.stroke();
-    pen.fillText(`${(n * step).toFixed(digits)} s`, x + 4, top + AXIS_PX / 2 + 1);
+    pen.fillText(say("value-s", { value: fixed(n * step, digits) }), x + 4, top + AXIS_PX / 2 + 1);
   }
 }

@@ -1,8 +1,9 @@
 /** Draws over camera 1 what belongs to heights: clicks, the ladder above the contact, the rod's marks. */
 
+import { say } from "../../core/messages";
 import type { LineHeight } from "../../core/types";
 import { formatHeight, formatLength } from "../../core/units";
-import { TARGET_WORDS } from "../../core/words";
+import { STATE_WORDS, TARGET_WORDS } from "../../core/words";
 import { clicksOf } from "./kinds";
 import type { ScanModel } from "./model";
 import { type Place, type StripsView, xOf, yOf } from "./view";
@@ -50,8 +51,9 @@ function rodMarks(pens: Pens, model: ScanModel): void {
     const at = { line: mark.line, row: mark.row_px };
     cross(pens, at, pens.accent);
     const top = marks.every((one) => one.distance_m !== mark.distance_m || one.height_m <= mark.height_m);
-    const away = top ? `, ${formatLength(mark.distance_m, 2)} away` : "";
-    word(pens, at, `${formatLength(mark.height_m, 2)}${away}`, false, 0);
+    const height = formatLength(mark.height_m, 2);
+    const distance = formatLength(mark.distance_m, 2);
+    word(pens, at, top ? say("scan-drawn-mark-away", { height, distance }) : height, false, 0);
   }
 }
 
@@ -71,11 +73,14 @@ function storedHeight(pens: Pens, model: ScanModel, height: LineHeight, labelled
   cross(pens, contact, role === "contact" ? pens.accent : pens.ink);
   cross(pens, point, role === "point" ? pens.accent : pens.ink);
   const underWay = target.value !== null || live.value?.target === height.target;
-  if (labelled && !underWay) word(pens, point, `${TARGET_WORDS[height.target]} ${heightWords(height)}`);
+  const words = { target: TARGET_WORDS[height.target], height: heightWords(height) };
+  if (labelled && !underWay) word(pens, point, say("scan-drawn-height", words));
 }
 
 function heightWords(height: LineHeight): string {
-  return height.status === "ok" ? formatHeight(height.height_m, height.U95_height_m) : "not measurable";
+  return height.status === "ok"
+    ? formatHeight(height.height_m, height.U95_height_m)
+    : STATE_WORDS.not_measurable;
 }
 
 function inHand(pens: Pens, model: ScanModel): void {
@@ -90,7 +95,7 @@ function inHand(pens: Pens, model: ScanModel): void {
   cross(pens, contact, pens.accent);
   if (!live?.point) {
     const away = live?.answer?.distance_m ?? null;
-    if (away !== null) word(pens, contact, `${formatLength(away, 2)} away`);
+    if (away !== null) word(pens, contact, say("scan-drawn-away", { distance: formatLength(away, 2) }));
     return;
   }
   joined(pens, contact, live.point);

@@ -6,12 +6,13 @@ import { computed, signal } from "@preact/signals";
 import { api, explain } from "../../core/api";
 import type { Ledger } from "../../core/history";
 import { Latest } from "../../core/latest";
+import { say } from "../../core/messages";
 import { outbox, type Wish } from "../../core/outbox";
 import { canWork } from "../../core/session";
 import { toast } from "../../core/toasts";
 import type { LineHeight, LineHeightAnswer, LinePose, LinePoses, Target } from "../../core/types";
-import { formatHeight } from "../../core/units";
-import { REQUIRED, TARGET_WORDS } from "../../core/words";
+import { fixed, formatHeight } from "../../core/units";
+import { REQUIRED, STATE_WORDS } from "../../core/words";
 import type { Bench } from "./bench";
 import {
   type Clicks,
@@ -123,7 +124,7 @@ export class LineHeights {
     const wanted = target ?? this.missing() ?? "roof";
     if (!canWork.value || this.bench.chosenId.value === null) return;
     if (!this.pose.value) {
-      toast("Heights need the line camera's pose; calibrate the height with a rod first.");
+      toast(say("scan-heights-calibrate-first"));
       return;
     }
     this.flush();
@@ -210,7 +211,7 @@ export class LineHeights {
     const vehicle = this.bench.chosen.value;
     if (!before || !vehicle) return;
     await this.bench.change(
-      `withdrawing the ${words(target)} of vehicle ${vehicle.number}`,
+      say("scan-step-withdraw", { target, vehicle: String(vehicle.number) }),
       async (changes) => void (await changes.write(this.ledger, { id: vehicle.id, target }, null)),
     );
     this.selected.value = null;
@@ -287,7 +288,7 @@ export class LineHeights {
 
   private async store(id: number, number: number, target: Target, clicks: Clicks): Promise<void> {
     await this.bench.change(
-      `${words(target)} of vehicle ${number}`,
+      say("scan-step-height", { target, vehicle: String(number) }),
       async (changes) => void (await changes.write(this.ledger, { id, target }, clicks)),
     );
   }
@@ -307,8 +308,8 @@ export class LineHeights {
       kind: LINE_HEIGHT,
       lane: `scan.${this.bench.id}`,
       about: { id, scanId: this.bench.id, target, answer },
-      what: `${words(target)} of vehicle ${this.bench.numberOf(id)}`,
-      mine: clicks ? wordsOf(answer, clicks) : "withdrawn",
+      what: say("scan-step-height", { target, vehicle: String(this.bench.numberOf(id)) }),
+      mine: clicks ? wordsOf(answer, clicks) : STATE_WORDS.withdrawn,
       page: this.bench.page(id),
       saved,
       want: { clicks, ...(same ? { again: saved.revision } : {}) },
@@ -391,11 +392,7 @@ function withHeight(all: readonly LineHeight[], made: LineHeight): readonly Line
 
 function wordsOf(answer: LineHeightAnswer | null, { point }: Clicks): string {
   if (answer?.status === "ok") return formatHeight(answer.height_m, answer.U95_height_m);
-  return `clicked at line ${point.line.toFixed(0)}, row ${point.row.toFixed(0)}`;
-}
-
-function words(target: Target): string {
-  return TARGET_WORDS[target].toLowerCase();
+  return say("scan-wish-clicked", { line: fixed(point.line, 0), row: fixed(point.row, 0) });
 }
 
 function bodyOf({ target, contact, point, inset }: Looked) {

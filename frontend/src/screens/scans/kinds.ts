@@ -1,9 +1,11 @@
 /** How the outbox brings what is done on the strips to the server: addresses, bodies, and when two of them are the same. */
 import { api } from "../../core/api";
+import { say } from "../../core/messages";
 import { type Kind, outbox } from "../../core/outbox";
 import type { BodyOf } from "../../core/routes";
 import type { LineHeight, LineHeightAnswer, LinePose, RodMark, ScanVehicle, Target } from "../../core/types";
-import { formatHeight, formatLength } from "../../core/units";
+import { fixed, formatHeight, formatLength } from "../../core/units";
+import { CATEGORY_WORDS, STATE_WORDS } from "../../core/words";
 import type { Place } from "./view";
 
 export const LINE_HEIGHT = "line-height";
@@ -66,8 +68,10 @@ const heightKind: Kind<LineHeight, HeightWanted, HeightAbout> = {
   },
   version: (saved) => saved?.revision ?? 0,
   words(saved) {
-    if (!saved || saved.withdrawn) return "withdrawn";
-    return saved.status === "ok" ? formatHeight(saved.height_m, saved.U95_height_m) : "not measurable";
+    if (!saved || saved.withdrawn) return STATE_WORDS.withdrawn;
+    return saved.status === "ok"
+      ? formatHeight(saved.height_m, saved.U95_height_m)
+      : STATE_WORDS.not_measurable;
   },
 };
 
@@ -123,12 +127,12 @@ const rodKind: Kind<LinePose, RodValues, { scanId: number }> = {
     saved.marks.length === want.marks.length &&
     want.marks.every((mark, at) => same(mark, saved.marks[at], ["distance_m", "height_m", "row_px", "line"])),
   version: (saved) => saved?.revision ?? 0,
-  words: (saved) => (saved ? rodWords(saved.marks) : "none"),
+  words: (saved) => (saved ? rodWords(saved.marks) : say("scan-wish-no-marks")),
 };
 
 export function rodWords(marks: readonly RodMark[]): string {
   const distances = [...new Set(marks.map((mark) => formatLength(mark.distance_m, 2)))];
-  return `${marks.length} marks at ${distances.join(", ")}`;
+  return say("scan-wish-marks", { count: marks.length, distances: distances.join(", ") });
 }
 
 export type Facts = Partial<
@@ -179,7 +183,7 @@ const scannedKind: Kind<ScanVehicle, ScannedWanted, ScannedAbout> = {
     (!want.hubs || hasHubs(saved, want.hubs)) &&
     (!want.facts || hasFacts(saved, want.facts)),
   version: (saved) => saved?.version ?? 0,
-  words: (saved) => (!saved || saved.deleted ? "taken out" : scannedWords(wantedOf(saved))),
+  words: (saved) => (!saved || saved.deleted ? say("scan-wish-taken-out") : scannedWords(wantedOf(saved))),
 };
 
 async function readVehicle(vehicle_id: number, signal: AbortSignal): Promise<ScanVehicle> {
@@ -211,16 +215,25 @@ function wantedOf({ measurement: m, make, model, category, true_length_m, true_w
 
 /** What is wanted of a vehicle, or stands, in words. */
 export function scannedWords({ there, boundaries, hubs, facts }: ScannedWanted): string {
-  const lines = (all: readonly (number | null)[]): string =>
-    all.map((one) => one?.toFixed(1) ?? "none").join(", ");
-  const known = Object.values(facts ?? {}).filter((value) => value !== null);
   const told = [
-    there === undefined ? "" : there ? "in the list" : "taken out",
-    boundaries ? `boundaries at lines ${lines(EDGES.map((edge) => boundaries[edge]))}` : "",
-    hubs ? `wheels at lines ${lines(hubs)}` : "",
-    facts ? known.join(" ") || "nothing known" : "",
+    there === undefined ? "" : say(there ? "scan-wish-there" : "scan-wish-taken-out"),
+    boundaries
+      ? say("scan-wish-boundaries", { lines: linesWords(EDGES.map((edge) => boundaries[edge])) })
+      : "",
+    hubs ? say("scan-wish-hubs", { lines: linesWords(hubs) }) : "",
+    facts ? factsWords(facts) : "",
   ];
   return told.filter(Boolean).join("; ");
+}
+
+function linesWords(lines: readonly (number | null)[]): string {
+  return lines.map((one) => (one === null ? say("scan-wish-no-line") : fixed(one, 1))).join(", ");
+}
+
+function factsWords(facts: Facts): string {
+  const { category } = facts;
+  const known = Object.values({ ...facts, ...(category ? { category: CATEGORY_WORDS[category] } : {}) });
+  return known.filter((value) => value !== null).join(" ") || say("scan-wish-nothing-known");
 }
 
 interface Added {
@@ -280,7 +293,9 @@ const verdictKind: Kind<ScanVehicle, Verdict, VerdictAbout> = {
   },
   words: (saved) => {
     const review = saved?.measurement?.review;
-    return review ? `${review.verdict} by ${review.reviewer?.name ?? "nobody"}` : "";
+    if (!review) return "";
+    const person = review.reviewer?.name ?? say("scan-by-nobody");
+    return say("scan-wish-verdict-by", { verdict: review.verdict, person });
   },
 };
 

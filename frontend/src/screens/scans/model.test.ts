@@ -125,6 +125,14 @@ describe("the strips", () => {
     expect(model.mode.value).toBe("look");
   });
 
+  it("tell why a search stopped", async () => {
+    server.on("POST", /^\/scans\/3\/find$/, () => ({ id: 4, state: "running" }));
+    server.on("GET", /^\/jobs\/4$/, () => ({ id: 4, state: "failed", error: "The strips are gone." }));
+    void model.find("direct", true);
+    await vi.advanceTimersByTimeAsync(3000);
+    expect(toasts.value.map((one) => one.text)).toContain("The strips are gone.");
+  });
+
   it("choose the vehicle under a click, and none beside it", async () => {
     hand()(800, 800);
     expect(model.chosenId.value).toBeNull();

@@ -3,12 +3,14 @@ import { computed, signal } from "@preact/signals";
 import { setQuery } from "../../core/address";
 import { api } from "../../core/api";
 import { type ChangeSet, History, type Ledger } from "../../core/history";
-import { followJob } from "../../core/jobs";
+import { followJob, jobProblem } from "../../core/jobs";
+import { say } from "../../core/messages";
 import { outbox, type Wish } from "../../core/outbox";
 import { newKey } from "../../core/random";
 import { may, me } from "../../core/session";
 import { toast, toastProblem } from "../../core/toasts";
 import type { Job, Scan, ScanMethod, ScanVehicle, ScanVehicleDetail } from "../../core/types";
+import { fixed } from "../../core/units";
 import type { Tool } from "../../viewer/tool";
 import type { Mode, Strips } from "./bench";
 import { LineHeights } from "./heights";
@@ -142,7 +144,7 @@ export class ScanModel implements Strips {
     const at = all.findIndex((one) => one.id === this.chosenId.value);
     const next = at < 0 ? (by === 1 ? all[0] : all.at(-1)) : all[at + by];
     if (next) this.choose(next.id);
-    else toast(by === 1 ? "This is the last vehicle." : "This is the first vehicle.");
+    else toast(say(by === 1 ? "scan-last-vehicle" : "scan-first-vehicle"));
   }
 
   /** The chosen vehicle in sight: just so, or filling the window. */
@@ -192,7 +194,7 @@ export class ScanModel implements Strips {
     const before = vehicle?.measurement;
     if (!draft || !vehicle || !before) return;
     if (!sameCrossings(draft, before))
-      await this.change(`boundaries of vehicle ${vehicle.number}`, async (changes) => {
+      await this.change(say("scan-step-boundaries", { vehicle: String(vehicle.number) }), async (changes) => {
         await changes.write(this.boundaries, vehicle.id, draft);
       });
     if (this.draft.value === draft) this.draft.value = null;
@@ -245,7 +247,7 @@ export class ScanModel implements Strips {
   async storeWheels(front: number | null, rear: number | null): Promise<void> {
     const vehicle = this.chosen.value;
     if (!vehicle?.measurement) return;
-    await this.change(`wheels of vehicle ${vehicle.number}`, async (changes) => {
+    await this.change(say("scan-step-wheels", { vehicle: String(vehicle.number) }), async (changes) => {
       await changes.write(this.hubs, vehicle.id, [front, rear]);
     });
   }
@@ -253,7 +255,7 @@ export class ScanModel implements Strips {
   async fillIn(facts: Facts): Promise<void> {
     const vehicle = this.chosen.value;
     if (!vehicle) return;
-    await this.change(`what is known of vehicle ${vehicle.number}`, async (changes) => {
+    await this.change(say("scan-step-known", { vehicle: String(vehicle.number) }), async (changes) => {
       changes.touch(this.facts, { id: vehicle.id, names: Object.keys(facts) as (keyof Facts)[] });
       await this.want(vehicle.id, { facts });
     });
@@ -262,9 +264,10 @@ export class ScanModel implements Strips {
   async remove(): Promise<void> {
     const vehicle = this.chosen.value;
     if (!vehicle || !may("operator")) return;
-    await this.change(`taking out vehicle ${vehicle.number}`, async (changes) => {
+    const named = { vehicle: String(vehicle.number) };
+    await this.change(say("scan-step-take-out", named), async (changes) => {
       await changes.write(this.presence, vehicle.id, false);
-      toast(`Vehicle ${vehicle.number} was taken out; Ctrl Z brings it back.`);
+      toast(say("scan-taken-out", named));
     });
   }
 
@@ -279,8 +282,10 @@ export class ScanModel implements Strips {
         kind: SCAN_VERDICT,
         lane: this.lane,
         about: { id, measurementId: measured.id, by: me.value?.person.id ?? 0 },
-        what: `verdict on vehicle ${number}`,
-        mine: reason ? `${verdict}: ${reason}` : verdict,
+        what: say("scan-wish-verdict", { vehicle: String(number) }),
+        mine: reason
+          ? say("scan-wish-verdict-why", { verdict, reason })
+          : say("scan-wish-verdict-word", { verdict }),
         page: this.page(id),
         saved: vehicle,
         want: { verdict, reason: reason ?? null },
@@ -315,20 +320,23 @@ export class ScanModel implements Strips {
         kind: ADDED,
         lane: this.lane,
         about: { scanId: this.id },
-        what: "a vehicle",
-        mine: `front at line ${front.toFixed(1)}, rear at line ${rear.toFixed(1)}`,
+        what: say("scan-wish-a-vehicle"),
+        mine: say("scan-wish-lines", { front: fixed(front, 1), rear: fixed(rear, 1) }),
         page: this.page(),
         saved: null,
         want: { front_line_1: front, rear_line_1: rear },
       });
       const made = added?.saved;
-      if (!made) toast("The vehicle is kept here, and comes into the list when the connection is back.");
+      if (!made) toast(say("scan-kept-vehicle"));
       else
-        await this.history.run(`vehicle ${made.number}`, async (changes) => {
-          changes.touch(this.presence, made.id);
-          await this.readVehicles();
-          this.choose(made.id);
-        });
+        await this.history.run(
+          say("scan-step-vehicle", { vehicle: String(made.number) }),
+          async (changes) => {
+            changes.touch(this.presence, made.id);
+            await this.readVehicles();
+            this.choose(made.id);
+          },
+        );
     });
   }
 
@@ -384,7 +392,7 @@ export class ScanModel implements Strips {
       kind: SCANNED,
       lane: this.lane,
       about: { id, scanId: this.id },
-      what: `vehicle ${this.numberOf(id)}`,
+      what: say("scan-step-vehicle", { vehicle: String(this.numberOf(id)) }),
       mine: scannedWords(want),
       page: this.page(id),
       saved: this.seen.get(id) ?? null,
@@ -462,7 +470,7 @@ export class ScanModel implements Strips {
         this.stop.signal,
       );
       this.job.value = null;
-      if (over.state === "failed") toastProblem(new Error(over.error ?? "The search stopped."));
+      if (over.state === "failed") toastProblem(jobProblem(over, say("scan-search-stopped")));
       const scan = await api.ask("GET /scans/{scan_id}", { scan_id: this.id });
       this.take(scan);
       if (scan.state === "ready") await Promise.all([this.refresh(), this.heights.load()]);

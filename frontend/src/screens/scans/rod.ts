@@ -3,6 +3,7 @@ import { signal } from "@preact/signals";
 import { api } from "../../core/api";
 import type { Ledger } from "../../core/history";
 import { Latest } from "../../core/latest";
+import { say } from "../../core/messages";
 import { outbox } from "../../core/outbox";
 import { toast, toastProblem } from "../../core/toasts";
 import type { LinePose, RodMark, SolvedRod } from "../../core/types";
@@ -73,23 +74,23 @@ export class RodDraft {
   click(at: Place): void {
     const { distance_m, height_m, step_m } = this.next.value;
     if (distance_m === null) {
-      toast("Enter the rod's distance from the camera first, then click its marks.");
+      toast(say("scan-rod-distance-first"));
       return;
     }
     const mark = { distance_m, height_m, row_px: at.row, line: Math.max(at.line, 0) };
-    this.put([...this.values.value.marks, mark], "mark of the rod");
+    this.put([...this.values.value.marks, mark], say("scan-step-mark"));
     this.next.value = { distance_m, step_m, height_m: Number((height_m + step_m).toFixed(6)) };
   }
 
   remove(index: number): void {
     this.put(
       this.values.value.marks.filter((_, at) => at !== index),
-      "removing a mark",
+      say("scan-step-mark-removed"),
     );
   }
 
   clear(): void {
-    this.put([], "removing all marks");
+    this.put([], say("scan-step-marks-removed"));
     this.next.value = { ...this.next.value, height_m: 0 };
   }
 
@@ -99,17 +100,13 @@ export class RodDraft {
 
   async store(): Promise<void> {
     const values = this.values.value;
-    await this.bench.change("calibration of the height", async (changes) => {
+    await this.bench.change(say("scan-step-calibration"), async (changes) => {
       // before the first one there was none, and none can be put back
       if (this.heights.pose.value) await changes.write(this.stored, "pose", values);
       else await this.send(values);
       this.bench.cancel();
       const older = this.heights.older.value.length;
-      toast(
-        older > 0
-          ? "The calibration is stored. Heights keep the one before until they are computed again, beside each vehicle."
-          : "The calibration is stored. Choose a vehicle and measure its heights.",
-      );
+      toast(say(older > 0 ? "scan-rod-stored-older" : "scan-rod-stored"));
     });
   }
 
@@ -121,7 +118,7 @@ export class RodDraft {
       kind: ROD,
       lane: `scan.${id}`,
       about: { scanId: id },
-      what: "calibration of the height",
+      what: say("scan-step-calibration"),
       mine: rodWords(values.marks),
       page: this.bench.page(),
       saved: this.heights.pose.value,

@@ -1,9 +1,9 @@
 /** What is done on the strips: a rod's marks, heights, two lines of a vehicle, and its boundaries when nothing else is taken up. */
 import { computed, signal } from "@preact/signals";
+import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import { toast } from "../../core/toasts";
 import { formatLength } from "../../core/units";
-import { TARGET_HINTS } from "../../core/words";
 import { type ScreenPoint, screenPoint } from "../../viewer/points";
 import type { DragPhase, Handle, Tool } from "../../viewer/tool";
 import type { Strips } from "./bench";
@@ -17,7 +17,7 @@ const always = computed(() => true);
 /** Points are clicked on camera 1; a click elsewhere says so. */
 function onCamera1(view: StripsView, at: StripPoint, use: (at: Place) => void): boolean {
   if (isOnCamera1(view, at)) use(at);
-  else toast("Click on camera 1, the upper strip.");
+  else toast(say("scan-click-camera-1"));
   return true;
 }
 
@@ -29,8 +29,11 @@ export class RodTool implements Tool<StripPoint> {
   readonly placing = always;
   readonly hint = computed(() => {
     const { distance_m, height_m } = this.rod.next.value;
-    if (distance_m === null) return "Enter the rod's distance on the right";
-    return `Click the rod ${formatLength(distance_m, 2)} away, ${formatLength(height_m, 2)} above the road`;
+    if (distance_m === null) return say("scan-click-rod-distance");
+    return say("scan-click-rod", {
+      distance: formatLength(distance_m, 2),
+      height: formatLength(height_m, 2),
+    });
   });
 
   constructor(
@@ -46,8 +49,9 @@ export class RodTool implements Tool<StripPoint> {
 export class HeightTool implements Tool<StripPoint> {
   readonly placing = always;
   readonly hint = computed(() => {
-    if (!this.heights.contact.value) return "Click where a tyre stands on the road, on camera 1";
-    return `Click ${this.heights.target.value ? TARGET_HINTS[this.heights.target.value] : "the target"}`;
+    if (!this.heights.contact.value) return say("scan-click-tyre");
+    const target = this.heights.target.value;
+    return target ? say("scan-click-target", { target }) : say("scan-click-any-target");
   });
 
   constructor(
@@ -72,8 +76,8 @@ export class TwoLines implements Tool<StripPoint> {
   readonly hint = computed(() => {
     const second = this.first.value !== null;
     return this.model.mode.value === "wheels"
-      ? `Click the hub of the ${second ? "rear" : "front"} wheel on camera 1`
-      : `Click the vehicle's ${second ? "rear" : "front"} on camera 1`;
+      ? say(second ? "scan-click-rear-wheel" : "scan-click-front-wheel")
+      : say(second ? "scan-click-rear" : "scan-click-front");
   });
 
   constructor(

@@ -1,14 +1,13 @@
 /** Figures of a line scan in words and units; every number is the server's. */
 
+import { say } from "../../core/messages";
 import type { ScanMotion, ScanVehicle } from "../../core/types";
 import { fixed, formatHeight } from "../../core/units";
 import type { StateName } from "../../core/words";
 
-const NBSP = " ";
-
 /** "1.284 s" */
 export function formatSeconds(seconds: number | null, digits = 2): string {
-  return seconds === null ? "–" : `${fixed(seconds, digits)}${NBSP}s`;
+  return seconds === null ? "–" : say("value-s", { value: fixed(seconds, digits) });
 }
 
 /** "4.660 ± 0.008 m"; of an uncertain length no more decimals than its uncertainty has to say. */
@@ -26,6 +25,5 @@ export function stateOf(vehicle: ScanVehicle): StateName {
 
 /** How the current numbers came about. */
 export function causeWords(one: ScanMotion): string {
-  const method = one.method === "paper" ? "the paper's method" : "direct registration";
-  return one.placed_by_person ? `${method}, boundaries placed by hand` : method;
+  return say(one.placed_by_person ? "scan-cause-by-hand" : "scan-cause", { method: one.method });
 }
