@@ -1226,6 +1226,11 @@ review-state-fixed = Fixed
 review-state-all = All
 review-counts = { NUMBER($accepted) } accepted, { NUMBER($rejected) } rejected of { NUMBER($count) }
 review-mine = mine
+review-verdict-of = verdict on { $target } of vehicle { $vehicle }
+review-verdict-reason = { $verdict }: { $reason }
+review-verdict-by = { $verdict } by { $person }
+review-verdict-none = no verdict
+review-verdict-kept = The verdict is kept here and will be stored when the connection is back.
 
 ## Review: clicking again before the points are seen
 

@@ -1,4 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { tryAgainNow } from "../../core/api";
+import { outbox } from "../../core/outbox";
 import type { ReviewItem } from "../../core/types";
 import { FakeServer, recording } from "../../testing/server";
 import { imagePoint, pair } from "../../viewer/points";
@@ -19,7 +21,7 @@ function item(id: number): ReviewItem {
     withdrawn: false,
     pose_id: 1,
   });
-  return { measurement, mine: false } as unknown as ReviewItem;
+  return { measurement, mine: false, vehicle: { number: 3 } } as unknown as ReviewItem;
 }
 
 async function open(blind: number): Promise<void> {
@@ -39,7 +41,7 @@ beforeEach(() => {
   server.on("GET", /\/recordings$/, () => [recording()]);
   server.on("POST", /^\/measurements\/(\d+)\/reviews$/, (match, body) => {
     judged.push(body);
-    const review = { verdict: body["verdict"], reason: null, reviewer: null, at: null };
+    const review = { verdict: body["verdict"], reason: null, reviewer: { id: 1, name: "R" }, at: null };
     return server.save(Number(match[1]), { ...server.stored.get(Number(match[1])), review });
   });
 });
@@ -58,9 +60,39 @@ describe("the review queue", () => {
     expect(model.onFrame.value).toBe(true);
     await model.judge("accepted");
     await quiet();
-    expect(judged).toEqual([{ revision: 1, verdict: "accepted" }]);
+    expect(judged).toEqual([{ revision: 1, verdict: "accepted", seen: "to_review" }]);
     expect(model.currentId.value).toBe(2);
     expect(model.reel.seen.value).toBe(42);
+  });
+
+  it("keeps a verdict over a closed page without a connection, goes on, and sends it once from the next", async () => {
+    await open(0);
+    server.down = true;
+    await model.judge("rejected", "The feature is hidden.");
+    expect(model.currentId.value).toBe(2);
+    model.close();
+    outbox.open(null);
+    server.down = false;
+    outbox.open(1);
+    await quiet();
+    tryAgainNow(); // what the page itself was asking for
+    await quiet();
+    expect(server.writes).toEqual(["POST /measurements/1/reviews"]);
+    expect(judged).toMatchObject([{ verdict: "rejected", reason: "The feature is hidden." }]);
+    expect(outbox.wishes.value.size).toBe(0);
+  });
+
+  it("shows what there is now where the points were changed meanwhile, and leaves nothing to send", async () => {
+    await open(0);
+    server.on("POST", /\/reviews$/, () => {
+      throw 409;
+    });
+    server.on("GET", /^\/measurements\/1$/, () => server.save(1, { ...server.stored.get(1), revision: 2 }));
+    await model.judge("accepted");
+    await quiet();
+    expect(model.current.value?.measurement).toMatchObject({ id: 1, revision: 2 });
+    expect(outbox.wishes.value.size).toBe(0);
+    expect(judged).toEqual([]);
   });
 
   it("stores dragged and nudged points as a fix with Enter", async () => {
@@ -76,7 +108,14 @@ describe("the review queue", () => {
     model.stage.confirm();
     await quiet();
     expect(judged).toEqual([
-      { revision: 1, verdict: "fixed", target_point: [111, 240], contact: [100.1, 400], frame: 41 },
+      {
+        revision: 1,
+        verdict: "fixed",
+        seen: "to_review",
+        target_point: [111, 240],
+        contact: [100.1, 400],
+        frame: 41,
+      },
     ]);
   });
 

@@ -3,11 +3,13 @@ import { batch, computed, effect, type ReadonlySignal, signal } from "@preact/si
 import { setQuery } from "../../core/address";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
+import { outbox, type Wanted } from "../../core/outbox";
 import { may, me } from "../../core/session";
 import { stored } from "../../core/stored";
 import { refreshSurvey } from "../../core/survey";
 import { toast, toastProblem } from "../../core/toasts";
 import type { Comparison, Measurement, ReviewItem, Verdict } from "../../core/types";
+import { STATE_WORDS, TARGET_WORDS, vehicleName } from "../../core/words";
 import { BlindClicks, isDrawn } from "../../viewer/blind";
 import { Geometry } from "../../viewer/geometry";
 import { fromServer, type ImagePoint, pair } from "../../viewer/points";
@@ -15,6 +17,7 @@ import { Reel } from "../../viewer/reel";
 import { FrameStage } from "../../viewer/stage";
 import { valuesOf } from "../../viewer/values";
 import { type Fix, FixTool } from "./fix";
+import { type GivenVerdict, VERDICT, type VerdictAbout } from "./kinds";
 
 /** The states that the queue can be asked for; reopened ones are to review again. */
 export type Shown = Exclude<Verdict, "reopened"> | "all";
@@ -208,23 +211,40 @@ export class ReviewModel {
     const points =
       verdict === "fixed" && fix
         ? { contact: pair(fix.contact), target_point: pair(fix.point), frame: item.measurement.frame }
-        : {};
+        : null;
     this.busy.value = true;
     try {
-      const body = { revision: item.measurement.revision, verdict, ...(reason ? { reason } : {}), ...points };
-      const judged = await api.write(
-        "POST /measurements/{measurement_id}/reviews",
-        { measurement_id: item.measurement.id },
-        { body },
-      );
-      this.after(item, judged);
+      const stored = await outbox.store(this.verdictOn(item, { verdict, reason: reason ?? null, points }));
+      if (!stored) toast(say("review-verdict-kept"));
+      this.after(item, stored?.saved ?? null);
       void refreshSurvey();
     } catch (error) {
       toastProblem(error);
+      // told here, and the measurement is looked at again: nothing is left to choose
+      outbox.discard(keyOf(item));
       await this.refreshItem(item);
     } finally {
       this.busy.value = false;
     }
+  }
+
+  private verdictOn(item: ReviewItem, want: GivenVerdict): Wanted<Measurement, GivenVerdict, VerdictAbout> {
+    const m = item.measurement;
+    const verdict = STATE_WORDS[want.verdict];
+    return {
+      key: keyOf(item),
+      kind: VERDICT,
+      lane: `review ${this.surveyId}`,
+      about: { id: m.id, revision: m.revision, by: me.value?.person.id ?? 0 },
+      what: say("review-verdict-of", {
+        target: TARGET_WORDS[m.target],
+        vehicle: vehicleName(item.vehicle.number),
+      }),
+      mine: want.reason ? say("review-verdict-reason", { verdict, reason: want.reason }) : verdict,
+      page: `/surveys/${this.surveyId}/review?measurement=${m.id}`,
+      saved: m,
+      want,
+    };
   }
 
   /** Points to correct: those that stand, or this person's own second click. */
@@ -275,13 +295,13 @@ export class ReviewModel {
     });
   }
 
-  /** What has been judged leaves the queue of the unjudged, and the next one opens. */
-  private after(item: ReviewItem, judged: Measurement): void {
+  /** What has been judged leaves the queue of the unjudged, and the next one opens. Null: kept, and not stored yet. */
+  private after(item: ReviewItem, judged: Measurement | null): void {
     const items = this.items.value ?? [];
     const at = items.indexOf(item);
     // one's own measurements wait for somebody else: go on with the next that can be judged
     const next = items.find((other, i) => i > at && !other.mine) ?? items[at + 1] ?? items[at - 1];
-    const stays = this.shown.value === "all" || this.shown.value === judged.review.verdict;
+    const stays = judged && (this.shown.value === "all" || this.shown.value === judged.review.verdict);
     batch(() => {
       this.items.value = stays
         ? items.map((other) => (other === item ? { ...item, measurement: judged } : other))
@@ -354,4 +374,8 @@ export class ReviewModel {
 
 function isOwn(one: Comparison): boolean {
   return one.repeat.created_by !== null && one.repeat.created_by.id === me.value?.person.id;
+}
+
+function keyOf({ measurement }: ReviewItem): string {
+  return `verdict.${measurement.id}`;
 }

@@ -1,0 +1,64 @@
+/** How the outbox brings a verdict on a measurement to the server. */
+import { api } from "../../core/api";
+import { say } from "../../core/messages";
+import { type Kind, outbox } from "../../core/outbox";
+import type { Measurement, Verdict } from "../../core/types";
+import { STATE_WORDS } from "../../core/words";
+
+export const VERDICT = "verdict";
+
+export interface GivenVerdict {
+  readonly verdict: "accepted" | "rejected" | "fixed" | "reopened";
+  readonly reason: string | null;
+  /** Where a fix puts the points. */
+  readonly points: {
+    readonly contact: [number, number];
+    readonly target_point: [number, number];
+    readonly frame: number;
+  } | null;
+}
+
+export interface VerdictAbout {
+  readonly id: number;
+  /** The revision that was seen: a verdict never holds for points that nobody has looked at. */
+  readonly revision: number;
+  /** Who gives it. */
+  readonly by: number;
+}
+
+const verdictKind: Kind<Measurement, GivenVerdict, VerdictAbout> = {
+  once: true,
+  send({ about, saved, want: { verdict, reason, points } }, signal) {
+    const seen = saved ? { seen: saved.review.verdict } : {};
+    const body = { revision: about.revision, verdict, ...seen, ...(reason ? { reason } : {}), ...points };
+    return api.write(
+      "POST /measurements/{measurement_id}/reviews",
+      { measurement_id: about.id },
+      { body, retry: true, signal },
+    );
+  },
+  read: ({ about: { id } }, _error, signal) =>
+    api.ask("GET /measurements/{measurement_id}", { measurement_id: id }, { signal }),
+  done({ about, saved, want }) {
+    const review = saved?.review;
+    if (review?.verdict !== want.verdict || review.reviewer?.id !== about.by) return false;
+    return (
+      (review.reason ?? null) === want.reason && (!want.points || fits(saved as Measurement, want.points))
+    );
+  },
+  version: (saved) => (saved ? `${saved.revision} ${saved.review.verdict} ${saved.review.at}` : ""),
+  words: (saved) =>
+    saved?.review.reviewer
+      ? say("review-verdict-by", {
+          verdict: STATE_WORDS[saved.review.verdict as Verdict],
+          person: saved.review.reviewer.name,
+        })
+      : say("review-verdict-none"),
+};
+
+function fits(saved: Measurement, points: NonNullable<GivenVerdict["points"]>): boolean {
+  const { contact, target_point } = points;
+  return `${saved.contact} ${saved.target_point}` === `${contact} ${target_point}`;
+}
+
+outbox.register(VERDICT, verdictKind);
