@@ -7,6 +7,11 @@ test("a sentence is the catalogue's", () => {
   expect(say("page-repeats")).toBe("Repeats");
 });
 
+test("a sentence counts as its language does, thousands set apart", () => {
+  const counted = (count: number) => say("scans-count-vehicles", { count });
+  expect([0, 1, 1234].map(counted)).toEqual(["0\u00a0vehicles", "1\u00a0vehicle", "1,234\u00a0vehicles"]);
+});
+
 test("a key that no file has is shown as it is", () => {
   expect(sentence("no-such-key")).toBe("no-such-key");
 });

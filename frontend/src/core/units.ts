@@ -109,11 +109,6 @@ export function formatCount(value: number): string {
   return numbers(0, true).format(Math.round(value));
 }
 
-/** "3 images", "1 image". */
-export function plural(count: number, one: string, many = `${one}s`): string {
-  return `${formatCount(count)}${NBSP}${count === 1 ? one : many}`;
-}
-
 /** "14.2 MB" (decimal). */
 export function formatBytes(bytes: number): string {
   const names = ["B", "kB", "MB", "GB", "TB"];
