@@ -44,7 +44,7 @@ def test_a_stored_click_takes_at_most_nine_statements(
     vehicle_id = int(add_vehicle(operator, ground.recording_id)["id"])
     first = measure(operator, vehicle_id)  # the road pose is parsed once, then kept
     more = [{"frame": 5, **{name: clicks()[name] for name in ("contact", "target_point")}}]
-    new = {**clicks(1.25), "client_key": str(uuid4()), "more_frames": more}
+    new = {**clicks(1.25, target="taillight"), "client_key": str(uuid4()), "more_frames": more}
     revised = {**clicks(1.3), "revision": 1, "more_frames": more}
     ran = {
         "new": _statements(services, lambda: operator.made(f"/vehicles/{vehicle_id}/measurements", new)),

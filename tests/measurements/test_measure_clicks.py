@@ -122,6 +122,27 @@ def test_the_same_key_is_stored_once(operator: Client, ground: Ground, vehicle_i
     assert len(operator.seen(f"/vehicles/{vehicle_id}")["measurements"]) == 1
 
 
+def test_one_target_of_a_vehicle_is_measured_once(
+    operator: Client, reviewer: Client, ground: Ground, vehicle_id: int
+) -> None:
+    # else its height would be counted twice
+    first = measure(operator, vehicle_id)
+    path = f"/vehicles/{vehicle_id}/measurements"
+    refused = reviewer.post(path, {"client_key": str(uuid4()), **clicks(1.4)})
+    assert refused.status_code == 409 and "already" in error_of(refused)
+    assert refused.json()["current"]["id"] == first["id"]
+    assert [one["id"] for one in operator.seen(f"/vehicles/{vehicle_id}")["measurements"]] == [first["id"]]
+
+    assert operator.delete(f"/measurements/{first['id']}?revision=1").status_code == 200
+    second = measure(reviewer, vehicle_id)
+    refused = operator.post(f"/measurements/{first['id']}/restore", {"revision": 2})
+    assert refused.status_code == 409 and refused.json()["current"]["id"] == second["id"]
+
+    other = measure(operator, vehicle_id, target="taillight")
+    refused = operator.put(f"/measurements/{other['id']}", {**clicks(), "revision": 1})
+    assert refused.status_code == 409 and refused.json()["current"]["id"] == second["id"]
+
+
 def test_a_correction_is_a_new_revision_and_an_old_sight_is_a_conflict(
     operator: Client, reviewer: Client, ground: Ground, vehicle_id: int
 ) -> None:

@@ -135,7 +135,7 @@ def test_traffic_turns_a_pose_and_choosing_the_old_one_undoes_it(
     assert operator.post(path, wanted).status_code == 409
     for one in made:  # what is stored stays as it was measured
         assert operator.seen(f"/measurements/{one['id']}")["height_m"] == one["height_m"]
-    again = measure(operator, made[0]["vehicle_id"])
+    again = measure(operator, add_vehicle(operator, ground.recording_id)["id"])
     assert again["pose_id"] == new["id"]
     assert again["height_m"] == pytest.approx(changes["listed"][0]["turned_height_m"], abs=2e-4)
     back = operator.put(f"/recordings/{ground.recording_id}", {"pose_id": ground.pose_id})

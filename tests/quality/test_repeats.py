@@ -71,7 +71,7 @@ def test_a_persons_own_sigma_fills_in_live_and_stored(
     assert reviewer.post(live_path, clicks()).json()["u_height_m"] == usual["u_height_m"]
     with services.writing() as session:
         choose_click_sigma(session, ground.survey_id, me, sigma_px=None, pairs=12, actor=me)
-    assert measure(operator, vehicle_id)["sigma_px"] == 1.0
+    assert measure(operator, vehicle_id, target="taillight")["sigma_px"] == 1.0
 
 
 def test_a_repeat_is_compared_by_what_the_clicks_alone_let_one_expect(

@@ -209,7 +209,9 @@ def test_a_small_survey_among_others_is_the_same(factory: SessionFactory) -> Non
     with writing(factory) as session:
         one = samples.sample(session)
         for key in range(1, 10):
-            samples.measure(session, one, key=key)
+            place = {"first_frame": 10, "last_frame": 40}
+            car = create_vehicle(session, one.recording.id, place, actor=None)
+            samples.measure(session, replace(one, vehicle=car), key=key)
         survey = create_survey(session, name="Other", actor=None)
         camera = create_camera(session, survey.id, name="Right", actor=None)
         calibration = samples.calibration(session, camera.id, None)

@@ -151,7 +151,7 @@ def test_the_queue_comes_in_pages_in_the_order_of_the_vehicles(
     operator: Client, reviewer: Client, ground: Ground, vehicle_id: int
 ) -> None:
     other = int(add_vehicle(operator, ground.recording_id)["id"])
-    made = [measure(operator, one) for one in (other, vehicle_id, other, vehicle_id)]
+    made = [measure(operator, one, target=of) for of in ("roof", "taillight") for one in (other, vehicle_id)]
     order = [made[1], made[3], made[0], made[2]]
     path = f"/surveys/{ground.survey_id}/review-queue"
 

@@ -114,7 +114,7 @@ def test_measurements_keep_their_vehicle(operator: Client, ground: Ground) -> No
     wish = {"other_id": later["id"], "version": earlier["version"], "other_version": later["version"]}
     assert "both have measurements" in error_of(operator.post(f"/vehicles/{earlier['id']}/join", wish))
 
-    measure(operator, vehicle["id"], frame=5)
+    measure(operator, vehicle["id"], frame=5, target="taillight")
     torn = operator.post(f"/vehicles/{vehicle['id']}/split", {"frame": 6, "version": later["version"]})
     assert torn.status_code == 409 and "before and after frame 6" in error_of(torn)
 

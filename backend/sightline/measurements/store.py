@@ -3,7 +3,7 @@
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from sqlalchemy import Row, Select, and_, select
+from sqlalchemy import Row, Select, and_, func, select
 from sqlalchemy.orm import Session
 
 from sightline.cameras.calibrations.tables import calibrations
@@ -42,6 +42,14 @@ _IN_EVENTS = (
 )
 
 
+class AlreadyMeasured(Conflict):
+    """The target of the vehicle stands measured; `current` is that measurement (the answer carries it)."""
+
+    def __init__(self, current: Measurement, name: str) -> None:
+        super().__init__("measurements-already-measured", name=name)
+        self.current = current
+
+
 def add_measurement(
     session: Session,
     vehicle_id: int,
@@ -55,7 +63,8 @@ def add_measurement(
 
     `repeat_of`: the measurement of the same target and vehicle that this one repeats (for a repeat, the one
     that it repeats itself). Raises NotFound for a deleted vehicle, Conflict for a key used on another vehicle
-    or a frame that is not the stored one.
+    or a frame that is not the stored one, AlreadyMeasured where the target stands measured and this is no
+    repeat: two heights of one target would be counted twice.
     """
     ground = _ground_of(session, vehicle_id, values, client_key)
     if ground.known_id is not None:
@@ -65,6 +74,8 @@ def add_measurement(
     if ground.vehicle_deleted:
         raise missing("vehicle", vehicle_id)
     _check(ground, values)
+    if repeat_of is None and ground.standing_id is not None:
+        raise _already_measured(session, ground.standing_id)
     place: dict[str, Any] = {"survey_id": ground.survey_id, "recording_id": ground.recording_id}
     place |= {"vehicle_id": vehicle_id, "repeat_of": _repeated(session, vehicle_id, repeat_of, values.target)}
     series_id = add_row(session, measurement_series, {**place, "client_key": client_key})
@@ -87,6 +98,8 @@ def revise_current_measurement(
         raise Conflict("measurements-measurement-withdrawn-restore-before-you-change")
     if before.repeat_of is not None:
         raise Conflict("measurements-repeat-stands-clicked-withdraw-click-again")
+    if values.target != before.values.target:
+        _require_alone(session, before, values.target)
     return append_measurement_revision(session, before, values, withdrawn=False, action="revise", actor=actor)
 
 
@@ -109,6 +122,7 @@ def restore_measurement(
     before = require_measurement_revision(session, series_id, seen_revision)
     if not before.withdrawn:
         raise Conflict("measurements-measurement-not-withdrawn-nothing-restore")
+    _require_alone(session, before, before.values.target)
     return append_measurement_revision(
         session, before, before.values, withdrawn=False, action="restore", actor=actor
     )
@@ -271,6 +285,32 @@ def _as_stored(session: Session, revision_id: int) -> tuple[Measurement, str]:
     return _measurement_of(row), row_hash(content)
 
 
+def _standing(vehicle_id: int, target: str, but: int | None = None) -> Select[tuple[int]]:
+    """The measurement of a vehicle's target that counts (the oldest), `but` and repeats left out."""
+    series = measurement_series.alias("standing")
+    newest, later = measurements.alias("newest"), measurements.alias("later")
+    return (
+        select(func.min(series.c.id))
+        .join(newest, newest.c.series_id == series.c.id)
+        .outerjoin(later, and_(later.c.series_id == series.c.id, later.c.revision > newest.c.revision))
+        .where(series.c.vehicle_id == vehicle_id, series.c.repeat_of.is_(None), later.c.id.is_(None))
+        .where(newest.c.target == target, ~newest.c.withdrawn, series.c.id != (but or 0))
+    )
+
+
+def _require_alone(session: Session, before: Measurement, target: str) -> None:
+    """Raises AlreadyMeasured where another measurement of the target stands on the vehicle."""
+    if before.repeat_of is None:
+        other = session.execute(_standing(before.vehicle_id, target, before.id)).scalar_one()
+        if other is not None:
+            raise _already_measured(session, other)
+
+
+def _already_measured(session: Session, standing_id: int) -> AlreadyMeasured:
+    there = get_measurement(session, standing_id)
+    return AlreadyMeasured(there, name=there.created_by.name if there.created_by else "Somebody")
+
+
 def _repeated(session: Session, vehicle_id: int, repeat_of: int | None, target: str) -> int | None:
     """The first measurement that a new one repeats. Raises BadInput for another vehicle's or target's."""
     if repeat_of is None:
@@ -290,6 +330,7 @@ class _Ground:
     vehicle_deleted: bool
     known_id: int | None
     known_vehicle_id: int | None
+    standing_id: int | None
     pose_survey_id: int | None
     has_calibration: bool
     frames: dict[int, tuple[int, int]]  # pts and crc32
@@ -304,6 +345,7 @@ def _ground_of(
         select(
             *(vehicles.c.survey_id, vehicles.c.recording_id, vehicles.c.deleted_at),
             *(known.c.id.label("known_id"), known.c.vehicle_id.label("known_vehicle_id")),
+            _standing(vehicle_id, values.target).scalar_subquery().label("standing_id"),
             road_poses.c.survey_id.label("pose_survey_id"),
             calibrations.c.id.label("calibration_id"),
             *(frames.c.n, frames.c.pts, frames.c.crc32),
@@ -327,6 +369,7 @@ def _ground_of(
         vehicle_deleted=row.deleted_at is not None,
         known_id=row.known_id,
         known_vehicle_id=row.known_vehicle_id,
+        standing_id=row.standing_id,
         pose_survey_id=row.pose_survey_id,
         has_calibration=row.calibration_id is not None,
         frames={of.n: (of.pts, of.crc32) for of in rows if of.n is not None},

@@ -3232,4 +3232,5 @@ server-something-went-wrong = Something went wrong on the server and nothing was
 ## Errors: another person was quicker
 
 quality-tyres-changed-meanwhile = { $name } changed the tyres of this vehicle meanwhile; look at them first.
+measurements-already-measured = { $name } has measured this target of the vehicle already; keep one of the two.
 reviews-verdict-given-meanwhile = { $name } gave the verdict “{ $verdict }” meanwhile; look at it first.
