@@ -36,17 +36,23 @@ export const measurementKind = (port: RecordsPort): Kind<Measurement, Values, Me
     if (saved.withdrawn) return port.restore(saved.id, saved.revision, signal);
     return port.revise(saved.id, saved.revision, want, signal);
   },
-  read: async ({ saved }, _error, signal) => (saved ? port.read(saved.id, signal) : null),
+  // a new one is refused where the target stands measured: the refusal brings what stands
+  read: async ({ saved }, error, signal) =>
+    saved ? port.read(saved.id, signal) : (currentOf<Measurement>(error) ?? null),
   // what was withdrawn before it was ever stored is nothing to store
   done: ({ saved, want }) => (saved ? sameValues(valuesOf(saved), want) : want.withdrawn),
-  version: (saved) => saved?.revision ?? 0,
+  version: (saved) => (saved ? `${saved.id} ${saved.revision}` : 0),
   words: (saved) =>
     !saved || saved.withdrawn ? STATE_WORDS.withdrawn : formatHeight(saved.height_m, saved.U95_height_m),
 });
 
 export const vehicleKind = (port: VehiclesPort): Kind<Vehicle, Changes, { id: number }> => ({
   send: ({ about, saved, want }, signal) => port.save(about.id, saved?.version ?? 0, want, signal),
-  read: async (_wish, error) => currentOf(error),
+  async read(_wish, error) {
+    const found = currentOf<Vehicle>(error);
+    if (!found) throw error;
+    return found;
+  },
   done: ({ saved, want }) =>
     saved !== null && (Object.keys(want) as Field[]).every((field) => saved[field] === want[field]),
   version: (saved) => saved?.version ?? 0,
@@ -69,11 +75,9 @@ export function showFact(field: Field, value: unknown): string {
   return field.endsWith("_m") ? formatLength(Number(value)) : String(value);
 }
 
-function currentOf(error: ApiError): Vehicle | null {
-  const body = error.body as { current?: Vehicle; error?: { current?: Vehicle } } | null;
-  const found = body?.current ?? body?.error?.current;
-  if (!found) throw error;
-  return found;
+/** What a conflict says is there now. */
+function currentOf<T>(error: ApiError): T | undefined {
+  return (error.body as { current?: T } | null)?.current;
 }
 
 const recordsPort: RecordsPort = {

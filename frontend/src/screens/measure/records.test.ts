@@ -30,6 +30,9 @@ class Server implements RecordsPort {
     await this.arrive("create");
     const known = this.keys.get(key);
     if (known !== undefined) return this.get(known);
+    const standing = [...this.stored.values()].find((m) => m.target === v.target && !m.withdrawn);
+    const told = `${standing?.target} is measured already`;
+    if (standing) throw new ApiError(told, 409, null, { current: standing });
     const id = this.stored.size + 1;
     this.keys.set(key, id);
     return this.answer(this.save(id, 1, vehicleId, v));
@@ -178,6 +181,38 @@ describe("Records", () => {
     box.resolve(key, "mine");
     expect((await records.settled(key))?.saved).toMatchObject({ revision: 3, target_point: [1, 2] });
   });
+
+  it.each(["mine", "theirs"] as const)(
+    "shows a kept click beside what was measured meanwhile, never two of a target: %s",
+    async (choice) => {
+      const server = new Server();
+      const closed = page(server, "closed");
+      server.gate = new Promise(() => {});
+      const key = closed.records.create(7, values, null); // kept, and not sent before the tab is closed
+      closed.box.close();
+      server.gate = Promise.resolve();
+      const first = page(server, "other");
+      await first.records.settled(first.records.create(7, { ...values, point: imagePoint(90, 90) }, null));
+      clock += ORPHANED_AFTER_MS + 1;
+      const { records, box } = page(server, "third");
+      records.resume();
+      const conflict = await records.settled(key);
+      expect(conflict).toMatchObject({ state: "conflict", problem: "roof is measured already" });
+      expect(conflict?.theirs?.target_point).toEqual([90, 90]);
+      records.take(server.vehicle());
+      expect(records.of(7)).toHaveLength(1);
+      box.resolve(key, choice);
+      await records.settled(key);
+      records.take(server.vehicle());
+      expect(records.of(7)).toHaveLength(1);
+      expect([...server.stored.values()]).toMatchObject([
+        choice === "mine"
+          ? { revision: 2, target_point: [101, 250] }
+          : { revision: 1, target_point: [90, 90] },
+      ]);
+      expect(store.length).toBe(0);
+    },
+  );
 
   it("takes theirs when told to", async () => {
     const server = new Server();

@@ -57,7 +57,7 @@ export class Records {
   /** Takes in what the server says of a vehicle; what is on its way from here stays as wanted. */
   take(vehicle: Vehicle): void {
     const now = this.of(vehicle.id);
-    const known = new Map(now.map((entry) => [entry.saved?.id, entry]));
+    const known = new Map(now.map((entry) => [(entry.saved ?? entry.theirs)?.id, entry]));
     const next = vehicle.measurements.map((m) => {
       const old = known.get(m.id);
       known.delete(m.id);
@@ -131,6 +131,7 @@ export class Records {
     if (state === "saved" && wish.page.startsWith(`/surveys/${this.surveyId}/`)) this.onStored(vehicleId);
     if (!this.find(key) && !this.byVehicle.value.has(vehicleId)) return;
     const entry = this.find(key) ?? this.adopted(wish);
+    this.letGo(entry, wish);
     if (state === "saved" || state === "dropped") {
       if (!saved) this.remove(entry);
       else if (entry.state === "moving") this.put({ ...entry, saved });
@@ -150,6 +151,14 @@ export class Records {
     const entry = { ...unsaved(key, vehicleId, want, null), saved };
     this.write(vehicleId, [...others, entry]);
     return entry;
+  }
+
+  /** One row a measurement: what the server has is shown by the entry that wants to change it. */
+  private letGo({ vehicleId, key }: Entry, wish: Clicked): void {
+    const there = wish.saved ?? wish.theirs;
+    const now = this.of(vehicleId);
+    const left = now.filter((other) => other.key === key || !there || other.saved?.id !== there.id);
+    if (left.length < now.length) this.write(vehicleId, left);
   }
 
   private put(entry: Entry): void {
