@@ -1,6 +1,7 @@
 """The catalogue of messages: every key that code names is there, with the values that its sentence takes."""
 
 import ast
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -112,6 +113,17 @@ def test_each_language_says_the_same_keys_and_takes_no_other_values() -> None:
         other = catalogue((PACKAGE / f"messages/{language}.ftl").read_text("utf-8"))
         assert set(other) <= set(KNOWN)
         assert all(values <= KNOWN[key] for key, values in other.items())
+
+
+def test_every_message_is_said_somewhere() -> None:
+    root = PACKAGE.parents[1]
+    pages = [path for path in (root / "frontend/src").rglob("*.ts*") if ".test." not in path.name]
+    text = "\n".join(path.read_text("utf-8") for path in [*TREES, *pages])
+    written = set(re.findall(r"[\"'`]([a-z][\w-]*)[\"'`]", text, re.IGNORECASE))
+    # a key whose last part is a state's, a target's or a field's name
+    begun = tuple(set(re.findall(r"`([a-z][\w-]*-)\$\{", text)))
+    unused = [key for key in KNOWN if key not in written and not key.startswith(begun)]
+    assert not unused, unused
 
 
 def test_numbers_are_said_whole_and_ungrouped_unless_the_sentence_asks() -> None:
