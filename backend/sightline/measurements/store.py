@@ -285,7 +285,7 @@ def _as_stored(session: Session, revision_id: int) -> tuple[Measurement, str]:
     return _measurement_of(row), row_hash(content)
 
 
-def _standing(vehicle_id: int, target: str, but: int | None = None) -> Select[tuple[int]]:
+def _standing(vehicle_id: int, target: str, but: int | None = None) -> Select[Any]:
     """The measurement of a vehicle's target that counts (the oldest), `but` and repeats left out."""
     series = measurement_series.alias("standing")
     newest, later = measurements.alias("newest"), measurements.alias("later")
