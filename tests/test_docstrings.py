@@ -26,6 +26,7 @@ NEED_NO_SOURCE = {
         "frozen",
         "is_covariance",
         "points",
+        "polyline",
         "reach_px",
         "skew",
         "smooth_basis",

@@ -78,5 +78,5 @@ def drawn_axes(axes: Overlay) -> DrawnAxes:
 
 
 def polyline(points_px: Floats) -> Polyline:
-    """Points (N, 2), in pixels, as pairs."""
+    """points_px (N, 2) as pairs, for JSON; nothing is computed."""
     return [(x, y) for x, y in points_px.tolist()]
