@@ -67,13 +67,13 @@ test:
 	@SIGHTLINE_TEST_DATABASE_URL= $(BIN)/python -m pytest -n 2 --dist worksteal --ignore=tests/browser
 	@$(MAKE) --no-print-directory -j2 -Oline test-postgresql test-browser
 
-# Beside each other: a browser waits most of the time.
+# Beside each other: a browser waits most of the time. A file of browser tests stays with one browser.
 test-postgresql:
 	@if [ -n "$$SIGHTLINE_TEST_DATABASE_URL" ]; then echo "The same on PostgreSQL, beside the browser ..." && \
 	   $(BIN)/python -m pytest -n 2 --dist worksteal -m "dialect and not once" --ignore=tests/browser tests; fi
 
 test-browser:
-	@SIGHTLINE_TEST_DATABASE_URL= $(BIN)/python -m pytest tests/browser
+	@SIGHTLINE_TEST_DATABASE_URL= $(BIN)/python -m pytest -n 2 --dist loadfile tests/browser
 
 check: types
 	@$(BIN)/ruff check backend tests migrations
