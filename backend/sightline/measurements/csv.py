@@ -69,10 +69,11 @@ def clicks_path(pose_id: int) -> str:
     return f"clicks/pose-{pose_id}.csv"
 
 
-_WHERE: Columns = (
+PASS: Columns = (
     key("vehicle_id", "vehicle that was measured", lambda m: m.vehicle_id),
     key("recording_id", "recording in which the points were clicked", lambda m: m.recording_id),
-    text("target", "what was measured", lambda m: m.values.target, required=True, enum=TARGETS),
+)
+FRAME: Columns = (
     integer(
         "frame",
         "frame number: the n-th decoded frame, from 0",
@@ -86,13 +87,18 @@ _WHERE: Columns = (
         lambda m: m.values.pts,
     ),
     number("time_s", "time of that frame from the start of the stream", "s", lambda m: m.values.time_s),
+)
+_WHERE: Columns = (
+    *PASS,
+    text("target", "what was measured", lambda m: m.values.target, required=True, enum=TARGETS),
+    *FRAME,
     integer(
         "frame_crc32",
         "CRC-32 of the decoded luma of that frame: proof of what was clicked on",
         lambda m: m.values.frame_crc32,
     ),
 )
-_POINTS: Columns = (
+POINTS: Columns = (
     pixel(
         "contact_x_px",
         "where the tyre meets the road, x to the right",
@@ -109,7 +115,7 @@ _POINTS: Columns = (
         minimum=0,
     ),
 )
-_POSE: Columns = (key("pose_id", "road pose used", lambda m: m.values.pose_id),)
+POSE: Columns = (key("pose_id", "road pose used", lambda m: m.values.pose_id),)
 _INSET: Columns = (
     metres(
         "inset_m",
@@ -213,8 +219,8 @@ _HEIGHT: Columns = (
 )
 _MEASURED: Columns = (
     *_WHERE,
-    *_POINTS,
-    *_POSE,
+    *POINTS,
+    *POSE,
     key("calibration_id", "calibration behind that pose", lambda m: m.values.calibration_id),
     *_INSET,
     *_SEVERAL,
@@ -297,7 +303,7 @@ CLICKS: Table[Clicked] = Table(
     "alone are in clicks/pose-N.csv, to be used with poses/pose-N.json.",
     (
         text("id", "measurement the clicks belong to", lambda c: f"m{c.measurement.id}", required=True),
-        *of_part((*_POINTS, *_INSET, *_further_points(2)), _measurement),
+        *of_part((*POINTS, *_INSET, *_further_points(2)), _measurement),
         text(
             "lighting",
             "light at the time of the pass",

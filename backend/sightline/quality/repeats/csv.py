@@ -8,12 +8,11 @@ from sightline.infra.csv_package.columns import (
     key,
     metres,
     moment,
-    number,
     person,
-    pixel,
     text,
 )
 from sightline.infra.csv_package.schema import Table
+from sightline.measurements.csv import FRAME, PASS, POINTS, POSE
 from sightline.measurements.records import Measurement
 
 REPEATS: Table[Measurement] = Table(
@@ -23,35 +22,12 @@ REPEATS: Table[Measurement] = Table(
     (
         key("id", "repeat", lambda m: m.id),
         key("measurement_id", "measurement that was clicked again", lambda m: m.repeat_of),
-        key("vehicle_id", "vehicle that was measured", lambda m: m.vehicle_id),
-        key("recording_id", "recording in which the points were clicked", lambda m: m.recording_id),
+        *PASS,
         text("target", "what was measured", lambda m: m.values.target, required=True),
-        integer(
-            "frame",
-            "frame number: the n-th decoded frame, from 0",
-            lambda m: m.values.frame,
-            required=True,
-            minimum=0,
-        ),
-        integer(
-            "pts",
-            "presentation time stamp of that frame, in the stream's own time base",
-            lambda m: m.values.pts,
-        ),
-        number("time_s", "time of that frame from the start of the stream", "s", lambda m: m.values.time_s),
+        *FRAME,
         integer("frame_crc32", "CRC-32 of the decoded luma of that frame", lambda m: m.values.frame_crc32),
-        pixel("contact_x_px", "where the tyre meets the road, x to the right", lambda m: m.values.contact[0]),
-        pixel("contact_y_px", "where the tyre meets the road, y down", lambda m: m.values.contact[1]),
-        pixel("target_x_px", "the target point, x to the right", lambda m: m.values.target_point[0]),
-        pixel("target_y_px", "the target point, y down", lambda m: m.values.target_point[1]),
-        number(
-            "sigma_px",
-            "standard uncertainty of each coordinate of each click",
-            "px",
-            lambda m: m.values.sigma_px,
-            minimum=0,
-        ),
-        key("pose_id", "road pose used", lambda m: m.values.pose_id),
+        *POINTS,
+        *POSE,
         metres(
             "inset_m",
             "how far the target lies behind the vertical plane through the contact",
