@@ -23,8 +23,9 @@ type PlainKey = { [K in MessageKey]: Messages[K] extends null ? K : never }[Mess
 type Values<K extends MessageKey> = Messages[K] extends null ? [] : [values: Messages[K]];
 
 const chosen = stored<string>("language", "", (v) => typeof v === "string");
+const source = bundleOf(SOURCE, english);
 /** What is spoken; behind it English, for what it lacks. */
-const bundles = signal<readonly FluentBundle[]>([bundleOf(SOURCE, english)]);
+const bundles = signal<readonly FluentBundle[]>([source]);
 
 /** How times and numbers are written: the language's own way, British for English. */
 export const region = computed(() => (language.value === SOURCE ? "en-GB" : language.value));
@@ -43,7 +44,6 @@ export function preferredLanguage(wishes: readonly string[] = navigator.language
 /** Loads a language and speaks it; until it is here the app speaks as before. */
 export async function speak(name: string): Promise<void> {
   const file = Object.entries(OTHERS).find(([path]) => languageOf(path) === name)?.[1];
-  const source = bundleOf(SOURCE, english);
   bundles.value = file ? [bundleOf(name, await file()), source] : [source];
   document.documentElement.lang = language.value;
 }
