@@ -66,8 +66,14 @@ class NotFound(SightlineError):
 
 
 class Conflict(SightlineError):
+    """`current`: what is there now, where the answer can carry it."""
+
     status = 409
     kind = "conflict"
+
+    def __init__(self, code: str, *, current: object = None, **values: object) -> None:
+        super().__init__(code, **values)
+        self.current = current
 
 
 class TooMany(SightlineError):

@@ -11,6 +11,7 @@ from sightline.enums import JsonObject
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
 from sightline.infra.audit.hashing import plain
+from sightline.infra.audit.records import name_or_somebody
 from sightline.infra.database.rows import add_row, missing, name_of, row_hash
 from sightline.infra.database.types import columns_of, now
 from sightline.measurements.drift_query import flagged_by
@@ -42,14 +43,6 @@ _IN_EVENTS = (
 )
 
 
-class AlreadyMeasured(Conflict):
-    """The target of the vehicle stands measured; `current` is that measurement (the answer carries it)."""
-
-    def __init__(self, current: Measurement, name: str) -> None:
-        super().__init__("measurements-already-measured", name=name)
-        self.current = current
-
-
 def add_measurement(
     session: Session,
     vehicle_id: int,
@@ -63,8 +56,8 @@ def add_measurement(
 
     `repeat_of`: the measurement of the same target and vehicle that this one repeats (for a repeat, the one
     that it repeats itself). Raises NotFound for a deleted vehicle, Conflict for a key used on another vehicle
-    or a frame that is not the stored one, AlreadyMeasured where the target stands measured and this is no
-    repeat: two heights of one target would be counted twice.
+    or a frame that is not the stored one, and for a target that stands measured, with that measurement, where
+    this is no repeat: two heights of one target would be counted twice.
     """
     ground = _ground_of(session, vehicle_id, values, client_key)
     if ground.known_id is not None:
@@ -287,28 +280,27 @@ def _as_stored(session: Session, revision_id: int) -> tuple[Measurement, str]:
 
 def _standing(vehicle_id: int, target: str, but: int | None = None) -> Select[Any]:
     """The measurement of a vehicle's target that counts (the oldest), `but` and repeats left out."""
-    series = measurement_series.alias("standing")
-    newest, later = measurements.alias("newest"), measurements.alias("later")
+    series = measurement_series.c
     return (
-        select(func.min(series.c.id))
-        .join(newest, newest.c.series_id == series.c.id)
-        .outerjoin(later, and_(later.c.series_id == series.c.id, later.c.revision > newest.c.revision))
-        .where(series.c.vehicle_id == vehicle_id, series.c.repeat_of.is_(None), later.c.id.is_(None))
-        .where(newest.c.target == target, ~newest.c.withdrawn, series.c.id != (but or 0))
+        select(func.min(series.id))
+        .join(measurements, measurements.c.series_id == series.id)
+        .where(series.vehicle_id == vehicle_id, is_first, is_current, series.id != (but or 0))
+        .where(measurements.c.target == target, ~measurements.c.withdrawn)
     )
 
 
 def _require_alone(session: Session, before: Measurement, target: str) -> None:
-    """Raises AlreadyMeasured where another measurement of the target stands on the vehicle."""
+    """Raises Conflict where another measurement of the target stands on the vehicle."""
     if before.repeat_of is None:
         other = session.execute(_standing(before.vehicle_id, target, before.id)).scalar_one()
         if other is not None:
             raise _already_measured(session, other)
 
 
-def _already_measured(session: Session, standing_id: int) -> AlreadyMeasured:
+def _already_measured(session: Session, standing_id: int) -> Conflict:
     there = get_measurement(session, standing_id)
-    return AlreadyMeasured(there, name=there.created_by.name if there.created_by else "Somebody")
+    name = name_or_somebody(there.created_by)
+    return Conflict("measurements-already-measured", current=there, name=name)
 
 
 def _repeated(session: Session, vehicle_id: int, repeat_of: int | None, target: str) -> int | None:

@@ -15,11 +15,6 @@ target-noun-driver_eye = driver's eye
 target-noun-taillight = taillight
 target-noun-headlight = headlight
 target-noun-other = other
-target-hint-roof = the highest point of the roof
-target-hint-driver_eye = the driver's eye
-target-hint-taillight = the lower limit of the lit area of the taillight
-target-hint-headlight = the lower limit of the headlight
-target-hint-other = the point whose height you want
 
 ## Words of the domain: states of vehicles, measurements, recordings, jobs, calibrations, people
 
@@ -3190,7 +3185,7 @@ surveys-no-row-put = { $strange } is in no row of { $path }; it was put in.
 surveys-not-photograph-audit-event-names-exchanged = { $file } is not the photograph that its audit event names; it was exchanged.
 surveys-not-what-audit-events-say-changed = { $path }: { $name } of { $id } is not what its audit events say; it was changed.
 surveys-no-survey-named-check-name-home = There is no survey named “{ $name }”; check the name on the home page.
-surveys-changed-survey-utc-look-again-redo = { $name_then } changed this survey at { $when } UTC; look again and redo yours.
+surveys-changed-survey-look-again-redo = { $name } changed this survey at { $when }; look again and redo yours.
 surveys-survey-needs-name-fill = A survey needs a name; fill it in.
 surveys-inset-cannot-used-give-known-target = The inset of “{ $target }” cannot be used; give a known target and an uncertainty >= 0.
 surveys-insets-csv-not-what-surveys-audit = insets.csv is not what the survey's audit events say; it was changed.

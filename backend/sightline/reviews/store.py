@@ -9,6 +9,7 @@ from sqlalchemy.orm import Session
 from sightline.enums import QueueState, ReviewVerdict, Verdict
 from sightline.errors import BadInput, Conflict, NotAllowed
 from sightline.infra.audit import trail
+from sightline.infra.audit.records import name_or_somebody
 from sightline.infra.database.rows import add_row, missing, stored_hash
 from sightline.infra.database.types import now
 from sightline.measurements.query import (
@@ -75,7 +76,7 @@ def add_review(
 def require_verdict(standing: ReviewState, seen: Verdict | None) -> None:
     """Raises Conflict if somebody gave another verdict since `seen`; None: not compared."""
     if seen is not None and standing.verdict != seen:
-        name = standing.reviewer.name if standing.reviewer else "Somebody"
+        name = name_or_somebody(standing.reviewer)
         raise Conflict("reviews-verdict-given-meanwhile", name=name, verdict=standing.verdict)
 
 

@@ -11,7 +11,7 @@ from sqlalchemy.orm import Session
 from sightline.enums import Lighting, TimeAxis
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
-from sightline.infra.database.rows import add_row, change_row, get_row, name_of, names, who
+from sightline.infra.database.rows import add_row, change_row, get_row, last_change, names, who
 from sightline.infra.database.types import now
 from sightline.infra.jobs.store import latest_jobs_of_scans
 from sightline.linescan.parts import Rig
@@ -122,7 +122,7 @@ def update_scan(
     """
     before = _row(session, scan_id)
     if before["version"] != version:
-        name, when = name_of(session, before["updated_by"]), f"{before['updated_at']:%Y-%m-%d %H:%M:%S} UTC"
+        name, when = last_change(session, before)
         raise Conflict("scans-changed-look-again-redo-yours", name=name, name_2=before["name"], when=when)
     change: dict[str, Any] = dict(changes)
     unknown = set(change) - _CHANGEABLE

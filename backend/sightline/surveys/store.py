@@ -10,7 +10,7 @@ from sqlalchemy.orm import Session
 from sightline.errors import BadInput, Conflict
 from sightline.geometry.insets import DEFAULT_INSETS
 from sightline.infra.audit import trail
-from sightline.infra.database.rows import add_row, change_row, get_row, name_of
+from sightline.infra.database.rows import add_row, change_row, get_row, last_change
 from sightline.infra.database.types import now
 from sightline.surveys.records import Inset, Survey
 from sightline.surveys.tables import surveys
@@ -88,12 +88,8 @@ def update_survey(
     """Change words or insets. Raises Conflict, naming who and when, if `version` is not the current one."""
     before = get_row(session, surveys, survey_id, "survey")
     if before["version"] != version:
-        name_then, when = name_of(session, before["updated_by"]), before["updated_at"]
-        raise Conflict(
-            "surveys-changed-survey-utc-look-again-redo",
-            name_then=name_then,
-            when=format(when, "%Y-%m-%d %H:%M:%S"),
-        )
+        who, when = last_change(session, before)
+        raise Conflict("surveys-changed-survey-look-again-redo", name=who, when=when)
     content = _content(name, site, description, insets)
     stamps = {"version": version + 1, "updated_at": now(), "updated_by": actor}
     change_row(session, surveys, survey_id, {**content, **stamps})

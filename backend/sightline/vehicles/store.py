@@ -11,7 +11,7 @@ from sightline.enums import Direction
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
 from sightline.infra.database.people import people
-from sightline.infra.database.rows import add_row, change_row, get_row, missing, name_of, who
+from sightline.infra.database.rows import add_row, change_row, get_row, last_change, missing, who
 from sightline.infra.database.types import columns_of, now
 from sightline.recordings.tables import recordings
 from sightline.vehicles.records import MOST_HEIGHT_M, Vehicle, VehicleChanges
@@ -120,7 +120,7 @@ def pass_spans(session: Session, recording_id: int) -> tuple[PassSpan, ...]:
 def _current(session: Session, vehicle_id: int, version: int | None) -> dict[str, Any]:
     row = get_row(session, vehicles, vehicle_id, "vehicle", _ALIVE)
     if version is not None and row["version"] != version:
-        name, when = name_of(session, row["updated_by"]), f"{row['updated_at']:%Y-%m-%d %H:%M:%S} UTC"
+        name, when = last_change(session, row)
         raise Conflict(
             "scans-changed-vehicle-look-again-redo-yours", name=name, number=row["number"], when=when
         )

@@ -16,6 +16,11 @@ class Who:
     name: str
 
 
+def name_or_somebody(person: Who | None) -> str:
+    """A person's name for a sentence."""
+    return person.name if person else "Somebody"
+
+
 @dataclass(frozen=True, slots=True)
 class AuditEvent:
     id: int

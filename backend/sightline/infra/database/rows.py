@@ -91,6 +91,11 @@ def name_of(session: Session, person_id: int | None) -> str:
     return names(session, [person_id]).get(person_id or 0, "the system")
 
 
+def last_change(session: Session, row: Mapping[Any, Any]) -> tuple[str, str]:
+    """Who changed a row last, and when, for a sentence."""
+    return name_of(session, row["updated_by"]), f"{row['updated_at']:%Y-%m-%d %H:%M:%S} UTC"
+
+
 def stored_hash(session: Session, table: Table, row_id: int) -> str:
     """The hash of a row's content as the database gives it back; kept in the audit event that made it."""
     row = session.execute(select(table).where(table.c.id == row_id)).mappings().one()

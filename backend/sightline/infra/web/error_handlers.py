@@ -11,7 +11,7 @@ from pydantic_core import to_jsonable_python
 from sqlalchemy.exc import DataError, OperationalError
 from starlette.exceptions import HTTPException
 
-from sightline.errors import BadInput, NoRoom, NotFound, SightlineError
+from sightline.errors import BadInput, Conflict, NoRoom, NotFound, SightlineError
 from sightline.infra.database.engine import explanation
 
 log = logging.getLogger(__name__)
@@ -39,7 +39,7 @@ def answer(error: SightlineError, headers: dict[str, str] | None = None, **more:
 
 def known(_request: Request, error: Exception) -> JSONResponse:
     assert isinstance(error, SightlineError)
-    current = getattr(error, "current", None)
+    current = error.current if isinstance(error, Conflict) else None
     more = {} if current is None else {"current": to_jsonable_python(current)}
     return answer(error, **more)
 

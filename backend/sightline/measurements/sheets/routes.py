@@ -4,16 +4,16 @@ from typing import Annotated, cast
 
 from fastapi import APIRouter, Query
 
+from sightline.errors import Conflict
 from sightline.infra.database import Session
 from sightline.infra.web.bodies import Id
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
 from sightline.measurements.bodies import VehicleBody, vehicle_body
 from sightline.measurements.sheets import query
 from sightline.surveys.store import get_survey
-from sightline.vehicles import service, store
+from sightline.vehicles import store
 from sightline.vehicles.bodies import ChangedVehicle, NewVehicle, VehicleFields
 from sightline.vehicles.records import VehicleChanges
-from sightline.vehicles.service import StaleVersion
 
 router = APIRouter()
 
@@ -62,8 +62,8 @@ def get_vehicle(vehicle_id: PathId, who: Viewer, session: Reading) -> VehicleBod
 def change_vehicle(vehicle_id: PathId, body: ChangedVehicle, who: Operator, session: Writing) -> VehicleBody:
     """Change a record. If somebody was quicker, the conflict says who and when and carries the record."""
     try:
-        service.change_vehicle(session, vehicle_id, changes_of(body), version=body.version, actor=who.id)
-    except StaleVersion as error:
+        store.update_vehicle(session, vehicle_id, changes_of(body), version=body.version, actor=who.id)
+    except Conflict as error:
         error.current = sheet_body(session, vehicle_id)
         raise
     return sheet_body(session, vehicle_id)

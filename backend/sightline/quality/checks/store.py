@@ -8,6 +8,7 @@ from sqlalchemy.orm import Session
 from sightline.enums import Point
 from sightline.errors import Conflict
 from sightline.infra.audit import trail
+from sightline.infra.audit.records import name_or_somebody
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import add_row, get_row, missing, stored_hash, who
 from sightline.infra.database.types import now
@@ -83,7 +84,7 @@ def list_wheel_pairs(session: Session, survey_id: int) -> tuple[WheelPair, ...]:
 def _require_seen(before: WheelPair | None, seen: int | None) -> None:
     """Raises Conflict if another pair counts than the one that was seen; None: not compared."""
     if seen is not None and seen != (before.id if before else 0):
-        name = before.created_by.name if before and before.created_by else "Somebody"
+        name = name_or_somebody(before.created_by if before else None)
         raise Conflict("quality-tyres-changed-meanwhile", name=name)
 
 

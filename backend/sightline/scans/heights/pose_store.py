@@ -8,6 +8,7 @@ from sqlalchemy.orm import Session
 
 from sightline.errors import Conflict
 from sightline.infra.audit import trail
+from sightline.infra.audit.records import name_or_somebody
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import add_row, get_row, missing, stored_hash, who
 from sightline.infra.database.types import now
@@ -29,7 +30,7 @@ def append_line_pose(
     before = current_line_poses(session, scan_id)
     revision = before.revision if before else 0
     if revision != seen_revision:
-        name = before.created_by.name if before and before.created_by else "Somebody"
+        name = name_or_somebody(before.created_by if before else None)
         raise Conflict("scans-calibrated-line-scan-meanwhile-look-calibration", name=name)
     content: dict[str, Any] = {"survey_id": scan["survey_id"], "scan_id": scan_id, "revision": revision + 1}
     content |= asdict(values)

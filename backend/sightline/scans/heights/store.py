@@ -9,6 +9,7 @@ from sqlalchemy.orm import Session
 from sightline.enums import Target
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
+from sightline.infra.audit.records import name_or_somebody
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import add_row, missing, stored_hash, who
 from sightline.infra.database.types import now
@@ -89,7 +90,7 @@ def _append(
     vehicle = require_scan_vehicle_version(session, vehicle_id, None)
     revision = before.revision if before else 0
     if revision != seen_revision:
-        name = before.created_by.name if before and before.created_by else "Somebody"
+        name = name_or_somebody(before.created_by if before else None)
         raise Conflict("scans-measured-target-meanwhile-look-height-first", name=name)
     place = {"survey_id": vehicle["survey_id"], "scan_id": vehicle["scan_id"], "vehicle_id": vehicle_id}
     content: dict[str, Any] = {**place, "revision": revision + 1, **asdict(values)}

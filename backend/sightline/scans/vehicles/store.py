@@ -10,7 +10,7 @@ from sqlalchemy.orm import Session
 from sightline.enums import JsonObject, VehicleOrigin
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
-from sightline.infra.database.rows import add_rows, change_row, get_row, missing, name_of
+from sightline.infra.database.rows import add_rows, change_row, get_row, last_change, missing
 from sightline.infra.database.types import document_text, now
 from sightline.scans.query import scan_vehicle_of_row, scan_vehicle_rows, scan_vehicle_states
 from sightline.scans.records import ScanCounts, ScanVehicle, ScanVehicleChanges, state_of
@@ -166,10 +166,11 @@ def require_scan_vehicle_version(session: Session, vehicle_id: int, version: int
     """
     row = get_row(session, scan_vehicles, vehicle_id, "scanned vehicle")
     get_row(session, scans, row["scan_id"], "line-scan recording", scans.c.deleted_at.is_(None))
-    name, when = name_of(session, row["updated_by"]), f"{row['updated_at']:%Y-%m-%d %H:%M:%S} UTC"
     if row["deleted_at"] is not None:
+        name, when = last_change(session, row)
         raise Conflict("scans-deleted-vehicle-restore-first", name=name, number=row["number"], when=when)
     if version is not None and row["version"] != version:
+        name, when = last_change(session, row)
         raise Conflict(
             "scans-changed-vehicle-look-again-redo-yours", name=name, number=row["number"], when=when
         )

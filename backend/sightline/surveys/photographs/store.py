@@ -8,7 +8,7 @@ from sqlalchemy.orm import Session
 
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
-from sightline.infra.database.rows import add_row, change_row, get_row, missing, name_of, names, who
+from sightline.infra.database.rows import add_row, change_row, get_row, last_change, missing, names, who
 from sightline.infra.database.types import now
 from sightline.surveys.photographs.records import Photograph
 from sightline.surveys.photographs.tables import survey_photographs as photographs
@@ -125,7 +125,7 @@ def restore_photograph(session: Session, photograph_id: int, *, actor: int | Non
 def _current(session: Session, photograph_id: int, version: int) -> dict[str, Any]:
     row = get_row(session, photographs, photograph_id, "photograph", photographs.c.deleted_at.is_(None))
     if row["version"] != version:
-        name, when = name_of(session, row["updated_by"]), f"{row['updated_at']:%Y-%m-%d %H:%M:%S} UTC"
+        name, when = last_change(session, row)
         raise Conflict("surveys-changed-photograph-look-again-redo-yours", name=name, when=when)
     return row
 
