@@ -17,25 +17,44 @@ PACKAGE = Path(sightline.__file__).parent
 SOURCE = PACKAGE / "messages/en.ftl"
 
 
-class _Variables(Visitor):  # type: ignore[misc]
+class _Named(Visitor):  # type: ignore[misc]
+    """The values and the other messages that a message names."""
+
     def __init__(self) -> None:
-        self.names: set[str] = set()
+        self.values: set[str] = set()
+        self.messages: set[str] = set()
 
     def visit_VariableReference(self, node: ftl.VariableReference) -> None:
-        self.names.add(node.id.name)
+        self.values.add(node.id.name)
+
+    def visit_MessageReference(self, node: ftl.MessageReference) -> None:
+        self.messages.add(node.id.name)
 
 
-def catalogue(text: str) -> dict[str, set[str]]:
-    """The values that each message takes. Fails for what is no Fluent, and for a key that is there twice."""
-    found: dict[str, set[str]] = {}
+def named(text: str) -> dict[str, _Named]:
+    """What each message names. Fails for what is no Fluent, and for a key that is there twice."""
+    found: dict[str, _Named] = {}
     for entry in FluentParser().parse(text).body:
         assert not isinstance(entry, ftl.Junk), entry.content
         if isinstance(entry, ftl.Message):
             assert entry.id.name not in found, f"{entry.id.name} is there twice"
-            variables = _Variables()
-            variables.visit(entry)
-            found[entry.id.name] = variables.names
+            found[entry.id.name] = _Named()
+            found[entry.id.name].visit(entry)
     return found
+
+
+def catalogue(text: str) -> dict[str, set[str]]:
+    """The values that each message takes, those of the messages within it among them.
+
+    Fails besides for a message within another that is not there.
+    """
+    found = named(text)
+
+    def values(key: str) -> set[str]:
+        assert key in found, f"en.ftl has no “{key}”, which another message names"
+        return found[key].values.union(*map(values, found[key].messages))
+
+    return {key: values(key) for key in found}
 
 
 def error_classes(trees: list[ast.Module]) -> set[str]:
@@ -101,6 +120,12 @@ def test_a_planted_one_is_found(written: str, why: str) -> None:
     assert why in (complaint(call, KNOWN) or "")
 
 
+def test_a_message_within_another_has_to_be_there() -> None:
+    assert catalogue("a = click { b }\nb = the { $roof }")["a"] == {"roof"}
+    with pytest.raises(AssertionError, match="has no “b”"):
+        catalogue("a = click { b }")
+
+
 def test_each_language_says_the_same_keys_and_takes_no_other_values() -> None:
     for language in messages.languages():
         other = catalogue((PACKAGE / f"messages/{language}.ftl").read_text("utf-8"))
@@ -113,6 +138,7 @@ def test_every_message_is_said_somewhere() -> None:
     pages = [path for path in (root / "frontend/src").rglob("*.ts*") if ".test." not in path.name]
     text = "\n".join(path.read_text("utf-8") for path in [*TREES, *pages])
     written = set(re.findall(r"[\"'`]([a-z][\w-]*)[\"'`]", text, re.IGNORECASE))
+    written = written.union(*(one.messages for one in named(SOURCE.read_text("utf-8")).values()))
     begun = re.findall(r"`([a-z][\w-]*-)\$\{[^}]*\}([\w-]*)`", text)
     made = [re.compile(f"{first}{_slot(first, last)}{last}") for first, last in set(begun)]
     unused = [key for key in KNOWN if key not in written and not any(one.fullmatch(key) for one in made)]

@@ -15,6 +15,11 @@ target-noun-driver_eye = driver's eye
 target-noun-taillight = taillight
 target-noun-headlight = headlight
 target-noun-other = other
+target-hint-roof = the highest point of the roof
+target-hint-driver_eye = the driver's eye
+target-hint-taillight = the lower limit of the lit area of the taillight
+target-hint-headlight = the lower limit of the headlight
+target-hint-other = the point whose height you want
 
 ## Words of the domain: states of vehicles, measurements, recordings, jobs, calibrations, people
 
