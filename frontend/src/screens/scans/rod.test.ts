@@ -24,6 +24,11 @@ function bench() {
     start: (mode: string) => {
       model.mode.value = mode;
     },
+    cancel: () => {
+      model.mode.value = "look";
+    },
+    page: () => "",
+    change: (label: string, work: Parameters<History["run"]>[1]) => undo.run(label, work),
   };
   const heights = new LineHeights(model as unknown as Bench);
   return { model, undo, heights, rod: new RodDraft(model as unknown as Bench, heights) };
@@ -66,6 +71,27 @@ describe("the rod's marks", () => {
     rod.reset();
     expect(rod.values.value.marks).toEqual([MARK]);
     expect(rod.changed.value).toBe(false);
+  });
+
+  it("closes what it is stored from, and nothing that was taken up meanwhile", async () => {
+    const server = new FakeServer();
+    server.on("POST", /\/line-pose\/preview$/, () => SOLVED);
+    server.on("PUT", /\/line-pose$/, () => pose().current);
+    server.on("GET", /\/line-pose$/, () => pose());
+    server.on("GET", /\/heights$/, () => []);
+    for (const [taken, after] of [
+      [null, "look"],
+      ["height", "height"],
+    ] as const) {
+      const { rod, heights, model } = bench();
+      heights.poses.value = pose();
+      rod.open();
+      rod.remove(0);
+      const stored = rod.store();
+      if (taken) model.mode.value = taken;
+      await stored;
+      expect(model.mode.value).toBe(after);
+    }
   });
 });
 

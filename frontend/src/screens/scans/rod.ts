@@ -104,7 +104,8 @@ export class RodDraft {
       // before the first one there was none, and none can be put back
       if (this.heights.pose.value) await changes.write(this.stored, "pose", values);
       else await this.send(values);
-      this.bench.cancel();
+      // what was taken up while it was stored stays
+      if (this.bench.mode.value === "rod") this.bench.cancel();
       const older = this.heights.older.value.length;
       toast(say(older > 0 ? "scan-rod-stored-older" : "scan-rod-stored"));
     });
@@ -125,7 +126,7 @@ export class RodDraft {
       want: values,
     });
     if (stored) await this.heights.load();
-    this.changed.value = false;
+    if (this.values.value === values) this.changed.value = false;
   }
 
   private readonly stored: Ledger<"pose", RodValues | null> = {
