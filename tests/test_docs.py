@@ -40,7 +40,7 @@ def section(title: str) -> str:
 
 def test_every_column_of_heights_and_vehicles_is_described() -> None:
     heights, vehicles = section("clicks.csv and heights.csv"), section("vehicles.csv")
-    for name in (*clicks.NEEDED, *clicks.OPTIONS, *clicks.RESULTS):
+    for name in (*clicks.NEEDED, *clicks.OPTIONS, *clicks.WORDS, *clicks.RESULTS):
         assert f"`{name}`" in heights, name
     named = re.findall(r"`([a-z_0-9]+)`", vehicles.split(". Lines count")[0])
     assert tuple(name for name in named if name != "linescan") == tuple(linescan.COLUMNS)

@@ -8,6 +8,8 @@ Point = tuple[float, float]
 
 Role = Literal["admin", "operator", "reviewer", "viewer"]
 Target = Literal["roof", "driver_eye", "taillight", "headlight", "other"]
+DriverSide = Literal["near", "far"]
+InsetName = Literal["roof", "driver_eye_near", "driver_eye_far", "taillight", "headlight", "other"]
 Lighting = Literal["daytime", "low_light"]
 LightingGroup = Literal[Lighting, "unknown"]
 Category = Literal["hatchback", "saloon", "estate", "suv", "van", "lorry", "other"]

@@ -140,17 +140,20 @@ def test_many_clicks(tmp_path, pose_file, capsys) -> None:
     assert "sigma_px" in rows[2]["reason"] and "3 cells" in rows[3]["reason"]
     assert all(r["height_m"] == "" and r["reason"] for r in rows[2:])
     assert all(r["solved_inset_m"] == "" for r in rows)
-    assert list(rows[0])[-10:] == [
+    assert list(rows[0])[-11:] == [
         "height_m", "u_height_m", "U95_height_m", "x_m", "y_m", "distance_m", "solved_inset_m",
-        "u_solved_inset_m", "status", "reason",
+        "u_solved_inset_m", "status", "reason", "flags",
     ]  # fmt: skip
 
 
-@pytest.mark.parametrize("option", ["--sigma", "--inset", "--u-inset"])
-def test_options_that_a_table_would_ignore_are_refused(tmp_path, pose_file, option, capsys) -> None:
+@pytest.mark.parametrize(
+    "option, value",
+    [("--sigma", 2), ("--inset", 0.45), ("--u-inset", 0.1), ("--kind", "roof"), ("--side", "far")],
+)
+def test_options_that_a_table_would_ignore_are_refused(tmp_path, pose_file, option, value, capsys) -> None:
     table, out = tmp_path / "clicks.csv", tmp_path / "heights.csv"
     table.write_text(HEADER + "\n")
-    assert run("height", "--pose", pose_file, "--clicks", table, option, "0.45", "-o", out) == 2
+    assert run("height", "--pose", pose_file, "--clicks", table, option, value, "-o", out) == 2
     assert option in capsys.readouterr().err and not out.exists()
 
 
@@ -173,6 +176,62 @@ def test_two_frames_solve_the_inset(tmp_path, pose_file) -> None:
     assert 0 < float(rows[0]["u_solved_inset_m"]) < 0.2
     assert rows[1]["solved_inset_m"] == "" and float(rows[1]["height_m"]) != pytest.approx(1.16, abs=1e-3)
     assert rows[2]["status"] == "not_measurable" and "contact2_y_px" in rows[2]["reason"]
+
+
+EYE_NEAR, EYE_FAR = (0.45, 0.10), (1.15, 0.15)
+
+
+def printed(capsys, pose_file, *options: object) -> dict:
+    contact, target = (",".join(map(str, p)) for p in clicks())
+    pair = ("--contact", contact, "--target", target, "--json")
+    assert run("height", "--pose", pose_file, *pair, *options) == 0
+    return json.loads(capsys.readouterr().out)
+
+
+def test_a_kind_brings_its_usual_inset_and_an_eye_needs_its_side(pose_file, capsys) -> None:
+    plain = printed(capsys, pose_file)
+    assert plain["inset_m"] == 0 and "inset taken as 0" in plain["flags"]
+    for side, inset in (("near", EYE_NEAR), ("far", EYE_FAR)):
+        eye = printed(capsys, pose_file, "--kind", "driver_eye", "--side", side)
+        given = printed(capsys, pose_file, "--inset", inset[0], "--u-inset", inset[1])
+        assert (eye["inset_m"], eye["u_inset_m"]) == inset
+        assert eye["height_m"] == given["height_m"] and eye["u_height_m"] == given["u_height_m"]
+        assert f"usual inset of driver_eye, {side}" in eye["flags"] and "usual" not in str(given["flags"])
+    silent = printed(capsys, pose_file, "--kind", "driver_eye")
+    assert silent["status"] == "not_measurable" and "near" in silent["reason"] and "far" in silent["reason"]
+    assert [silent[k] for k in ("height_m", "u_height_m", "inset_m", "u_inset_m")] == [None] * 4
+    told = printed(capsys, pose_file, "--kind", "driver_eye", "--inset", 0.45)
+    assert told["height_m"] == pytest.approx(1.16, abs=1e-9)
+    assert "uncertainty of the inset taken as 0" in told["flags"]
+    roof = printed(capsys, pose_file, "--kind", "roof", "--u-inset", 0.2)
+    assert (roof["inset_m"], roof["u_inset_m"]) == (0.30, 0.2) and "usual inset of roof" in roof["flags"]
+
+
+def test_rows_with_a_target_take_its_usual_inset(tmp_path, pose_file) -> None:
+    pair = line("", clicks())[1:]
+    cells = ("driver_eye,near,,", "driver_eye,far,,", "driver_eye,,,", "driver_eye,,0.45,", ",,,",
+             "roof,,,", "roof,,,0.2", "bonnet,,,", "driver_eye,left,,", "taillight,far,,")  # fmt: skip
+    text = "\n".join(f"{i},{pair},{row}" for i, row in enumerate(cells))
+    rows = table(tmp_path, pose_file, f"{HEADER},target,side,inset_m,u_inset_m\n{text}\n")
+    near, far, silent, told, plain, roof, wide, odd, wrong, lamp = rows
+    assert near["height_m"] == told["height_m"] == "1.160000" and float(far["height_m"]) < 1.12
+    assert float(near["u_height_m"]) > float(told["u_height_m"])
+    assert [r["flags"].split(" | ")[0] for r in (near, far, told, plain, roof, wide, lamp)] == [
+        "usual inset of driver_eye, near", "usual inset of driver_eye, far",
+        "uncertainty of the inset taken as 0", "inset taken as 0", "usual inset of roof",
+        "usual inset of roof", "usual inset of taillight",
+    ]  # fmt: skip
+    assert {r["status"] for r in (silent, odd, wrong)} == {"not_measurable"}
+    assert "near or on the far side" in silent["reason"] and silent["flags"] == ""
+    assert "bonnet" in odd["reason"] and "left" in wrong["reason"]
+    assert float(wide["u_height_m"]) > float(roof["u_height_m"])
+
+
+def test_an_eye_in_two_frames_needs_no_side(tmp_path, pose_file) -> None:
+    header = HEADER + ",contact2_x_px,contact2_y_px,target2_x_px,target2_y_px,target"
+    both = line("1", np.concatenate([clicks(), clicks(1.2)])) + ",driver_eye"
+    (row,) = table(tmp_path, pose_file, f"{header}\n{both}\n")
+    assert float(row["height_m"]) == pytest.approx(1.16, abs=1e-6) and "inset taken" not in row["flags"]
 
 
 def test_header_only_gives_only_a_header(tmp_path, pose_file) -> None:

@@ -7,15 +7,18 @@ import io
 import math
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import cast, get_args
 
 import numpy as np
 
 from sightline.commands.files import read_text
 from sightline.coverage import COVERAGE_95
+from sightline.enums import DriverSide, Target
 from sightline.errors import BadInput
 from sightline.geometry.height import Height, measure_heights
+from sightline.geometry.insets import SIDE_UNKNOWN, USUAL_INSETS, inset_name
 from sightline.geometry.multiframe import measure_frames
 from sightline.geometry.ray_intersection import REASONS
 from sightline.geometry.road_pose import RoadPose
@@ -23,7 +26,7 @@ from sightline.geometry.road_pose import RoadPose
 FIRST = ("contact_x_px", "contact_y_px", "target_x_px", "target_y_px")
 _FURTHER = re.compile(r"(?:contact|target)([2-9]|[1-9]\d)_[xy]_px")
 OPTIONS = ("sigma_px", "inset_m", "u_inset_m")
-DEFAULTS = {"sigma_px": 1.0, "inset_m": 0.0, "u_inset_m": 0.0}
+WORDS = ("target", "side")
 NEEDED = ("id", *FIRST)
 RESULTS = (
     "height_m",
@@ -36,7 +39,11 @@ RESULTS = (
     "u_solved_inset_m",
     "status",
     "reason",
+    "flags",
 )
+BETWEEN_FLAGS = " | "
+INSET_TAKEN_AS_0 = "inset taken as 0"
+U_INSET_TAKEN_AS_0 = "uncertainty of the inset taken as 0"
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?|[+-]?(nan|inf|infinity)", re.IGNORECASE)
 
 
@@ -48,7 +55,45 @@ class _Row:
     values: dict[str, float] = field(default_factory=dict)
     frames: tuple[int, ...] = ()  # numbers of the further frames that were clicked too
     problem: str | None = None
+    flags: tuple[str, ...] = ()  # what was taken for granted
     results: dict[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Assumed:
+    """The inset that a height is computed with, metres, and what was taken for granted of it."""
+
+    inset_m: float
+    u_inset_m: float
+    flags: tuple[str, ...]
+
+
+def assumed_inset(
+    target: str, side: str, inset_m: float | None = None, u_inset_m: float | None = None
+) -> Assumed | str:
+    """The inset given, else the usual one of the target, else 0; a string says why there is none: a word that
+    is not known, or an eye without the driver's side.
+    """
+    if inset_m is not None:
+        flags = (U_INSET_TAKEN_AS_0,) if u_inset_m is None else ()
+        return Assumed(inset_m, u_inset_m or 0.0, flags)
+    usual = _usual_inset(target, side)
+    return usual if u_inset_m is None or isinstance(usual, str) else replace(usual, u_inset_m=u_inset_m)
+
+
+def _usual_inset(target: str, side: str) -> Assumed | str:
+    if not target:
+        return Assumed(0.0, 0.0, (INSET_TAKEN_AS_0,))
+    if target not in get_args(Target):
+        return f"The target {target} is not one of {', '.join(get_args(Target))}."
+    if target == "driver_eye" and side and side not in get_args(DriverSide):
+        return f"The side {side} is not one of {', '.join(get_args(DriverSide))}."
+    name = inset_name(cast(Target, target), cast(DriverSide, side) if side else None)
+    if name is None:
+        return SIDE_UNKNOWN
+    inset_m, u_inset_m, _ = USUAL_INSETS[name]
+    words = f"usual inset of {target}"
+    return Assumed(inset_m, u_inset_m, (f"{words}, {side}" if target == "driver_eye" else words,))
 
 
 @dataclass(frozen=True)
@@ -105,17 +150,30 @@ def _parsed(header: list[str], cells: list[str]) -> _Row:
     further = [name.replace("_", f"{k}_", 1) for k in row.frames for name in FIRST]
     for name in (*FIRST, *further, *OPTIONS):
         text = by_name.get(name, "").strip()
-        if not text and name in DEFAULTS:
-            row.values[name] = DEFAULTS[name]
-        elif not text:
+        if not text and name not in OPTIONS:
             row.problem = f"The cell {name} is empty."
             break
-        elif not _NUMBER.fullmatch(text):
+        if text and not _NUMBER.fullmatch(text):
             row.problem = f"The cell {name} is not a number."
             break
-        else:
+        if text:
             row.values[name] = float(text)
+    if row.problem is None:
+        _assume(row, *(by_name.get(name, "").strip() for name in WORDS))
     return row
+
+
+def _assume(row: _Row, target: str, side: str) -> None:
+    """Fill in a row's empty options. Several frames solve for the inset, so none is assumed there."""
+    row.values.setdefault("sigma_px", 1.0)
+    if row.frames:
+        return
+    inset = assumed_inset(target, side, row.values.get("inset_m"), row.values.get("u_inset_m"))
+    if isinstance(inset, str):
+        row.problem = inset
+        return
+    row.values |= {"inset_m": inset.inset_m, "u_inset_m": inset.u_inset_m}
+    row.flags = inset.flags
 
 
 def _measure_single(pose: RoadPose, rows: Sequence[_Row]) -> None:
@@ -140,6 +198,7 @@ def _measure_single(pose: RoadPose, rows: Sequence[_Row]) -> None:
             name: metres(float(column[index])) for name, column in zip(RESULTS, columns, strict=False)
         }
         row.results["status"] = "ok"
+        row.results["flags"] = BETWEEN_FLAGS.join((*row.flags, *found.flags(index)))
 
 
 def _measure_several(pose: RoadPose, row: _Row) -> dict[str, str]:
@@ -157,7 +216,7 @@ def _measure_several(pose: RoadPose, row: _Row) -> dict[str, str]:
 
 def _of_height(height: Height) -> dict[str, str]:
     names = ("height_m", "u_height_m", "U95_height_m", "x_m", "y_m", "distance_m")
-    out = {"status": height.status, "reason": height.reason or ""}
+    out = {"status": height.status, "reason": height.reason or "", "flags": BETWEEN_FLAGS.join(height.flags)}
     for name in names:
         value = getattr(height, name)
         out[name] = "" if value is None else metres(value)

@@ -2,7 +2,7 @@
 
 import json
 import re
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any, get_args
 
@@ -10,9 +10,10 @@ import click
 import numpy as np
 from click.core import ParameterSource
 
+from sightline.commands.clicks import Assumed, assumed_inset, heights_csv
 from sightline.commands.files import read_json, read_text, write_json, write_whole
 from sightline.coverage import expanded
-from sightline.enums import BoardSide, LensModel
+from sightline.enums import BoardSide, DriverSide, LensModel, Target
 from sightline.errors import BadInput
 from sightline.geometry.board import Board, require_board
 from sightline.geometry.calibration_checks import CheckedCalibration, calibrate_and_check
@@ -20,7 +21,7 @@ from sightline.geometry.camera import Camera
 from sightline.geometry.charuco import charuco_of
 from sightline.geometry.crossvalidation import in_words
 from sightline.geometry.documents import camera_from_dict, camera_to_dict, pose_from_dict, pose_to_dict
-from sightline.geometry.height import Height, measure_height
+from sightline.geometry.height import Height, measure_height, not_measurable
 from sightline.geometry.imports import read_camera
 from sightline.geometry.pose import expected_u, pose_from_corners
 from sightline.geometry.road_pose import (
@@ -269,10 +270,16 @@ def pose(
 @click.option("--contact", metavar="X,Y", help="Where the tyre meets the road, pixels.")
 @click.option("--target", metavar="X,Y", help="The target, pixels.")
 @click.option(
-    "--inset", type=float, default=0.0, show_default=True, help="Target behind the side plane, metres."
+    "--kind", type=click.Choice(get_args(Target)), help="What the target is: its usual inset is taken."
 )
 @click.option(
-    "--u-inset", type=float, default=0.0, show_default=True, help="Its standard uncertainty, metres."
+    "--side", type=click.Choice(get_args(DriverSide)), help="Of the vehicle, where the driver sits."
+)
+@click.option(
+    "--inset", type=float, help="Target behind the side plane, metres; the usual one of --kind, else 0."
+)
+@click.option(
+    "--u-inset", type=float, help="Its standard uncertainty, metres; the usual one of --kind, else 0."
 )
 @click.option("--sigma", type=float, default=1.0, show_default=True, help="Of each click coordinate, pixels.")
 @click.option("--clicks", type=_PATH, help="A clicks.csv instead of one click pair.")
@@ -282,8 +289,10 @@ def height(
     pose_file: Path,
     contact: str | None,
     target: str | None,
-    inset: float,
-    u_inset: float,
+    kind: str | None,
+    side: str | None,
+    inset: float | None,
+    u_inset: float | None,
     sigma: float,
     clicks: Path | None,
     output: Path | None,
@@ -294,23 +303,42 @@ def height(
     if clicks is not None:
         if contact is not None or target is not None:
             raise BadInput("commands-give-either-contact-target-clicks-not")
-        _refuse_ignored(("sigma", "inset", "u_inset"), "the CSV's columns sigma_px, inset_m, u_inset_m")
+        columns = "the CSV's columns sigma_px, inset_m, u_inset_m, target, side"
+        _refuse_ignored(("sigma", "inset", "u_inset", "kind", "side"), columns)
         _many(solved, clicks, output, as_json)
         return
     _refuse_ignored(("output",), "--json and a redirection, or --clicks with a CSV file")
     if contact is None or target is None:
         raise BadInput("commands-give-contact-x-y-target-x")
-    if not np.isfinite((sigma, inset, u_inset)).all() or sigma < 0 or u_inset < 0:
-        raise BadInput("commands-sigma-inset-u-inset-must-finite")
-    measured = measure_height(
-        solved, parse_point(contact, "--contact"), parse_point(target, "--target"), sigma, inset, u_inset
-    )
+    points = parse_point(contact, "--contact"), parse_point(target, "--target")
+    assumed = assumed_inset(kind or "", side or "", inset, u_inset)
+    measured = _one(solved, *points, sigma, assumed)
     if as_json:
-        click.echo(json.dumps(height_to_dict(measured)))
+        unknown = {"inset_m": None, "u_inset_m": None} if isinstance(assumed, str) else {}
+        click.echo(json.dumps(height_to_dict(measured) | unknown))
     elif measured.height_m is None or measured.U95_height_m is None:
         click.echo(f"not measurable: {measured.reason}")
     else:
         click.echo(f"{measured.height_m:.3f} m +- {measured.U95_height_m:.3f} m (95 %)")
+        for flag in measured.flags:
+            click.echo(f"note: {flag}")
+
+
+def _one(
+    solved: RoadPose,
+    contact: tuple[float, float],
+    target: tuple[float, float],
+    sigma: float,
+    inset: Assumed | str,
+) -> Height:
+    """One height with the flags of its inset. Raises BadInput for a number that cannot be used."""
+    numbers = (sigma, 0.0, 0.0) if isinstance(inset, str) else (sigma, inset.inset_m, inset.u_inset_m)
+    if not np.isfinite(numbers).all() or sigma < 0 or numbers[2] < 0:
+        raise BadInput("commands-sigma-inset-u-inset-must-finite")
+    if isinstance(inset, str):
+        return not_measurable(inset)
+    measured = measure_height(solved, contact, target, *numbers)
+    return replace(measured, flags=(*inset.flags, *measured.flags)) if measured.status == "ok" else measured
 
 
 def _refuse_ignored(names: tuple[str, ...], instead: str) -> None:
@@ -324,8 +352,6 @@ def _refuse_ignored(names: tuple[str, ...], instead: str) -> None:
 
 
 def _many(solved: RoadPose, clicks: Path, output: Path | None, as_json: bool) -> None:
-    from sightline.commands.clicks import heights_csv
-
     if output is None:
         raise BadInput("commands-give-o-heights-csv-write")
     text, counts = heights_csv(solved, clicks)

@@ -23,6 +23,13 @@ from sightline.geometry.road_pose import RoadPose
 
 _CHUNK = 8192  # rows at a time: the working set stays in the processor's cache
 _EDGE_FLAG = np.sin(np.deg2rad(10.0))
+_LARGE_U_M = 0.03
+_DOUBTS = (
+    "The side plane is seen at less than 10 degrees.",
+    "A click lies near the edge of what the lens model can invert.",
+    "The vehicle is at a very different distance than the board was.",
+    "The uncertainty is large, so the 95 % interval is approximate.",
+)
 
 
 @dataclass(frozen=True)
@@ -57,8 +64,13 @@ class Height:
 
 @dataclass(frozen=True, eq=False)
 class Heights:
-    """N heights as arrays (N,); NaN where `code` is not 0, `REASONS[code]` then says why."""
+    """N heights as arrays (N,); NaN where `code` is not 0, `REASONS[code]` then says why.
 
+    `pose` and `doubts` (4, N), from which `flags` are said.
+    """
+
+    pose: RoadPose
+    doubts: NDArray[np.bool_]
     code: NDArray[np.int8]
     height_m: Floats
     u_height_m: Floats
@@ -73,6 +85,10 @@ class Heights:
 
     def reason(self, row: int) -> str | None:
         return REASONS[int(self.code[row])] or None
+
+    def flags(self, row: int) -> tuple[str, ...]:
+        """What a reader should know of one height; none where there is no height."""
+        return () if self.code[row] else _sentences(self.pose, self.doubts[:, row])
 
 
 def not_measurable(reason: str, inset_m: float = 0.0, u_inset_m: float = 0.0) -> Height:
@@ -137,21 +153,27 @@ def left_out(pose: RoadPose) -> list[str]:
     return out if missing is None else [*out, missing]
 
 
-def _flags(pose: RoadPose, seen: RayIntersection, u_m: float) -> tuple[str, ...]:
-    out = left_out(pose)
+def _doubts(pose: RoadPose, seen: RayIntersection, u_m: Floats) -> NDArray[np.bool_]:
+    """Which of `_DOUBTS` holds for each height, (4, N); `u_m` (N,)."""
     norm = np.sqrt(seen.target[0] ** 2 + seen.target[1] ** 2 + 1.0)
-    if abs(float(seen.w_target_y[0])) < _EDGE_FLAG * float(norm[0]):
-        out.append("The side plane is seen at less than 10 degrees.")
-    radius = max(float(np.hypot(*seen.contact)[0]), float(np.hypot(*seen.target)[0]))
-    if radius > 0.9 * pose.camera.limit.radius:
-        out.append("A click lies near the edge of what the lens model can invert.")
+    radius = np.maximum(np.hypot(*seen.contact), np.hypot(*seen.target))
+    far_from_board = np.zeros(len(u_m), dtype=np.bool_)
     if pose.board is not None and pose.board.distance_m > 0:
-        ratio = float(seen.plane_m[0]) / pose.board.distance_m
-        if not 0.4 < ratio < 2.5:
-            out.append("The vehicle is at a very different distance than the board was.")
-    if u_m > 0.03:
-        out.append("The uncertainty is large, so the 95 % interval is approximate.")
-    return tuple(out)
+        ratio = seen.plane_m / pose.board.distance_m
+        far_from_board = (ratio <= 0.4) | (ratio >= 2.5)
+    return np.stack(
+        [
+            np.abs(seen.w_target_y) < _EDGE_FLAG * norm,
+            radius > 0.9 * pose.camera.limit.radius,
+            far_from_board,
+            u_m > _LARGE_U_M,
+        ]
+    )
+
+
+def _sentences(pose: RoadPose, doubts: NDArray[np.bool_]) -> tuple[str, ...]:
+    """What one height's flags say; `doubts` (4,)."""
+    return (*left_out(pose), *(words for words, holds in zip(_DOUBTS, doubts, strict=True) if holds))
 
 
 def measure_height(
@@ -193,7 +215,7 @@ def measure_height(
         inset_m=inset_m,
         u_inset_m=u_inset_m,
         budget=tuple(BudgetEntry(source, sqrt(v)) for source, v in variances.items()),
-        flags=_flags(pose, seen, u),
+        flags=_sentences(pose, _doubts(pose, seen, np.array([u]))[:, 0]),
     )
 
 
@@ -235,14 +257,15 @@ def measure_heights(
     )
     code = np.zeros(n, dtype=np.int8)
     out = np.full((5, n), np.nan)
+    doubts = np.zeros((len(_DOUBTS), n), dtype=np.bool_)
     systematic = systematic_covariance(pose) if with_uncertainty else None
     for start in range(0, n, _CHUNK):
         part = slice(start, start + _CHUNK)
         _measure_part(
             pose, contacts[part], targets[part], sigma[part], inset[part], u_inset[part],
-            systematic, code[part], out[:, part],
+            systematic, code[part], out[:, part], doubts[:, part],
         )  # fmt: skip
-    return Heights(code, *out)
+    return Heights(pose, doubts, code, *out)
 
 
 def _measure_part(
@@ -255,6 +278,7 @@ def _measure_part(
     systematic: Floats | None,
     code: NDArray[np.int8],
     out: Floats,
+    doubts: NDArray[np.bool_],
 ) -> None:
     """Fill one chunk of the result arrays in place."""
     seen = intersect_rays(pose, contacts, targets, inset)
@@ -266,4 +290,6 @@ def _measure_part(
     if systematic is not None:
         with np.errstate(all="ignore"):
             out[1] = np.sqrt(_variance(gradient(pose, seen), systematic, sigma, u_inset))
+    with np.errstate(all="ignore"):
+        doubts[:] = _doubts(pose, seen, out[1])
     out[:, code != OK] = np.nan

@@ -1,25 +1,32 @@
-"""Default insets: how far each target lies behind the side plane through the wheel contact.
+"""Usual insets: how far each target lies behind the side plane through the wheel contact.
 
 These are estimates without a published source; screens and files show them as such, and they can be edited. A
-target whose inset is unknown gets a wide uncertainty instead of a guess (the bias it stands for: `bias_m`).
+target whose inset is unknown gets a wide uncertainty instead of a guess (the bias it stands for: `bias_m`). A
+driver's eye has two, for a driver on the near and on the far side, and none until one knows which.
 """
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sightline.enums import Target
+from sightline.enums import DriverSide, InsetName, Target
 from sightline.geometry.arrays import Floats
 
-DEFAULT_INSETS: dict[Target, tuple[float, float, str]] = {
-    "driver_eye": (
-        0.45,
-        0.10,
-        "driver on the near side; 1.15 +- 0.15 m for a driver on the far side (estimate)",
-    ),
+USUAL_INSETS: dict[InsetName, tuple[float, float, str]] = {
+    "roof": (0.30, 0.10, "near edge of the roof; 0.85 +- 0.10 m for its crown (estimate)"),
+    "driver_eye_near": (0.45, 0.10, "driver on the side of the camera (estimate)"),
+    "driver_eye_far": (1.15, 0.15, "driver on the side away from the camera (estimate)"),
     "taillight": (0.05, 0.05, "outer edge of the lamp (estimate)"),
     "headlight": (0.05, 0.05, "outer edge of the lamp (estimate)"),
-    "roof": (0.30, 0.10, "near edge of the roof; 0.85 +- 0.10 m for its crown (estimate)"),
     "other": (0.0, 0.30, "unknown"),
+}
+
+# What a survey starts with: the driver on the near side, as long as the survey's facts do not say.
+DEFAULT_INSETS: dict[Target, tuple[float, float, str]] = {
+    "roof": USUAL_INSETS["roof"],
+    "driver_eye": USUAL_INSETS["driver_eye_near"],
+    "taillight": USUAL_INSETS["taillight"],
+    "headlight": USUAL_INSETS["headlight"],
+    "other": USUAL_INSETS["other"],
 }
 
 # What an operator can see of a vehicle and choose between: words, inset, standard uncertainty (estimates).
@@ -27,6 +34,21 @@ INSET_CHOICES: dict[str, tuple[tuple[str, float, float], ...]] = {
     "driver_eye": (("near side", 0.45, 0.10), ("far side", 1.15, 0.15)),  # where the driver sits
     "roof": (("near edge", 0.30, 0.10), ("crown", 0.85, 0.10)),
 }
+
+SIDE_UNKNOWN = (
+    "It is not known whether the driver sits on the near or on the far side of the vehicle, and the eye's "
+    "height depends on it; say which."
+)
+
+
+def inset_name(target: Target, side: DriverSide | None) -> InsetName | None:
+    """The name of a target's usual inset; None for an eye while the driver's side is unknown."""
+    if target != "driver_eye":
+        return target
+    return None if side is None else _EYES[side]
+
+
+_EYES: dict[DriverSide, InsetName] = {"near": "driver_eye_near", "far": "driver_eye_far"}
 
 
 def bias_m(

@@ -6,11 +6,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from sightline.coverage import COVERAGE_95
+from sightline.enums import InsetName
 from sightline.geometry.arrays import Floats
 from sightline.geometry.camera import project
 from sightline.geometry.gain import second_frame_gain
 from sightline.geometry.height import Height, measure_height, measure_heights, not_measurable
-from sightline.geometry.insets import DEFAULT_INSETS, INSET_CHOICES
+from sightline.geometry.insets import USUAL_INSETS
 from sightline.geometry.road_pose import RoadPose
 from sightline.geometry.site import Site, middle_of_view_m, track_shown_m
 
@@ -51,10 +52,13 @@ class PlannedTarget:
 
 def insets_of(given: Insets | None) -> dict[str, tuple[float, float]]:
     """Inset and standard uncertainty per planned target: the survey's own, else the defaults."""
-    _, far, u_far = INSET_CHOICES["driver_eye"][1]
-    known = {name: (inset, u) for name, (inset, u, _) in DEFAULT_INSETS.items()} | dict(given or {})
-    known.setdefault("driver_eye_far", (far, u_far))
+    usual = {_planned_name(name): (inset, u) for name, (inset, u, _) in USUAL_INSETS.items()}
+    known = usual | dict(given or {})
     return {name: known[name] for name, _ in TYPICAL_M}
+
+
+def _planned_name(name: InsetName) -> str:
+    return "driver_eye" if name == "driver_eye_near" else name
 
 
 def ignored_bias_m(
