@@ -23,6 +23,7 @@ COMMANDS = {
     "height": "sightline.commands.geometry:height",
     "plan": "sightline.commands.plan:plan",
     "errors": "sightline.commands.errors:errors",
+    "sightdistance": "sightline.commands.sightdistance:sightdistance",
     "linescan": "sightline.commands.linescan:linescan",
     "export": "sightline.commands.export:export",
     "verify": "sightline.commands.verify:verify",

@@ -52,5 +52,9 @@ StandardHeight = Literal["driver_eye", "object"]
 Rounding = Literal["cm", "none"]
 Correction = Literal["inset", "shift", "none", "regression", "deconvolution"]
 LengthUnit = Literal["m", "ft"]
+CurveCase = Literal["S < L", "S > L", "none"]
+Manoeuvre = Literal["A", "B", "C", "D", "E"]
+Crossing = Literal["left_from_stop", "right_from_stop", "crossing", "left_from_major"]
+DesignVehicle = Literal["passenger_car", "single_unit_truck", "combination_truck"]
 
 REQUIRED_TARGETS: tuple[Target, ...] = ("roof", "driver_eye", "taillight")

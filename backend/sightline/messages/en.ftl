@@ -2721,6 +2721,8 @@ commands-numbers-plan-must-finite = The numbers of a plan must be finite.
 commands-line-scan-planned-without-camera-place = A line scan is planned without a camera and its place; leave those options out.
 commands-port-cannot-used-choose-another-port = Port { $port } on { $host } cannot be used ({ $why }); choose another with --port.
 commands-problem-2 = { $place }: { $problem }
+commands-distance-or-speed = Give either --distance or --speed, not both.
+commands-grade-difference-needs-distance = --grade-difference needs a sight distance; give --distance or --speed too.
 commands-not-exist-name-database-data-folder = { $place } does not exist; name a database, a data folder or an exported folder.
 
 ## Errors: demo
@@ -3234,3 +3236,16 @@ server-something-went-wrong = Something went wrong on the server and nothing was
 quality-tyres-changed-meanwhile = { $name } changed the tyres of this vehicle meanwhile; look at them first.
 measurements-already-measured = { $name } has measured this target of the vehicle already; keep one of the two.
 reviews-verdict-given-meanwhile = { $name } gave the verdict “{ $verdict }” meanwhile; look at it first.
+
+## Sight distance: what cannot be computed
+sightdistance-heights = Heights of eyes must lie above 0 and of objects at or above 0, all below 10 m; give them in metres.
+sightdistance-uncertainty = A standard uncertainty must be 0 or more, and 0 for an object on the road; correct it.
+sightdistance-distance = A sight distance must lie above 0 and below 100 km, and a length at or above 0; give metres.
+sightdistance-difference = The difference of the two grades must lie above 0 and at most 100 percent; correct it.
+sightdistance-speed = A speed of { $speed_kmh } km/h is no design speed; give more than 0 and at most 300 km/h.
+sightdistance-gradient = A gradient of { $gradient_percent } % cannot be braked on; give at most 25 %, and downhill less than braking holds.
+sightdistance-reaction-deceleration = The reaction time must be 0 or more and the deceleration more than 0; correct them.
+sightdistance-manoeuvre-time = Manoeuvre { $manoeuvre } takes { $least } to { $most } s; give a time within.
+sightdistance-passing-speed = There is no passing sight distance at { $speed_kmh } km/h; the table runs from 30 to 130 km/h.
+sightdistance-headlight = The headlight's height and its beam's rise must not be negative, nor both 0; correct them.
+sightdistance-radius = The radius must be above 0, and its curve must hold the distance and the offset; correct them.

@@ -1,0 +1,97 @@
+"""`sightline sightdistance` from the outside, as the contract says."""
+
+from __future__ import annotations
+
+import json
+import math
+from typing import Any
+
+import pytest
+
+from sightline.cli import main
+
+
+def asked(capsys: pytest.CaptureFixture[str], *arguments: str) -> dict[str, Any]:
+    assert main(["sightdistance", *arguments, "--json"]) == 0
+    return dict(json.loads(capsys.readouterr().out))
+
+
+def test_heights_and_a_distance(capsys: pytest.CaptureFixture[str]) -> None:
+    found = asked(capsys, "--eye", "1.08", "--object", "0.60", "--distance", "185")
+    assert found["constant"] == pytest.approx(100 * (math.sqrt(2.16) + math.sqrt(1.2)) ** 2, rel=1e-12)
+    assert found["crest_k_m"] == pytest.approx(185**2 / found["constant"], rel=1e-12)
+    assert not {"u_constant", "u_crest_k_m", "stopping_distance_m", "formula"} & set(found)
+
+
+def test_a_speed_gives_its_stopping_distance_with_the_formula(capsys: pytest.CaptureFixture[str]) -> None:
+    found = asked(capsys, "--eye", "1.08", "--object", "0.60", "--speed", "100")
+    assert found["stopping_distance_m"] == pytest.approx(0.278 * 100 * 2.5 + 0.039 * 100**2 / 3.4)
+    assert "0.278 V t + 0.039 V^2 / a" in found["formula"]
+    assert found["crest_k_m"] == pytest.approx(found["stopping_distance_m"] ** 2 / found["constant"])
+    assert (found["design_stopping_distance_m"], round(found["design_crest_k_m"])) == (185, 52)
+
+
+def test_uncertainties_of_the_heights(capsys: pytest.CaptureFixture[str]) -> None:
+    heights = ("--eye", "1.08", "--object", "0.60", "--distance", "185")
+    found = asked(capsys, *heights, "--u-eye", "0.01", "--u-object", "0.02")
+    up, down = (
+        asked(capsys, "--eye", str(1.08 + d), "--object", "0.60")["constant"] for d in (0.0005, -0.0005)
+    )
+    higher, lower = (
+        asked(capsys, "--eye", "1.08", "--object", str(0.60 + d))["constant"] for d in (0.0005, -0.0005)
+    )
+    u = math.hypot((up - down) / 0.001 * 0.01, (higher - lower) / 0.001 * 0.02)
+    assert found["u_constant"] == pytest.approx(u, rel=1e-5)
+    assert found["u_crest_k_m"] == pytest.approx(185**2 / found["constant"] ** 2 * u, rel=1e-5)
+    alone = asked(capsys, *heights, "--u-eye", "0.01")
+    assert alone["u_constant"] < u and "taken as exact" in alone["notes"][0]
+
+
+def test_without_a_distance_there_is_no_k(capsys: pytest.CaptureFixture[str]) -> None:
+    found = asked(capsys, "--eye", "1.08", "--object", "1.08", "--u-eye", "0.01", "--u-object", "0.01")
+    assert found["crest_k_m"] is None and found["u_crest_k_m"] is None
+    assert round(found["constant"]) == 864
+
+
+def test_in_words(capsys: pytest.CaptureFixture[str]) -> None:
+    arguments = [
+        "--eye",
+        "1.18",
+        "--object",
+        "0.53",
+        "--speed",
+        "100",
+        "--u-eye",
+        "0.01",
+        "--grade-difference",
+        "6",
+    ]
+    assert main(["sightdistance", *arguments]) == 0
+    said = capsys.readouterr().out
+    for word in (
+        "658.3 m",
+        "184.2 m",
+        "at the design distance of 185 m",
+        "within the curve",
+        "taken as exact",
+    ):
+        assert word in said
+
+
+@pytest.mark.parametrize(
+    ("arguments", "word"),
+    [
+        ("--eye 1.08 --object 0.6 --distance 185 --speed 100", "not both"),
+        ("--eye 108 --object 60", "metres"),
+        ("--eye nan --object 0.6", "metres"),
+        ("--eye 1.08 --object 0.6 --distance -1", "sight distance"),
+        ("--eye 1.08 --object 0.6 --speed 0", "design speed"),
+        ("--eye 1.08 --object 0.6 --u-eye -0.1", "uncertainty"),
+        ("--eye 1.08 --object 0.6 --grade-difference 5", "--distance"),
+        ("--eye 1.08", "--object"),
+    ],
+)
+def test_bad_input_is_one_sentence(capsys: pytest.CaptureFixture[str], arguments: str, word: str) -> None:
+    assert main(["sightdistance", *arguments.split(), "--json"]) == 2
+    printed = capsys.readouterr()
+    assert word in printed.err and printed.err.count("\n") == 1 and not printed.out
