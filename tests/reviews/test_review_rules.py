@@ -127,6 +127,8 @@ def test_a_fix_needs_points_and_only_a_fix_has_them(
 ) -> None:
     made = measure(operator, vehicle_id)
     assert "points" in error_of(judge(reviewer, made, "fixed"))
+    same = judge(reviewer, made, "fixed", contact=made["contact"], target_point=made["target_point"])
+    assert same.status_code == 422 and "changes nothing" in error_of(same)
     with_points = judge(reviewer, made, "accepted", contact=[1.0, 2.0], target_point=[1.0, 2.0])
     assert with_points.status_code == 422 and "fix" in error_of(with_points)
     assert operator.seen(f"/measurements/{made['id']}")["revision"] == 1

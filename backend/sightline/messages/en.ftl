@@ -201,6 +201,16 @@ problem-offline = The server cannot be reached.
 problem-unreachable = The server could not be reached, so this was not done; check the connection and try again.
 keys-reserved = The browser keeps { $chord } for itself; choose another key.
 
+## Addresses of things that are not there
+
+address-elsewhere = { $what ->
+    [vehicle] The vehicle in this address is not in this survey, or was deleted.
+    [measurement] The measurement in this address is not in this survey, or was withdrawn.
+    [recording] The recording in this address is not in this survey, or cannot be shown.
+    [camera] The camera in this address is not in this survey; another is shown.
+   *[scan] The line-scan recording in this address is not in this survey.
+}
+
 ## Components: progress, undo
 
 loading = Loading { $what }…
@@ -210,6 +220,8 @@ undo-step = Undo: { $step }
 undo-nothing = Nothing to undo
 redo-step = Redo: { $step }
 redo-nothing = Nothing to redo
+undo-done = Undone: { $step }.
+redo-done = Redone: { $step }.
 
 ## App: titles, the bar above, the rail, addresses that lead nowhere
 
@@ -342,6 +354,7 @@ revisions-title = History
 revisions-who = { $person }, { $time }
 revisions-review = { $person } – { $reason }
 catalogue-list = { $field } in the catalogue
+catalogue-other-years = The catalogue has { $model } of { $years } only; is the year right?
 passes-find = Find the passes
 passes-find-title = Looks through the video for vehicles; passes that are there or were discarded stay as they are
 passes-failed = The search failed; try it again.
@@ -915,7 +928,6 @@ measure-loading = the frame
 measure-none-title = No recording to measure yet
 measure-none = Heights are measured on the frames of a recording. Add the day's videos first; they can be measured as soon as they are read.
 measure-add-recordings = Add recordings
-measure-recording-elsewhere = The recording in this address is not in this survey.
 measure-last-pass = This is the last pass in the list.
 measure-first-pass = This is the first pass in the list.
 measure-all-passes-done = Every pass of this survey is measured.
@@ -973,7 +985,8 @@ measure-pass-delete = Delete the pass
 
 ## Measure: what undo and redo name
 
-measure-step-vehicle = vehicle { $vehicle }
+measure-step-of = { $step }, vehicle { $vehicle }
+measure-step-vehicle = facts of vehicle { $vehicle }
 measure-step-new-pass = new pass { $vehicle }
 measure-step-deletion = deletion of vehicle { $vehicle }
 measure-step-split = split of vehicle { $vehicle }
@@ -1286,6 +1299,7 @@ review-look-only = You may look; a reviewer gives the verdict.
 review-own = You made this measurement, so somebody else reviews it.
 review-pose-changed = The recording has another road pose since this was measured; the fix is computed with the new one.
 review-fix-save = Save the fix
+review-fix-nothing = Nothing is other than it was; move a point first, or accept the measurement.
 review-fix-leave = Leave it
 review-fix-mine = Fix it with my points
 review-reopen = Reopen it
@@ -3109,6 +3123,7 @@ reviews-measurement-withdrawn-nothing-review = This measurement is withdrawn; th
 reviews-repeat-not-reviewed-review-measurement-repeats = A repeat is not reviewed; review the measurement that it repeats.
 reviews-rejection-needs-reason-say-what-wrong = A rejection needs a reason; say what is wrong so that it can be put right.
 reviews-fix-needs-new-points-only-fix = A fix needs the new points, and only a fix has them; click them and send them along.
+reviews-fix-changes-nothing-accept = This fix changes nothing; move a point, or accept the measurement.
 reviews-measurement-waits-review-already = This measurement waits for a review already.
 reviews-nobody-reviews-their-own-measurement-ask = Nobody reviews their own measurement; ask another reviewer.
 reviews-reviews-csv-not-what-audit-event = reviews.csv: { $id } is not what its audit event says; it was changed.

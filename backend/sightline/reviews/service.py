@@ -27,8 +27,8 @@ def review(
     """Give a verdict on the revision, and in place of the verdict, that was seen.
 
     A fix keeps target, sigma and inset of that revision and takes the reviewer's points. Raises NotAllowed
-    for one's own work, Conflict for a revision that is not current, BadInput for a rejection without a reason
-    or a fix without points.
+    for one's own work, Conflict for a revision that is not current, BadInput for a rejection without a reason,
+    or a fix without points or that changes nothing.
     """
     before = require_measurement_revision(session, series_id, revision)
     fixed = None
@@ -60,4 +60,13 @@ def _fixed(
         raise BadInput("reviews-fix-needs-both-points-contact-target")
     n = before.values.frame if frame is None else frame
     clicks = clicked_again(before.values, n, contact, target_point)
-    return values_at(session, before.recording_id, clicks, actor=actor)
+    values = values_at(session, before.recording_id, clicks, actor=actor)
+    if _made_with(values) == _made_with(before.values):
+        raise BadInput("reviews-fix-changes-nothing-accept")
+    return values
+
+
+def _made_with(values: MeasurementValues) -> tuple[object, ...]:
+    """What a height follows from: clicks, inset, pose and lens."""
+    inset = (values.inset_m, values.u_inset_m)
+    return (*values.first_clicks, values.more_frames, *inset, values.pose_id, values.calibration_id)

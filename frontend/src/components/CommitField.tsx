@@ -1,4 +1,7 @@
-/** A field that tells its value when it is left or Enter is pressed, not at every letter. Esc brings the old one back. */
+/**
+ * A field that tells its value when it is left or Enter is pressed, not at every letter. Esc brings the old one back.
+ * Enter and Esc leave it, so that the next key is a command again and not one more letter.
+ */
 import { useContext, useState } from "preact/hooks";
 import { Field } from "./index";
 import { TypingHold, useTyping } from "./typing";
@@ -21,19 +24,22 @@ export function CommitField(props: CommitFieldProps) {
   const typing = useTyping(props.value);
   const hold = useContext(TypingHold);
   const [problem, setProblem] = useState<string | null>(null);
-  const commit = (): void => {
-    const wrong = props.check?.(typing.text.trim()) ?? null;
+  /** False where what is typed cannot be taken: the field stays as it is. */
+  const commit = (): boolean => {
+    const wrong = (typing.open() && props.check?.(typing.text.trim())) || null;
     setProblem(wrong);
-    if (wrong) return;
+    if (wrong) return false;
     const text = typing.finish();
     if (text !== null) props.onCommit(text);
     hold?.end();
+    return true;
   };
-  const onKeyDown = (event: KeyboardEvent): void => {
-    if (event.key === "Enter" && !props.rows) commit();
+  const onKeyDown = (event: KeyboardEvent & { currentTarget: HTMLElement }): void => {
+    if (event.key === "Enter" && !event.ctrlKey && !props.rows && commit()) event.currentTarget.blur();
     if (event.key !== "Escape") return;
     typing.undo();
     setProblem(null);
+    event.currentTarget.blur();
   };
   const common = {
     value: typing.text,

@@ -16,6 +16,8 @@ export const TypingHold = createContext<Hold | null>(null);
 
 export interface Typing {
   readonly text: string;
+  /** Something is typed and not yet told. */
+  open(): boolean;
   type(text: string): void;
   /** The field is left or Enter pressed: answers the trimmed text if it differs from the value, else null. */
   finish(): string | null;
@@ -36,6 +38,7 @@ export function useTyping(value: string): Typing {
   };
   return {
     text,
+    open: () => started.current !== null,
     type(typed) {
       if (started.current === null) {
         started.current = value;

@@ -3,7 +3,7 @@
 import { hint } from "../core/commands";
 import type { History } from "../core/history";
 import { say } from "../core/messages";
-import { toastProblem } from "../core/toasts";
+import { toast, toastProblem } from "../core/toasts";
 import { useTopTools } from "../core/topbar";
 import { type ButtonCommand, CommandButton } from "./CommandButton";
 
@@ -12,6 +12,8 @@ export interface HistoryOptions {
   back?(): boolean;
   /** Whether something is in hand. */
   inHand?(): boolean;
+  /** What is under way ends first, so that it is a step of its own. */
+  settle?(): void;
 }
 
 export interface HistoryCommands {
@@ -25,16 +27,27 @@ export function historyCommands(history: History, options: HistoryOptions = {}):
       id: "undo",
       icon: "undo",
       run: () => {
-        if (!options.back?.()) void history.undo().catch(toastProblem);
+        options.settle?.();
+        if (!options.back?.()) void history.undo().then(tell("undo-done"), toastProblem);
       },
       enabled: () => history.undoLabel.value !== null || options.inHand?.() === true,
     },
     redo: {
       id: "redo",
       icon: "redo",
-      run: () => void history.redo().catch(toastProblem),
+      run: () => {
+        options.settle?.();
+        void history.redo().then(tell("redo-done"), toastProblem);
+      },
       enabled: () => history.redoLabel.value !== null,
     },
+  };
+}
+
+/** Said in words too: what changed may be small, or the view another one now. */
+function tell(words: "undo-done" | "redo-done"): (step: string | null) => void {
+  return (step) => {
+    if (step !== null) toast(say(words, { step }), { about: "undo" });
   };
 }
 

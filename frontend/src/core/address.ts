@@ -17,6 +17,12 @@ export function navigate(to: string, options: { replace?: boolean } = {}): void 
   if (!samePage) document.getElementById("main")?.scrollTo(0, 0);
 }
 
+/** The number that the address gives for a thing; null where it names none, and NaN where what it says is no number. */
+export function asked(name: string): number | null {
+  const text = new URLSearchParams(location.search).get(name);
+  return text === null ? null : /^\d+$/.test(text) ? Number(text) : Number.NaN;
+}
+
 /** Changes query parameters in place, for deep links; null removes one. */
 export function setQuery(changes: Record<string, string | number | null>): void {
   const params = new URLSearchParams(location.search);

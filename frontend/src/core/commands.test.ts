@@ -119,6 +119,19 @@ describe("dispatch", () => {
     expect(next).not.toHaveBeenCalled();
   });
 
+  it("leaves a list that was chosen from with the pointer, not one that the arrows go through", () => {
+    document.body.innerHTML = "<select><option>Day</option></select>";
+    const list = document.querySelector("select") as HTMLSelectElement;
+    const change = () => list.dispatchEvent(new Event("change", { bubbles: true }));
+    list.focus();
+    press({ key: "ArrowDown" }, list);
+    change();
+    expect(document.activeElement).toBe(list);
+    list.dispatchEvent(new Event("pointerdown", { bubbles: true }));
+    change();
+    expect(document.activeElement).not.toBe(list);
+  });
+
   it("leaves Space to a focused button", () => {
     const play = vi.fn();
     listen(() => ({ play }));

@@ -314,3 +314,23 @@ window.addEventListener("keydown", (event) => {
 window.addEventListener("keyup", (event) => {
   dispatch(event, false);
 });
+
+// A list that was chosen from with the pointer is left: else the next key, meant as a command, chooses another of its lines.
+let pointed: EventTarget | null = null;
+window.addEventListener(
+  "pointerdown",
+  ({ target }) => {
+    pointed = target;
+  },
+  true,
+);
+window.addEventListener(
+  "keydown",
+  () => {
+    pointed = null;
+  },
+  true,
+);
+window.addEventListener("change", ({ target }) => {
+  if (target instanceof HTMLSelectElement && target === pointed) target.blur();
+});

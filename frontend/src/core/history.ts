@@ -16,6 +16,8 @@ export interface Ledger<K, V> {
 export interface Step {
   /** What was done, as it reads after "Undo: ". */
   readonly label: string;
+  /** Brings into view what it was done on; see `History`. */
+  show?(): void;
   undo(): Promise<void> | void;
   redo(): Promise<void> | void;
 }
@@ -91,12 +93,19 @@ export class History {
   private readonly undone = signal<readonly Step[]>([]);
   private running: Promise<void> = Promise.resolve();
 
+  /**
+   * @param place asked when a step begins: how to bring what is open then back into view. Undo and redo go there first, so
+   *   that nothing is changed out of sight.
+   */
+  constructor(private readonly place: () => () => void = () => () => {}) {}
+
   readonly undoLabel = computed(() => this.done.value.at(-1)?.label ?? null);
   readonly redoLabel = computed(() => this.undone.value.at(-1)?.label ?? null);
 
   /** A change set that its owner keeps or drops: a drag, a run of nudges. */
   begin(label: string): ChangeSet {
-    return new ChangeSet(label, (step) => this.push(step));
+    const show = this.place();
+    return new ChangeSet(label, (step) => this.push({ show, ...step }));
   }
 
   /** Does something as one step. Work that fails leaves no step. */
@@ -111,22 +120,26 @@ export class History {
 
   /** Note a step that is not a change of values; what was undone before can no longer be redone. */
   push(step: Step): void {
-    this.done.value = [...this.done.value, step].slice(-MAX_STEPS);
+    this.done.value = [...this.done.value, { show: this.place(), ...step }].slice(-MAX_STEPS);
     this.undone.value = [];
   }
 
-  undo(): Promise<void> {
+  /** Answers the label of what was undone; null where there was nothing. */
+  undo(): Promise<string | null> {
     return this.move(this.done, this.undone, (step) => step.undo());
   }
 
-  redo(): Promise<void> {
+  redo(): Promise<string | null> {
     return this.move(this.undone, this.done, (step) => step.redo());
   }
 
   /** Work that must see what the steps before it stored: it waits for an undo that is still under way. */
-  inTurn(work: () => Promise<void>): Promise<void> {
+  inTurn<T>(work: () => Promise<T>): Promise<T> {
     const turn = this.running.then(work);
-    this.running = turn.catch(() => {});
+    this.running = turn.then(
+      () => {},
+      () => {},
+    );
     return turn;
   }
 
@@ -135,13 +148,15 @@ export class History {
     from: { value: readonly Step[] },
     to: { value: readonly Step[] },
     run: (step: Step) => Promise<void> | void,
-  ): Promise<void> {
+  ): Promise<string | null> {
     return this.inTurn(async () => {
       const step = from.value.at(-1);
-      if (!step) return;
+      if (!step) return null;
+      step.show?.();
       await run(step);
       from.value = from.value.filter((other) => other !== step);
       to.value = [...to.value, step];
+      return step.label;
     });
   }
 }

@@ -6,6 +6,8 @@ export interface Toast {
   kind: "info" | "problem";
   text: string;
   action?: { label: string; run: () => void };
+  /** The newest about the same stands alone. */
+  about?: string;
 }
 
 export const toasts = signal<Toast[]>([]);
@@ -14,7 +16,9 @@ let nextId = 1;
 /** Says something in the corner. News goes away by itself, a problem stays until it is dismissed. */
 export function toast(text: string, options: Partial<Omit<Toast, "id" | "text">> = {}): void {
   const made: Toast = { id: nextId++, kind: "info", text, ...options };
-  toasts.value = [...toasts.value.filter((old) => old.text !== text), made].slice(-4);
+  const older = (old: Toast): boolean =>
+    old.text === text || (made.about !== undefined && old.about === made.about);
+  toasts.value = [...toasts.value.filter((old) => !older(old)), made].slice(-4);
   if (made.kind === "info") setTimeout(() => dismiss(made.id), made.action ? 10_000 : 5_000);
 }
 

@@ -1,4 +1,7 @@
-/** Asks the server for geometry while points move. Nothing is computed here. */
+/**
+ * Asks the server for geometry while points move. Nothing is computed here.
+ * Without a connection a question waits, as the banner says; it is answered when the server is back, and no other place says more.
+ */
 import { signal } from "@preact/signals";
 import { api, explain } from "../core/api";
 import { Latest } from "../core/latest";
@@ -107,7 +110,11 @@ export class Geometry {
 
 function askAxes({ recordingId, contact, target, inset }: AxesWish): Promise<AxesAnswer> {
   const body = { contact: pair(contact), target, ...(inset ?? {}) };
-  return api.ask("POST /recordings/{recording_id}/geometry/axes", { recording_id: recordingId }, { body });
+  return api.ask(
+    "POST /recordings/{recording_id}/geometry/axes",
+    { recording_id: recordingId },
+    { body, retry: true },
+  );
 }
 
 export function askHeight({
@@ -123,7 +130,11 @@ export function askHeight({
   const sigma = sigma_px === null ? {} : { sigma_px };
   const clicked = { target, ...frameBody({ frame, contact, point }) };
   const body = { ...clicked, ...(inset ?? {}), ...sigma, more_frames: more?.map(frameBody) };
-  return api.ask("POST /recordings/{recording_id}/geometry/height", { recording_id: recordingId }, { body });
+  return api.ask(
+    "POST /recordings/{recording_id}/geometry/height",
+    { recording_id: recordingId },
+    { body, retry: true },
+  );
 }
 
 /** The frame that would gain most beside those that are clicked. */
@@ -136,7 +147,7 @@ export function askSecondFrame(
   return api.ask(
     "POST /recordings/{recording_id}/geometry/second-frame",
     { recording_id: recordingId },
-    { body },
+    { body, retry: true },
   );
 }
 

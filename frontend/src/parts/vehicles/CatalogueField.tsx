@@ -7,6 +7,7 @@ import { Latest } from "../../core/latest";
 import { say } from "../../core/messages";
 import type { CatalogueRow } from "../../core/types";
 import { formatLength } from "../../core/units";
+import { yearsOf } from "./ModelYears";
 import "./vehicle.css";
 
 interface CatalogueFieldProps {
@@ -26,6 +27,7 @@ export function CatalogueField(props: CatalogueFieldProps) {
   const [rows, setRows] = useState<readonly CatalogueRow[] | null>(null);
   const [active, setActive] = useState(-1);
   const searching = useRef(false);
+  const input = useRef<HTMLInputElement>(null);
   const listId = useId();
   const asker = useMemo(
     () =>
@@ -46,10 +48,13 @@ export function CatalogueField(props: CatalogueFieldProps) {
     setRows(null);
     setActive(-1);
   };
+  /** The next key is a command again, and not one more letter. */
+  const leave = (): void => input.current?.blur();
   const choose = (row: CatalogueRow): void => {
     close();
     typing.undo();
     props.onChoose(row);
+    leave();
   };
   const commit = (): void => {
     close();
@@ -72,8 +77,12 @@ export function CatalogueField(props: CatalogueFieldProps) {
   const keys: Record<string, () => unknown> = {
     ArrowDown: () => (rows ? turn(1) : search(text)),
     ArrowUp: () => turn(-1),
-    Enter: () => (chosen ? choose(chosen) : commit()),
-    Escape: () => (rows ? close() : typing.undo()),
+    Enter: () => (chosen ? choose(chosen) : leave()),
+    Escape: () => {
+      close();
+      typing.undo();
+      leave();
+    },
   };
   const onKeyDown = (event: KeyboardEvent): void => {
     // Ctrl+Enter belongs to the page: it goes on to the next vehicle
@@ -90,6 +99,7 @@ export function CatalogueField(props: CatalogueFieldProps) {
         {(wiring) => (
           <input
             {...wiring}
+            ref={input}
             class="input"
             role="combobox"
             aria-expanded={open}
@@ -128,7 +138,7 @@ export function CatalogueField(props: CatalogueFieldProps) {
             onClick={() => choose(row)}
           >
             <span class="clip">
-              <strong>{row.make}</strong> {row.model} <span class="muted">{years(row)}</span>
+              <strong>{row.make}</strong> {row.model} <span class="muted">{yearsOf(row)}</span>
             </span>
             <span class="nowrap">{formatLength(row.height_m)}</span>
           </div>
@@ -136,10 +146,4 @@ export function CatalogueField(props: CatalogueFieldProps) {
       </div>
     </div>
   );
-}
-
-function years({ year_from, year_to }: CatalogueRow): string {
-  if (year_from === null && year_to === null) return "";
-  if (year_from === year_to) return String(year_from);
-  return `${year_from ?? ""}–${year_to ?? ""}`;
 }

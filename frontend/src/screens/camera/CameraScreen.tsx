@@ -1,6 +1,6 @@
 import { useState } from "preact/hooks";
-import { Button, Empty, Loading, Problem } from "../../components";
-import { query, setQuery } from "../../core/address";
+import { Button, Empty, Loading, Notice, Problem } from "../../components";
+import { asked, query, setQuery } from "../../core/address";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
@@ -20,7 +20,9 @@ export default function CameraScreen({ surveyId }: ScreenProps) {
   );
   const [adding, setAdding] = useState(false);
   const list = cameras.data ?? [];
-  const wanted = Number(query.value.get("camera"));
+  // the address is followed, so that a link to another camera opens it
+  void query.value;
+  const wanted = asked("camera");
   const open = list.find((camera) => camera.id === wanted) ?? list[0] ?? null;
   const added = async (camera: Camera) => {
     setAdding(false);
@@ -43,6 +45,9 @@ export default function CameraScreen({ surveyId }: ScreenProps) {
         )}
       </header>
       <Problem error={cameras.error} again={cameras.reload} />
+      {wanted !== null && open && open.id !== wanted && (
+        <Notice kind="warning">{say("address-elsewhere", { what: "camera" })}</Notice>
+      )}
       {!cameras.data && cameras.loading && <Loading what={say("camera-loading-all")} />}
       {cameras.data && list.length === 0 && (
         <div class="panel">

@@ -4,7 +4,7 @@ import { Button, Empty, Loading, Notice, Problem } from "../../components";
 import { type ButtonCommand, CommandButton } from "../../components/CommandButton";
 import { Said } from "../../components/Said";
 import { type HistoryCommands, historyCommands } from "../../components/undoTools";
-import { query } from "../../core/address";
+import { asked } from "../../core/address";
 import { useCommands } from "../../core/commands";
 import { say } from "../../core/messages";
 import { FrameView } from "../../viewer/FrameView";
@@ -20,7 +20,7 @@ import { TrafficSide } from "./TrafficSide";
 
 export function TrafficTab({ surveyId }: { surveyId: number }) {
   const model = useMemo(() => new TrafficModel(surveyId), [surveyId]);
-  const load = () => void model.load(Number(query.value.get("vehicle")) || null);
+  const load = () => void model.load(asked("vehicle"));
   useEffect(() => {
     load();
     return () => model.close();

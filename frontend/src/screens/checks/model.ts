@@ -72,7 +72,7 @@ export class TrafficModel {
       api.ask(
         "POST /recordings/{recording_id}/geometry/axes",
         { recording_id: this.reel.player.value?.recordingId ?? 0 },
-        { body: { contact: pair(at) } },
+        { body: { contact: pair(at) }, retry: true },
       ),
     (answer) => {
       this.axes.value = answer;
@@ -110,7 +110,10 @@ export class TrafficModel {
         this.vehicles.value = vehicles;
         this.stored.value = check;
       });
-      const wanted = vehicles.find((one) => one.id === vehicleId) ?? vehicles[0];
+      const named = vehicles.find((one) => one.id === vehicleId);
+      if (vehicleId !== null && !named)
+        toast(say("address-elsewhere", { what: "vehicle" }), { kind: "problem" });
+      const wanted = named ?? vehicles[0];
       if (wanted) this.open(wanted);
       else if (this.reel.recordings.value[0]) this.showRecording(this.reel.recordings.value[0].id, 0);
       this.loaded.value = true;

@@ -104,10 +104,8 @@ function confirmNext(model: MeasureModel): void {
 /** Nudges that have not yet ended count as done first. */
 function stepsOf(model: MeasureModel): HistoryCommands {
   return historyCommands(model.history, {
-    back: () => {
-      model.points.endBurst();
-      return model.stage.back();
-    },
+    settle: () => model.points.endBurst(),
+    back: () => model.stage.back(),
     inHand: () => model.points.moving || model.second.active.value,
   });
 }

@@ -9,6 +9,7 @@ import type { CatalogueRow, Vehicle } from "../../core/types";
 import { lengthProblem, lengthText, lengthUnit, parseLength } from "../../core/units";
 import { CATEGORY_WORDS, LIGHTING_WORDS, vehicleName } from "../../core/words";
 import { CatalogueField } from "../../parts/vehicles/CatalogueField";
+import { ModelYears } from "../../parts/vehicles/ModelYears";
 import { VehicleConflict } from "./Conflicts";
 import { FIELD_WORDS } from "./fields";
 import { MeasurementList } from "./MeasurementList";
@@ -108,16 +109,19 @@ function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
             onChoose={take}
             onCommit={(text) => model.edit({ model: text || null })}
           />
-          <CommitField
-            label={FIELD_WORDS.year}
-            value={vehicle.year === null ? "" : String(vehicle.year)}
-            numeric
-            disabled={locked}
-            check={(text) =>
-              text === "" || /^(18|19|20)\d\d$/.test(text) ? null : say("measure-year-problem")
-            }
-            onCommit={(text) => model.edit({ year: text === "" ? null : Number(text) })}
-          />
+          <div>
+            <CommitField
+              label={FIELD_WORDS.year}
+              value={vehicle.year === null ? "" : String(vehicle.year)}
+              numeric
+              disabled={locked}
+              check={(text) =>
+                text === "" || /^(18|19|20)\d\d$/.test(text) ? null : say("measure-year-problem")
+              }
+              onCommit={(text) => model.edit({ year: text === "" ? null : Number(text) })}
+            />
+            <ModelYears make={vehicle.make} model={vehicle.model} year={vehicle.year} />
+          </div>
           <SelectField
             label={FIELD_WORDS.category}
             value={vehicle.category ?? ""}

@@ -28,6 +28,7 @@ export interface Desk {
   /** What a click comes to is carried out by the tool that dispatched it. */
   dispatch(event: FlowEvent): Effect | null;
   insetOf(target: Target): Inset | null;
+  stepName(step: string): string;
 }
 
 /** A tool whose clicks make measurements. The first of them that is active says which contact counts, and what is awaited. */

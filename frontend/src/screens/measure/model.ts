@@ -4,7 +4,7 @@
  */
 import { batch, computed, effect, signal, untracked } from "@preact/signals";
 import { ask } from "../../components";
-import { query, setQuery } from "../../core/address";
+import { asked, query, setQuery } from "../../core/address";
 import { History, type Ledger } from "../../core/history";
 import { say } from "../../core/messages";
 import { outbox } from "../../core/outbox";
@@ -12,7 +12,7 @@ import { canWork } from "../../core/session";
 import { stored } from "../../core/stored";
 import { survey } from "../../core/survey";
 import { toast, toastProblem } from "../../core/toasts";
-import type { Target, Vehicle } from "../../core/types";
+import type { Recording, Target, Vehicle } from "../../core/types";
 import { bestFrame, type Filter, listed, neighbour, nextOpen, type Order } from "../../parts/vehicles/passes";
 import { Geometry } from "../../viewer/geometry";
 import type { ImagePoint } from "../../viewer/points";
@@ -43,7 +43,7 @@ export class MeasureModel implements Desk {
     this.span,
     this.points,
   ]);
-  readonly history = new History();
+  readonly history: History = new History(() => this.place());
   readonly geometry = new Geometry();
   readonly records: Records;
   readonly vehicles: Vehicles;
@@ -160,6 +160,23 @@ export class MeasureModel implements Desk {
       this.chosenInsets.value = new Map();
       this.reel.show(vehicle.recording_id, frame);
     });
+  }
+
+  /** What is open now, and how to come back to it: undo goes to what it changes. */
+  private place(): () => void {
+    const id = this.vehicleId.peek();
+    const [recording, frame] = [this.reel.player.peek()?.recordingId, this.seenFrame.peek()];
+    return () => {
+      const vehicle = this.vehicles.get(id);
+      if (vehicle && id !== this.vehicleId.value) this.open(vehicle, frame < 0 ? undefined : frame);
+      else if (recording !== undefined && frame >= 0) this.reel.show(recording, frame);
+    };
+  }
+
+  /** A step's name, with the vehicle that it is done on. */
+  stepName(step: string): string {
+    const vehicle = this.vehicle.value;
+    return vehicle ? say("measure-step-of", { step, vehicle: String(vehicle.number) }) : step;
   }
 
   /** The operator turns to a recording: no pass is open until one is chosen. */
@@ -340,27 +357,33 @@ export class MeasureModel implements Desk {
     if (params.has("frame") && recordingId > 0 && frame >= 0) this.reel.show(recordingId, frame);
   }
 
-  /** The pass the address names, else the first with something to do: of the recording that it names, if it does. */
+  /**
+   * The pass the address names, else the first with something to do: of the recording that it names, if it does. Where it
+   * names one that is not here, that is said, and no other is opened in its place.
+   */
   private openFirst(): void {
-    const params = new URLSearchParams(location.search);
     const now = this.reel.player.value;
     const facts = this.reel.recordings.value.find((one) => one.id === now?.recordingId);
     if (now && facts) now.describe(facts);
-    else if (now) {
-      toast(say("measure-recording-elsewhere"));
-      this.reel.close();
-    }
-    const named = this.vehicles.get(Number(params.get("vehicle")));
+    else if (now) this.reel.close();
+    const [vehicleId, recordingId] = [asked("vehicle"), asked("recording")];
+    const named = this.vehicles.get(vehicleId);
+    const recording = this.reel.recordings.value.find((one) => one.id === recordingId);
+    const missed = missedBy(vehicleId, named, recordingId, recording);
+    if (missed) toast(say("address-elsewhere", { what: missed }), { kind: "problem" });
     if (named) this.open(named, this.reel.player.value?.frame.value ?? bestFrame(named));
-    if (this.reel.player.value) return;
-    const asked = this.reel.recordings.value.find((one) => one.id === Number(params.get("recording")));
-    const wanted = ({ recording_id }: Vehicle) => !asked || recording_id === asked.id;
+    if (!this.reel.player.value) this.openIn(recording, missed === null);
+  }
+
+  /** The first pass with something to do in a recording, or in any; without `pass` its first frame only. */
+  private openIn(recording: Recording | undefined, pass: boolean): void {
+    const wanted = ({ recording_id }: Vehicle) => !recording || recording_id === recording.id;
     const list = this.list.value.filter(wanted);
     const next = nextOpen(list, undefined) ?? list[0] ?? this.vehicles.list.value.find(wanted);
     const ready = this.reel.recordings.value.find(
-      (one) => one.state === "ready" && (!asked || one === asked),
+      (one) => one.state === "ready" && (!recording || one === recording),
     );
-    if (next) this.open(next);
+    if (next && pass) this.open(next);
     else if (ready) this.reel.show(ready.id, 0);
   }
 
@@ -391,4 +414,16 @@ export class MeasureModel implements Desk {
     clearTimeout(this.urlTimer);
     this.urlTimer = setTimeout(() => setQuery({ recording, frame, vehicle }), 250);
   }
+}
+
+/** What the address names and is not here; null where all of it is. */
+function missedBy(
+  vehicleId: number | null,
+  vehicle: Vehicle | undefined,
+  recordingId: number | null,
+  recording: Recording | undefined,
+): "vehicle" | "recording" | null {
+  if (vehicle) return null;
+  if (recordingId !== null && recording?.state !== "ready") return "recording";
+  return vehicleId === null ? null : "vehicle";
 }

@@ -1,4 +1,5 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { connection, tryAgainNow } from "../../core/api";
 import { FakeServer, recording, vehicle } from "../../testing/server";
 import { imagePoint, pair } from "../../viewer/points";
 import { MeasureModel } from "./model";
@@ -57,6 +58,41 @@ describe("measuring with clicks", () => {
     await quiet();
     expect(heights()).toEqual(["roof"]);
     expect(server.stored.get(1)?.withdrawn).toBe(false);
+  });
+
+  it("undoes on the vehicle that it changes: goes there, names it, and brings its contact back", async () => {
+    const other = vehicle([], { id: 9, number: 9, best_frame: 80 });
+    model.vehicles.take(other);
+    model.points.place(at(100, 400));
+    model.points.place(at(101, 250));
+    model.open(other);
+    await quiet();
+    expect(await model.history.undo()).toBe("roof, vehicle 7");
+    expect(model.vehicleId.value).toBe(7);
+    expect(model.reel.player.value?.frame.value).toBe(40);
+    await model.history.undo();
+    expect(model.contact.value).toBeNull();
+    model.open(other);
+    await quiet();
+    expect(await model.history.redo()).toBe("contact point, vehicle 7");
+    expect(model.vehicleId.value).toBe(7);
+    expect(model.contact.value).toEqual([100, 400]);
+  });
+
+  it("says nothing of its own while the server is away, and asks again when it is back", async () => {
+    server.down = true;
+    model.points.place(at(100, 400));
+    await quiet();
+    model.points.hover(at(101, 250));
+    await quiet();
+    expect(connection.value.lost).toBe(true);
+    expect(model.geometry.problem.value).toBeNull();
+    expect(model.geometry.live.value).toBeNull();
+    server.down = false;
+    tryAgainNow();
+    await quiet();
+    expect(model.geometry.axes.value?.ok).toBe(true);
+    expect(model.geometry.live.value?.answer?.height_m).toBe(1.5);
   });
 
   it("moves a contact for all measurements that stand on it, as one step", async () => {

@@ -74,7 +74,7 @@ export class Points implements ClickTool {
     this.endBurst();
     if (!this.placing.value || frame < 0 || !target) desk.dispatch({ type: "select", selection: null });
     else
-      desk.history.run(this.labelOf(target), (changes) => {
+      desk.history.run(desk.stepName(this.labelOf(target)), (changes) => {
         changes.touch(this.contacts, this.contactKey(frame));
         const effect = desk.dispatch({ type: "click", frame, point });
         if (effect?.type === "store") this.store(effect, changes);
@@ -220,7 +220,7 @@ export class Points implements ClickTool {
     this.endBurst();
     if (selection.key === null) {
       this.desk.dispatch({ type: "select", selection: null });
-      this.desk.history.run(say("measure-step-contact-removal"), (changes) => {
+      this.desk.history.run(this.desk.stepName(say("measure-step-contact-removal")), (changes) => {
         changes.write(this.contacts, this.contactKey(this.desk.seenFrame.value), null);
       });
     } else if (!this.second.removeHere(selection.key)) this.withdraw(selection.key);
@@ -229,16 +229,19 @@ export class Points implements ClickTool {
   withdraw(key: string): void {
     const values = this.desk.records.find(key)?.values;
     if (!values) return;
-    this.desk.history.run(say("measure-step-withdrawal", { target: values.target }), (changes) => {
-      changes.write(this.clicks, key, { ...values, withdrawn: true });
-    });
+    this.desk.history.run(
+      this.desk.stepName(say("measure-step-withdrawal", { target: values.target })),
+      (changes) => {
+        changes.write(this.clicks, key, { ...values, withdrawn: true });
+      },
+    );
   }
 
   /** Another inset: a new revision, and a step that can be undone. */
   setInset(key: string, inset: Inset): void {
     const values = this.desk.records.find(key)?.values;
     if (!values) return;
-    this.desk.history.run(say("measure-step-inset"), (changes) => {
+    this.desk.history.run(this.desk.stepName(say("measure-step-inset")), (changes) => {
       changes.write(this.clicks, key, { ...values, inset });
     });
   }
@@ -321,7 +324,7 @@ export class Points implements ClickTool {
   private begin(selection: Selection): void {
     const frame = this.desk.seenFrame.value;
     const keys = this.groupOf(selection).map((entry) => entry.key);
-    const changes = this.desk.history.begin(say("measure-step-move"));
+    const changes = this.desk.history.begin(this.desk.stepName(say("measure-step-move")));
     for (const key of keys) changes.touch(this.clicks, key);
     const contact = this.desk.contact.value;
     const movesContact =

@@ -216,7 +216,7 @@ export class SecondFrame implements ClickTool {
   private change(entry: Entry, to: Partial<Values>, label: string, preview: Entry["preview"]): void {
     const { records, history } = this.desk;
     const { clicks } = this.storing();
-    history.run(label, (changes) => {
+    history.run(this.desk.stepName(label), (changes) => {
       changes.touch(clicks, entry.key);
       records.change(entry.key, to, { preview });
     });

@@ -1,6 +1,6 @@
 /** The road pose page's state: recording, lens, board, span, tape; the board found on the frame; the pose and its history. */
 import { batch, computed, effect, signal } from "@preact/signals";
-import { query } from "../../core/address";
+import { asked, query } from "../../core/address";
 import { api, explain } from "../../core/api";
 import { cancelJob, followJob } from "../../core/jobs";
 import { Latest } from "../../core/latest";
@@ -106,8 +106,10 @@ export class PoseModel {
         this.poses.value = poses;
         this.loaded.value = true;
       });
-      const wanted = Number(query.value.get("recording"));
+      const wanted = asked("recording");
       const ready = recordings.filter((one) => one.state === "ready");
+      if (wanted !== null && !ready.some((one) => one.id === wanted))
+        toast(say("address-elsewhere", { what: "recording" }), { kind: "problem" });
       const first =
         ready.find((one) => one.id === wanted) ?? ready.find((one) => one.pose_id === null) ?? ready[0];
       if (first) await this.openRecording(first.id);

@@ -169,7 +169,13 @@ function Verdict({ model, item }: { model: ReviewModel; item: ReviewItem }) {
         {changed && <Notice kind="warning">{say("review-pose-changed")}</Notice>}
         <div class="row">
           <span class="grow" data-testid="review-save-fix">
-            <Button kind="primary" busy={model.busy.value} onClick={() => void model.judge("fixed")}>
+            <Button
+              kind="primary"
+              busy={model.busy.value}
+              disabled={!model.fixing.differs.value}
+              title={model.fixing.differs.value ? undefined : say("review-fix-nothing")}
+              onClick={() => void model.judge("fixed")}
+            >
               {say("review-fix-save")}
             </Button>
           </span>

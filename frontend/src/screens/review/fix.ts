@@ -1,6 +1,7 @@
 /** The points of a measurement moved by its reviewer: dragged, or chosen and nudged; Enter saves them, Esc leaves them. */
 import { computed, signal } from "@preact/signals";
 import { say } from "../../core/messages";
+import { toast } from "../../core/toasts";
 import type { ImagePoint } from "../../viewer/points";
 import { imagePoint } from "../../viewer/points";
 import type { DragPhase, Handle, Tool } from "../../viewer/tool";
@@ -15,6 +16,8 @@ export interface Fix {
 type Role = Fix["selected"];
 
 export interface FixHost {
+  /** Whether saving would change anything. */
+  differs(fix: Fix): boolean;
   /** The points are others now, or there is no fix any more. */
   moved(fix: Fix | null): void;
   save(): void;
@@ -72,9 +75,13 @@ export class FixTool implements Tool<ImagePoint> {
     return true;
   }
 
+  /** A fix that changes nothing is none: it would be a new revision, and its verdict would say that something was wrong. */
+  readonly differs = computed(() => this.fix.value !== null && this.host.differs(this.fix.value));
+
   confirm(): boolean {
     if (!this.fix.value) return false;
-    this.host.save();
+    if (this.differs.value) this.host.save();
+    else toast(say("review-fix-nothing"));
     return true;
   }
 

@@ -1,6 +1,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { tryAgainNow } from "../../core/api";
 import { outbox } from "../../core/outbox";
+import { toasts } from "../../core/toasts";
 import type { ReviewItem } from "../../core/types";
 import { FakeServer, recording } from "../../testing/server";
 import { imagePoint, pair } from "../../viewer/points";
@@ -24,8 +25,8 @@ function item(id: number): ReviewItem {
   return { measurement, mine: false, vehicle: { number: 3 } } as unknown as ReviewItem;
 }
 
-async function open(blind: number): Promise<void> {
-  history.replaceState(null, "", `/surveys/5/review?blind=${blind}`);
+async function open(blind: number, more = ""): Promise<void> {
+  history.replaceState(null, "", `/surveys/5/review?blind=${blind}${more}`);
   model = new ReviewModel(5);
   await model.load();
   await quiet();
@@ -35,6 +36,7 @@ beforeEach(() => {
   vi.useFakeTimers();
   localStorage.clear();
   judged = [];
+  toasts.value = [];
   server = new FakeServer("reviewer");
   const items = [item(1), item(2)];
   server.on("GET", /\/review-queue/, () => items);
@@ -117,6 +119,41 @@ describe("the review queue", () => {
         frame: 41,
       },
     ]);
+  });
+
+  it("has no fix to save where nothing was moved, or was moved back", async () => {
+    await open(0);
+    model.startFix();
+    model.stage.confirm();
+    model.stage.nudge(1, 0);
+    expect(model.fixing.differs.value).toBe(true);
+    model.stage.nudge(-1, 0);
+    expect(model.fixing.differs.value).toBe(false);
+    model.stage.confirm();
+    await quiet();
+    expect(judged).toEqual([]);
+    expect(model.fix.value).not.toBeNull();
+  });
+
+  it("saves a fix that moves nothing where the road pose is another: its height is", async () => {
+    await open(0);
+    model.reel.recordings.value = [recording({ pose_id: 2 })];
+    model.startFix();
+    model.stage.confirm();
+    await quiet();
+    expect(judged).toMatchObject([{ verdict: "fixed" }]);
+  });
+
+  it("shows what the address names whatever its verdict, and says where there is no such measurement", async () => {
+    const accepted = item(3);
+    server.on("GET", /measurement=3&state=all|state=all&measurement=3/, () => [accepted]);
+    await open(0, "&measurement=3");
+    expect(model.currentId.value).toBe(3);
+    expect(toasts.value).toEqual([]);
+    model.close();
+    server.on("GET", /measurement=77/, () => []);
+    await open(0, "&measurement=77");
+    expect(toasts.value.map((one) => one.kind)).toEqual(["problem"]);
   });
 
   it("puts a point back where it was when its drag is cancelled", async () => {

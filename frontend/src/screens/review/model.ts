@@ -1,6 +1,6 @@
 /** The review queue: one measurement at a time with its picture, its points and its history; a verdict for each. */
 import { batch, computed, effect, type ReadonlySignal, signal } from "@preact/signals";
-import { setQuery } from "../../core/address";
+import { asked, setQuery } from "../../core/address";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { outbox, type Wanted } from "../../core/outbox";
@@ -12,7 +12,7 @@ import type { Comparison, Measurement, ReviewItem, Verdict } from "../../core/ty
 import { STATE_WORDS, TARGET_WORDS, vehicleName } from "../../core/words";
 import { BlindClicks, isDrawn } from "../../viewer/blind";
 import { Geometry } from "../../viewer/geometry";
-import { fromServer, type ImagePoint, pair } from "../../viewer/points";
+import { fromServer, type ImagePoint, pair, samePoint } from "../../viewer/points";
 import { Reel } from "../../viewer/reel";
 import { FrameStage } from "../../viewer/stage";
 import { valuesOf } from "../../viewer/values";
@@ -41,6 +41,7 @@ export class ReviewModel {
   readonly fixing = new FixTool({
     moved: (fix) => (fix ? this.askHeight(fix) : this.geometry.forgetHeight()),
     save: () => void this.judge("fixed"),
+    differs: (fix) => this.differs(fix),
   });
   readonly fix: ReadonlySignal<Fix | null> = this.fixing.fix;
   readonly rejecting = signal(false);
@@ -88,6 +89,14 @@ export class ReviewModel {
     return now !== undefined && m.pose_id !== null && now !== m.pose_id;
   }
 
+  /** Other points than those that stand, or the same with a road pose that they were not computed with. */
+  private differs({ contact, point }: Fix): boolean {
+    const m = this.current.value?.measurement;
+    if (!m) return false;
+    const moved = !samePoint(contact, fromServer(m.contact)) || !samePoint(point, fromServer(m.target_point));
+    return moved || this.poseChanged(m);
+  }
+
   private readonly stops: (() => void)[] = [];
 
   constructor(readonly surveyId: number) {
@@ -100,10 +109,10 @@ export class ReviewModel {
   async load(): Promise<void> {
     this.problem.value = null;
     try {
-      const wanted = Number(new URLSearchParams(location.search).get("measurement"));
+      const wanted = asked("measurement");
       const [page, alone, recordings] = await Promise.all([
         this.read({ limit: PAGE }),
-        wanted > 0 && wanted < 2 ** 31 ? this.read({ measurement: wanted }) : [],
+        wanted && wanted < 2 ** 31 ? this.read({ measurement: wanted, state: "all" }) : [],
         this.reel.recordings.value.length > 0
           ? this.reel.recordings.value
           : api.ask("GET /surveys/{survey_id}/recordings", { survey_id: this.surveyId }),
@@ -114,8 +123,10 @@ export class ReviewModel {
       const items = known ? page : [...alone, ...page];
       this.items.value = items;
       this.more.value = page.length === PAGE;
-      const first =
-        items.find((item) => item.measurement.id === wanted) ?? items.find((item) => !item.mine) ?? items[0];
+      const named = items.find((item) => item.measurement.id === wanted);
+      if (wanted !== null && !named)
+        toast(say("address-elsewhere", { what: "measurement" }), { kind: "problem" });
+      const first = named ?? items.find((item) => !item.mine) ?? items[0];
       if (first) this.open(first);
       else this.currentId.value = null;
     } catch (error) {
@@ -331,7 +342,12 @@ export class ReviewModel {
     }
   }
 
-  private read(page: { limit?: number; after?: number; measurement?: number }): Promise<ReviewItem[]> {
+  private read(page: {
+    limit?: number;
+    after?: number;
+    measurement?: number;
+    state?: Shown;
+  }): Promise<ReviewItem[]> {
     const asked = { survey_id: this.surveyId, state: this.shown.value, ...page };
     return api.ask("GET /surveys/{survey_id}/review-queue", asked);
   }

@@ -46,6 +46,8 @@ export default function BenchScreen({ surveyId }: ScreenProps) {
     );
   }
   if (!scan) return <Loading what={say("scan-loading")} />;
+  if (scan.survey_id !== surveyId)
+    return <Nothing surveyId={surveyId} elsewhere />;
   if (scan.state !== "ready") return <NotReady scan={scan} model={model} surveyId={surveyId} />;
   return (
     <div class="scan">
@@ -165,11 +167,11 @@ function NotReady({ scan, model, surveyId }: { scan: Scan; model: ScanModel; sur
   );
 }
 
-function Nothing({ surveyId }: { surveyId: number }) {
+function Nothing({ surveyId, elsewhere }: { surveyId: number; elsewhere?: boolean }) {
   return (
     <div class="page">
       <Empty
-        title={say("scan-none-title")}
+        title={elsewhere ? say("address-elsewhere", { what: "scan" }) : say("scan-none-title")}
         actions={<Button href={`/surveys/${surveyId}/scans`}>{say("scan-none-choose")}</Button>}
       />
     </div>

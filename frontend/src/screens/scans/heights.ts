@@ -79,7 +79,11 @@ export class LineHeights {
   private resting: ReturnType<typeof setTimeout> | undefined;
   private readonly asker = new Latest<Looked, LineHeightAnswer>(
     (wish) =>
-      api.ask("POST /scans/{scan_id}/line-height", { scan_id: this.bench.id }, { body: bodyOf(wish) }),
+      api.ask(
+        "POST /scans/{scan_id}/line-height",
+        { scan_id: this.bench.id },
+        { body: bodyOf(wish), retry: true },
+      ),
     (answer, wish) => {
       this.live.value = { ...wish, answer, problem: null };
     },

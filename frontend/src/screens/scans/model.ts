@@ -1,6 +1,6 @@
 /** One line-scan recording on the bench: its view, its vehicles, the boundaries in hand, and every change with its undo. */
 import { computed, signal } from "@preact/signals";
-import { setQuery } from "../../core/address";
+import { asked, setQuery } from "../../core/address";
 import { api } from "../../core/api";
 import { type ChangeSet, History, type Ledger } from "../../core/history";
 import { followJob, jobProblem } from "../../core/jobs";
@@ -57,7 +57,13 @@ export class ScanModel implements Strips {
   /** A reason is being written. */
   readonly rejecting = signal(false);
   readonly job = signal<Job | null>(null);
-  readonly history = new History();
+  /** Undo goes to the vehicle that it changes. */
+  readonly history: History = new History(() => {
+    const id = this.chosenId.peek();
+    return () => {
+      if (id !== this.chosenId.value && this.vehicles.value.some((one) => one.id === id)) this.choose(id);
+    };
+  });
   readonly heights = new LineHeights(this);
   readonly rod = new RodDraft(this, this.heights);
   readonly twoLines: TwoLines = new TwoLines(this, (low, high) => void this.storeTwo(low, high));
@@ -109,9 +115,10 @@ export class ScanModel implements Strips {
       if (scan.state === "ready") await Promise.all([this.readVehicles(), this.heights.load()]);
       if (scan.job && (scan.job.state === "running" || scan.job.state === "queued"))
         void this.followSearch(scan.job);
-      const asked = Number(new URLSearchParams(location.search).get("vehicle"));
-      const first = this.vehicles.value.find((one) => one.id === asked);
+      const wanted = asked("vehicle");
+      const first = this.vehicles.value.find((one) => one.id === wanted);
       if (first) this.choose(first.id);
+      else if (wanted !== null) toast(say("address-elsewhere", { what: "vehicle" }), { kind: "problem" });
     } catch (error) {
       this.problem.value = error;
     }

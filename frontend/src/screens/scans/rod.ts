@@ -32,7 +32,7 @@ export class RodDraft {
       api.ask(
         "POST /scans/{scan_id}/line-pose/preview",
         { scan_id: this.bench.id },
-        { body: { ...values, marks: [...values.marks] } },
+        { body: { ...values, marks: [...values.marks] }, retry: true },
       ),
     (answer) => {
       this.solved.value = answer;
