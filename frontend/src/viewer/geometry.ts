@@ -9,8 +9,8 @@ import type { AxesAnswer, HeightAnswer, SecondFrameAnswer, Target } from "../cor
 import { type ImagePoint, pair, samePoint } from "./points";
 import { clickBody, type FramePoints, frameBody, type Inset, type Values } from "./values";
 
-/** How long the ladder of the next target waits for the click before it to be stored. */
-const AFTER_CLICK_MS = 150;
+/** How long questions of the next target wait for the click before it to be stored. */
+export const AFTER_CLICK_MS = 150;
 
 export interface AxesWish {
   readonly recordingId: number;

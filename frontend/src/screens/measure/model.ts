@@ -14,7 +14,7 @@ import { survey } from "../../core/survey";
 import { toast, toastProblem } from "../../core/toasts";
 import type { Recording, Target, Vehicle } from "../../core/types";
 import { bestFrame, type Filter, listed, neighbour, nextOpen, type Order } from "../../parts/vehicles/passes";
-import { Geometry } from "../../viewer/geometry";
+import { AFTER_CLICK_MS, Geometry } from "../../viewer/geometry";
 import type { ImagePoint } from "../../viewer/points";
 import { Reel } from "../../viewer/reel";
 import { FrameStage } from "../../viewer/stage";
@@ -85,8 +85,15 @@ export class MeasureModel implements Desk {
   /** Told when something of a vehicle has been stored, for the other tabs. */
   onStored: (vehicleId: number) => void = () => {};
 
+  /** What a height under the pointer is of: of anything else it would be a wrong number that looks right. */
+  private readonly aim = computed(() => {
+    const target = this.second.now.value?.target ?? this.flow.value.target;
+    const { inset_m, u_inset_m } = (target && this.insetOf(target)) ?? {};
+    return `${this.seenFrame.value} ${target} ${this.contact.value} ${this.awaiting.value} ${inset_m} ${u_inset_m}`;
+  });
   private readonly facts: ReturnType<typeof factLedger>;
   private readonly stops: (() => void)[] = [];
+  private aimTimer: ReturnType<typeof setTimeout> | undefined;
   private urlTimer: ReturnType<typeof setTimeout> | undefined;
   /** Vehicles of which something was stored since they were read. */
   private readonly stale = new Set<number>();
@@ -106,6 +113,10 @@ export class MeasureModel implements Desk {
       effect(() => this.followAxes()),
       effect(() => this.followAddress()),
       effect(() => this.refuseContact()),
+      effect(() => {
+        void this.aim.value;
+        untracked(() => this.aimAgain());
+      }),
     );
   }
 
@@ -136,6 +147,7 @@ export class MeasureModel implements Desk {
     for (const stop of this.stops) stop();
     clearTimeout(this.urlTimer);
     clearTimeout(this.refreshTimer);
+    clearTimeout(this.aimTimer);
     const id = this.vehicleId.value;
     if (id !== null) void this.vehicles.flush(id);
     this.points.endBurst();
@@ -393,6 +405,17 @@ export class MeasureModel implements Desk {
     const target = this.flow.value.target ?? "roof";
     const show = contact !== null && recordingId !== undefined && this.hasPose.value;
     this.geometry.showAxes(show ? { recordingId, contact, target, inset: this.insetOf(target) } : null);
+  }
+
+  /** The height under a resting pointer was of something else: it goes at once, and is asked for again. */
+  private aimAgain(): void {
+    if (this.stage.dragging.value) return;
+    this.geometry.forgetHeight();
+    clearTimeout(this.aimTimer);
+    this.aimTimer = setTimeout(() => {
+      const at = this.stage.pointer.value;
+      if (at && !this.stage.dragging.value) this.stage.hover(at);
+    }, AFTER_CLICK_MS);
   }
 
   /** A contact that cannot be on the road (above the horizon, outside the lens): the next click places it again. */

@@ -79,6 +79,27 @@ describe("measuring with clicks", () => {
     expect(model.contact.value).toEqual([100, 400]);
   });
 
+  it("shows no height of another target, frame or contact under a resting pointer, and asks anew", async () => {
+    const live = () => model.geometry.live.value;
+    const rest = () => vi.advanceTimersByTimeAsync(200);
+    model.points.place(at(100, 400));
+    await rest();
+    model.stage.hover(at(101, 250));
+    await quiet();
+    expect(live()?.wish.target).toBe("roof");
+    model.points.place(at(101, 250));
+    expect(live()).toBeNull();
+    await rest();
+    expect(live()?.wish).toMatchObject({ target: "driver_eye", point: [101, 250] });
+    model.dispatch({ type: "choose", target: "headlight" });
+    expect(live()).toBeNull();
+    await rest();
+    expect(live()?.wish.target).toBe("headlight");
+    model.reel.show(1, 41);
+    await rest();
+    expect(live()).toBeNull();
+  });
+
   it("says nothing of its own while the server is away, and asks again when it is back", async () => {
     server.down = true;
     model.points.place(at(100, 400));

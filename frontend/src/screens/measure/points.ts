@@ -78,7 +78,6 @@ export class Points implements ClickTool {
         changes.touch(this.contacts, this.contactKey(frame));
         const effect = desk.dispatch({ type: "click", frame, point });
         if (effect?.type === "store") this.store(effect, changes);
-        if (desk.awaiting.value !== "point") desk.geometry.forgetHeight();
       });
     return true;
   }

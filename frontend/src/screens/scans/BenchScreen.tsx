@@ -46,8 +46,7 @@ export default function BenchScreen({ surveyId }: ScreenProps) {
     );
   }
   if (!scan) return <Loading what={say("scan-loading")} />;
-  if (scan.survey_id !== surveyId)
-    return <Nothing surveyId={surveyId} elsewhere />;
+  if (scan.survey_id !== surveyId) return <Nothing surveyId={surveyId} elsewhere />;
   if (scan.state !== "ready") return <NotReady scan={scan} model={model} surveyId={surveyId} />;
   return (
     <div class="scan">
@@ -168,10 +167,11 @@ function NotReady({ scan, model, surveyId }: { scan: Scan; model: ScanModel; sur
 }
 
 function Nothing({ surveyId, elsewhere }: { surveyId: number; elsewhere?: boolean }) {
+  const words = elsewhere ? say("address-elsewhere", { what: "scan" }) : say("scan-none-title");
   return (
     <div class="page">
       <Empty
-        title={elsewhere ? say("address-elsewhere", { what: "scan" }) : say("scan-none-title")}
+        title={words}
         actions={<Button href={`/surveys/${surveyId}/scans`}>{say("scan-none-choose")}</Button>}
       />
     </div>
