@@ -27,8 +27,8 @@ def review(
     """Give a verdict on the revision, and in place of the verdict, that was seen.
 
     A fix keeps target, sigma and inset of that revision and takes the reviewer's points. Raises NotAllowed
-    for one's own work, Conflict for a revision that is not current, BadInput for a rejection without a reason,
-    or a fix without points or that changes nothing.
+    for one's own work, Conflict for a revision that is not current, BadInput for a rejection without a
+    reason, or a fix without points or that changes nothing.
     """
     before = require_measurement_revision(session, series_id, revision)
     fixed = None
