@@ -56,7 +56,8 @@ def worked(operator: Client, reviewer: Client, ground: Ground, services: Service
     gone = measure(operator, second)
     measure(operator, second, target="other", contact=[160.0, 3.0])
     operator.put(f"/measurements/{roof['id']}", {**clicks(1.31), "revision": 1})
-    points = {"contact": eye["contact"], "target_point": eye["target_point"]}
+    across, down = eye["target_point"]
+    points = {"contact": eye["contact"], "target_point": [across, down + 0.5]}
     fixed = {"revision": 1, "verdict": "fixed", **points, "reason": "@home"}
     reviewer.made(f"/measurements/{eye['id']}/reviews", fixed)
     reviewer.made(f"/measurements/{roof['id']}/reviews", {"revision": 2, "verdict": "accepted"})
