@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from sightline.cli import COMMANDS
-from sightline.commands import clicks, linescan
+from sightline.commands import clicks, linescan, passes_csv
 from sightline.export.contents import tables_of
 from sightline.settings import Settings
 
@@ -44,6 +44,11 @@ def test_every_column_of_heights_and_vehicles_is_described() -> None:
         assert f"`{name}`" in heights, name
     named = re.findall(r"`([a-z_0-9]+)`", vehicles.split(". Lines count")[0])
     assert tuple(name for name in named if name != "linescan") == tuple(linescan.COLUMNS)
+
+
+def test_every_column_of_passes_is_described() -> None:
+    passes = section("passes.csv and adjusted.json")
+    assert [name for name in (*passes_csv.NEEDED, *passes_csv.OPTIONS) if f"`{name}`" not in passes] == []
 
 
 def test_every_table_of_the_package_that_is_named_is_there() -> None:

@@ -14,10 +14,11 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
 PURE = ROOT / "backend" / "sightline"
-ROOMS = ("detection", "geometry", "linescan", "sightdistance", "statistics")
+ROOMS = ("adjustment", "detection", "geometry", "linescan", "sightdistance", "statistics")
 
 # Plain helpers, whose first sentence is all there is to say; their shapes are asked for like everybody's.
 NEED_NO_SOURCE = {
+    "adjustment": set[str](),
     "detection": set[str](),
     "geometry": {
         "board_points",

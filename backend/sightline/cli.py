@@ -21,6 +21,7 @@ COMMANDS = {
     "import-camera": "sightline.commands.geometry:import_camera",
     "pose": "sightline.commands.geometry:pose",
     "height": "sightline.commands.geometry:height",
+    "adjust": "sightline.commands.adjust:adjust_command",
     "plan": "sightline.commands.plan:plan",
     "errors": "sightline.commands.errors:errors",
     "sightdistance": "sightline.commands.sightdistance:sightdistance",

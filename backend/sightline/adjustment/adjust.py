@@ -1,0 +1,293 @@
+"""A pose adjusted by its traffic, as a geodesist adjusts a network, and what that says of itself."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from scipy.stats import chi2 as chi2_distribution
+
+from sightline.adjustment.local_tests import FAILED, Cleaned, cleaned
+from sightline.adjustment.observed import (
+    DEFAULT_U_COMMON_M,
+    LENGTHS,
+    POINTS,
+    ROOF,
+    ObservedPass,
+    unusable,
+)
+from sightline.adjustment.shared_errors import SharedErrors, covariance_at, moved_pose, shared_errors
+from sightline.adjustment.traffic_model import HEADING, Traffic, arranged, on_road
+from sightline.errors import BadInput
+from sightline.geometry.arrays import Bools, Floats
+from sightline.geometry.road_pose import POSE_NAMES, RoadPose
+
+_GLOBAL_FAILED = 0.001  # probability below which the global test fails
+_FEW = 5
+
+
+@dataclass(frozen=True)
+class LeftOut:
+    """A pass that was not used, and why."""
+
+    name: str
+    reason: str
+
+
+@dataclass(frozen=True)
+class DroppedPoint:
+    """A point that does not fit the straight way of its pass; the rest of the pass was used."""
+
+    name: str
+    frame: int
+    point: str
+
+
+@dataclass(frozen=True)
+class Moved:
+    """One shared error: what it was found to be (new minus old), and its standard uncertainty before and
+    after, in the unit that its name ends in.
+    """
+
+    name: str
+    value: float
+    u_before: float
+    u_after: float
+
+
+@dataclass(frozen=True)
+class Adjustment:
+    """The adjusted pose and the account of it. `chi2_limit`: what chi2 stays below 999 times in 1000 where
+    the stated uncertainties hold; None with nothing to test. `notes`: whole sentences.
+    """
+
+    pose: RoadPose
+    passes: int
+    used: int
+    left_out: tuple[LeftOut, ...]
+    dropped_points: tuple[DroppedPoint, ...]
+    chi2: float
+    degrees_of_freedom: int
+    chi2_limit: float | None
+    moved: tuple[Moved, ...]
+    heading_rad: float | None = None
+    u_heading_rad: float | None = None
+    notes: tuple[str, ...] = field(default=())
+
+
+def adjust(
+    pose: RoadPose,
+    passes: Sequence[ObservedPass],
+    u_wheelbase_common_m: float = DEFAULT_U_COMMON_M,
+    u_roof_common_m: float = DEFAULT_U_COMMON_M,
+) -> Adjustment:
+    """Solve for what all heights of `pose` share, from passes with known wheelbases and roofs.
+
+    Generalised least squares (JCGM 102:2011, 5) with the stated uncertainties of lens, pose and board as
+    prior observations; CONVENTIONS.md, Adjustment. The pose that comes back carries everything in its
+    covariance, so its board's own uncertainties are 0. Where no vehicle is known the pose comes back as it
+    was. Raises BadInput where the pose states no uncertainty, or most passes contradict one another.
+    """
+    shared = shared_errors(pose, u_wheelbase_common_m, u_roof_common_m)
+    if not shared.root.any():
+        raise BadInput("adjustment-nothing-uncertain")
+    usable, left_out = _usable(pose, passes)
+    if not usable:
+        return _unchanged(shared, len(passes), left_out)
+    traffic = arranged(pose, usable)
+    found = cleaned(shared, traffic)
+    wrong = np.isfinite(found.wrong).any(axis=1)
+    out = wrong | found.crooked
+    if 2 * out.sum() > len(usable):
+        raise BadInput("adjustment-contradictory", out=int(out.sum()), passes=len(usable))
+    left_out += [
+        LeftOut(one.name, _reason(traffic, found, row)) for row, one in enumerate(usable) if out[row]
+    ]
+    freedom = _freedom(traffic, found, ~out)
+    limit = float(chi2_distribution.isf(_GLOBAL_FAILED, freedom)) if freedom > 0 else None
+    heading, u_heading = _heading(found, ~out)
+    return Adjustment(
+        pose=_adjusted(shared, found),
+        passes=len(passes),
+        used=int((~out).sum()),
+        left_out=tuple(left_out),
+        dropped_points=_dropped(usable, traffic, found, ~out),
+        chi2=found.solution.chi2,
+        degrees_of_freedom=freedom,
+        chi2_limit=limit,
+        moved=_moved(shared, found),
+        heading_rad=heading,
+        u_heading_rad=u_heading,
+        notes=_notes(shared, found, int((~out).sum()), freedom, limit),
+    )
+
+
+def _usable(pose: RoadPose, passes: Sequence[ObservedPass]) -> tuple[list[ObservedPass], list[LeftOut]]:
+    usable, left_out = [], []
+    reasons = [unusable(one) for one in passes]
+    points = [one.points_px for one in passes]
+    seen = on_road(pose, np.concatenate(points or [np.zeros((0, 2))]))
+    ground = np.asarray(np.isfinite(seen).all(axis=1), dtype=np.bool_)
+    ends = np.cumsum([len(one) for one in points])
+    for one, reason, end in zip(passes, reasons, ends, strict=True):
+        if reason is None and not pose.camera.inside(one.points_px).all():
+            reason = "A point lies outside the picture."
+        if reason is None and not all(
+            np.array(ground[end - len(one.point) : end], dtype=bool)[one.point != ROOF].tolist()
+        ):
+            reason = (
+                "A tyre lies where there is no road: above the horizon, or outside the lens model's radius."
+            )
+        if reason is None:
+            usable.append(one)
+        else:
+            left_out.append(LeftOut(one.name, reason))
+    return usable, left_out
+
+
+def _reason(traffic: Traffic, found: Cleaned, row: int) -> str:
+    if found.crooked[row]:
+        return "Too many of its points do not lie on one straight way."
+    k = int(np.nanargmax(np.abs(found.wrong[row])))
+    u = float(found.wrong[row, k])
+    return (
+        f"Its {LENGTHS[k]} of {traffic.known_m[row, k]:.3f} m is {abs(u):.1f} standard uncertainties too "
+        f"{'long' if u > 0 else 'short'} for what is seen; is it another model?"
+    )
+
+
+def _dropped(
+    usable: Sequence[ObservedPass], traffic: Traffic, found: Cleaned, used: Bools
+) -> tuple[DroppedPoint, ...]:
+    rows = np.flatnonzero(found.dropped & used[traffic.owner])
+    ones = [(usable[traffic.owner[row]], int(traffic.slot[row])) for row in rows]
+    return tuple(DroppedPoint(one.name, int(one.frame[k]), POINTS[int(one.point[k])]) for one, k in ones)
+
+
+def _freedom(traffic: Traffic, found: Cleaned, used: Bools) -> int:
+    """Coordinates and known lengths less the unknowns that any of them shows; a shared error comes with an
+    observation of its own, its prior.
+    """
+    kept = (found.weights.points > 0) & used[traffic.owner]
+    coordinates = 2 * np.bincount(traffic.owner[kept], minlength=traffic.passes)
+    information = np.square(found.solution.at.own).sum(axis=1)
+    lengths = np.isfinite(traffic.u_m).sum(axis=1)
+    free = coordinates + lengths - (information > 1e-9).sum(axis=1)
+    return int(np.maximum(free, 0)[used].sum())
+
+
+def _heading(found: Cleaned, used: Bools) -> tuple[float, float]:
+    """The passes' mean direction against the road's X, and what the adjustment says of its uncertainty."""
+    weight = 1.0 / (found.solution.pass_covariance[used, HEADING, HEADING] + np.deg2rad(0.3) ** 2)
+    mean = float((weight * found.solution.unknown[used, HEADING]).sum() / weight.sum())
+    return mean, float(weight.sum() ** -0.5)
+
+
+def _adjusted(shared: SharedErrors, found: Cleaned) -> RoadPose:
+    increments = shared.root @ found.solution.z
+    covariance = shared.root @ found.solution.covariance @ shared.root.T
+    moved = moved_pose(shared.pose, increments)
+    covariance = covariance_at(shared.pose, increments, covariance)
+    return _closed(moved, 0.5 * (covariance + covariance.T))
+
+
+def _closed(pose: RoadPose, covariance: Floats) -> RoadPose:
+    """The pose with everything in its covariance, and a board that adds nothing any more."""
+    n = len(pose.camera.parameters)
+    board = pose.board
+    if board is not None:
+        bow = None if board.u_bow_m is None or board.bow_response is None else 0.0
+        board = replace(board, u_reference_height_m=0.0, u_lean_rad=0.0, u_square_m=0.0, u_bow_m=bow)
+    camera = pose.camera
+    if camera.covariance is not None:
+        camera = replace(camera, covariance=covariance[:n, :n])
+    return replace(pose, camera=camera, board=board, covariance=covariance)
+
+
+def _prior_root(shared: SharedErrors) -> Floats:
+    return shared.root @ shared.root.T
+
+
+def _moved(shared: SharedErrors, found: Cleaned) -> tuple[Moved, ...]:
+    """The parts by name, what they and the pose come to (the camera's height above the road, the road's turn
+    about X and about Y), then lens and pose.
+    """
+    return _moved_by(shared, found.solution.z, found.solution.covariance)
+
+
+def _moved_by(shared: SharedErrors, z: Floats, covariance: Floats) -> tuple[Moved, ...]:
+    first, u = shared.first_part, np.sqrt(np.diag(covariance))
+    out = [
+        Moved(part.name, part.u * float(z[first + i]), part.u, part.u * float(u[first + i]))
+        for i, part in enumerate(shared.parts)
+    ]
+    increments = shared.root @ z
+    before, after = _prior_root(shared), shared.root @ covariance @ shared.root.T
+    up = np.concatenate([np.zeros(len(before) - 3), -shared.pose.rotation[:, 2]])
+    height = moved_pose(shared.pose, increments).centre_m[2] - shared.pose.centre_m[2]
+    out.append(Moved("camera_height_m", float(height), _along(up, before), _along(up, after)))
+    for name, axis in (("road_lean_rad", 0), ("road_roll_rad", 1)):
+        turn = np.concatenate([np.zeros(len(before) - 6), shared.pose.rotation[:, axis], np.zeros(3)])
+        out.append(Moved(name, float(turn @ increments), _along(turn, before), _along(turn, after)))
+    names = (*shared.pose.camera.parameters, *(f"{n}_{'rad' if n[0] == 'r' else 'm'}" for n in POSE_NAMES))
+    for i, name in enumerate(names):
+        out.append(
+            Moved(name, float(increments[i]), float(before[i, i]) ** 0.5, float(max(after[i, i], 0.0)) ** 0.5)
+        )
+    return tuple(out)
+
+
+def _along(by: Floats, covariance: Floats) -> float:
+    return float(np.sqrt(max(float(by @ covariance @ by), 0.0)))
+
+
+def _notes(
+    shared: SharedErrors, found: Cleaned, used: int, freedom: int, limit: float | None
+) -> tuple[str, ...]:
+    notes = []
+    for index in found.released:
+        part = shared.parts[index]
+        notes.append(
+            f"The traffic contradicts {part.name} with its stated u of {part.u:g}; so it was set aside."
+        )
+    for index in (-2, -1):
+        if abs(float(np.nan_to_num(found.tests.parts[index]))) > FAILED:
+            notes.append(
+                f"{shared.parts[index].name} is far from 0 for its stated u of {shared.parts[index].u:g}; "
+                "are the known lengths measured as the points are?"
+            )
+    if found.point_factor > 1.0:
+        notes.append(
+            f"The points scatter {found.point_factor:.1f} times as much as stated; their uncertainties were "
+            "enlarged by that."
+        )
+    for name, factor in zip(LENGTHS, found.length_factors, strict=True):
+        if factor > 1.0:
+            notes.append(
+                f"The known values of the {name} scatter {factor:.1f} times as much as stated; their "
+                "uncertainties were enlarged by that."
+            )
+    if limit is not None and found.solution.chi2 > limit:
+        notes.append(
+            f"The global test fails: chi-square {found.solution.chi2:.0f} with {freedom} degrees of freedom; "
+            "the stated uncertainties do not hold together."
+        )
+    if used < _FEW:
+        notes.append(f"With {used} vehicles a wrong one cannot be told from a wrong pose.")
+    return tuple(notes)
+
+
+def _unchanged(shared: SharedErrors, passes: int, left_out: list[LeftOut]) -> Adjustment:
+    """Nothing is known of the vehicles: the pose as it was, its board's budget in its covariance."""
+    identity = np.eye(shared.size)
+    return Adjustment(
+        pose=_closed(shared.pose, _prior_root(shared)),
+        passes=passes,
+        used=0,
+        left_out=tuple(left_out),
+        dropped_points=(),
+        chi2=0.0,
+        degrees_of_freedom=0,
+        chi2_limit=None,
+        moved=_moved_by(shared, np.zeros(shared.size), identity),
+        notes=("No pass with a known length could be used, so the pose is as it was.",),
+    )

@@ -1,0 +1,83 @@
+"""What was seen of the traffic: points followed through passes, and what is known of the vehicles."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sightline.geometry.arrays import Floats, frozen
+
+POINTS = ("rear_tyre", "front_tyre", "roof")
+REAR, FRONT, ROOF = range(3)
+LENGTHS = ("wheelbase", "roof", "roof inset")
+DEFAULT_U_COMMON_M = 0.005  # all catalogue lengths, or all contacts against their axles, off alike (estimate)
+
+
+@dataclass(frozen=True)
+class Known:
+    """A length known from elsewhere, and its standard uncertainty, metres."""
+
+    value_m: float
+    u_m: float
+
+
+@dataclass(frozen=True, eq=False)
+class ObservedPass:
+    """One vehicle on its way: N points seen on numbered frames.
+
+    `frame`, `point` (N,): the frame's number and an index into POINTS; `points_px` (N, 2); `sigma_px` (N,):
+    standard uncertainty of each coordinate. The lengths are None where they are unknown.
+    """
+
+    name: str
+    frame: NDArray[np.int64]
+    point: NDArray[np.int64]
+    points_px: Floats
+    sigma_px: Floats
+    wheelbase: Known | None = None
+    roof: Known | None = None
+    roof_inset: Known | None = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "points_px", frozen(self.points_px).reshape(-1, 2))
+        object.__setattr__(self, "sigma_px", frozen(self.sigma_px))
+
+    @property
+    def lengths(self) -> tuple[Known | None, ...]:
+        """In the order of LENGTHS."""
+        return self.wheelbase, self.roof, self.roof_inset
+
+
+def unusable(observed: ObservedPass) -> str | None:
+    """Why a pass can say nothing of the pose, or None. Without a known length that was seen, what is left
+    is only how alike the frames are, which errors of following a point imitate.
+    """
+    if not (np.isfinite(observed.points_px).all() and np.isfinite(observed.sigma_px).all()):
+        return "A point or its uncertainty is not a finite number."
+    if (observed.sigma_px <= 0).any():
+        return "The uncertainty of a point is not positive."
+    for name, known in zip(LENGTHS, observed.lengths, strict=True):
+        problem = None if known is None else _unusable_length(name, known)
+        if problem is not None:
+            return problem
+    seen = set(zip(observed.frame.tolist(), observed.point.tolist(), strict=True))
+    if len(seen) < len(observed.frame):
+        return "A point is given twice on one frame."
+    if not any(point in (REAR, FRONT) for _, point in seen):
+        return "No tyre of it was seen, so nothing ties it to the road."
+    return None if _shows_a_known_length(observed, seen) else "No known length of it was seen."
+
+
+def _unusable_length(name: str, known: Known) -> str | None:
+    if not (np.isfinite(known.value_m) and np.isfinite(known.u_m) and known.u_m >= 0):
+        return f"The {name} or its uncertainty is not a finite number, or the uncertainty is negative."
+    if known.value_m <= 0 and name != "roof inset":
+        return f"The {name} is not positive."
+    return None
+
+
+def _shows_a_known_length(observed: ObservedPass, seen: set[tuple[int, int]]) -> bool:
+    frames = {frame for frame, _ in seen}
+    both = any({(frame, REAR), (frame, FRONT)} <= seen for frame in frames)
+    roof = any((frame, ROOF) in seen and ({(frame, REAR), (frame, FRONT)} & seen) for frame in frames)
+    return (observed.wheelbase is not None and both) or (observed.roof is not None and roof)

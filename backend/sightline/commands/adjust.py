@@ -1,0 +1,102 @@
+"""The command adjust: a pose corrected by the known lengths and heights of the traffic (docs/formats.md)."""
+
+import json
+import math
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import click
+
+from sightline.adjustment.adjust import Adjustment, LeftOut, adjust
+from sightline.adjustment.observed import DEFAULT_U_COMMON_M
+from sightline.commands.files import write_json
+from sightline.commands.geometry import read_pose_file
+from sightline.commands.options import json_option
+from sightline.commands.passes_csv import read_passes
+from sightline.errors import BadInput
+from sightline.geometry.documents import pose_to_dict
+from sightline.geometry.pose import expected_u
+
+_PATH = click.Path(path_type=Path)
+
+
+@click.command("adjust")
+@click.option("--pose", "pose_file", type=_PATH, required=True, help="The pose.json.")
+@click.option("--passes", "passes_file", type=_PATH, required=True, help="The passes.csv.")
+@click.option(
+    "--u-wheelbase-common",
+    type=float,
+    default=DEFAULT_U_COMMON_M,
+    show_default=True,
+    help="Of the error that all known wheelbases share, metres.",
+)
+@click.option(
+    "--u-roof-common",
+    type=float,
+    default=DEFAULT_U_COMMON_M,
+    show_default=True,
+    help="Of the error that all known roof heights share, metres.",
+)
+@click.option("-o", "--output", type=_PATH, required=True, help="The adjusted.json to write.")
+@json_option
+def adjust_command(
+    pose_file: Path,
+    passes_file: Path,
+    u_wheelbase_common: float,
+    u_roof_common: float,
+    output: Path,
+    as_json: bool,
+) -> None:
+    """The pose adjusted by the traffic: vehicles of known wheelbase or height, followed on some frames."""
+    for name, u in (("--u-wheelbase-common", u_wheelbase_common), ("--u-roof-common", u_roof_common)):
+        if not math.isfinite(u) or u < 0:
+            raise BadInput("commands-option-not-negative", option=name)
+    pose = read_pose_file(pose_file)
+    passes, unread = read_passes(passes_file)
+    try:
+        found = adjust(pose, passes, u_wheelbase_common, u_roof_common)
+    except BadInput as error:
+        raise BadInput(
+            "commands-problem", names=f"{pose_file}, {passes_file}", message=error.message
+        ) from None
+    document = {**pose_to_dict(found.pose), "adjustment": adjustment_to_dict(found, unread)}
+    write_json(output, document)
+    click.echo(json.dumps(document) if as_json else _text(found, unread, output))
+
+
+def adjustment_to_dict(found: Adjustment, unread: list[LeftOut]) -> dict[str, Any]:
+    """The account of an adjustment as `adjusted.json` has it."""
+    return {
+        "passes": found.passes + len(unread),
+        "used": found.used,
+        "left_out": [{"pass": one.name, "reason": one.reason} for one in (*unread, *found.left_out)],
+        "left_out_points": [
+            {"pass": one.name, "frame": one.frame, "point": one.point} for one in found.dropped_points
+        ],
+        "chi2": found.chi2,
+        "degrees_of_freedom": found.degrees_of_freedom,
+        "chi2_limit": found.chi2_limit,
+        "moved": [asdict(one) for one in found.moved],
+        "heading_rad": found.heading_rad,
+        "u_heading_rad": found.u_heading_rad,
+        "notes": list(found.notes),
+    }
+
+
+def _text(found: Adjustment, unread: list[LeftOut], output: Path) -> str:
+    lines = [
+        f"{output}: {found.used} of {found.passes + len(unread)} passes used, chi-square {found.chi2:.0f} "
+        f"with {found.degrees_of_freedom} degrees of freedom"
+    ]
+    lines += [f"left out {one.name}: {one.reason}" for one in (*unread, *found.left_out)]
+    lines += [f"left out of {one.name}: {one.point} on frame {one.frame}" for one in found.dropped_points]
+    lines += [
+        f"{one.name}: {one.value:+.6f}, u {one.u_before:.6f} -> {one.u_after:.6f}" for one in found.moved
+    ]
+    lines += [
+        f"expected at {distance:g} m: +- {1960 * u:.0f} mm (95 %)"
+        for distance, u in expected_u(found.pose)
+        if u is not None
+    ]
+    return "\n".join([*lines, *(f"note: {note}" for note in found.notes)])
