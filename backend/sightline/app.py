@@ -33,6 +33,7 @@ import sightline.recordings.routes
 import sightline.recordings.uploads.routes
 import sightline.results.overview.routes
 import sightline.results.routes
+import sightline.results.sightdistance.routes
 import sightline.reviews.routes
 import sightline.scans.heights.routes
 import sightline.scans.routes
@@ -91,6 +92,7 @@ ROUTERS: tuple[tuple[str, APIRouter], ...] = (
     ("line_heights", sightline.scans.heights.routes.router),
     ("scans_statistics", sightline.scans.statistics.routes.router),
     ("statistics", sightline.results.routes.router),
+    ("sightdistance", sightline.results.sightdistance.routes.router),
     ("exports", sightline.export.routes.router),
     ("audit", sightline.infra.audit.routes.router),
     ("jobs", sightline.infra.jobs.routes.router),

@@ -52,6 +52,19 @@ StandardHeight = Literal["driver_eye", "object"]
 Rounding = Literal["cm", "none"]
 Correction = Literal["inset", "shift", "none", "regression", "deconvolution"]
 LengthUnit = Literal["m", "ft"]
+SightKind = Literal[
+    "stopping",
+    "decision_a",
+    "decision_b",
+    "decision_c",
+    "decision_d",
+    "decision_e",
+    "passing",
+    "intersection_left",
+    "intersection_right",
+]
+SightCase = Literal["standard", "survey", "mix"]
+CrestVerdict = Literal["alike", "shorter", "longer", "unknown"]
 CurveCase = Literal["S < L", "S > L", "none"]
 Manoeuvre = Literal["A", "B", "C", "D", "E"]
 Crossing = Literal["left_from_stop", "right_from_stop", "crossing", "left_from_major"]

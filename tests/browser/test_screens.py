@@ -47,6 +47,7 @@ SCREENS = {
     "scan": ("/surveys/{survey}/scan?scan=1&vehicle=2", "[data-testid=figure-speed-profile-2] svg"),
     "export": ("/surveys/{survey}/export", "main h1"),
     "statistics": ("/statistics?survey={survey}&state=all", "[data-testid=figure-driver_eye-ecdf] svg"),
+    "sight-distance": ("/sight-distance?survey={survey}&state=all", "[data-testid=figure-crest-k] svg"),
     "audit": ("/audit", "main table"),
     "people": ("/people", "main table"),
     "account": ("/account", "main h1"),

@@ -26,7 +26,7 @@ def test_heights_and_a_distance(capsys: pytest.CaptureFixture[str]) -> None:
 def test_a_speed_gives_its_stopping_distance_with_the_formula(capsys: pytest.CaptureFixture[str]) -> None:
     found = asked(capsys, "--eye", "1.08", "--object", "0.60", "--speed", "100")
     assert found["stopping_distance_m"] == pytest.approx(0.278 * 100 * 2.5 + 0.039 * 100**2 / 3.4)
-    assert "0.278 V t + 0.039 V^2 / a" in found["formula"]
+    assert "0.278 V t + 0.039 V² / a" in found["formula"]
     assert found["crest_k_m"] == pytest.approx(found["stopping_distance_m"] ** 2 / found["constant"])
     assert (found["design_stopping_distance_m"], round(found["design_crest_k_m"])) == (185, 52)
 

@@ -139,6 +139,7 @@ MATRIX = {
     "GET /surveys/{survey_id}/scan-statistics": "viewer",
     "GET /statistics": "viewer",
     "GET /statistics/sample-size": "viewer",
+    "GET /sightdistance": "viewer",
     "GET /surveys/{survey_id}/standards": "viewer",
     "PUT /surveys/{survey_id}/standards": "operator",
     "POST /surveys/{survey_id}/exports": "viewer",

@@ -117,6 +117,7 @@ def made_with() -> dict[str, str]:
 _MADE_IN = (
     "infra/csv_package",
     "statistics",
+    "sightdistance",
     "linescan",
     "surveys",
     "quality",

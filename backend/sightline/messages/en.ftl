@@ -89,6 +89,7 @@ page-scan-results = Motion
 page-scan = Line scan
 page-export = Export
 page-statistics = Statistics
+page-sight-distance = Sight distance
 page-audit = Audit
 page-people = People
 page-account = Account
@@ -252,6 +253,7 @@ app-loading-page = { $page ->
     [scan] line scan
     [export] export
     [statistics] statistics
+    [sight-distance] sight distance
     [audit] audit
     [people] people
    *[account] account
@@ -3258,6 +3260,93 @@ quality-tyres-changed-meanwhile = { $name } changed the tyres of this vehicle me
 measurements-already-measured = { $name } has measured this target of the vehicle already; keep one of the two.
 reviews-verdict-given-meanwhile = { $name } gave the verdict “{ $verdict }” meanwhile; look at it first.
 
+## Sight distance: the page
+
+sight-lead = What measured heights mean for a road: crests that keep a sight distance, by a standard’s heights and by the survey’s own.
+sight-loading = Computing the crests ...
+sight-form = What the crests are computed from
+sight-form-standard = Standard
+sight-form-survey = Survey, read by the standard’s rule
+sight-form-road = Road
+sight-form-fleet = Another fleet: share of each class
+sight-eye = Eye of the standard
+sight-object = Object of the standard
+sight-standard-option = { $standard }: { $height }
+sight-standard-any = Any height
+sight-standard-height = Height
+sight-eye-percent = Eyes, percentile
+sight-object-target = Object
+sight-object-standard = The standard’s height
+sight-object-percent = Objects, percentile
+sight-kind = Sight distance
+sight-kind-stopping = Stopping
+sight-kind-decision_a = Decision, stop on a rural road
+sight-kind-decision_b = Decision, stop on an urban road
+sight-kind-decision_c = Decision, change on a rural road
+sight-kind-decision_d = Decision, change on a suburban road
+sight-kind-decision_e = Decision, change on an urban road
+sight-kind-passing = Passing
+sight-kind-intersection_left = Intersection, left turn from a stop
+sight-kind-intersection_right = Intersection, right turn or crossing
+sight-speed = Design speed
+sight-difference = Grade difference
+sight-headlight = Headlight (sag)
+sight-radius = Radius (curve)
+sight-number-problem = This number is out of range; correct it.
+sight-fleet-begin = What if the fleet were another
+sight-fleet-hint = Shares of the classes that were measured, to be changed.
+sight-fleet-end = Measured fleet
+sight-fleet-measured = { NUMBER($eyes) } eyes, { NUMBER($objects) } objects measured
+sight-case = Heights of
+sight-case-standard = the standard
+sight-case-survey = the survey
+sight-case-mix = the other fleet
+sight-sentence = What it means
+sight-missing = No height of this is left by the filter: { $targets }. Measure and accept some, or show all states.
+sight-verdict-alike = { $case ->
+    [mix] With the other fleet’s heights
+   *[survey] With the survey’s heights
+} (eye { $eye }, object { $object }) the crest constant is { $constant } instead of { $standard }, and K for { $distance } is { $k } instead of { $k_standard }. The change of { $change } is within the 95 % interval: the survey gives no reason to build crests differently.
+sight-verdict-shorter = { $case ->
+    [mix] With the other fleet’s heights
+   *[survey] With the survey’s heights
+} (eye { $eye }, object { $object }) the crest constant is { $constant } instead of { $standard }, and K for { $distance } is { $k } instead of { $k_standard }. Crests could be { $change } shorter; on a crest built by the standard one sees { $seen }.
+sight-verdict-longer = { $case ->
+    [mix] With the other fleet’s heights
+   *[survey] With the survey’s heights
+} (eye { $eye }, object { $object }) the crest constant is { $constant } instead of { $standard }, and K for { $distance } is { $k } instead of { $k_standard }. Crests would have to be { $change } longer; on a crest built by the standard one sees only { $seen }.
+sight-verdict-unknown = { $case ->
+    [mix] With the other fleet’s heights
+   *[survey] With the survey’s heights
+} (eye { $eye }, object { $object }) the crest constant is { $constant } instead of { $standard }, a change of K by { $change }. There is no interval ({ $reason }), so whether that is more than chance cannot be said.
+sight-cases-title = Crests
+sight-cases-distance = { $speed }: { $formula } = { $distance }, rounded up to { $design }
+sight-cases-note = { NUMBER($eyes) } eyes and { NUMBER($objects) } objects. Below each value its 95 % interval, which holds the sampling of the percentiles; eye and object are taken as independent, the standard’s heights and the fleet’s shares as exact. Lengths are for the difference of the grades; the last column is what one sees on a crest built by the standard’s heights.
+sight-interval = { $low } to { $high }
+sight-no-interval = no interval
+sight-column-eye = Eye ({ $unit })
+sight-column-object = Object ({ $unit })
+sight-column-constant = Constant ({ $unit })
+sight-column-k = K ({ $unit } per %)
+sight-column-length = Least length ({ $unit })
+sight-column-seen = Seen on the standard’s crest ({ $unit })
+sight-figure-title = K of a crest against design speed
+sight-figure-says = K of a crest against design speed, by the standard’s heights and by the survey’s
+sight-figure-note = K = S² / C at the sight distance of each design speed, rounded up as in design tables; band: 95 % interval.
+sight-figure-x = design speed ({ $unit })
+sight-figure-y = K ({ $unit } per %)
+sight-besides-title = Sag and curve, which eyes do not change
+sight-sag = Sag, by headlights
+sight-sag-words = K { $k } { $unit } per %; least length { $length } { $case ->
+    [within] (the sight distance lies within the curve)
+    [beyond] (the sight distance reaches beyond the curve)
+   *[none] (these grades are lit without a curve)
+}
+sight-curve = Room beside the curve
+sight-curve-words = { $offset } from the line of travel to what blocks the view, at the middle of the curve
+sight-curve-none = The curve is too sharp for this distance: it would go round more than half a circle.
+sight-besides-note = A headlight’s beam rises 1 degree. Heights of what stands beside a curve are not looked at.
+
 ## Sight distance: what cannot be computed
 sightdistance-heights = Heights of eyes must lie above 0 and of objects at or above 0, all below 10 m; give them in metres.
 sightdistance-uncertainty = A standard uncertainty must be 0 or more, and 0 for an object on the road; correct it.
@@ -3270,3 +3359,6 @@ sightdistance-manoeuvre-time = Manoeuvre { $manoeuvre } takes { $least } to { $m
 sightdistance-passing-speed = There is no passing sight distance at { $speed_kmh } km/h; the table runs from 30 to 130 km/h.
 sightdistance-headlight = The headlight's height and its beam's rise must not be negative, nor both 0; correct them.
 sightdistance-radius = The radius must be above 0, and its curve must hold the distance and the offset; correct them.
+sightdistance-shares = The shares of a fleet must sum to 100 %; these sum to { $total_percent } %. Correct them.
+sightdistance-share = “{ $share }” is no share of a fleet; write the class, a colon and 0 to 100 percent (suv:40).
+sightdistance-class-unseen = The fleet has a share of { $category }, of which the survey measured none; set that share to 0 or measure some.

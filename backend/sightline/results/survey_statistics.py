@@ -119,6 +119,14 @@ def survey_statistics(
     return _made(session, trail.head(session).hash, chosen, choices)
 
 
+def measured_columns(session: Session, chosen: Filter) -> Measured:
+    """What a filter leaves, of its target where it has one. Raises as `survey_statistics`."""
+    _refuse(chosen, survey_names(session))
+    days = chosen.first_day is not None or chosen.last_day is not None
+    found, _ = filtered(_columns(session, trail.head(session).hash, chosen.survey_ids, days), chosen)
+    return found.where(_of_target(found, chosen.target))
+
+
 # The keys of what is kept hold the audit chain's last hash, so that any write makes it old.
 @cached(LRUCache(16), key=lambda _session, *rest: rest, lock=Lock())
 def _made(session: Session, last_hash: str, chosen: Filter, choices: StatisticsOptions) -> Statistics:

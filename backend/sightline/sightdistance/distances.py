@@ -56,8 +56,8 @@ METRIC = UnitSystem(
     gradient_braking=254.0,
     gravity=GRAVITY_MPS2,
     step=5.0,
-    stopping_formula="0.278 V t + 0.039 V^2 / a",
-    gradient_formula="0.278 V t + V^2 / (254 (a / 9.81 + G))",
+    stopping_formula="0.278 V t + 0.039 V² / a",
+    gradient_formula="0.278 V t + V² / (254 (a / 9.81 + G))",
     time_formula="0.278 V t",
 )
 US_CUSTOMARY = UnitSystem(
@@ -70,8 +70,8 @@ US_CUSTOMARY = UnitSystem(
     gradient_braking=30.0,
     gravity=32.2,
     step=5.0,
-    stopping_formula="1.47 V t + 1.075 V^2 / a",
-    gradient_formula="1.47 V t + V^2 / (30 (a / 32.2 + G))",
+    stopping_formula="1.47 V t + 1.075 V² / a",
+    gradient_formula="1.47 V t + V² / (30 (a / 32.2 + G))",
     time_formula="1.47 V t",
 )
 

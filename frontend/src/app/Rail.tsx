@@ -49,6 +49,12 @@ export function Rail({ surveyId, name }: { surveyId: number; name: string }) {
           </a>
         </li>
         <li>
+          <a class="rail__item" href={`/sight-distance?survey=${surveyId}`}>
+            <Icon name="crest" />
+            <span class="grow">{titleOf("sight-distance")}</span>
+          </a>
+        </li>
+        <li>
           <a class="rail__item" href={`/audit?survey_id=${surveyId}`}>
             <Icon name="audit" />
             <span class="grow">{say("app-audit")}</span>

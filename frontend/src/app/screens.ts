@@ -23,6 +23,7 @@ const LOADERS: Record<PlaceName, () => Promise<{ default: Screen }>> = {
   scan: () => import("../screens/scans/BenchScreen"),
   export: () => import("../screens/export/ExportScreen"),
   statistics: () => import("../screens/statistics/StatisticsScreen"),
+  "sight-distance": () => import("../screens/sightdistance/SightScreen"),
   audit: () => import("../screens/audit/AuditScreen"),
   people: () => import("../screens/people/PeopleScreen"),
   account: () => import("../screens/account/AccountScreen"),

@@ -23,6 +23,7 @@ export type PlaceName =
   | "scan"
   | "export"
   | "statistics"
+  | "sight-distance"
   | "audit"
   | "people"
   | "account";
@@ -119,6 +120,11 @@ export const PLACES: readonly Place[] = [
   {
     name: "statistics",
     pattern: "/statistics",
+    layout: "alone",
+  },
+  {
+    name: "sight-distance",
+    pattern: "/sight-distance",
     layout: "alone",
   },
   {

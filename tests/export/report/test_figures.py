@@ -39,7 +39,7 @@ def test_every_figure_of_the_page_is_drawn(drawn: dict[str, Drawing | str]) -> N
         for target in ("driver_eye", "taillight", "roof")
         for kind in ("ecdf", "density", "by-category", "by-lighting")
     }
-    assert there == ERRORS | heights
+    assert there == ERRORS | heights | {"crest-k"}
     assert isinstance(drawn["headlight-ecdf"], str) and isinstance(drawn["headlight-density"], str)
 
 

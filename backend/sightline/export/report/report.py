@@ -24,6 +24,7 @@ from sightline.export.report.results import errors, glance, heights
 from sightline.export.report.scans import line_scans
 from sightline.export.report.settable import Values, settable
 from sightline.export.report.setup import calibration, exclusions, insets, moment, setup, title, verification
+from sightline.export.report.sight import sight
 from sightline.export.report.units import unit_words
 
 Drawn = Mapping[str, Drawing | str]
@@ -68,6 +69,7 @@ def _values(facts: ReportFacts, pictures: Pictures) -> bytes:
         "insets": insets(facts),
         "errors": errors(facts, pictures),
         "heights": heights(facts, pictures),
+        "sight": sight(facts, pictures),
         "scans": line_scans(facts, pictures),
         "exclusions": exclusions(facts),
         "verification": verification(facts),

@@ -9,6 +9,7 @@ from sightline.export.report import words
 from sightline.export.report.facts import ReportFacts
 from sightline.export.report.pictures import Pictures
 from sightline.export.report.settable import Json, Values
+from sightline.export.report.sight import consequence
 from sightline.export.report.units import (
     HEIGHT,
     OTHER,
@@ -51,6 +52,7 @@ def glance(facts: ReportFacts) -> Values:
             if target.corrected.n and name != "roof"
         ],
         "errors": _errors_in_short(result.errors.groups["overall"], SMALL[facts.unit]),
+        "consequence": consequence(facts),
         "standards": [] if eyes is None else _standards(facts, "driver_eye", eyes),
     }
 

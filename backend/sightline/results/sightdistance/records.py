@@ -1,0 +1,78 @@
+"""What the sight-distance page and the report show of a survey's heights."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Annotated
+
+from pydantic import Field
+
+from sightline.enums import Category, LengthUnit, SightCase, SightKind, StatisticsTarget
+from sightline.results.survey_statistics import Filter
+from sightline.sightdistance.curves import CurveLength
+from sightline.sightdistance.distances import SightDistance
+from sightline.sightdistance.workbench import Bounded, Comparison, Crest
+
+
+@dataclass(frozen=True)
+class SightQuestion:
+    """What is asked: which measurements, the standard's heights, the rule that reads the survey's, and the
+    road.
+
+    object_target None: the object's height is the standard's in every case, as where the object is a whole
+    vehicle. shares: a fleet's, by class; empty: no what-if. unit: which of the two sets of formulas.
+    """
+
+    chosen: Filter
+    eye_m: float
+    object_m: float
+    eye_percent: float
+    object_percent: float
+    object_target: StatisticsTarget | None
+    kind: SightKind
+    speed_mps: float
+    difference_percent: float
+    headlight_m: float
+    radius_m: float
+    shares: Mapping[Category, float]
+    unit: LengthUnit
+
+
+@dataclass(frozen=True)
+class CaseOfHeights:
+    """One pair of heights; without `crest`, `missing` says what nobody measured. `comparison` is with the
+    standard.
+    """
+
+    name: SightCase
+    crest: Crest | None
+    comparison: Comparison | None
+    k_m: Annotated[tuple[Bounded, ...], Field(description="K at each of `speeds_mps`.")]
+    missing: tuple[StatisticsTarget, ...] = ()
+
+
+@dataclass(frozen=True)
+class ClassOfFleet:
+    """How many eyes and objects of a class were measured, and its share of those whose class is known."""
+
+    category: Category
+    eyes: int
+    objects: int
+    share: float
+
+
+@dataclass(frozen=True)
+class SightDistances:
+    """Crests by case, and what the road needs besides: a sag by headlights, room beside a curve."""
+
+    distance: SightDistance
+    speeds_mps: tuple[float, ...]
+    distances_m: tuple[float, ...]
+    cases: tuple[CaseOfHeights, ...]
+    eyes: int
+    objects: int
+    classes: tuple[ClassOfFleet, ...]
+    sag_k_m: float
+    sag: CurveLength
+    offset_m: float | None

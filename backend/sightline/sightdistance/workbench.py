@@ -1,0 +1,170 @@
+"""From heights with their intervals to crests with theirs, and what a survey would change of a standard's
+road.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from sightline.enums import CrestVerdict, Crossing, Manoeuvre, SightKind
+from sightline.errors import BadInput
+from sightline.sightdistance.curves import (
+    crest_constant,
+    crest_distance_m,
+    crest_k_m,
+    crest_length,
+)
+from sightline.sightdistance.distances import (
+    METRIC,
+    SightDistance,
+    UnitSystem,
+    decision_distance,
+    intersection_distance,
+    passing_distance,
+    stopping_distance,
+)
+
+#: Design speeds of a figure, m/s: 30 to 130 km/h.
+DESIGN_SPEEDS_MPS = tuple(kmh / 3.6 for kmh in range(30, 131, 5))
+_MANOEUVRE: dict[SightKind, Manoeuvre] = {
+    "decision_a": "A",
+    "decision_b": "B",
+    "decision_c": "C",
+    "decision_d": "D",
+    "decision_e": "E",
+}
+_CROSSING: dict[SightKind, Crossing] = {
+    "intersection_left": "left_from_stop",
+    "intersection_right": "right_from_stop",
+}
+
+
+@dataclass(frozen=True)
+class Bounded:
+    """A value with its 95 % interval; low and high None: taken as exact, unless `reason` says that none is
+    known.
+    """
+
+    value: float
+    low: float | None = None
+    high: float | None = None
+    reason: str | None = None
+
+
+@dataclass(frozen=True)
+class Crest:
+    """What one pair of heights means for a sight distance S and a difference A of the grades.
+
+    constant_m: C; k_m: S^2 / C; length_m: the least length for A; seen_m: how far one sees on the crest
+    that the standard's heights ask for.
+    """
+
+    eye_m: Bounded
+    object_m: Bounded
+    constant_m: Bounded
+    k_m: Bounded
+    length_m: Bounded
+    seen_m: Bounded
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """One pair of heights against the standard's: the change of K (and of C, by its inverse) as a share.
+
+    verdict: "alike" where the interval holds the standard's constant, "shorter" where crests may be shorter,
+    "longer" where they have to be longer, "unknown" without an interval.
+    """
+
+    verdict: CrestVerdict
+    k_change: float
+
+
+def sight_distance(kind: SightKind, speed_mps: float, units: UnitSystem = METRIC) -> SightDistance:
+    """The distance of a kind at a design speed (AASHTO 2018); passing has metric values only. Raises
+    BadInput.
+    """
+    if kind == "stopping":
+        return stopping_distance(speed_mps, units)
+    if kind == "passing":
+        return passing_distance(speed_mps)
+    if kind in _MANOEUVRE:
+        return decision_distance(speed_mps, _MANOEUVRE[kind], units)
+    return intersection_distance(speed_mps, _CROSSING[kind], units=units)
+
+
+def constant_of(eye_m: Bounded, object_m: Bounded) -> Bounded:
+    """The crest constant of two heights with the interval that theirs give, metres.
+
+    sqrt(C / 200) = sqrt(h1) + sqrt(h2) is a sum of two independent parameters, whose limits are recovered
+    from those of each (Zou and Donner 2008): (l, u) = sum -+ sqrt(sum of squares of what each limit is away
+    from its value). Intervals need not be symmetric. A height without an interval is taken as exact, unless
+    it has a reason for lacking one: then so has the constant. Raises BadInput for heights that cannot be.
+    """
+    constant = crest_constant(eye_m.value, object_m.value).constant_m
+    reason = eye_m.reason or object_m.reason
+    if reason is not None:
+        return Bounded(constant, reason=reason)
+    if eye_m.low is None and object_m.low is None:
+        return Bounded(constant)
+    middle = math.sqrt(eye_m.value) + math.sqrt(object_m.value)
+    below = math.hypot(*(_root_gap(one, one.low) for one in (eye_m, object_m)))
+    above = math.hypot(*(_root_gap(one, one.high) for one in (eye_m, object_m)))
+    low = max(middle - below, 0.0)
+    return Bounded(constant, 200.0 * low**2, 200.0 * (middle + above) ** 2)
+
+
+def crest_of(
+    eye_m: Bounded, object_m: Bounded, distance_m: float, difference_percent: float, built_constant_m: float
+) -> Crest:
+    """What two heights mean for S and A; built_constant_m: the standard's, by which a road was built."""
+    constant = constant_of(eye_m, object_m)
+    built = crest_length(distance_m, difference_percent, built_constant_m).length_m
+    return Crest(
+        eye_m=eye_m,
+        object_m=object_m,
+        constant_m=constant,
+        k_m=k_of(distance_m, constant),
+        length_m=_mapped(
+            constant, lambda c: crest_length(distance_m, difference_percent, c).length_m, falling=True
+        ),
+        seen_m=_mapped(constant, lambda c: crest_distance_m(built, difference_percent, c)),
+    )
+
+
+def k_of(distance_m: float, constant_m: Bounded) -> Bounded:
+    """K = S^2 / C with the interval of C."""
+    return _mapped(constant_m, lambda c: crest_k_m(distance_m, c), falling=True)
+
+
+def compare(standard_constant_m: float, constant_m: Bounded) -> Comparison:
+    """What the constant of measured heights says of the standard's."""
+    change = standard_constant_m / constant_m.value - 1.0
+    if constant_m.low is None or constant_m.high is None:
+        return Comparison("unknown", change)
+    if constant_m.low > standard_constant_m:
+        return Comparison("shorter", change)
+    if constant_m.high < standard_constant_m:
+        return Comparison("longer", change)
+    return Comparison("alike", change)
+
+
+def shares_of_fleet(shares: Sequence[float]) -> tuple[float, ...]:
+    """Shares of a fleet that sum to 1 within 1 %, scaled to do so. Raises BadInput for others."""
+    total = math.fsum(shares)
+    if any(not (math.isfinite(one) and one >= 0.0) for one in shares) or not 0.99 <= total <= 1.01:
+        raise BadInput("sightdistance-shares", total_percent=f"{100 * total:.1f}")
+    return tuple(one / total for one in shares)
+
+
+def _root_gap(height: Bounded, limit: float | None) -> float:
+    return 0.0 if limit is None else abs(math.sqrt(height.value) - math.sqrt(max(limit, 0.0)))
+
+
+def _mapped(found: Bounded, by: Callable[[float], float], *, falling: bool = False) -> Bounded:
+    """A monotone function of an estimate."""
+    if found.low is None or found.high is None:
+        return Bounded(by(found.value), reason=found.reason)
+    low, high = (by(limit) for limit in ((found.high, found.low) if falling else (found.low, found.high)))
+    return Bounded(by(found.value), low, high)

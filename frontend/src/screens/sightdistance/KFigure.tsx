@@ -1,0 +1,96 @@
+import { say } from "../../core/messages";
+import { lengthScale, speedScale } from "../../core/units";
+import { PlotFigure } from "../../parts/figures/PlotFigure";
+import { CASE_WORDS, type Case, type Sight } from "./model";
+
+const DASHES: Record<string, string | undefined> = { standard: "6 4", survey: undefined, mix: "2 3" };
+
+interface Row {
+  speed: number;
+  k: number;
+  low: number | null;
+  high: number | null;
+}
+
+/** K of a crest against design speed, by case. */
+export function KFigure({ sight }: { sight: Sight }) {
+  const shown = sight.cases.filter((one) => one.crest !== null);
+  return (
+    <PlotFigure
+      name="crest-k"
+      title={say("sight-figure-title")}
+      says={say("sight-figure-says")}
+      note={say("sight-figure-note")}
+      legend={shown.map((one) => ({
+        word: CASE_WORDS[one.name],
+        dash: DASHES[one.name],
+        faint: one.name === "standard",
+      }))}
+      data={sight}
+      options={(plot, unit) => {
+        const [perX, speedUnit] = speedScale(unit);
+        const [perY, long] = lengthScale(unit);
+        const rows = new Map(shown.map((one) => [one.name, rowsOf(one, sight, perX, perY)]));
+        return {
+          x: {
+            label: say("sight-figure-x", { unit: speedUnit }),
+            labelArrow: "none",
+            labelAnchor: "center",
+            labelOffset: 34,
+            nice: true,
+          },
+          y: {
+            label: say("sight-figure-y", { unit: long }),
+            labelArrow: "none",
+            grid: true,
+            zero: true,
+            nice: true,
+          },
+          marks: shown.flatMap((one) => {
+            const points = rows.get(one.name) ?? [];
+            const banded = points.filter((point) => point.low !== null);
+            return [
+              plot.areaY(banded, {
+                x: "speed",
+                y1: "low",
+                y2: "high",
+                fill: "var(--ink)",
+                fillOpacity: 0.14,
+              }),
+              plot.line(points, {
+                x: "speed",
+                y: "k",
+                stroke: one.name === "standard" ? "var(--ink-3)" : "var(--ink)",
+                strokeWidth: one.name === "standard" ? 3 : 1.8,
+                strokeDasharray: DASHES[one.name],
+              }),
+            ];
+          }),
+        };
+      }}
+      table={() => ({
+        columns: ["case", "speed_mps", "sight_distance_m", "k_m", "ci95_low_m", "ci95_high_m"],
+        rows: shown.flatMap((one) =>
+          one.k_m.map((k, i) => [
+            one.name,
+            sight.speeds_mps[i] ?? null,
+            sight.distances_m[i] ?? null,
+            k.value,
+            k.low,
+            k.high,
+          ]),
+        ),
+      })}
+    />
+  );
+}
+
+function rowsOf(one: Case, sight: Sight, perX: number, perY: number): Row[] {
+  const scaled = (value: number | null) => (value === null ? null : value * perY);
+  return one.k_m.map((k, i) => ({
+    speed: (sight.speeds_mps[i] ?? 0) * perX,
+    k: k.value * perY,
+    low: scaled(k.low),
+    high: scaled(k.high),
+  }));
+}

@@ -1,0 +1,253 @@
+import { Button, SelectField } from "../../components";
+import { CommitField } from "../../components/CommitField";
+import { navigate, query, setQuery } from "../../core/address";
+import { say } from "../../core/messages";
+import { formatLength, lengthText, lengthUnit, parseLength, parseNumber, speedScale } from "../../core/units";
+import { CATEGORY_WORDS, LIGHTING_WORDS, STATE_WORDS, TARGET_WORDS } from "../../core/words";
+import type { Standard } from "../../parts/figures/types";
+import { KIND_WORDS, type Kind, type Sight, STANDARDS_OBJECT, sharesOf, usualObject } from "./model";
+
+/** What the crests are computed from. Each change goes into the address, and from there to the server. */
+export function SightForm({ standards, found }: { standards: readonly Standard[]; found: Sight | null }) {
+  return (
+    <form
+      class="panel sight-form"
+      aria-label={say("sight-form")}
+      onSubmit={(event) => event.preventDefault()}
+    >
+      <fieldset>
+        <legend>{say("sight-form-standard")}</legend>
+        <StandardChoice
+          name="eye_m"
+          usual={1.08}
+          label={say("sight-eye")}
+          options={standards.filter((one) => one.what === "driver_eye")}
+        />
+        <StandardChoice
+          name="object_m"
+          usual={0.6}
+          label={say("sight-object")}
+          options={standards.filter((one) => one.what === "object")}
+        />
+      </fieldset>
+      <SurveyRule />
+      <Road />
+      {found && found.classes.length > 0 && <Fleet found={found} />}
+    </form>
+  );
+}
+
+interface StandardChoiceProps {
+  name: "eye_m" | "object_m";
+  usual: number;
+  label: string;
+  options: readonly Standard[];
+}
+
+/** A height: one of a standard's, or any. */
+function StandardChoice({ name, usual, label, options }: StandardChoiceProps) {
+  const height = Number(query.value.get(name) ?? usual);
+  const chosen = options.find((one) => one.height_m === height);
+  return (
+    <>
+      <SelectField
+        label={label}
+        value={chosen ? chosen.name : ""}
+        options={[
+          ...options.map((one) => ({
+            value: one.name,
+            label: say("sight-standard-option", {
+              standard: one.name,
+              height: formatLength(one.height_m, 2),
+            }),
+          })),
+          { value: "", label: say("sight-standard-any") },
+        ]}
+        onChange={(value) => {
+          const one = options.find((option) => option.name === value);
+          if (one) setQuery({ [name]: one.height_m });
+        }}
+      />
+      <Length name={name} label={say("sight-standard-height")} usual={usual} />
+    </>
+  );
+}
+
+/** How the survey's own heights are read: which percentile, of what. */
+function SurveyRule() {
+  const at = query.value;
+  const kind = at.get("kind");
+  return (
+    <fieldset>
+      <legend>{say("sight-form-survey")}</legend>
+      <Plain name="eye_percent" label={say("sight-eye-percent")} usual="10" unit="%" above={0} below={100} />
+      <SelectField
+        label={say("sight-object-target")}
+        value={at.get("object_target") ?? usualObject(kind)}
+        options={[
+          { value: "taillight", label: TARGET_WORDS.taillight },
+          { value: "headlight", label: TARGET_WORDS.headlight },
+          { value: "driver_eye", label: TARGET_WORDS.driver_eye },
+          { value: "roof", label: TARGET_WORDS.roof },
+          { value: STANDARDS_OBJECT, label: say("sight-object-standard") },
+        ]}
+        onChange={(value) => setQuery({ object_target: value })}
+      />
+      <Plain
+        name="object_percent"
+        label={say("sight-object-percent")}
+        usual="5"
+        unit="%"
+        above={0}
+        below={100}
+      />
+      <SelectField
+        label={say("statistics-filter-state")}
+        value={at.get("state") ?? ""}
+        options={[
+          { value: "", label: STATE_WORDS.accepted },
+          { value: "all", label: say("statistics-filter-state-all") },
+        ]}
+        onChange={(value) => setQuery({ state: value || null })}
+      />
+      <SelectField
+        label={say("statistics-filter-lighting")}
+        value={at.get("lighting") ?? ""}
+        options={[
+          { value: "", label: say("statistics-filter-any") },
+          ...Object.entries(LIGHTING_WORDS).map(([value, label]) => ({ value, label })),
+        ]}
+        onChange={(value) => setQuery({ lighting: value || null })}
+      />
+    </fieldset>
+  );
+}
+
+function Road() {
+  const at = query.value;
+  const [perSecond, unit] = speedScale();
+  const speed = Number(at.get("speed_mps") ?? 100 / 3.6);
+  return (
+    <fieldset>
+      <legend>{say("sight-form-road")}</legend>
+      <SelectField<Kind>
+        label={say("sight-kind")}
+        value={(at.get("kind") ?? "stopping") as Kind}
+        options={Object.entries(KIND_WORDS).map(([value, label]) => ({ value: value as Kind, label }))}
+        onChange={(value) => setQuery({ kind: value === "stopping" ? null : value })}
+      />
+      <CommitField
+        label={say("sight-speed")}
+        numeric
+        unit={unit}
+        value={String(Number((speed * perSecond).toFixed(1)))}
+        check={(text) => numberProblem(text, 0, 400)}
+        onCommit={(text) => setQuery({ speed_mps: (parseNumber(text) ?? 0) / perSecond })}
+      />
+      <Plain
+        name="difference_percent"
+        label={say("sight-difference")}
+        usual="6"
+        unit="%"
+        above={0}
+        below={100.001}
+      />
+      <Length name="headlight_m" label={say("sight-headlight")} usual={0.6} />
+      <Length name="radius_m" label={say("sight-radius")} usual={500} most={100_000} />
+    </fieldset>
+  );
+}
+
+/** Another fleet: shares by class, those of the survey to begin with. */
+function Fleet({ found }: { found: Sight }) {
+  const shares = sharesOf(query.value);
+  const begin = () =>
+    setShares(new Map(found.classes.map((one) => [one.category, Number((100 * one.share).toFixed(1))])));
+  if (shares.size === 0)
+    return (
+      <div class="sight-form__fleet">
+        <Button icon="add" onClick={begin}>
+          {say("sight-fleet-begin")}
+        </Button>
+        <span class="field__hint">{say("sight-fleet-hint")}</span>
+      </div>
+    );
+  return (
+    <fieldset>
+      <legend>{say("sight-form-fleet")}</legend>
+      {found.classes.map((one) => (
+        <CommitField
+          key={one.category}
+          label={CATEGORY_WORDS[one.category]}
+          numeric
+          unit="%"
+          hint={say("sight-fleet-measured", { eyes: one.eyes, objects: one.objects })}
+          value={String(shares.get(one.category) ?? 0)}
+          check={(text) => numberProblem(text, -0.001, 100.001)}
+          onCommit={(text) => setShares(new Map(shares).set(one.category, parseNumber(text) ?? 0))}
+        />
+      ))}
+      <Button small icon="close" onClick={() => setShares(new Map())}>
+        {say("sight-fleet-end")}
+      </Button>
+    </fieldset>
+  );
+}
+
+function setShares(shares: ReadonlyMap<string, number>): void {
+  const next = new URLSearchParams(location.search);
+  next.delete("share");
+  for (const [name, percent] of shares) next.append("share", `${name}:${percent}`);
+  navigate(`${location.pathname}?${next}`, { replace: true });
+}
+
+interface LengthProps {
+  name: "eye_m" | "object_m" | "headlight_m" | "radius_m";
+  label: string;
+  usual: number;
+  most?: number;
+}
+
+function Length({ name, label, usual, most = 10 }: LengthProps) {
+  const stands = Number(query.value.get(name) ?? usual);
+  return (
+    <CommitField
+      label={label}
+      numeric
+      unit={lengthUnit.value}
+      value={lengthText(stands, lengthUnit.value, 3)}
+      check={(text) => {
+        const metres = parseLength(text);
+        return metres === null || metres < 0 || metres > most ? say("sight-number-problem") : null;
+      }}
+      onCommit={(text) => setQuery({ [name]: parseLength(text) })}
+    />
+  );
+}
+
+interface PlainProps {
+  name: "eye_percent" | "object_percent" | "difference_percent";
+  label: string;
+  usual: string;
+  unit: string;
+  above: number;
+  below: number;
+}
+
+function Plain({ name, label, usual, unit, above, below }: PlainProps) {
+  return (
+    <CommitField
+      label={label}
+      numeric
+      unit={unit}
+      value={query.value.get(name) ?? usual}
+      check={(text) => numberProblem(text, above, below)}
+      onCommit={(text) => setQuery({ [name]: parseNumber(text) })}
+    />
+  );
+}
+
+function numberProblem(text: string, above: number, below: number): string | null {
+  const value = parseNumber(text);
+  return value === null || value <= above || value >= below ? say("sight-number-problem") : null;
+}

@@ -1,0 +1,201 @@
+/** From heights to roads: crests by a standard's heights, by the survey's and by another fleet's. */
+import { useEffect } from "preact/hooks";
+import { Button, Loading, Notice, Problem, TableScroll } from "../../components";
+import { query } from "../../core/address";
+import { api, fromAddress } from "../../core/api";
+import { allOf, say } from "../../core/messages";
+import type { ScreenProps } from "../../core/places";
+import { useResource } from "../../core/resource";
+import { fixed, formatLength, formatSpeed, lengthScale } from "../../core/units";
+import { TARGET_WORDS } from "../../core/words";
+import { loadPlot } from "../../parts/figures/PlotFigure";
+import { KFigure } from "./KFigure";
+import { type Bounded, CASE_WORDS, type Case, type Sight, sightQuery } from "./model";
+import { SightForm } from "./SightForm";
+import "./sightdistance.css";
+
+export default function SightScreen(_props: ScreenProps) {
+  const asked = sightQuery(query.value);
+  const found = useResource(
+    (signal) => api.ask("GET /sightdistance", fromAddress<"GET /sightdistance">(asked), { signal }),
+    [JSON.stringify(asked)],
+    { keep: true },
+  );
+  const only = query.value.getAll("survey").length === 1 ? Number(query.value.get("survey")) : null;
+  const standards = useResource(
+    async (signal) =>
+      only === null
+        ? []
+        : (await api.ask("GET /surveys/{survey_id}/standards", { survey_id: only }, { signal })).standards,
+    [only],
+  );
+  useEffect(() => {
+    loadPlot().catch(() => null); // while the server computes; who draws tells what is wrong
+  }, []);
+  const data = found.data;
+  return (
+    <div class="page page--alone sight-page">
+      <header class="page__head">
+        <div>
+          <h1>{say("page-sight-distance")}</h1>
+          <p class="page__lead">{say("sight-lead")}</p>
+        </div>
+        <div class="row">
+          {only !== null && <Button href={`/statistics?survey=${only}`}>{say("page-statistics")}</Button>}
+          {only !== null && <Button href={`/surveys/${only}`}>{say("statistics-back")}</Button>}
+        </div>
+      </header>
+      <SightForm standards={standards.data ?? []} found={data} />
+      <Problem error={found.error ?? standards.error} again={found.reload} />
+      {!data && found.loading && <Loading what={say("sight-loading")} />}
+      {data && !found.error && (
+        <div class="sight-body" aria-busy={found.loading}>
+          <Sentences sight={data} />
+          <Cases sight={data} />
+          <KFigure sight={data} />
+          <Besides sight={data} />
+        </div>
+      )}
+    </div>
+  );
+}
+
+/** What matters, said first. */
+function Sentences({ sight }: { sight: Sight }) {
+  const standard = sight.cases.find((one) => one.name === "standard");
+  const others = sight.cases.filter((one) => one.name !== "standard");
+  return (
+    <section class="panel sight-sentence" aria-label={say("sight-sentence")} data-testid="sight-sentence">
+      {others.map((one) => (
+        <p key={one.name}>{sentenceOf(one, standard, sight)}</p>
+      ))}
+    </section>
+  );
+}
+
+function sentenceOf(one: Case, standard: Case | undefined, sight: Sight): string {
+  const { crest, comparison } = one;
+  if (!crest || !comparison || !standard?.crest)
+    return say("sight-missing", { targets: allOf(one.missing.map((target) => TARGET_WORDS[target])) });
+  return say(`sight-verdict-${comparison.verdict}`, {
+    case: one.name === "mix" ? "mix" : "survey",
+    eye: formatLength(crest.eye_m.value, 2),
+    object: formatLength(crest.object_m.value, 2),
+    constant: plain(crest.constant_m.value, 1),
+    standard: plain(standard.crest.constant_m.value, 1),
+    change: `${fixed(100 * Math.abs(comparison.k_change), 1)} %`,
+    k: plain(crest.k_m.value, 1),
+    k_standard: plain(standard.crest.k_m.value, 1),
+    distance: formatLength(sight.distance.design_m, 0),
+    seen: formatLength(crest.seen_m.value, 0),
+    reason: crest.constant_m.reason ?? "",
+  });
+}
+
+const plain = (metres: number, digits: number) => fixed(metres * lengthScale()[0], digits);
+
+function Cases({ sight }: { sight: Sight }) {
+  const unit = lengthScale()[1];
+  return (
+    <section class="panel" aria-labelledby="sight-cases">
+      <header class="panel__head">
+        <h2 id="sight-cases">{say("sight-cases-title")}</h2>
+        <span class="muted small">
+          {say("sight-cases-distance", {
+            speed: formatSpeed(Number(query.value.get("speed_mps") ?? 100 / 3.6), null, 0),
+            distance: formatLength(sight.distance.distance_m, 1),
+            design: formatLength(sight.distance.design_m, 0),
+            formula: sight.distance.formula,
+          })}
+        </span>
+      </header>
+      <TableScroll label={say("sight-cases-title")}>
+        <table class="table" data-testid="sight-cases">
+          <thead>
+            <tr>
+              <th>{say("sight-case")}</th>
+              <th class="num">{say("sight-column-eye", { unit })}</th>
+              <th class="num">{say("sight-column-object", { unit })}</th>
+              <th class="num">{say("sight-column-constant", { unit })}</th>
+              <th class="num">{say("sight-column-k", { unit })}</th>
+              <th class="num">{say("sight-column-length", { unit })}</th>
+              <th class="num">{say("sight-column-seen", { unit })}</th>
+            </tr>
+          </thead>
+          <tbody>
+            {sight.cases.map((one) => (
+              <tr key={one.name}>
+                <th scope="row">{CASE_WORDS[one.name]}</th>
+                {one.crest ? (
+                  <>
+                    <Cell of={one.crest.eye_m} digits={3} />
+                    <Cell of={one.crest.object_m} digits={3} />
+                    <Cell of={one.crest.constant_m} digits={1} />
+                    <Cell of={one.crest.k_m} digits={1} strong />
+                    <Cell of={one.crest.length_m} digits={0} />
+                    <Cell of={one.crest.seen_m} digits={0} />
+                  </>
+                ) : (
+                  <td colSpan={6}>
+                    {say("sight-missing", {
+                      targets: allOf(one.missing.map((target) => TARGET_WORDS[target])),
+                    })}
+                  </td>
+                )}
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </TableScroll>
+      <p class="field__hint sight-note">
+        {say("sight-cases-note", { eyes: sight.eyes, objects: sight.objects })} {sight.distance.source}.
+      </p>
+    </section>
+  );
+}
+
+/** A value over its 95 % interval, without the unit that the column's head names. */
+function Cell({ of, digits, strong }: { of: Bounded; digits: number; strong?: boolean }) {
+  const value = plain(of.value, digits);
+  return (
+    <td class="num" title={of.reason ?? undefined}>
+      {strong ? <strong>{value}</strong> : value}
+      {of.low !== null && of.high !== null && (
+        <div class="sight-ci">
+          {say("sight-interval", { low: plain(of.low, digits), high: plain(of.high, digits) })}
+        </div>
+      )}
+      {of.reason && <div class="sight-ci">{say("sight-no-interval")}</div>}
+    </td>
+  );
+}
+
+/** What heights of eyes do not change: a sag by headlights, and the room beside a curve. */
+function Besides({ sight }: { sight: Sight }) {
+  const unit = lengthScale()[1];
+  return (
+    <section class="panel sight-besides" aria-labelledby="sight-besides">
+      <header class="panel__head">
+        <h2 id="sight-besides">{say("sight-besides-title")}</h2>
+      </header>
+      <dl class="facts">
+        <dt>{say("sight-sag")}</dt>
+        <dd>
+          {say("sight-sag-words", {
+            k: plain(sight.sag_k_m, 1),
+            unit,
+            length: formatLength(sight.sag.length_m, 0),
+            case: sight.sag.case === "S < L" ? "within" : sight.sag.case === "S > L" ? "beyond" : "none",
+          })}
+        </dd>
+        <dt>{say("sight-curve")}</dt>
+        <dd>
+          {sight.offset_m === null
+            ? say("sight-curve-none")
+            : say("sight-curve-words", { offset: formatLength(sight.offset_m, 2) })}
+        </dd>
+      </dl>
+      <Notice>{say("sight-besides-note")}</Notice>
+    </section>
+  );
+}

@@ -1,0 +1,71 @@
+/** What the sight-distance page asks and shows; all of it is in the address. */
+import type { components } from "#schema";
+import { wordsOf } from "../../core/messages";
+import type { AddressOf } from "../../core/routes";
+import { lengthUnit } from "../../core/units";
+
+type Schemas = components["schemas"];
+export type Sight = Schemas["SightDistances"];
+export type Case = Schemas["CaseOfHeights"];
+export type Bounded = Schemas["Bounded"];
+export type Kind = keyof typeof KIND_WORDS;
+
+export const CASE_WORDS = wordsOf({
+  standard: "sight-case-standard",
+  survey: "sight-case-survey",
+  mix: "sight-case-mix",
+});
+
+export const KIND_WORDS = wordsOf({
+  stopping: "sight-kind-stopping",
+  decision_a: "sight-kind-decision_a",
+  decision_b: "sight-kind-decision_b",
+  decision_c: "sight-kind-decision_c",
+  decision_d: "sight-kind-decision_d",
+  decision_e: "sight-kind-decision_e",
+  passing: "sight-kind-passing",
+  intersection_left: "sight-kind-intersection_left",
+  intersection_right: "sight-kind-intersection_right",
+});
+
+/** What stands for the object where the address does not say. */
+export const STANDARDS_OBJECT = "standard";
+
+const PLAIN = [
+  "lighting",
+  "state",
+  "eye_m",
+  "object_m",
+  "eye_percent",
+  "object_percent",
+  "kind",
+  "speed_mps",
+  "difference_percent",
+  "headlight_m",
+  "radius_m",
+] as const;
+
+/** What the server is asked for an address. */
+export function sightQuery(query: URLSearchParams): AddressOf<"GET /sightdistance"> {
+  const asked: AddressOf<"GET /sightdistance"> = {
+    survey: query.getAll("survey"),
+    share: query.getAll("share"),
+  };
+  for (const name of PLAIN) asked[name] = query.get(name) || undefined;
+  const target = query.get("object_target") ?? usualObject(query.get("kind"));
+  asked.object_target = target === STANDARDS_OBJECT ? undefined : target;
+  asked.unit = lengthUnit.value;
+  return asked;
+}
+
+/** A vehicle that stands is seen by its taillights; one that comes, by as much as an eye sees of another. */
+export function usualObject(kind: string | null): string {
+  if (kind === "passing" || kind?.startsWith("intersection")) return "driver_eye";
+  return "taillight";
+}
+
+/** The fleet of an address: percent by class; empty where none is asked for. */
+export function sharesOf(query: URLSearchParams): Map<string, number> {
+  const pairs = query.getAll("share").map((one) => one.split(":"));
+  return new Map(pairs.map(([name, percent]) => [name ?? "", Number(percent)]));
+}

@@ -1,0 +1,101 @@
+"""The sight-distance page's answer over a seeded survey: percentiles, crests, other fleets, refusals."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from sqlalchemy import text
+
+from sightline.infra.services import Services
+from sightline.sightdistance.curves import crest_constants_m
+from tests.bench.seed import seed
+from tests.support.app import Client, error_of
+
+ASKED = "/sightdistance?survey={survey}&object_target=taillight"
+
+
+@pytest.fixture
+def survey(services: Services) -> int:
+    """300 vehicles, each with roof, eye and taillight."""
+    return seed(services.sessions, 900).survey.id
+
+
+def heights(services: Services, target: str) -> np.ndarray[Any, Any]:
+    """Those accepted, read without the page's own columns."""
+    query = (
+        "SELECT m.height_m, v.category FROM measurements m JOIN measurement_series s ON s.id = m.series_id "
+        "JOIN vehicles v ON v.id = s.vehicle_id WHERE m.target = :target AND m.revision = "
+        "(SELECT MAX(n.revision) FROM measurements n WHERE n.series_id = s.id) AND EXISTS (SELECT 1 FROM "
+        "reviews r WHERE r.series_id = s.id AND r.result_revision = m.revision AND r.verdict = 'accepted')"
+    )
+    with services.reading() as session:
+        rows = session.execute(text(query), {"target": target}).all()
+    return np.array([tuple(row) for row in rows], dtype=[("height_m", float), ("category", "U20")])
+
+
+def test_crests_by_the_standard_and_by_the_survey(services: Services, survey: int, viewer: Client) -> None:
+    found = viewer.get(ASKED.format(survey=survey)).json()
+    standard, of_survey = found["cases"]
+    assert [round(standard["crest"]["constant_m"]["value"]), found["distance"]["design_m"]] == [658, 185]
+    assert standard["comparison"] is None and standard["crest"]["constant_m"]["low"] is None
+    eye, thing = (
+        float(np.quantile(heights(services, target)["height_m"], p, method="median_unbiased"))
+        for target, p in (("driver_eye", 0.10), ("taillight", 0.05))
+    )
+    crest = of_survey["crest"]
+    assert crest["eye_m"]["value"] == pytest.approx(eye, abs=1e-9)
+    assert crest["object_m"]["value"] == pytest.approx(thing, abs=1e-9)
+    assert crest["constant_m"]["value"] == pytest.approx(float(crest_constants_m(eye, thing)))
+    assert crest["k_m"]["low"] < crest["k_m"]["value"] < crest["k_m"]["high"]
+    assert of_survey["comparison"]["verdict"] == "shorter"  # the seed's taillights are high
+    hundred = found["speeds_mps"].index(pytest.approx(100 / 3.6))
+    assert standard["k_m"][hundred]["value"] == pytest.approx(52.0, abs=0.05)
+    assert found["distances_m"][hundred] == 185
+    assert (found["eyes"], found["objects"]) == (
+        len(heights(services, "driver_eye")),
+        len(heights(services, "taillight")),
+    )
+
+
+def test_another_fleet_of_one_class_is_that_class(services: Services, survey: int, viewer: Client) -> None:
+    found = viewer.get(ASKED.format(survey=survey) + "&share=suv:100&share=van:0").json()
+    eyes = heights(services, "driver_eye")
+    suv = np.quantile(eyes["height_m"][eyes["category"] == "suv"], 0.10, method="median_unbiased")
+    mix = found["cases"][2]
+    assert mix["name"] == "mix"
+    assert mix["crest"]["eye_m"]["value"] == pytest.approx(float(suv), abs=1e-9)
+    assert {one["category"] for one in found["classes"]} == {"hatchback", "saloon", "suv", "van"}
+
+
+def test_feet_take_the_other_set_of_formulas(survey: int, viewer: Client) -> None:
+    found = viewer.get(ASKED.format(survey=survey) + "&unit=ft&speed_mps=26.8224").json()
+    assert round(found["distance"]["design_m"] / 0.3048) == 570
+    assert found["distance"]["formula"].startswith("1.47 V t")
+
+
+REFUSED = {
+    "share=suv:60&share=van:30": "sum to 100",
+    "share=lorry:100": "lorry",
+    "share=suv": "suv:40",
+    "eye_m=108": "metres",
+    "speed_mps=-3": "design speed",
+    "kind=passing&speed_mps=5": "30 to 130",
+    "difference_percent=0": "grades",
+}
+
+
+def test_bad_input_is_one_sentence(survey: int, viewer: Client) -> None:
+    for asked, word in REFUSED.items():
+        answer = viewer.get(f"{ASKED.format(survey=survey)}&{asked}")
+        assert answer.status_code == 422
+        assert word in error_of(answer)
+
+
+def test_a_survey_without_eyes_says_so(viewer: Client) -> None:
+    found = viewer.get("/sightdistance?object_target=taillight").json()
+    assert found["cases"][1]["crest"] is None
+    assert found["cases"][1]["missing"] == ["driver_eye", "taillight"]
+    alone = viewer.get("/sightdistance").json()
+    assert alone["cases"][1]["missing"] == ["driver_eye"]
