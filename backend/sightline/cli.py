@@ -26,6 +26,7 @@ COMMANDS = {
     "errors": "sightline.commands.errors:errors",
     "sightdistance": "sightline.commands.sightdistance:sightdistance",
     "linescan": "sightline.commands.linescan:linescan",
+    "stream": "sightline.commands.stream:stream",
     "export": "sightline.commands.export:export",
     "verify": "sightline.commands.verify:verify",
 }

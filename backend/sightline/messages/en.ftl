@@ -2714,6 +2714,7 @@ commands-not-utf-8-text-give-saved = { $path } is not UTF-8 text; give { $what }
 commands-cannot-read-give = { $path } cannot be read ({ $strerror }); give { $what }.
 commands-not-readable-json-give = { $path } is not readable JSON; give { $what }.
 commands-cannot-written-choose-another-place = { $path } cannot be written ({ $strerror }); choose another place.
+commands-stream-empty = Standard input ended before one pair of lines ({ $pair_bytes } bytes) had come; start the cameras first, and check --rows.
 commands-cannot-written-because-disk-full-free = { $path } cannot be written because the disk is full; free some space.
 commands-charuco-marker-go-together-give-dictionary = --charuco and --marker go together; give the dictionary and the marker's side.
 commands-board-not-form-9x6-count-inner = --board { $text } is not of the form 9x6; count the inner corners across and down.

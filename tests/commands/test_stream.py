@@ -1,0 +1,151 @@
+"""`sightline stream`: the same vehicles as from the files, whatever the pieces, and nothing lost."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import signal
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from types import SimpleNamespace
+
+import cv2
+import numpy as np
+import pytest
+import tifffile
+
+from sightline.cli import main
+from sightline.media.strips.sheet import Pixels
+from sightline.simulation.scan_strips import strips
+from sightline.simulation.scan_traffic import ScanSite, traffic
+
+pytestmark = pytest.mark.once
+
+SITE = ScanSite(rows=64, misalignment_px=0.3)
+RIG = ("--baseline", str(SITE.baseline_m), "--line-rate", str(SITE.line_rate_hz), "--u-baseline", "0.0005")
+STREAM = ("stream", "--rows", str(SITE.rows), *RIG)
+
+
+class Source(io.BytesIO):
+    """Standard input that gives its bytes in pieces of odd sizes."""
+
+    def __init__(self, data: bytes, sizes: Iterator[int]) -> None:
+        super().__init__(data)
+        self.sizes = sizes
+
+    def read1(self, _size: int | None = -1, /) -> bytes:
+        return self.read(next(self.sizes))
+
+
+@pytest.fixture(scope="module")
+def pixels() -> tuple[Pixels, Pixels]:
+    return strips(SITE, traffic(5, 3, speeds_mps=(14.0, 24.0), gaps_s=(0.5, 0.8), start_s=0.8))
+
+
+def mixed(pixels: tuple[Pixels, Pixels]) -> bytes:
+    return np.stack(pixels, axis=1).astype(np.uint8).tobytes()
+
+
+def odd_sizes() -> Iterator[int]:
+    drawn = np.random.default_rng(3)
+    while True:
+        yield int(drawn.integers(1, 300_000))
+
+
+def said_by(
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    data: bytes,
+    *more: str,
+    status: int = 0,
+) -> tuple[list[dict[str, object]], str]:
+    monkeypatch.setattr(sys, "stdin", SimpleNamespace(buffer=Source(data, odd_sizes())))
+    assert main([*STREAM, *more]) == status
+    printed = capsys.readouterr()
+    assert "Traceback" not in printed.err
+    return [json.loads(line) for line in printed.out.splitlines()], printed.err
+
+
+def test_vehicles_are_those_of_the_files_and_the_lines_are_kept(
+    pixels: tuple[Pixels, Pixels],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    files = [str(tmp_path / f"{k}.png") for k in (1, 2)]
+    for path, strip in zip(files, pixels, strict=True):
+        cv2.imwrite(path, strip.T)
+    assert main(["linescan", *files, *RIG, "--json"]) == 0
+    batch = json.loads(capsys.readouterr().out)["vehicles"]
+    assert [one["status"] for one in batch] == ["ok"] * 3
+
+    live, said = said_by(monkeypatch, capsys, mixed(pixels), "--spool", str(tmp_path / "spool"))
+    assert live == batch
+    kept = sorted((tmp_path / "spool").iterdir())
+    assert [path.name for path in kept] == ["0001-camera-1.tif", "0001-camera-2.tif"]
+    assert f"{len(pixels[0])} lines are kept in {kept[0]}." in said
+    for path, strip in zip(kept, pixels, strict=True):
+        assert np.array_equal(tifffile.imread(path), strip)
+    assert main(["linescan", *map(str, kept), *RIG, "--time-axis", "height", "--json"]) == 0
+    again = json.loads(capsys.readouterr().out)
+    assert again["vehicles"] == batch and again["notes"] == []
+
+    # a second run writes over nothing; what a killed one left can be read as far as it came
+    half = mixed(pixels)[: len(mixed(pixels)) // 2]
+    live, said = said_by(monkeypatch, capsys, half + b"odd", "--spool", str(tmp_path / "spool"))
+    assert "its last 3 bytes are left out" in said or "bytes are left out" in said
+    assert len(list((tmp_path / "spool").iterdir())) == 4
+    assert [one["speed_mps"] for one in live if one["status"] == "ok"] == [
+        one["speed_mps"] for one in batch[: sum(one["status"] == "ok" for one in live)]
+    ]
+
+
+def test_each_vehicle_is_told_while_the_stream_goes_on(pixels: tuple[Pixels, Pixels], tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "sightline.cli", *STREAM, "--spool", str(tmp_path / "spool")]
+    with subprocess.Popen(
+        command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=os.environ
+    ) as live:
+        assert live.stdin is not None and live.stdout is not None and live.stderr is not None
+        live.stdin.write(mixed(pixels))
+        live.stdin.flush()
+        first = json.loads(live.stdout.readline())
+        assert first["id"] == 1 and first["status"] == "ok"
+        live.send_signal(signal.SIGTERM)  # as a service is stopped: what is complete is measured still
+        rest = [json.loads(line) for line in live.stdout.read().splitlines()]
+        said = live.stderr.read().decode()
+    assert live.returncode == 0, said
+    assert [one["id"] for one in rest] == [2, 3]
+    assert "lines are kept in" in said
+
+
+@pytest.mark.parametrize(
+    ("more", "said"),
+    [
+        (("--baseline", "-1"), "--baseline"),
+        (("--rows", "3"), "--rows"),
+        ((), "ended before one pair of lines (128 bytes)"),
+    ],
+)
+def test_what_cannot_be_is_refused(
+    more: tuple[str, ...], said: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out, error = said_by(monkeypatch, capsys, b"" if not more else b"0" * 1000, *more, status=2)
+    assert out == [] and said in error
+
+
+def test_a_full_disk_ends_the_keeping_only(
+    pixels: tuple[Pixels, Pixels],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    def full(*_: object) -> None:
+        raise OSError(28, os.strerror(28))
+
+    monkeypatch.setattr("sightline.media.strips.spool.Spool.write", full)
+    live, said = said_by(monkeypatch, capsys, mixed(pixels), "--spool", str(tmp_path / "spool"))
+    assert [one["status"] for one in live] == ["ok"] * 3
+    assert "could not be kept (No space left on device)" in said
