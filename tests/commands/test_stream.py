@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import io
 import json
 import os
 import signal
 import subprocess
 import sys
+import threading
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
-from types import SimpleNamespace
 
 import cv2
 import numpy as np
@@ -29,15 +29,25 @@ RIG = ("--baseline", str(SITE.baseline_m), "--line-rate", str(SITE.line_rate_hz)
 STREAM = ("stream", "--rows", str(SITE.rows), *RIG)
 
 
-class Source(io.BytesIO):
+@contextmanager
+def standard_input(data: bytes, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     """Standard input that gives its bytes in pieces of odd sizes."""
+    out, into = os.pipe()
 
-    def __init__(self, data: bytes, sizes: Iterator[int]) -> None:
-        super().__init__(data)
-        self.sizes = sizes
+    def write() -> None:
+        drawn, left = np.random.default_rng(3), data
+        with os.fdopen(into, "wb", buffering=0) as pipe:
+            while left:
+                size = int(drawn.integers(1, 300_000))
+                pipe.write(left[:size])
+                left = left[size:]
 
-    def read1(self, _size: int | None = -1, /) -> bytes:
-        return self.read(next(self.sizes))
+    writer = threading.Thread(target=write)
+    with os.fdopen(out, "rb") as source, monkeypatch.context() as patched:
+        patched.setattr(sys, "stdin", source)
+        writer.start()
+        yield
+        writer.join()
 
 
 @pytest.fixture(scope="module")
@@ -49,12 +59,6 @@ def mixed(pixels: tuple[Pixels, Pixels]) -> bytes:
     return np.stack(pixels, axis=1).astype(np.uint8).tobytes()
 
 
-def odd_sizes() -> Iterator[int]:
-    drawn = np.random.default_rng(3)
-    while True:
-        yield int(drawn.integers(1, 300_000))
-
-
 def said_by(
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
@@ -62,8 +66,8 @@ def said_by(
     *more: str,
     status: int = 0,
 ) -> tuple[list[dict[str, object]], str]:
-    monkeypatch.setattr(sys, "stdin", SimpleNamespace(buffer=Source(data, odd_sizes())))
-    assert main([*STREAM, *more]) == status
+    with standard_input(data, monkeypatch):
+        assert main([*STREAM, *more]) == status
     printed = capsys.readouterr()
     assert "Traceback" not in printed.err
     return [json.loads(line) for line in printed.out.splitlines()], printed.err

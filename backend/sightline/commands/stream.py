@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import json
+import os
+import select
 import signal
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import BinaryIO
 
 import click
 import numpy as np
@@ -22,7 +23,7 @@ from sightline.linescan.parts import Passage, Pixels
 from sightline.media.strips.reader import LEAST_ROWS, MOST_ROWS
 from sightline.media.strips.spool import Spool
 
-_READ_BYTES = 4 << 20
+_READ_BYTES = 1 << 20
 
 
 @click.command()
@@ -50,7 +51,7 @@ def stream(
     """
     rig = rig_of(baseline, line_rate, u_baseline, u_line_rate)
     finder = Finder(rows, rig)
-    lines = _Lines(sys.stdin.buffer, rows)
+    lines = _Lines(sys.stdin.fileno(), rows)
     found = 0
     with _Kept(spool, rows, line_rate) as kept, lines.until_told():
         for vehicle in measured(_passages(lines, finder, kept), rig, method):
@@ -63,12 +64,12 @@ def stream(
 
 
 class _Lines:
-    """The pairs of lines of a stream, as many at a time as have come."""
+    """The pairs of lines that come from an open file (a descriptor), as many at a time as have come."""
 
-    def __init__(self, source: BinaryIO, rows: int) -> None:
+    def __init__(self, source: int, rows: int) -> None:
         self.count, self.notes = 0, list[str]()
         self._source, self._rows = source, rows
-        self._waiting = self._over = False
+        self._told: int | None = None
 
     def pieces(self) -> Iterator[tuple[Pixels, Pixels]]:
         """Lines of both cameras, (n, rows) each, until the input ends or a signal says so."""
@@ -90,29 +91,23 @@ class _Lines:
     @contextmanager
     def until_told(self) -> Iterator[None]:
         """Ctrl+C and a service's stop end the input, never what is being measured."""
-        before = {one: signal.signal(one, self._end) for one in (signal.SIGINT, signal.SIGTERM)}
+        self._told, tell = os.pipe()
+        os.set_blocking(tell, False)
+        pipe_before = signal.set_wakeup_fd(tell)
+        before = {one: signal.signal(one, lambda *_: None) for one in (signal.SIGINT, signal.SIGTERM)}
         try:
             yield
         finally:
             for one, handler in before.items():
                 signal.signal(one, handler)
-
-    def _end(self, *_signal: object) -> None:
-        self._over = True
-        if self._waiting:
-            raise KeyboardInterrupt
+            signal.set_wakeup_fd(pipe_before)
+            os.close(tell)
+            os.close(self._told)
 
     def _next(self) -> bytes:
-        if self._over:
-            return b""
-        self._waiting = True
-        try:
-            # what has come already, without waiting for more
-            return self._source.read1(_READ_BYTES)  # type: ignore[attr-defined, no-any-return]
-        except KeyboardInterrupt:
-            return b""
-        finally:
-            self._waiting = False
+        assert self._told is not None  # within until_told
+        ready, _, _ = select.select([self._source, self._told], [], [])
+        return b"" if self._told in ready else os.read(self._source, _READ_BYTES)
 
 
 class _Kept:
