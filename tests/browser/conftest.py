@@ -127,3 +127,11 @@ def screenshots() -> Path:
     folder = ROOT / ".build" / "screenshots"
     folder.mkdir(parents=True, exist_ok=True)
     return folder
+
+
+def choose_plan(page: Page, survey_id: int, blind_one_in: int) -> None:
+    """How many of a survey's measurements are clicked blind from now on, as its administrator chooses it."""
+    address = f"/api/surveys/{survey_id}/review-plan"
+    now = page.request.get(address).json()
+    body = {"blind_one_in": blind_one_in, "version": now["version"]}
+    assert page.request.put(address, data=body, headers={"X-Sightline": "1"}).ok

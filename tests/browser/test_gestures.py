@@ -6,7 +6,7 @@ from typing import Any, Literal
 import pytest
 from playwright.sync_api import Locator, Page, Response, expect
 
-from .conftest import wait_for_demonstration
+from .conftest import choose_plan, wait_for_demonstration
 from .picture import on_screen
 from .server import Server
 from .vehicles import OwnVehicle, Pixel, click_at, own_vehicle, stored
@@ -141,7 +141,8 @@ def test_escape_in_a_drag_leaves_the_fix_where_it_was_in_review(page: Page) -> N
     survey = wait_for_demonstration(page)
     # somebody else's: nobody judges what is their own
     first = page.request.get(f"/api/surveys/{survey}/review-queue").json()[0]["measurement"]
-    page.goto(f"/surveys/{survey}/review?blind=0&measurement={first['id']}")
+    choose_plan(page, survey, 0)
+    page.goto(f"/surveys/{survey}/review?measurement={first['id']}")
     expect(page.locator(f"[data-measurement='{first['id']}']")).to_have_attribute("aria-current", "true")
     expect(page.locator(".frame-loading--on")).to_have_count(0)
     page.keyboard.press("e")

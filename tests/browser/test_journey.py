@@ -12,7 +12,7 @@ import pandas as pd
 import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, expect
 
-from .conftest import wait_for_demonstration
+from .conftest import choose_plan, wait_for_demonstration
 from .picture import on_screen
 from .server import Server
 from .vehicles import OwnVehicle, own_vehicle, recording_of, scene_truth, whole_passes
@@ -172,7 +172,8 @@ def test_calibrate_pose_measure_review_export(
 
     other = invited(page, browser, demonstration, "Rita Reviewer", "reviewer")
     review = other.new_page()
-    review.goto(f"/surveys/{survey_id}/review?blind=0")
+    choose_plan(page, survey_id, 0)
+    review.goto(f"/surveys/{survey_id}/review")
     accepted_before = review.request.get(f"/api/surveys/{survey_id}").json()["counts"]["accepted"]
     expect(review.get_by_test_id("review-accept")).to_be_visible()
     review.keyboard.press("a")

@@ -58,6 +58,7 @@ from sightline.recordings.store import (
 )
 from sightline.recordings.uploads.store import create_upload, finish_upload, remove_upload, strip_arrived
 from sightline.results.standards_store import choose_standards
+from sightline.reviews.plan_store import choose_review_plan
 from sightline.reviews.store import add_review
 from sightline.surveys.photographs.store import (
     change_photograph_caption,
@@ -175,6 +176,10 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
     "choose_standards": (
         lambda s, o: None,
         lambda s, o, _: choose_standards(s, o.survey.id, [], version=0, actor=o.olga.id),
+    ),
+    "choose_review_plan": (
+        lambda s, o: None,
+        lambda s, o, _: choose_review_plan(s, o.survey.id, blind_one_in=3, version=0, actor=o.olga.id),
     ),
     "add_photograph": (lambda s, o: None, lambda s, o, _: samples.photograph(s, o)),
     "change_photograph_caption": (
@@ -367,7 +372,7 @@ def test_a_write_leaves_one_event_in_its_transaction(name: str, factory: Session
         after = trail.head(session)
     assert after.count - before.count == 1
     # the write, the event and the anchor; standards are kept in the event itself
-    assert changes["n"] > (1 if name == "choose_standards" else 2)
+    assert changes["n"] > (1 if name in ("choose_standards", "choose_review_plan") else 2)
     with reading(factory) as session:
         assert trail.head(session) == after
         assert verify_records(session).ok

@@ -184,3 +184,49 @@ def test_points_are_mine_whoever_restored_them(
     ]
     assert operator.put(f"/measurements/{own['id']}", {**clicks(1.25), "revision": 3}).status_code == 200
     assert [item["mine"] for item in reviewer.seen(path)] == [False]
+
+
+def test_the_plan_of_the_survey_says_what_is_clicked_again_before_it_is_judged(
+    operator: Client, reviewer: Client, admin: Client, ground: Ground, vehicle_id: int
+) -> None:
+    made = measure(operator, vehicle_id)
+    address = f"/surveys/{ground.survey_id}/review-plan"
+    now = reviewer.seen(address)
+    assert reviewer.put(address, {**now, "blind_one_in": 1}).status_code == 403
+    assert admin.put(address, {**now, "blind_one_in": 1}).json()["blind_one_in"] == 1
+    assert admin.put(address, {**now, "blind_one_in": 2}).status_code == 409
+
+    def blind(client: Client) -> list[bool]:
+        queue = client.seen(f"/surveys/{ground.survey_id}/review-queue")
+        return [item["judged"]["blind"] for item in queue]
+
+    assert (blind(reviewer), blind(operator)) == ([True], [False])
+    refused = judge(reviewer, made, "accepted")
+    assert refused.status_code == 422 and "clicked again" in error_of(refused)
+    measure(reviewer, vehicle_id, repeat_of=made["id"], inset_m=None, u_inset_m=None)
+    assert (blind(reviewer), blind(admin)) == ([False], [True])
+    assert judge(reviewer, made, "accepted").status_code == 201
+    hidden = measure(operator, vehicle_id, target="taillight")
+    assert judge(reviewer, hidden, "rejected", reason="It is hidden.").status_code == 201
+
+
+def test_what_is_most_likely_wrong_comes_first_and_ones_own_last(
+    operator: Client, reviewer: Client, ground: Ground
+) -> None:
+    known = {"manufacturer_height_m": 1.2, "u_manufacturer_height_m": 0.01}
+    heights = (1.2, 1.2, 1.6, 1.2)
+    made = []
+    for n, height in enumerate(heights):
+        vehicle = add_vehicle(operator, ground.recording_id, last_frame=8 + n % 2, **known)
+        who = reviewer if n == 0 else operator
+        made.append(measure(who, vehicle["id"], **clicks(height)))
+    queue = reviewer.seen(f"/surveys/{ground.survey_id}/review-queue")
+    ids = [item["measurement"]["id"] for item in queue]
+    assert ids == [made[n]["id"] for n in (2, 1, 3, 0)]
+    first = queue[0]["judged"]
+    assert "far_from_maker" in first["signs"] and "new_operator" in first["signs"]
+    assert first["error_m"] == pytest.approx(0.4, abs=1e-6) and first["U95_error_m"] > 0.0
+    work = reviewer.seen(f"/surveys/{ground.survey_id}/review-work")
+    assert work == {"to_review": 3, "own": 1}
+    page = reviewer.seen(f"/surveys/{ground.survey_id}/review-queue?limit=2&after={ids[0]}")
+    assert [item["measurement"]["id"] for item in page] == ids[1:3]

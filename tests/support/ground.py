@@ -13,6 +13,7 @@ from sightline.geometry.documents import camera_to_dict, pose_to_dict
 from sightline.geometry.road_pose import BoardOnRoad, RoadPose
 from sightline.infra.services import Services
 from sightline.poses import store
+from sightline.reviews.plan_store import choose_review_plan
 from tests.support.app import FRAME_HEIGHT, FRAME_WIDTH, Client
 
 FOCAL_PX = 150.0
@@ -101,7 +102,9 @@ def add_pose(
 
 
 def lay_ground(services: Services, survey_id: int, recording_id: int) -> Ground:
-    """Store camera, calibration and pose, in force for the recording."""
+    """Store camera, calibration and pose, in force for the recording; nothing has to be clicked blind."""
+    with services.writing() as session:
+        choose_review_plan(session, survey_id, blind_one_in=0, version=0, actor=None)
     camera_id, calibration_id = store_calibration(services, survey_id, flat_camera())
     pose_id = add_pose(services, recording_id, calibration_id, flat_camera())
     return Ground(survey_id, recording_id, camera_id, calibration_id, pose_id)

@@ -162,6 +162,12 @@ command-reviewReject = Reject
 command-reviewFix = Fix
 command-reviewNext = Next measurement
 command-reviewPrevious = Previous measurement
+command-reviewReason1 = Reason 1 of a rejection
+command-reviewReason2 = Reason 2 of a rejection
+command-reviewReason3 = Reason 3 of a rejection
+command-reviewReason4 = Reason 4 of a rejection
+command-reviewReason5 = Reason 5 of a rejection
+command-reviewReason6 = Reason 6 of a rejection
 
 ## Keys, as keycaps show them
 
@@ -1224,7 +1230,7 @@ review-none = Measurements appear here as soon as an operator has clicked them.
 review-to-measure = Go to measuring
 review-other-point = Choose the other point
 review-other-frame = Another frame than the one that was clicked.
-review-fix-hint = Drag the points, or choose one with S and nudge it; Enter saves the fix, Esc leaves it.
+review-fix-hint = Drag the points, or choose one with { $key } and nudge it; Enter saves the fix, Esc leaves it.
 
 ## Review: the queue
 
@@ -1249,9 +1255,13 @@ review-verdict-kept = The verdict is kept here and will be stored when the conne
 
 ## Review: clicking again before the points are seen
 
-review-blind = Click blind
-review-blind-help = Which measurements you click again before you see them
-review-blind-plan = { $one_in ->
+review-plan = { $one_in ->
+    [0] The survey’s plan: none is clicked blind.
+    [1] The survey’s plan: each is clicked blind before it is shown.
+   *[other] The survey’s plan: 1 in { $one_in } is clicked blind before it is shown.
+}
+review-plan-choose = Clicked blind, for everybody who reviews this survey
+review-plan-choice = { $one_in ->
     [0] none blind
     [1] all blind
    *[other] 1 in { $one_in } blind
@@ -1260,8 +1270,8 @@ review-blind-click = click it again
 review-blind-title = Click it again first
 review-blind-contact = Click the tyre's contact, then the target. The points and the height are shown afterwards, beside yours.
 review-blind-target = Now the target. Esc takes the contact back.
-review-blind-why = Two clicks that do not know of each other tell how well people click. The queue's second list says how many measurements are clicked so.
-review-blind-show = Show without clicking
+review-blind-why = Two clicks that do not know of each other tell how well people click. The survey’s plan draws which; what cannot be clicked is rejected with its reason.
+blind-kept = Your second click is kept here and will be stored when the connection is back.
 review-again = Clicked again
 review-again-you = <strong>You</strong> clicked it again: <height>{ $height }</height>
 review-again-person = <strong>{ $person }</strong> clicked it again: <height>{ $height }</height>
@@ -1312,6 +1322,23 @@ review-reason-point = The target point is beside the feature.
 review-reason-frame = Another frame shows it better.
 review-reason-hidden = The feature is hidden.
 review-reason-wrong = The wrong vehicle or target.
+review-reason-side = The driver sits on the other side.
+review-step-verdict = verdict on { $target } of vehicle { $vehicle }
+review-error = Error against the maker’s height
+review-side = Driver’s side
+review-signs = Look closely
+review-sign = { $sign ->
+    [large_u] large uncertainty
+    [unusual] unusual height in this survey
+    [far_from_maker] far from the maker’s height
+   *[new_operator] operator with few measurements
+}
+review-own-waiting = { $count ->
+    [one] { $count } of your own waits for somebody else.
+   *[other] { $count } of your own wait for somebody else.
+}
+review-neighbours = A little earlier and later
+review-neighbour = Frame { $frame }
 
 ## Repeats: the page
 
@@ -1324,7 +1351,7 @@ repeats-not-compared = { $count ->
 repeats-click-mine = Click 10 of mine again
 repeats-click-anybodys = Click 10 of anybody’s again
 repeats-none-title = Nothing was clicked again yet
-repeats-none = Repeats come from two places: click a random ten again here, each without its points, or review with “1 in 5 blind”, where you click before you see. Ten repeats of your own give you a click sigma of your own; repeats of other people’s work tell how far people differ.
+repeats-none = Repeats come from two places: click a random ten again here, each without its points, or a survey’s review plan lets you click before you see. Ten repeats of your own give you a click sigma of your own; repeats of other people’s work tell how far people differ.
 repeats-no-result = Repeats stand in no list and change no result.
 repeats-to-review = Go to the review
 repeats-target = target
@@ -3132,6 +3159,9 @@ reviews-measurement-withdrawn-nothing-review = This measurement is withdrawn; th
 reviews-repeat-not-reviewed-review-measurement-repeats = A repeat is not reviewed; review the measurement that it repeats.
 reviews-rejection-needs-reason-say-what-wrong = A rejection needs a reason; say what is wrong so that it can be put right.
 reviews-fix-needs-new-points-only-fix = A fix needs the new points, and only a fix has them; click them and send them along.
+reviews-somebody-changed-plan-meanwhile = Somebody changed the plan meanwhile; load it again and redo yours.
+reviews-plan-one-in-between = One in how many is a number between 0 (none) and { $most }.
+reviews-click-it-again-before = The survey's plan wants this one clicked again before it is shown; click contact and target, then judge it.
 reviews-fix-changes-nothing-accept = This fix changes nothing; move a point, or accept the measurement.
 reviews-measurement-waits-review-already = This measurement waits for a review already.
 reviews-nobody-reviews-their-own-measurement-ask = Nobody reviews their own measurement; ask another reviewer.

@@ -10,7 +10,7 @@ from sightline.infra.web.bodies import FrameNumber, In, Point, Text
 from sightline.infra.web.quantities import Revision
 from sightline.measurements.bodies import MeasurementBody
 from sightline.measurements.records import VehicleInState
-from sightline.reviews.records import Review
+from sightline.reviews.records import Judged, Review
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,3 +42,9 @@ class QueueItemBody:
     mine: Annotated[
         bool, Field(description="Whether you made this revision: then somebody else has to review it.")
     ]
+    judged: Judged
+
+
+class PlanIn(In):
+    blind_one_in: Annotated[int, Field(ge=0, le=100)]
+    version: int = Field(description="Of the plan that it replaces.")

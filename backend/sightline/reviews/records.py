@@ -2,8 +2,12 @@
 
 from dataclasses import dataclass
 from datetime import datetime
+from typing import Annotated
+
+from pydantic import Field
 
 from sightline.enums import (
+    ReviewSign,
     ReviewVerdict,
 )
 from sightline.infra.audit.records import Who
@@ -33,9 +37,36 @@ class MeasurementHistory:
 
 
 @dataclass(frozen=True, slots=True)
+class ReviewPlan:
+    """Which measurements a reviewer clicks again before seeing them."""
+
+    blind_one_in: Annotated[int, Field(description="One in so many, 1: all, 0: none.")]
+    version: Annotated[int, Field(description="0: the usual plan; give it back with a change.")]
+
+
+@dataclass(frozen=True, slots=True)
+class ReviewWork:
+    """What waits for a verdict in a survey."""
+
+    to_review: Annotated[int, Field(description="By somebody else than the asker, who may judge them.")]
+    own: Annotated[int, Field(description="The asker's own, which somebody else has to review.")]
+
+
+@dataclass(frozen=True, slots=True)
+class Judged:
+    """What is told of a measurement beside itself, to judge it by."""
+
+    blind: Annotated[bool, Field(description="To be clicked again before it is shown: the survey's plan.")]
+    signs: Annotated[tuple[ReviewSign, ...], Field(description="Why it may be wrong.")]
+    error_m: Annotated[float | None, Field(description="Of a roof: less the maker's height.")] = None
+    U95_error_m: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class QueueItem:
     """A measurement waiting for a reviewer; `mine` when the asker made this revision."""
 
     measurement: Measurement
     vehicle: VehicleSheet
     mine: bool
+    judged: Judged

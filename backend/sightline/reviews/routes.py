@@ -7,10 +7,11 @@ from pydantic import Field
 
 from sightline.enums import QueueState
 from sightline.infra.by_name import filled_from
-from sightline.infra.web.deps import PathId, Reading, Reviewer, Viewer, Writing
+from sightline.infra.web.deps import Admin, PathId, Reading, Reviewer, Viewer, Writing
 from sightline.measurements.bodies import MeasurementBody, measurement_body
-from sightline.reviews import query, store
-from sightline.reviews.bodies import HistoryBody, NewReview, QueueItemBody
+from sightline.reviews import plan_store, query, store
+from sightline.reviews.bodies import HistoryBody, NewReview, PlanIn, QueueItemBody
+from sightline.reviews.records import ReviewPlan, ReviewWork
 from sightline.reviews.service import review
 from sightline.surveys.store import get_survey
 
@@ -29,7 +30,10 @@ def review_queue(
     measurement: Annotated[QueryId | None, Query(description="This one alone, if it is there.")] = None,
     limit: Annotated[int, Query(ge=1, le=1000)] = 200,
 ) -> list[QueueItemBody]:
-    """The survey's standing measurements by verdict, a page at a time; others have to review `mine`."""
+    """The survey's standing measurements by verdict, a page at a time, those most likely wrong first.
+
+    Others have to review `mine`, which come last.
+    """
     get_survey(session, survey_id)
     found = store.review_queue(
         session, survey_id, state=state, after=after, only=measurement, limit=limit, actor=who.id
@@ -37,6 +41,27 @@ def review_queue(
     return [
         filled_from(QueueItemBody, item, measurement=measurement_body(item.measurement)) for item in found
     ]
+
+
+@router.get("/surveys/{survey_id}/review-work")
+def review_work(survey_id: PathId, who: Viewer, session: Reading) -> ReviewWork:
+    """How much waits for a verdict, and how much of it is one's own."""
+    get_survey(session, survey_id)
+    return store.review_work(session, survey_id, actor=who.id)
+
+
+@router.get("/surveys/{survey_id}/review-plan")
+def review_plan(survey_id: PathId, who: Viewer, session: Reading) -> ReviewPlan:
+    """Which measurements are clicked again by their reviewer before they are shown."""
+    return plan_store.get_review_plan(session, survey_id)
+
+
+@router.put("/surveys/{survey_id}/review-plan")
+def choose_review_plan(survey_id: PathId, body: PlanIn, who: Admin, session: Writing) -> ReviewPlan:
+    """Put another plan in its place; the reviewers follow it."""
+    return plan_store.choose_review_plan(
+        session, survey_id, blind_one_in=body.blind_one_in, version=body.version, actor=who.id
+    )
 
 
 @router.post("/measurements/{measurement_id}/reviews", status_code=201)

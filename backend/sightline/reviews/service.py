@@ -8,7 +8,7 @@ from sightline.infra.database import Session
 from sightline.measurements.records import Measurement, MeasurementValues
 from sightline.measurements.service import clicked_again, values_at
 from sightline.measurements.store import require_measurement_revision
-from sightline.reviews.store import add_review
+from sightline.reviews.store import add_review, require_clicked_again
 
 
 def review(
@@ -28,9 +28,11 @@ def review(
 
     A fix keeps target, sigma and inset of that revision and takes the reviewer's points. Raises NotAllowed
     for one's own work, Conflict for a revision that is not current, BadInput for a rejection without a
-    reason, or a fix without points or that changes nothing.
+    reason, a fix without points or that changes nothing, and one that is to be clicked again first.
     """
     before = require_measurement_revision(session, series_id, revision)
+    if verdict in ("accepted", "fixed"):
+        require_clicked_again(session, before, actor)
     fixed = None
     if verdict == "fixed":
         fixed = _fixed(session, before, frame, contact, target_point, actor)

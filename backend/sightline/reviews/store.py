@@ -3,9 +3,10 @@
 from collections.abc import Sequence
 from typing import Any
 
-from sqlalchemy import ColumnElement, FromClause, and_, or_, select
+from sqlalchemy import select
 from sqlalchemy.orm import Session
 
+from sightline.coverage import COVERAGE_95
 from sightline.enums import QueueState, ReviewVerdict, Verdict
 from sightline.errors import BadInput, Conflict, NotAllowed
 from sightline.infra.audit import trail
@@ -15,12 +16,9 @@ from sightline.infra.database.types import now
 from sightline.measurements.query import (
     fetch_measurements,
     is_current,
-    is_first,
     measurement_revision_rows,
-    verdict,
-    waits,
 )
-from sightline.measurements.records import Measurement, MeasurementValues, ReviewState
+from sightline.measurements.records import Measurement, MeasurementValues, ReviewState, VehicleSheet
 from sightline.measurements.sheets.query import list_sheets_by_id
 from sightline.measurements.store import (
     append_measurement_revision,
@@ -30,9 +28,10 @@ from sightline.measurements.store import (
 )
 from sightline.measurements.tables import measurement_series, reviews
 from sightline.measurements.tables import measurements as revision_rows
+from sightline.reviews.order_query import Standing, standing_order
+from sightline.reviews.plan_store import get_review_plan, is_drawn
 from sightline.reviews.query import reviews_of_series
-from sightline.reviews.records import QueueItem, Review
-from sightline.vehicles.tables import vehicles as vehicle_rows
+from sightline.reviews.records import Judged, QueueItem, Review, ReviewWork
 
 
 def add_review(
@@ -92,60 +91,79 @@ def review_queue(
 ) -> tuple[QueueItem, ...]:
     """A survey's standing measurements by what was said of them; reopened ones are "to_review" again.
 
-    In the order of the vehicles' numbers; a page of at most `limit` starts `after` a measurement (also one
-    that left the queue meanwhile). `only`: that measurement alone, if it is in this state.
+    Those most likely wrong come first, one's own last; a page of at most `limit` starts `after` a measurement
+    (also one that left the queue meanwhile). `only`: that measurement alone, if it is in this state.
     """
-    query = (
-        measurement_revision_rows()
-        .join(vehicle_rows, vehicle_rows.c.id == measurement_series.c.vehicle_id)
-        .where(measurement_series.c.survey_id == survey_id, vehicle_rows.c.deleted_at.is_(None))
-        .where(is_current, ~revision_rows.c.withdrawn, is_first)
-    )
-    if state == "to_review":
-        query = query.where(waits)
-    elif state != "all":
-        query = query.where(verdict == state)
+    order = standing_order(session, survey_id, actor)
     if only is not None:
-        query = query.where(revision_rows.c.series_id == only)
-    if after is not None:
-        query = query.where(_later_than(session, after))
-    found = fetch_measurements(
-        session, query.order_by(vehicle_rows.c.number, revision_rows.c.series_id).limit(limit)
+        wanted = [only] if only in order else []
+    else:
+        wanted = list(order)
+        if after is not None:
+            if after not in order:
+                raise missing("measurement", after)
+            wanted = wanted[wanted.index(after) + 1 :]
+        if state != "all":
+            wanted = [one for one in wanted if order[one].verdict == state]
+    found = _standing(session, wanted[:limit], state)
+    sheets = list_sheets_by_id(session, {one.vehicle_id for one in found})
+    by_id = {vehicle.id: vehicle for vehicle in sheets}
+    drawn = _drawn(session, survey_id, found, actor)
+    return tuple(_item(one, by_id[one.vehicle_id], order[one.id], one.id in drawn) for one in found)
+
+
+def _item(one: Measurement, vehicle: VehicleSheet, place: Standing, drawn: bool) -> QueueItem:
+    error_m, u_m = place.error_m, place.u_error_m
+    judged = Judged(drawn and not place.mine, place.signs, error_m, u_m and COVERAGE_95 * u_m)
+    return QueueItem(one, vehicle, place.mine, judged)
+
+
+def _standing(session: Session, ids: Sequence[int], state: QueueState) -> tuple[Measurement, ...]:
+    """The current revisions of these, in their order; those in another state are left out."""
+    query = measurement_revision_rows().where(is_current, revision_rows.c.series_id.in_(ids))
+    by_id = {one.id: one for one in fetch_measurements(session, query)}
+    fits = (by_id[id_] for id_ in ids if id_ in by_id)
+    return tuple(one for one in fits if state == "all" or _plain(one.review.verdict) == state)
+
+
+def _plain(verdict: Verdict) -> Verdict:
+    return "to_review" if verdict == "reopened" else verdict
+
+
+def review_work(session: Session, survey_id: int, *, actor: int | None) -> ReviewWork:
+    """What waits for a verdict, by whose it is."""
+    waiting = [
+        one.mine for one in standing_order(session, survey_id, actor).values() if one.verdict == "to_review"
+    ]
+    return ReviewWork(waiting.count(False), waiting.count(True))
+
+
+def require_clicked_again(session: Session, one: Measurement, actor: int) -> None:
+    """Raises BadInput where the survey's plan wants it clicked again first, NotAllowed for one's own."""
+    _not_own(session, one, actor)
+    if _drawn(session, one.survey_id, [one], actor):
+        raise BadInput("reviews-click-it-again-before")
+
+
+def _drawn(session: Session, survey_id: int, found: Sequence[Measurement], actor: int | None) -> set[int]:
+    one_in = get_review_plan(session, survey_id).blind_one_in
+    waiting = {
+        one.id
+        for one in found
+        if _plain(one.review.verdict) == "to_review"
+        and one.values.status == "ok"
+        and one.repeat_of is None
+        and is_drawn(one.id, one_in)
+    }
+    if not waiting:
+        return waiting
+    clicked = (
+        select(measurement_series.c.repeat_of)
+        .join(revision_rows, revision_rows.c.series_id == measurement_series.c.id)
+        .where(measurement_series.c.repeat_of.in_(waiting), revision_rows.c.revision == 1)
+        .where(revision_rows.c.created_by == actor)
     )
-    chosen = list_sheets_by_id(session, (one.vehicle_id for one in found))
-    by_id = {vehicle.id: vehicle for vehicle in chosen}
-    mine = _of_own_points(session, found, actor)
-    return tuple(QueueItem(one, by_id[one.vehicle_id], one.id in mine) for one in found)
-
-
-def _later_than(session: Session, series_id: int) -> ColumnElement[bool]:
-    """What stands behind a measurement in the order of the queue. Raises NotFound."""
-    place = select(vehicle_rows.c.number).join(
-        measurement_series, measurement_series.c.vehicle_id == vehicle_rows.c.id
-    )
-    number = session.execute(place.where(measurement_series.c.id == series_id)).scalar_one_or_none()
-    if number is None:
-        raise missing("measurement", series_id)
-    same = and_(vehicle_rows.c.number == number, revision_rows.c.series_id > series_id)
-    return or_(vehicle_rows.c.number > number, same)
-
-
-def _of_own_points(session: Session, found: Sequence[Measurement], actor: int | None) -> set[int]:
-    """Those whose current revision, or the points that stand in it, are the actor's (see `_not_own`)."""
-    mine = revision_rows.alias("mine")
-    query = (
-        select(revision_rows.c.series_id)
-        .join(mine, mine.c.series_id == revision_rows.c.series_id)
-        .where(revision_rows.c.series_id.in_([one.id for one in found]), is_current)
-        .where(mine.c.created_by == actor)
-        .where(or_(mine.c.revision == revision_rows.c.revision, _same_points(mine)))
-    )
-    return set(session.execute(query).scalars())
-
-
-def _same_points(other: FromClause) -> ColumnElement[bool]:
-    names = ("frame", "contact_x_px", "contact_y_px", "target_x_px", "target_y_px")
-    return and_(*(other.c[name] == revision_rows.c[name] for name in names))
+    return waiting - set(session.execute(clicked).scalars())
 
 
 def list_for_survey(session: Session, survey_id: int) -> tuple[Review, ...]:

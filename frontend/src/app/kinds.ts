@@ -3,3 +3,4 @@ import "../screens/measure/kinds";
 import "../screens/scans/kinds";
 import "../screens/checks/kinds";
 import "../screens/review/kinds";
+import "../viewer/repeats";

@@ -38,6 +38,13 @@ afterEach(() => {
   document.body.innerHTML = "";
 });
 
+it("lets J and K only step: what joins or splits passes on one page is no step on another", () => {
+  const own = (Object.keys(ACTIONS) as ActionId[]).filter((id) =>
+    ACTIONS[id].keys.some((key) => key === "J" || key === "K"),
+  );
+  expect(own).toEqual(["reviewNext", "reviewPrevious"]);
+});
+
 describe("chords", () => {
   const mods = { ctrlKey: false, metaKey: false, altKey: false, shiftKey: false };
 

@@ -49,8 +49,8 @@ export const ACTIONS = {
   bestFrame: { scope: "measure", keys: ["B"] },
   passBegin: { scope: "measure", keys: ["["] },
   passEnd: { scope: "measure", keys: ["]"] },
-  passSplit: { scope: "measure", keys: ["K"] },
-  passJoin: { scope: "measure", keys: ["J"] },
+  passSplit: { scope: "measure", keys: ["Shift+K"] },
+  passJoin: { scope: "measure", keys: ["Shift+J"] },
   passDiscard: { scope: "measure", keys: ["Shift+Delete"] },
   confirmNext: { scope: "measure", keys: ["Ctrl+Enter"] },
   undo: { scope: "measure", keys: ["Ctrl+Z"] },
@@ -84,6 +84,12 @@ export const ACTIONS = {
   reviewFix: { scope: "review", keys: ["E"] },
   reviewNext: { scope: "review", keys: ["J"] },
   reviewPrevious: { scope: "review", keys: ["K"] },
+  reviewReason1: { scope: "review", keys: ["1"] },
+  reviewReason2: { scope: "review", keys: ["2"] },
+  reviewReason3: { scope: "review", keys: ["3"] },
+  reviewReason4: { scope: "review", keys: ["4"] },
+  reviewReason5: { scope: "review", keys: ["5"] },
+  reviewReason6: { scope: "review", keys: ["6"] },
 } as const satisfies Record<string, Action>;
 
 export type ActionId = keyof typeof ACTIONS;

@@ -77,6 +77,8 @@ export type VehicleFields = Pick<
 export type CatalogueRow = Schemas["CatalogueEntry"];
 export type History = Schemas["HistoryBody"];
 export type ReviewItem = Schemas["QueueItemBody"];
+export type ReviewPlan = Schemas["ReviewPlan"];
+export type ReviewWork = Schemas["ReviewWork"];
 
 export type Comparison = Schemas["ComparisonBody"];
 export type Repeats = Schemas["Findings"];

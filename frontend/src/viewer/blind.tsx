@@ -1,15 +1,16 @@
 /** Clicking again without seeing: contact, then target, on one frame; stored as a repeat of what was clicked first. */
 import { computed, signal } from "@preact/signals";
-import { api } from "../core/api";
 import { say } from "../core/messages";
+import { outbox } from "../core/outbox";
 import { newKey } from "../core/random";
 import { toast, toastProblem } from "../core/toasts";
 import type { Measurement, Target } from "../core/types";
 import { linesShown } from "./display";
 import type { Geometry } from "./geometry";
 import { AxesLayer, PointMark } from "./Overlay";
-import { type ImagePoint, pair } from "./points";
+import type { ImagePoint } from "./points";
 import type { Reel } from "./reel";
+import { type Repeat, repeatWish } from "./repeats";
 import type { FrameStage } from "./stage";
 import type { Tool } from "./tool";
 
@@ -22,12 +23,12 @@ export interface Wanted {
   readonly target: Target;
 }
 
-/** The sampling plan: every n-th measurement by a hash of its number, so that each reviewer gets the same ones. */
-export function isDrawn(measurementId: number, oneIn: number): boolean {
-  if (oneIn <= 0) return false;
-  let hash = Math.imul(measurementId, 0x9e3779b1);
-  hash = Math.imul(hash ^ (hash >>> 15), 0x85ebca6b);
-  return ((hash ^ (hash >>> 13)) >>> 0) % oneIn === 0;
+/** A second click as it was made; `made` is null while the server does not have it. */
+export interface Again {
+  readonly key: string;
+  readonly vehicleId: number;
+  readonly clicks: Repeat;
+  readonly made: Measurement | null;
 }
 
 export class BlindClicks implements Tool<ImagePoint> {
@@ -51,7 +52,9 @@ export class BlindClicks implements Tool<ImagePoint> {
     private readonly stage: FrameStage,
     private readonly reel: Reel,
     private readonly geometry: Geometry,
-    private readonly stored: (made: Measurement) => void,
+    /** What is wished in one lane goes out in its order: a verdict goes behind the click that it rests on. */
+    private readonly lane: string,
+    private readonly stored: (again: Again) => void,
   ) {}
 
   begin(wanted: Wanted | null): void {
@@ -106,15 +109,13 @@ export class BlindClicks implements Tool<ImagePoint> {
   private async store(wanted: Wanted, contact: ImagePoint, point: ImagePoint): Promise<void> {
     this.busy.value = true;
     try {
-      const { target, frame, measurement_id: repeat_of } = wanted;
-      const clicks = { target, frame, contact: pair(contact), target_point: pair(point), repeat_of };
-      const body = { client_key: newKey(), ...clicks };
-      const made = await api.write(
-        "POST /vehicles/{vehicle_id}/measurements",
-        { vehicle_id: wanted.vehicle_id },
-        { body, retry: true },
-      );
-      this.stored(made);
+      const { target, frame, measurement_id: repeat_of, vehicle_id: vehicleId } = wanted;
+      const clicks = { target, frame, contact, point, repeat_of };
+      const key = newKey();
+      const want = { clicks, withdrawn: false };
+      const stored = await outbox.store(repeatWish(key, this.lane, { vehicleId }, null, want));
+      if (!stored) toast(say("blind-kept"));
+      this.stored({ key, vehicleId, clicks, made: stored?.saved ?? null });
     } catch (error) {
       toastProblem(error);
     } finally {

@@ -1,7 +1,7 @@
 /** One picture and what is done on it: how it lies in its window, the pointer, the keyboard's cursor and the tools. */
 import { computed, type ReadonlySignal, type Signal, signal } from "@preact/signals";
 import { KeyboardCursor } from "./cursor";
-import { type ImagePoint, type ScreenPoint, screenDistance, screenPoint } from "./points";
+import { type ImagePoint, imagePoint, type ScreenPoint, screenDistance, screenPoint } from "./points";
 import type { Handle, Tool } from "./tool";
 import type { Size, View } from "./view";
 import { Viewport } from "./viewport";
@@ -146,6 +146,9 @@ export class PictureStage<P, V extends View<P, V>> {
   }
 }
 
+/** More than so many times the whole picture shows no surroundings any more. */
+const MOST_AIM = 4;
+
 const NOTHING: Size = { width: 1, height: 1 };
 
 /** The stage of a recording's frames. */
@@ -153,6 +156,7 @@ export class FrameStage extends PictureStage<ImagePoint, Viewport> {
   /** The box of the transport in which a frame's number is typed, while it is shown. */
   frameBox: HTMLInputElement | null = null;
   private known = false;
+  private aimed: readonly [ImagePoint, ImagePoint] | null = null;
 
   constructor(tools?: () => readonly Tool<ImagePoint>[]) {
     super(Viewport.fit({ width: 640, height: 480 }, NOTHING), tools);
@@ -164,5 +168,25 @@ export class FrameStage extends PictureStage<ImagePoint, Viewport> {
     if (this.known && now.image.width === image.width && now.image.height === image.height) return;
     this.known = true;
     this.view.value = Viewport.fit(image, now.screen);
+    if (this.aimed) this.aim(...this.aimed);
+  }
+
+  /** Shows the surroundings of two points, so that they lie a third of the window apart; at once, or as soon as there is a picture. */
+  aim(one: ImagePoint, other: ImagePoint): void {
+    this.aimed = [one, other];
+    const fitted = this.view.value.fit();
+    const { width, height } = fitted.screen;
+    const apart = screenDistance(fitted.toScreen(one), fitted.toScreen(other));
+    const factor = Math.min(MOST_AIM, height / 3 / Math.max(apart, 1));
+    const middle = imagePoint((one[0] + other[0]) / 2, (one[1] + other[1]) / 2);
+    const zoomed = factor > 1 ? fitted.zoom(fitted.toScreen(middle), factor) : fitted;
+    const [x, y] = zoomed.toScreen(middle);
+    this.view.value = factor > 1 ? zoomed.pan(width / 2 - x, height / 2 - y) : fitted;
+  }
+
+  /** The whole picture again, also when it comes later. */
+  whole(): void {
+    this.aimed = null;
+    this.fit();
   }
 }

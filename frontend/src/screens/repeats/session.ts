@@ -3,10 +3,12 @@ import { computed, signal } from "@preact/signals";
 import { api } from "../../core/api";
 import { History, type Ledger } from "../../core/history";
 import { say } from "../../core/messages";
+import { outbox } from "../../core/outbox";
 import type { Measurement, ToClickAgain } from "../../core/types";
-import { BlindClicks } from "../../viewer/blind";
+import { type Again, BlindClicks } from "../../viewer/blind";
 import { Geometry } from "../../viewer/geometry";
 import { Reel } from "../../viewer/reel";
+import { REPEAT, type RepeatWanted, repeatWish } from "../../viewer/repeats";
 import { FrameStage } from "../../viewer/stage";
 
 export class AgainSession {
@@ -17,28 +19,22 @@ export class AgainSession {
   readonly items = signal<readonly ToClickAgain[] | null>(null);
   readonly at = signal(0);
   readonly problem = signal<unknown>(null);
-  /** What was stored in this run, newest last; null where one was passed over. */
-  readonly done = signal<readonly (Measurement | null)[]>([]);
-  readonly blind: BlindClicks = new BlindClicks(this.stage, this.reel, this.geometry, (made) =>
-    this.next(made),
-  );
+  /** What was clicked in this run, newest last; null where one was passed over. */
+  readonly done = signal<readonly (Again | null)[]>([]);
+  readonly blind: BlindClicks;
   readonly current = computed(() => this.items.value?.[this.at.value] ?? null);
   readonly stored = computed(() => this.done.value.filter((one) => one !== null).length);
-  private readonly newest = new Map<number, Measurement>();
+  /** What the server has of them, by key. */
+  private readonly newest = new Map<string, Measurement>();
+  private readonly deaf: () => void;
 
   /** What stands at each place of the run: a repeat, null where one was passed over, undefined where none is yet. */
-  private readonly repeats: Ledger<number, Measurement | null | undefined> = {
+  private readonly repeats: Ledger<number, Again | null | undefined> = {
     read: (index) => this.done.value[index],
-    write: async (index, made) => {
+    write: async (index, again) => {
       const now = this.done.value[index];
-      if (now)
-        this.keep(
-          await api.write("DELETE /measurements/{measurement_id}", {
-            measurement_id: now.id,
-            revision: now.revision,
-          }),
-        );
-      const again = made && (await this.restore(made));
+      if (now) await this.turn(now, true);
+      if (again) await this.turn(again, false);
       this.done.value = this.done.value.slice(0, index);
       if (again !== undefined) this.done.value = [...this.done.value, again];
       this.show(this.done.value.length);
@@ -48,7 +44,14 @@ export class AgainSession {
   constructor(
     readonly surveyId: number,
     readonly onlyOwn: boolean,
-  ) {}
+  ) {
+    this.blind = new BlindClicks(this.stage, this.reel, this.geometry, this.lane, (again) =>
+      this.next(again),
+    );
+    this.deaf = outbox.listen<Measurement, RepeatWanted, unknown>(REPEAT, ({ key, saved }) => {
+      if (saved) this.newest.set(key, saved);
+    });
+  }
 
   async load(): Promise<void> {
     this.problem.value = null;
@@ -69,6 +72,7 @@ export class AgainSession {
   }
 
   close(): void {
+    this.deaf();
     this.reel.close();
   }
 
@@ -83,22 +87,20 @@ export class AgainSession {
     if (now) this.reel.show(now.recording_id, now.frame);
   }
 
-  private keep(changed: Measurement): Measurement {
-    this.newest.set(changed.id, changed);
-    return changed;
+  private get lane(): string {
+    return `repeats ${this.surveyId}`;
   }
 
-  private async restore({ id, revision }: Measurement): Promise<Measurement> {
-    const body = { revision: this.newest.get(id)?.revision ?? revision };
-    return this.keep(
-      await api.write("POST /measurements/{measurement_id}/restore", { measurement_id: id }, { body }),
-    );
+  /** Withdrawn or brought back: kept at once, sent in its turn. */
+  private async turn({ key, vehicleId, clicks, made }: Again, withdrawn: boolean): Promise<void> {
+    const saved = this.newest.get(key) ?? made;
+    await outbox.store(repeatWish(key, this.lane, { vehicleId }, saved, { clicks, withdrawn }));
   }
 
-  private next(made: Measurement | null): void {
-    this.history.run(say(made ? "again-undo-clicks" : "again-undo-skip"), (changes) => {
+  private next(again: Again | null): void {
+    this.history.run(say(again ? "again-undo-clicks" : "again-undo-skip"), (changes) => {
       changes.touch(this.repeats, this.at.value);
-      this.done.value = [...this.done.value, made];
+      this.done.value = [...this.done.value, again];
     });
     this.show(this.done.value.length);
   }

@@ -7,6 +7,7 @@ import type { Comparison, Measurement, ReviewItem } from "../../core/types";
 import { formatLength, formatSmall } from "../../core/units";
 import { TARGET_WORDS, vehicleName } from "../../core/words";
 import type { ReviewModel } from "./model";
+import { Reject, RejectButton } from "./Reject";
 
 /** What may be known of a measurement that is to be clicked again: vehicle, target and frame. */
 export function BlindPanel({ model, item }: { model: ReviewModel; item: ReviewItem }) {
@@ -24,13 +25,13 @@ export function BlindPanel({ model, item }: { model: ReviewModel; item: ReviewIt
         <p>{say(model.blind.contact.value ? "review-blind-target" : "review-blind-contact")}</p>
         <p class="small muted">{say("review-blind-why")}</p>
       </div>
-      <footer class="review__verdict">
-        <span data-testid="blind-show">
-          <Button busy={model.blind.busy.value} onClick={() => model.reveal(m.id)}>
-            {say("review-blind-show")}
-          </Button>
-        </span>
-      </footer>
+      {model.rejecting.value ? (
+        <Reject model={model} />
+      ) : (
+        <footer class="review__verdict">
+          <RejectButton model={model} />
+        </footer>
+      )}
     </aside>
   );
 }

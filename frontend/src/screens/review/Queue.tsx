@@ -23,6 +23,7 @@ const SHOWN_WORDS: Readonly<Record<Shown, string>> = wordsOf({
 export function Queue({ model }: { model: ReviewModel }) {
   const items = model.items.value ?? [];
   const counts = survey.value?.counts;
+  const work = model.work.value;
   const box = useRef<HTMLUListElement>(null);
   useSignalEffect(() => {
     const id = model.currentId.value;
@@ -34,10 +35,10 @@ export function Queue({ model }: { model: ReviewModel }) {
     <nav class="passes" aria-label={say("review-queue")}>
       <header class="passes__head">
         <h2>
-          {counts ? (
+          {work ? (
             <Said
               what="review-queue-title"
-              values={{ count: counts.to_review }}
+              values={{ count: work.to_review }}
               parts={{ muted: (text) => <span class="muted small">{text}</span> }}
             />
           ) : (
@@ -57,30 +58,16 @@ export function Queue({ model }: { model: ReviewModel }) {
               </option>
             ))}
           </select>
-          {may("reviewer") && (
-            <select
-              class="input"
-              aria-label={say("review-blind")}
-              title={say("review-blind-help")}
-              data-testid="blind-plan"
-              value={model.oneIn.value}
-              onChange={(event) => model.plan(Number(event.currentTarget.value))}
-            >
-              {plansWith(model.oneIn.value).map((oneIn) => (
-                <option key={oneIn} value={oneIn}>
-                  {say("review-blind-plan", { one_in: oneIn })}
-                </option>
-              ))}
-            </select>
-          )}
         </div>
+        <Plan model={model} />
         {counts && (
           <p class="small muted" data-testid="review-counts">
             {say("review-counts", {
               accepted: counts.accepted,
               rejected: counts.rejected,
               count: counts.measurements,
-            })}
+            })}{" "}
+            {work !== null && work.own > 0 && say("review-own-waiting", { count: work.own })}
           </p>
         )}
       </header>
@@ -97,6 +84,36 @@ export function Queue({ model }: { model: ReviewModel }) {
         )}
       </ul>
     </nav>
+  );
+}
+
+/** Who is clicked blind is the survey's plan: told to everybody, chosen by an administrator. */
+function Plan({ model }: { model: ReviewModel }) {
+  const plan = model.plan.value;
+  if (!plan) return null;
+  const oneIn = plan.blind_one_in;
+  if (!may("admin")) {
+    return (
+      <p class="small muted" data-testid="blind-plan">
+        {say("review-plan", { one_in: oneIn })}
+      </p>
+    );
+  }
+  return (
+    <select
+      class="input"
+      aria-label={say("review-plan-choose")}
+      title={say("review-plan-choose")}
+      data-testid="blind-plan"
+      value={oneIn}
+      onChange={(event) => void model.choosePlan(Number(event.currentTarget.value))}
+    >
+      {plansWith(oneIn).map((one) => (
+        <option key={one} value={one}>
+          {say("review-plan-choice", { one_in: one })}
+        </option>
+      ))}
+    </select>
   );
 }
 

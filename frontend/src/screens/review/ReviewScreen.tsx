@@ -2,7 +2,8 @@
 import { useEffect, useMemo } from "preact/hooks";
 import { Button, Empty, Loading, Problem } from "../../components";
 import { type ButtonCommand, CommandButton } from "../../components/CommandButton";
-import { useCommands } from "../../core/commands";
+import { historyCommands, useUndoTools } from "../../components/undoTools";
+import { type ActionId, useCommands } from "../../core/commands";
 import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { may } from "../../core/session";
@@ -13,6 +14,7 @@ import { Transport } from "../../viewer/Transport";
 import { ReviewModel, type Shown } from "./model";
 import { Queue } from "./Queue";
 import { ReviewFrame } from "./ReviewFrame";
+import { REASONS } from "./reasons";
 import { VerdictPanel } from "./VerdictPanel";
 import "../../parts/vehicles/vehicle.css";
 import "../../parts/vehicles/passes.css";
@@ -25,7 +27,9 @@ export default function ReviewScreen({ surveyId }: ScreenProps) {
     return () => model.close();
   }, [model]);
   const player = model.reel.player.value;
-  useCommands([...reviewCommands(model), ...frameCommands(model.stage, player)]);
+  const steps = useMemo(() => historyCommands(model.history, { back: () => model.stage.back() }), [model]);
+  useUndoTools(model.history, steps);
+  useCommands([steps.undo, steps.redo, ...reviewCommands(model), ...frameCommands(model.stage, player)]);
   if (model.problem.value) {
     return (
       <div class="page">
@@ -105,13 +109,16 @@ function reviewCommands(model: ReviewModel): ButtonCommand[] {
       run: () => void model.judge("accepted"),
       enabled: () => mayReview() && model.fix.value === null,
     },
-    {
-      id: "reviewReject",
-      run: () => {
-        if (model.mayJudge) model.rejecting.value = true;
-      },
-      enabled: mayReview,
-    },
+    { id: "reviewReject", run: () => model.startReject(), enabled: mayReview },
+    ...REASONS.map(
+      (reason, i): ButtonCommand => ({
+        id: `reviewReason${i + 1}` as ActionId,
+        run: () => {
+          model.reason.value = say(reason);
+        },
+        enabled: () => model.rejecting.value,
+      }),
+    ),
     { id: "reviewFix", run: () => model.startFix(), enabled: mayReview },
     { id: "selectNext", label: say("review-other-point"), run: () => model.fixing.selectNext() },
   ];

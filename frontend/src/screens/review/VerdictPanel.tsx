@@ -1,26 +1,20 @@
 /** What is known of the reviewed measurement, and the verdict: accept, fix, reject with a reason. */
-import { useEffect, useRef, useState } from "preact/hooks";
 import { Button, Icon, Notice, StateMark } from "../../components";
-import { commandName, hint } from "../../core/commands";
+import { type ActionId, commandName, hint, keyMap, showChord } from "../../core/commands";
 import { allOf, say } from "../../core/messages";
 import { may } from "../../core/session";
+import { survey } from "../../core/survey";
 import { formatFrameTime, formatMoment } from "../../core/times";
 import type { Measurement, Px, Recording, ReviewItem, Target } from "../../core/types";
 import { formatHeight, formatLength, inUnits } from "../../core/units";
 import { LIGHTING_NOUNS, STATE_WORDS, TARGET_NOUNS, TARGET_WORDS, vehicleName } from "../../core/words";
+import { Budget } from "../../parts/vehicles/Budget";
 import { Revisions } from "../../parts/vehicles/Revisions";
 import { cropUrl } from "../../viewer/frames";
 import { clamp } from "../../viewer/view";
 import { BlindPanel, Comparisons } from "./Comparisons";
 import type { ReviewModel } from "./model";
-
-const REASONS = [
-  "review-reason-contact",
-  "review-reason-point",
-  "review-reason-frame",
-  "review-reason-hidden",
-  "review-reason-wrong",
-] as const;
+import { Reject, RejectButton } from "./Reject";
 
 export function VerdictPanel({ model, item }: { model: ReviewModel; item: ReviewItem }) {
   const m = item.measurement;
@@ -44,9 +38,12 @@ export function VerdictPanel({ model, item }: { model: ReviewModel; item: Review
             <Icon name="info" size={14} /> {inUnits(flag)}
           </p>
         ))}
+        <Signs item={item} />
         <Comparisons model={model} />
         <Crops m={m} recording={model.reel.player.value?.recording.value ?? null} />
+        <Neighbours m={m} recording={model.reel.player.value?.recording.value ?? null} model={model} />
         <Facts item={item} />
+        {m.budget.length > 0 && <Budget entries={m.budget} total_m={m.u_height_m} />}
         <Revisions id={m.id} revision={m.revision} />
       </div>
       <Verdict model={model} item={item} />
@@ -104,7 +101,8 @@ function Crop({ m, at, point, size }: CropProps) {
 }
 
 function Facts({ item }: { item: ReviewItem }) {
-  const { measurement: m, vehicle } = item;
+  const { measurement: m, vehicle, judged } = item;
+  const side = m.target === "driver_eye" ? sideWords(m) : null;
   const name = [vehicle.make, vehicle.model, vehicle.year].filter(Boolean).join(" ");
   return (
     <dl class="facts small">
@@ -114,6 +112,18 @@ function Facts({ item }: { item: ReviewItem }) {
         <>
           <dt>{say("review-manufacturer-height")}</dt>
           <dd>{formatLength(vehicle.manufacturer_height_m)}</dd>
+        </>
+      )}
+      {judged.error_m !== null && (
+        <>
+          <dt>{say("review-error")}</dt>
+          <dd>{formatHeight(judged.error_m, judged.U95_error_m)}</dd>
+        </>
+      )}
+      {side && (
+        <>
+          <dt>{say("review-side")}</dt>
+          <dd>{side}</dd>
         </>
       )}
       {vehicle.lighting && (
@@ -148,6 +158,78 @@ function Facts({ item }: { item: ReviewItem }) {
       </dd>
     </dl>
   );
+}
+
+/** Near or far, in the survey's words; null where the inset is neither. */
+function sideWords(m: Measurement): string | null {
+  const choices = survey.value?.inset_choices?.[m.target] ?? [];
+  return choices.find((one) => one.inset_m === m.inset_m && one.u_inset_m === m.u_inset_m)?.words ?? null;
+}
+
+/** Why it may be wrong, as the server sees it beside the others of its survey. */
+function Signs({ item }: { item: ReviewItem }) {
+  const { signs } = item.judged;
+  if (signs.length === 0) return null;
+  return (
+    <p class="small row" data-testid="review-signs">
+      <Icon name="warning" size={14} />
+      <span class="grow">
+        <strong>{say("review-signs")}:</strong> {allOf(signs.map((sign) => say("review-sign", { sign })))}
+      </span>
+    </p>
+  );
+}
+
+const NEAR_FRAMES = [-4, 4] as const;
+const PIECE_PX = 256;
+
+/** The same piece of the picture a little before and after: what moves with the vehicle is the vehicle. */
+function Neighbours({
+  m,
+  recording,
+  model,
+}: {
+  m: Measurement;
+  recording: Recording | null;
+  model: ReviewModel;
+}) {
+  const [width, height] = [recording?.width_px ?? 0, recording?.height_px ?? 0];
+  const last = (recording?.frame_count ?? 0) - 1;
+  if (width === 0) return null;
+  const [w, h] = [Math.min(PIECE_PX, width), Math.min(PIECE_PX, height)];
+  const x = clamp(Math.round((m.contact[0] + m.target_point[0] - w) / 2), 0, width - w);
+  const y = clamp(Math.round((m.contact[1] + m.target_point[1] - h) / 2), 0, height - h);
+  return (
+    <section aria-label={say("review-neighbours")}>
+      <h3 class="small">{say("review-neighbours")}</h3>
+      <div class="review__crops">
+        {NEAR_FRAMES.map((by) => m.frame + by)
+          .filter((frame) => frame >= 0 && frame <= last)
+          .map((frame) => (
+            <button
+              key={frame}
+              type="button"
+              class="review__neighbour"
+              onClick={() => model.reel.show(m.recording_id, frame)}
+            >
+              <img
+                src={cropUrl(m.recording_id, frame, { x, y, w, h })}
+                width={w}
+                height={h}
+                loading="lazy"
+                alt=""
+              />
+              <span class="small">{say("review-neighbour", { frame: String(frame) })}</span>
+            </button>
+          ))}
+      </div>
+    </section>
+  );
+}
+
+function Key({ of }: { of: ActionId }) {
+  const key = keyMap.value[of][0];
+  return key ? <kbd>{showChord(key)}</kbd> : null;
 }
 
 function Verdict({ model, item }: { model: ReviewModel; item: ReviewItem }) {
@@ -198,7 +280,7 @@ function Verdict({ model, item }: { model: ReviewModel; item: ReviewItem }) {
             title={commandName("reviewAccept") + hint("reviewAccept")}
             onClick={() => void model.judge("accepted")}
           >
-            {commandName("reviewAccept")} <kbd>A</kbd>
+            {commandName("reviewAccept")} <Key of="reviewAccept" />
           </Button>
         </span>
         <span data-testid="review-fix">
@@ -207,21 +289,10 @@ function Verdict({ model, item }: { model: ReviewModel; item: ReviewItem }) {
             title={commandName("reviewFix") + hint("reviewFix")}
             onClick={() => model.startFix()}
           >
-            {commandName("reviewFix")} <kbd>E</kbd>
+            {commandName("reviewFix")} <Key of="reviewFix" />
           </Button>
         </span>
-        <span data-testid="review-reject">
-          <Button
-            icon="close"
-            disabled={!model.mayJudge}
-            title={commandName("reviewReject") + hint("reviewReject")}
-            onClick={() => {
-              model.rejecting.value = true;
-            }}
-          >
-            {commandName("reviewReject")} <kbd>X</kbd>
-          </Button>
-        </span>
+        <RejectButton model={model} />
       </div>
       {own && own.repeat.frame === item.measurement.frame && (
         <Button small disabled={!model.mayJudge} onClick={() => model.startFix(own.repeat)}>
@@ -233,53 +304,6 @@ function Verdict({ model, item }: { model: ReviewModel; item: ReviewItem }) {
           {say("review-reopen")}
         </Button>
       )}
-    </footer>
-  );
-}
-
-/** A rejection needs a reason that the operator can act on. */
-function Reject({ model }: { model: ReviewModel }) {
-  const [reason, setReason] = useState("");
-  const box = useRef<HTMLTextAreaElement>(null);
-  useEffect(() => box.current?.focus(), []);
-  const send = (): void => {
-    if (reason.trim()) void model.judge("rejected", reason.trim());
-  };
-  return (
-    <footer class="review__verdict" data-testid="review-reasons">
-      <h3>{say("review-reject-why")}</h3>
-      <div class="review__reasons">
-        {REASONS.map((key) => say(key)).map((one) => (
-          <Button key={one} small pressed={reason === one} onClick={() => setReason(one)}>
-            {one}
-          </Button>
-        ))}
-      </div>
-      <label class="field">
-        <span class="field__label">{say("review-reject-words")}</span>
-        <textarea
-          class="input"
-          rows={2}
-          value={reason}
-          ref={box}
-          onInput={(event) => setReason(event.currentTarget.value)}
-          onKeyDown={(event) => {
-            if (event.key === "Escape") model.cancel();
-            if (event.key === "Enter" && !event.shiftKey) {
-              event.preventDefault();
-              send();
-            }
-          }}
-        />
-      </label>
-      <div class="row">
-        <span class="grow" data-testid="review-send-rejection">
-          <Button kind="primary" busy={model.busy.value} disabled={!reason.trim()} onClick={send}>
-            {commandName("reviewReject")}
-          </Button>
-        </span>
-        <Button onClick={() => model.cancel()}>{say("action-cancel")}</Button>
-      </div>
     </footer>
   );
 }

@@ -1,5 +1,6 @@
 /** The points of a measurement moved by its reviewer: dragged, or chosen and nudged; Enter saves them, Esc leaves them. */
 import { computed, signal } from "@preact/signals";
+import { keyMap, showChord } from "../../core/commands";
 import { say } from "../../core/messages";
 import { toast } from "../../core/toasts";
 import type { ImagePoint } from "../../viewer/points";
@@ -25,7 +26,7 @@ export interface FixHost {
 
 export class FixTool implements Tool<ImagePoint> {
   readonly fix = signal<Fix | null>(null);
-  readonly hint = computed(() => (this.fix.value ? say("review-fix-hint") : null));
+  readonly hint = computed(() => (this.fix.value ? fixHint() : null));
   readonly handles = computed<readonly Handle<ImagePoint>[]>(() => {
     const fix = this.fix.value;
     if (!fix) return [];
@@ -101,4 +102,9 @@ export class FixTool implements Tool<ImagePoint> {
     this.fix.value = fix;
     this.host.moved(fix);
   }
+}
+
+/** The key is the one that the map has now. */
+function fixHint(): string {
+  return say("review-fix-hint", { key: showChord(keyMap.value.selectNext[0] ?? "Tab") });
 }

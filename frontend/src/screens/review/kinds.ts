@@ -41,6 +41,8 @@ const verdictKind: Kind<Measurement, GivenVerdict, VerdictAbout> = {
     api.ask("GET /measurements/{measurement_id}", { measurement_id: id }, { signal }),
   done({ about, saved, want }) {
     const review = saved?.review;
+    // what waits needs no reopening: a verdict that was taken back before it was sent
+    if (want.verdict === "reopened" && review?.verdict === "to_review") return true;
     if (review?.verdict !== want.verdict || review.reviewer?.id !== about.by) return false;
     return (
       (review.reason ?? null) === want.reason && (!want.points || fits(saved as Measurement, want.points))

@@ -10,7 +10,11 @@ import { ReviewModel } from "./model";
 let server: FakeServer;
 let model: ReviewModel;
 let judged: unknown[];
+let items: ReviewItem[];
 const quiet = () => vi.advanceTimersByTimeAsync(20);
+
+/** The survey's plan wants all of them clicked again first. */
+let blind = false;
 
 function item(id: number): ReviewItem {
   const measurement = server.save(id, {
@@ -22,11 +26,14 @@ function item(id: number): ReviewItem {
     withdrawn: false,
     pose_id: 1,
   });
-  return { measurement, mine: false, vehicle: { number: 3 } } as unknown as ReviewItem;
+  const judged = { blind, signs: [], error_m: null, U95_error_m: null };
+  return { measurement, mine: false, vehicle: { number: 3 }, judged } as unknown as ReviewItem;
 }
 
-async function open(blind: number, more = ""): Promise<void> {
-  history.replaceState(null, "", `/surveys/5/review?blind=${blind}${more}`);
+async function open(all: 0 | 1, more = ""): Promise<void> {
+  blind = all === 1;
+  items = [item(1), item(2)];
+  history.replaceState(null, "", `/surveys/5/review?${more}`);
   model = new ReviewModel(5);
   await model.load();
   await quiet();
@@ -38,12 +45,13 @@ beforeEach(() => {
   judged = [];
   toasts.value = [];
   server = new FakeServer("reviewer");
-  const items = [item(1), item(2)];
   server.on("GET", /\/review-queue/, () => items);
+  server.on("GET", /\/review-plan$/, () => ({ blind_one_in: blind ? 1 : 0, version: 0 }));
+  server.on("GET", /\/review-work$/, () => ({ to_review: 2, own: 0 }));
   server.on("GET", /\/recordings$/, () => [recording()]);
   server.on("POST", /^\/measurements\/(\d+)\/reviews$/, (match, body) => {
     judged.push(body);
-    const review = { verdict: body["verdict"], reason: null, reviewer: { id: 1, name: "R" }, at: null };
+    const review = { verdict: body["verdict"], reason: body["reason"] ?? null, reviewer: { id: 1, name: "R" }, at: null };
     return server.save(Number(match[1]), { ...server.stored.get(Number(match[1])), review });
   });
 });
@@ -166,6 +174,94 @@ describe("the review queue", () => {
     expect(model.stage.cancel()).toBe(true);
     expect(model.fix.value).toBeNull();
     expect(judged).toEqual([]);
+  });
+
+  it("takes a verdict back where it was given, and gives it again", async () => {
+    await open(0);
+    await model.judge("rejected", "It is hidden.");
+    await quiet();
+    expect(model.currentId.value).toBe(2);
+    expect(await model.history.undo()).toBe("verdict on roof of vehicle 03");
+    expect(model.currentId.value).toBe(1);
+    expect(judged).toMatchObject([{ verdict: "rejected" }, { verdict: "reopened", seen: "rejected" }]);
+    model.go(1);
+    await model.history.redo();
+    await quiet();
+    expect(judged.at(-1)).toMatchObject({ verdict: "rejected", reason: "It is hidden." });
+    expect(model.currentId.value).toBe(1);
+  });
+
+  it("leaves no step and nothing to send where a verdict was refused", async () => {
+    await open(0);
+    server.on("POST", /\/reviews$/, () => {
+      throw 422;
+    });
+    await model.judge("accepted");
+    await quiet();
+    expect(model.history.undoLabel.value).toBeNull();
+    expect(outbox.wishes.value.size).toBe(0);
+  });
+
+  it("goes back with K to what was just judged, which stays in the list", async () => {
+    await open(0);
+    await model.judge("accepted");
+    await quiet();
+    model.go(-1);
+    expect(model.current.value?.measurement).toMatchObject({ id: 1, review: { verdict: "accepted" } });
+    await model.judge("reopened");
+    await quiet();
+    expect(judged.at(-1)).toMatchObject({ verdict: "reopened", seen: "accepted" });
+    expect(model.currentId.value).toBe(1);
+  });
+
+  it("stays with what was opened while a verdict was on its way", async () => {
+    items = [];
+    await open(0);
+    items.push(item(3));
+    await model.load();
+    const under = model.judge("accepted");
+    model.go(1);
+    model.go(1);
+    const opened = model.currentId.value;
+    await under;
+    await quiet();
+    expect(model.currentId.value).toBe(opened);
+  });
+
+  it("rejects with a digit and Enter, and never types the digit", async () => {
+    await open(0);
+    model.startReject();
+    expect(model.stage.confirm()).toBe(false);
+    model.reason.value = "The feature is hidden.";
+    expect(model.stage.confirm()).toBe(true);
+    await quiet();
+    expect(judged).toMatchObject([{ verdict: "rejected", reason: "The feature is hidden." }]);
+    expect(model.rejecting.value).toBe(false);
+  });
+
+  it("lets what cannot be clicked blind be rejected, and nothing else", async () => {
+    await open(1);
+    await model.judge("accepted");
+    expect(judged).toEqual([]);
+    model.startReject();
+    await model.judge("rejected", "The feature is hidden.");
+    await quiet();
+    expect(judged).toMatchObject([{ verdict: "rejected" }]);
+  });
+
+  it("keeps a second click without a connection, shows the points, and sends the verdict behind it", async () => {
+    await open(1);
+    server.down = true;
+    model.stage.place(imagePoint(99, 401));
+    model.stage.place(imagePoint(100, 251));
+    await quiet();
+    expect(model.hidden.value).toBe(false);
+    void model.judge("accepted");
+    await quiet();
+    server.down = false;
+    tryAgainNow();
+    await vi.advanceTimersByTimeAsync(100);
+    expect(server.writes).toEqual(["POST /vehicles/7/measurements", "POST /measurements/1/reviews"]);
   });
 
   it("hides the points until they are clicked again, and stores that as a repeat", async () => {

@@ -2,18 +2,19 @@
 import { batch, computed, effect, type ReadonlySignal, signal } from "@preact/signals";
 import { asked, setQuery } from "../../core/address";
 import { api } from "../../core/api";
+import { History, type Ledger } from "../../core/history";
 import { say } from "../../core/messages";
 import { outbox, type Wanted } from "../../core/outbox";
 import { may, me } from "../../core/session";
-import { stored } from "../../core/stored";
 import { refreshSurvey } from "../../core/survey";
 import { toast, toastProblem } from "../../core/toasts";
-import type { Comparison, Measurement, ReviewItem, Verdict } from "../../core/types";
+import type { Comparison, Measurement, ReviewItem, ReviewPlan, ReviewWork, Verdict } from "../../core/types";
 import { STATE_WORDS, TARGET_WORDS, vehicleName } from "../../core/words";
-import { BlindClicks, isDrawn } from "../../viewer/blind";
+import { type Again, BlindClicks } from "../../viewer/blind";
 import { Geometry } from "../../viewer/geometry";
 import { fromServer, type ImagePoint, pair, samePoint } from "../../viewer/points";
 import { Reel } from "../../viewer/reel";
+import { repeatWish } from "../../viewer/repeats";
 import { FrameStage } from "../../viewer/stage";
 import { valuesOf } from "../../viewer/values";
 import { type Fix, FixTool } from "./fix";
@@ -23,15 +24,15 @@ import { type GivenVerdict, VERDICT, type VerdictAbout } from "./kinds";
 export type Shown = Exclude<Verdict, "reopened"> | "all";
 
 const PAGE = 200;
-const ONE_IN = 5;
-
-/** How many measurements are clicked blind before their points are shown: one in n, all (1) or none (0). */
-const plans = stored<Record<string, number>>("review.blind", {}, (v) => typeof v === "object" && v !== null);
 
 export class ReviewModel {
   readonly reel = new Reel();
   readonly stage: FrameStage = new FrameStage(() =>
-    this.hidden.value ? [this.stage.keyboard, this.blind] : [this.fixing, this.verdicts],
+    this.rejecting.value
+      ? [this.verdicts]
+      : this.hidden.value
+        ? [this.stage.keyboard, this.blind]
+        : [this.fixing, this.verdicts],
   );
   readonly geometry = new Geometry();
   readonly shown = signal<Shown>("to_review");
@@ -45,17 +46,32 @@ export class ReviewModel {
   });
   readonly fix: ReadonlySignal<Fix | null> = this.fixing.fix;
   readonly rejecting = signal(false);
+  /** Why it is rejected, chosen or in one's own words. */
+  readonly reason = signal("");
+  /** Verdicts can be taken back, each where it was given; a fix cannot: its points are a revision, and one's own. */
+  readonly history: History = new History(() => {
+    const item = this.current.peek();
+    return () => {
+      if (item && this.currentId.value !== item.measurement.id)
+        this.open(this.itemOf(item.measurement.id) ?? item);
+    };
+  });
+  /** Which measurements are clicked blind: the survey's, not the reviewer's choice. */
+  readonly plan = signal<ReviewPlan | null>(null);
+  readonly work = signal<ReviewWork | null>(null);
   readonly busy = signal(false);
   /** True while the server has more of the queue than was read. */
   readonly more = signal(false);
-  readonly oneIn: ReadonlySignal<number>;
   /** The repeats of what is shown, each with its difference; null until they are here. */
   readonly comparisons = signal<readonly Comparison[] | null>(null);
-  readonly blind: BlindClicks = new BlindClicks(this.stage, this.reel, this.geometry, (made) =>
-    this.clickedAgain(made),
-  );
-  /** Esc leaves a rejection that was begun. */
+  readonly blind: BlindClicks;
+  /** Esc leaves a rejection that was begun, Enter gives it once it has a reason. */
   private readonly verdicts = {
+    confirm: (): boolean => {
+      const ready = this.rejecting.value && this.reason.value.trim() !== "";
+      if (ready) void this.judge("rejected", this.reason.value.trim());
+      return ready;
+    },
     cancel: (): boolean => {
       const begun = this.rejecting.value;
       this.cancel();
@@ -100,9 +116,9 @@ export class ReviewModel {
   private readonly stops: (() => void)[] = [];
 
   constructor(readonly surveyId: number) {
-    const asked = new URLSearchParams(location.search).get("blind");
-    if (asked !== null && /^\d{1,3}$/.test(asked)) this.plan(Number(asked));
-    this.oneIn = computed(() => plans.value[String(surveyId)] ?? ONE_IN);
+    this.blind = new BlindClicks(this.stage, this.reel, this.geometry, this.lane, (again) =>
+      this.clickedAgain(again),
+    );
     this.stops.push(effect(() => this.followAxes()));
   }
 
@@ -116,6 +132,7 @@ export class ReviewModel {
         this.reel.recordings.value.length > 0
           ? this.reel.recordings.value
           : api.ask("GET /surveys/{survey_id}/recordings", { survey_id: this.surveyId }),
+        this.readPlan(),
       ]);
       this.reel.recordings.value = recordings;
       // what the address names comes first if it is not in the first page of a long queue
@@ -153,25 +170,49 @@ export class ReviewModel {
     }
   }
 
-  /** Which measurements this person clicks blind from now on in this survey. */
-  plan(oneIn: number): void {
-    plans.value = { ...plans.value, [String(this.surveyId)]: oneIn };
-    setQuery({ blind: oneIn });
-    const item = this.current?.value;
-    if (item) this.open(item);
-  }
-
   isHidden(item: ReviewItem): boolean {
-    const m = item.measurement;
-    const waits = m.review.verdict === "to_review" || m.review.verdict === "reopened";
-    if (!waits || item.mine || m.status !== "ok" || !may("reviewer")) return false;
-    return isDrawn(m.id, this.oneIn.value) && !this.revealed.value.has(m.id);
+    if (!item.judged.blind || !may("reviewer") || this.revealed.value.has(item.measurement.id)) return false;
+    return isWaiting(item.measurement);
   }
 
-  /** The points and the height are shown, clicked again or not. */
-  reveal(id: number): void {
+  /** An administrator's choice, for everybody who reviews this survey. */
+  async choosePlan(blind_one_in: number): Promise<void> {
+    const version = this.plan.value?.version ?? 0;
+    try {
+      this.plan.value = await api.write(
+        "PUT /surveys/{survey_id}/review-plan",
+        { survey_id: this.surveyId },
+        { body: { blind_one_in, version } },
+      );
+      await this.load();
+    } catch (error) {
+      toastProblem(error);
+      await this.readPlan();
+    }
+  }
+
+  private async readPlan(): Promise<void> {
+    const survey_id = this.surveyId;
+    [this.plan.value, this.work.value] = await Promise.all([
+      api.ask("GET /surveys/{survey_id}/review-plan", { survey_id }),
+      api.ask("GET /surveys/{survey_id}/review-work", { survey_id }),
+    ]);
+  }
+
+  private async readWork(): Promise<void> {
+    try {
+      this.work.value = await api.ask("GET /surveys/{survey_id}/review-work", { survey_id: this.surveyId });
+    } catch {
+      // it is read again after the next verdict
+    }
+  }
+
+  /** The points and the height are shown: it was clicked again. */
+  private reveal(id: number): void {
     if (this.blind.wanted.value?.measurement_id === id) this.blind.begin(null);
     this.revealed.value = new Set(this.revealed.value).add(id);
+    const item = this.itemOf(id);
+    if (item && this.currentId.value === id) this.aimAt(item.measurement);
   }
 
   async show(shown: Shown): Promise<void> {
@@ -190,6 +231,8 @@ export class ReviewModel {
       this.comparisons.value = null;
       this.geometry.forgetHeight();
       this.showFrame(m);
+      if (this.isHidden(item)) this.stage.whole();
+      else this.aimAt(m);
       this.blind.begin(this.isHidden(item) ? { ...m, measurement_id: m.id } : null);
     });
     setQuery({ measurement: m.id });
@@ -199,6 +242,15 @@ export class ReviewModel {
   /** Back to the frame on which the points were clicked. */
   showFrame(m: Measurement): void {
     this.reel.show(m.recording_id, m.frame);
+  }
+
+  /** What is to be judged, large enough to be judged. */
+  private aimAt(m: Measurement): void {
+    this.stage.aim(fromServer(m.contact), fromServer(m.target_point));
+  }
+
+  private itemOf(id: number): ReviewItem | undefined {
+    return this.items.value?.find((item) => item.measurement.id === id);
   }
 
   go(step: 1 | -1): void {
@@ -212,23 +264,42 @@ export class ReviewModel {
 
   /** True if this person may give a verdict on what is shown. */
   get mayJudge(): boolean {
-    return this.current.value !== null && !this.current.value.mine && !this.hidden.value && !this.busy.value;
+    return this.mayReject && !this.hidden.value;
+  }
+
+  /** What cannot be clicked again can still be rejected. */
+  get mayReject(): boolean {
+    return this.current.value !== null && !this.current.value.mine && !this.busy.value;
+  }
+
+  startReject(): void {
+    if (!this.mayReject) return;
+    this.fixing.leave();
+    this.reason.value = "";
+    this.rejecting.value = true;
   }
 
   async judge(verdict: "accepted" | "rejected" | "fixed" | "reopened", reason?: string): Promise<void> {
     const item = this.current.value;
-    if (!item || !this.mayJudge) return;
     const fix = this.fix.value;
-    const points =
-      verdict === "fixed" && fix
-        ? { contact: pair(fix.contact), target_point: pair(fix.point), frame: item.measurement.frame }
-        : null;
+    if (!item || !(verdict === "rejected" ? this.mayReject : this.mayJudge)) return;
+    const { id, target, frame } = item.measurement;
     this.busy.value = true;
     try {
-      const stored = await outbox.store(this.verdictOn(item, { verdict, reason: reason ?? null, points }));
-      if (!stored) toast(say("review-verdict-kept"));
-      this.after(item, stored?.saved ?? null);
-      void refreshSurvey();
+      if (verdict === "fixed" && fix)
+        await this.give(item, {
+          verdict,
+          reason: null,
+          points: { contact: pair(fix.contact), target_point: pair(fix.point), frame },
+        });
+      else
+        await this.history.run(
+          say("review-step-verdict", { target, vehicle: vehicleName(item.vehicle.number) }),
+          async (changes) => {
+            await changes.write(this.given, id, { verdict, reason: reason ?? null });
+          },
+        );
+      if (verdict !== "reopened") this.goOn(id);
     } catch (error) {
       toastProblem(error);
       // told here, and the measurement is looked at again: nothing is left to choose
@@ -239,13 +310,43 @@ export class ReviewModel {
     }
   }
 
+  /** The verdict that stands on a measurement; what waits is written as reopened. */
+  private readonly given: Ledger<number, Pick<GivenVerdict, "verdict" | "reason">> = {
+    read: (id) => {
+      const m = this.itemOf(id)?.measurement;
+      if (!m || isWaiting(m)) return { verdict: "reopened", reason: null };
+      return { verdict: m.review.verdict as GivenVerdict["verdict"], reason: m.review.reason };
+    },
+    write: async (id, want) => {
+      const item = this.itemOf(id);
+      if (item) await this.give(item, { ...want, points: null });
+    },
+  };
+
+  /** Resolves once the verdict is stored, or kept where there is no connection; it stands in the queue from then on. */
+  private async give(item: ReviewItem, want: GivenVerdict): Promise<void> {
+    const stored = await outbox.store(this.verdictOn(item, want));
+    if (!stored) toast(say("review-verdict-kept"));
+    const { id } = item.measurement;
+    const measurement = stored?.saved ?? expected(item.measurement, want);
+    this.items.value = (this.items.value ?? []).map((other) =>
+      other.measurement.id === id ? { ...other, measurement } : other,
+    );
+    void refreshSurvey();
+    void this.readWork();
+  }
+
+  private get lane(): string {
+    return `review ${this.surveyId}`;
+  }
+
   private verdictOn(item: ReviewItem, want: GivenVerdict): Wanted<Measurement, GivenVerdict, VerdictAbout> {
     const m = item.measurement;
     const verdict = STATE_WORDS[want.verdict];
     return {
       key: keyOf(item),
       kind: VERDICT,
-      lane: `review ${this.surveyId}`,
+      lane: this.lane,
       about: { id: m.id, revision: m.revision, by: me.value?.person.id ?? 0 },
       what: say("review-verdict-of", {
         target: TARGET_WORDS[m.target],
@@ -273,18 +374,31 @@ export class ReviewModel {
 
   /** A second click that went wrong leaves the figures; what was seen stays seen. */
   async takeBack(repeat: Measurement): Promise<void> {
-    try {
-      await api.write("DELETE /measurements/{measurement_id}", {
-        measurement_id: repeat.id,
-        revision: repeat.revision,
-      });
-      if (repeat.repeat_of !== null) await this.readComparisons(repeat.repeat_of);
-    } catch (error) {
-      toastProblem(error);
-    }
+    const step = say("review-again-take-back");
+    await this.history
+      .run(step, async (changes) => {
+        await changes.write(this.repeats, repeat, false);
+      })
+      .catch(toastProblem);
   }
 
+  /** Whether a second click stands. */
+  private readonly repeats: Ledger<Measurement, boolean> = {
+    nameOf: ({ id }) => id,
+    read: ({ id }) => this.comparisons.value?.some(({ repeat }) => repeat.id === id) === true,
+    write: async (repeat, stands) => {
+      const saved = this.turned.get(repeat.id) ?? repeat;
+      const about = { vehicleId: repeat.vehicle_id };
+      const want = { clicks: null, withdrawn: !stands };
+      const stored = await outbox.store(repeatWish(`repeat.${repeat.id}`, this.lane, about, saved, want));
+      if (stored?.saved) this.turned.set(repeat.id, stored.saved);
+      if (repeat.repeat_of !== null) await this.readComparisons(repeat.repeat_of);
+    },
+  };
+  private readonly turned = new Map<number, Measurement>();
+
   cancel(): void {
+    this.reason.value = "";
     this.fixing.leave();
     this.rejecting.value = false;
     this.geometry.forgetHeight();
@@ -306,24 +420,16 @@ export class ReviewModel {
     });
   }
 
-  /** What has been judged leaves the queue of the unjudged, and the next one opens. Null: kept, and not stored yet. */
-  private after(item: ReviewItem, judged: Measurement | null): void {
+  /** On to the next that waits, unless something else was opened meanwhile. What was judged stays in the list, to go back to. */
+  private goOn(id: number): void {
+    this.cancel();
+    if (this.currentId.value !== id) return;
     const items = this.items.value ?? [];
-    const at = items.indexOf(item);
-    // one's own measurements wait for somebody else: go on with the next that can be judged
-    const next = items.find((other, i) => i > at && !other.mine) ?? items[at + 1] ?? items[at - 1];
-    const stays = judged && (this.shown.value === "all" || this.shown.value === judged.review.verdict);
-    batch(() => {
-      this.items.value = stays
-        ? items.map((other) => (other === item ? { ...item, measurement: judged } : other))
-        : items.filter((other) => other !== item);
-      if (next) this.open(next);
-      else {
-        this.currentId.value = stays ? judged.id : null;
-        this.fixing.leave();
-        this.rejecting.value = false;
-      }
-    });
+    const at = items.findIndex((item) => item.measurement.id === id);
+    const waits = (item: ReviewItem): boolean => !item.mine && isWaiting(item.measurement);
+    const next = items.find((item, i) => i > at && waits(item)) ?? items.find(waits);
+    if (next) this.open(next);
+    else if (this.more.value) void this.loadMore().then(() => this.go(1));
   }
 
   /** A verdict was refused, perhaps because the operator changed the points meanwhile: show what there is now. */
@@ -334,9 +440,10 @@ export class ReviewModel {
       });
       if (measurement.revision === item.measurement.revision) return;
       this.items.value = (this.items.value ?? []).map((other) =>
-        other === item ? { ...item, measurement } : other,
+        other.measurement.id === measurement.id ? { ...other, measurement } : other,
       );
-      this.fixing.leave();
+      // what was begun on another one meanwhile stays
+      if (this.currentId.value === measurement.id) this.fixing.leave();
     } catch {
       // the refusal's own sentence has been shown
     }
@@ -352,11 +459,9 @@ export class ReviewModel {
     return api.ask("GET /surveys/{survey_id}/review-queue", asked);
   }
 
-  private clickedAgain(made: Measurement): void {
-    const id = made.repeat_of;
-    if (id === null) return;
-    this.reveal(id);
-    void this.readComparisons(id);
+  private clickedAgain({ clicks }: Again): void {
+    this.reveal(clicks.repeat_of);
+    void this.readComparisons(clicks.repeat_of);
   }
 
   private async readComparisons(id: number): Promise<void> {
@@ -386,6 +491,17 @@ export class ReviewModel {
         : null,
     );
   }
+}
+
+/** True while nobody has said anything of what stands; what was reopened waits again. */
+function isWaiting({ review }: Measurement): boolean {
+  return review.verdict === "to_review" || review.verdict === "reopened";
+}
+
+/** A measurement as it will be once the verdict is stored. */
+function expected(m: Measurement, { verdict, reason, points }: GivenVerdict): Measurement {
+  const reviewer = me.value ? { id: me.value.person.id, name: me.value.person.name } : null;
+  return { ...m, ...points, review: { verdict, reason, reviewer, at: null } };
 }
 
 function isOwn(one: Comparison): boolean {

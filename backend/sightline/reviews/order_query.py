@@ -1,0 +1,89 @@
+"""A survey's standing measurements in the order in which they are reviewed."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from sqlalchemy import ColumnElement, FromClause, Row, and_, exists, or_
+from sqlalchemy.orm import Session
+
+from sightline.enums import ReviewSign, Verdict
+from sightline.measurements.query import is_current, is_first, verdict, with_verdict
+from sightline.measurements.tables import measurement_series
+from sightline.measurements.tables import measurements as revision_rows
+from sightline.statistics.agreement import U_MANUFACTURER_M
+from sightline.statistics.review_order import SIGNS, review_order
+from sightline.vehicles.tables import vehicles
+
+
+@dataclass(frozen=True, slots=True)
+class Standing:
+    """A measurement that stands: its verdict, whose it is, and what speaks against it."""
+
+    verdict: Verdict
+    mine: bool
+    signs: tuple[ReviewSign, ...]
+    error_m: float | None
+    u_error_m: float | None
+
+
+def standing_order(session: Session, survey_id: int, actor: int | None) -> dict[int, Standing]:
+    """By number of the measurement: others' before the actor's own, those most likely wrong first."""
+    r = revision_rows.c
+    mine = revision_rows.alias("mine")
+    own = exists().where(
+        mine.c.series_id == r.series_id,
+        mine.c.created_by == actor,
+        or_(mine.c.revision == r.revision, _same_points(mine)),
+    )
+    maker = revision_rows.alias("maker")
+    query = (
+        with_verdict(
+            *(r.series_id, r.target, r.height_m, r.u_height_m, verdict.label("verdict"), own.label("mine")),
+            *(maker.c.created_by.label("operator"), vehicles.c.number),
+            *(vehicles.c.manufacturer_height_m, vehicles.c.u_manufacturer_height_m),
+        )
+        .join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
+        .join(maker, and_(maker.c.series_id == r.series_id, maker.c.revision == 1))
+        .where(measurement_series.c.survey_id == survey_id, vehicles.c.deleted_at.is_(None))
+        .where(is_current, ~r.withdrawn, is_first)
+        .order_by(vehicles.c.number, r.series_id)
+    )
+    rows = session.execute(query).all()
+    errors = np.array([_error(row) for row in rows], dtype=float).reshape(-1, 2)
+    found = review_order(
+        *(np.array([getattr(row, name) for row in rows], dtype=float) for name in ("height_m", "u_height_m")),
+        np.unique([row.target for row in rows], return_inverse=True)[1],
+        np.array([row.operator or 0 for row in rows], dtype=np.int64),
+        *errors.T,
+    )
+    # own ones last, the riskiest first, else as they stand
+    order = np.lexsort((np.arange(len(rows)), -found.risk, np.array([row.mine for row in rows], dtype=bool)))
+    return {
+        rows[at].series_id: Standing(
+            verdict="to_review" if rows[at].verdict == "reopened" else rows[at].verdict,
+            mine=bool(rows[at].mine),
+            signs=tuple(sign for sign, there in zip(SIGNS, found.signs[at], strict=True) if there),
+            error_m=_known(errors[at, 0]),
+            u_error_m=_known(errors[at, 1]),
+        )
+        for at in order
+    }
+
+
+def _error(row: Row[Any]) -> tuple[float, float]:
+    """Of a roof against its maker's height, with its standard uncertainty; NaN for anything else."""
+    if row.target != "roof" or row.height_m is None or row.manufacturer_height_m is None:
+        return np.nan, np.nan
+    u_reference_m = row.u_manufacturer_height_m
+    u_m = float(U_MANUFACTURER_M) if u_reference_m is None else u_reference_m
+    return row.height_m - row.manufacturer_height_m, float(np.hypot(row.u_height_m, u_m))
+
+
+def _known(value: float) -> float | None:
+    return None if np.isnan(value) else float(value)
+
+
+def _same_points(other: FromClause) -> ColumnElement[bool]:
+    names = ("frame", "contact_x_px", "contact_y_px", "target_x_px", "target_y_px")
+    return and_(*(other.c[name] == revision_rows.c[name] for name in names))

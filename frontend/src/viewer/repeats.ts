@@ -1,0 +1,81 @@
+/** How the outbox brings second clicks to the server: made once under their key, withdrawn and brought back after that. */
+import { api } from "../core/api";
+import { type Kind, outbox, type Wanted } from "../core/outbox";
+import type { Measurement, Target } from "../core/types";
+import { formatHeight } from "../core/units";
+import { STATE_WORDS, TARGET_WORDS } from "../core/words";
+import { type ImagePoint, pair } from "./points";
+
+export const REPEAT = "repeat";
+
+/** What was clicked again; nothing of the first clicks is in it. */
+export interface Repeat {
+  readonly target: Target;
+  readonly frame: number;
+  readonly contact: ImagePoint;
+  readonly point: ImagePoint;
+  readonly repeat_of: number;
+}
+
+export interface RepeatWanted {
+  /** Null for one that the server has: only whether it stands can still change. */
+  readonly clicks: Repeat | null;
+  readonly withdrawn: boolean;
+}
+
+interface About {
+  readonly vehicleId: number;
+}
+
+const repeatKind: Kind<Measurement, RepeatWanted, About> = {
+  send({ key, about, saved, want: { clicks, withdrawn } }, signal) {
+    if (saved) {
+      const { id: measurement_id, revision } = saved;
+      return withdrawn
+        ? api.write("DELETE /measurements/{measurement_id}", { measurement_id, revision }, { signal })
+        : api.write(
+            "POST /measurements/{measurement_id}/restore",
+            { measurement_id },
+            { body: { revision }, retry: true, signal },
+          );
+    }
+    if (!clicks) return Promise.resolve(null);
+    const { target, frame, contact, point, repeat_of } = clicks;
+    const clicked = { target, frame, contact: pair(contact), target_point: pair(point), repeat_of };
+    return api.write(
+      "POST /vehicles/{vehicle_id}/measurements",
+      { vehicle_id: about.vehicleId },
+      { body: { client_key: key, ...clicked }, retry: true, signal },
+    );
+  },
+  read: async ({ saved }, _error, signal) =>
+    saved && api.ask("GET /measurements/{measurement_id}", { measurement_id: saved.id }, { signal }),
+  done: ({ saved, want }) => (saved ? saved.withdrawn === want.withdrawn : want.withdrawn),
+  version: (saved) => (saved ? `${saved.id} ${saved.revision}` : 0),
+  words: (saved) =>
+    !saved || saved.withdrawn ? STATE_WORDS.withdrawn : formatHeight(saved.height_m, saved.U95_height_m),
+};
+
+outbox.register(REPEAT, repeatKind);
+
+/** The second click of a target, as it is to be: brought in its lane, behind what was wished before it there. */
+export function repeatWish(
+  key: string,
+  lane: string,
+  about: About,
+  saved: Measurement | null,
+  want: RepeatWanted,
+): Wanted<Measurement, RepeatWanted, About> {
+  const target = want.clicks?.target ?? saved?.target ?? "other";
+  return {
+    key,
+    kind: REPEAT,
+    lane,
+    about,
+    what: TARGET_WORDS[target],
+    mine: want.withdrawn ? STATE_WORDS.withdrawn : TARGET_WORDS[target],
+    page: location.pathname + location.search,
+    saved,
+    want,
+  };
+}
