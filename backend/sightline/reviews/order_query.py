@@ -52,10 +52,12 @@ def standing_order(session: Session, survey_id: int, actor: int | None) -> dict[
     rows = session.execute(query).all()
     errors = np.array([_error(row) for row in rows], dtype=float).reshape(-1, 2)
     found = review_order(
-        *(np.array([getattr(row, name) for row in rows], dtype=float) for name in ("height_m", "u_height_m")),
+        np.array([row.height_m for row in rows], dtype=float),
+        np.array([row.u_height_m for row in rows], dtype=float),
         np.unique([row.target for row in rows], return_inverse=True)[1],
         np.array([row.operator or 0 for row in rows], dtype=np.int64),
-        *errors.T,
+        errors[:, 0],
+        errors[:, 1],
     )
     # own ones last, the riskiest first, else as they stand
     order = np.lexsort((np.arange(len(rows)), -found.risk, np.array([row.mine for row in rows], dtype=bool)))

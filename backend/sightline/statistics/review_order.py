@@ -36,10 +36,10 @@ def review_order(
 ) -> ReviewOrder:
     """Signs that a height may be wrong, from what else was measured in the same survey.
 
-    Arrays of (n,), heights and uncertainties in metres: `target` and `operator` are codes, `error_m` is the
-    height less the maker's with its standard uncertainty `u_error_m`. NaN where there is no height or no
-    maker's height: then that sign is absent. Modified z-score: 0.6745 (x - median) / MAD, Iglewicz &
-    Hoaglin 1993.
+    `height_m` (n,) and `u_m` (n,) metres; `target` (n,) and `operator` (n,) codes; `error_m` (n,) metres, the
+    height less the maker's, and `u_error_m` (n,) its standard uncertainty. NaN where there is no height or no
+    maker's height: then that sign is absent, and nothing is raised. The modified z-score of a height is
+    0.6745 times its distance from the median, in median absolute deviations (Iglewicz and Hoaglin 1993, 3).
     """
     beyond = np.zeros((height_m.size, len(SIGNS)))
     for code in np.unique(target):

@@ -51,7 +51,12 @@ beforeEach(() => {
   server.on("GET", /\/recordings$/, () => [recording()]);
   server.on("POST", /^\/measurements\/(\d+)\/reviews$/, (match, body) => {
     judged.push(body);
-    const review = { verdict: body["verdict"], reason: body["reason"] ?? null, reviewer: { id: 1, name: "R" }, at: null };
+    const review = {
+      verdict: body["verdict"],
+      reason: body["reason"] ?? null,
+      reviewer: { id: 1, name: "R" },
+      at: null,
+    };
     return server.save(Number(match[1]), { ...server.stored.get(Number(match[1])), review });
   });
 });
