@@ -21,6 +21,7 @@ from sightline.measurements.records import (
     VehicleInState,
     VehicleSheet,
 )
+from sightline.statistics.plausible import Doubt, Height, doubts
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -98,8 +99,18 @@ class VehicleBody(VehicleInState):
     """A vehicle record with its standing measurements."""
 
     measurements: list[MeasurementBody]
+    doubts: Annotated[tuple[Doubt, ...], Field(description="Heights to look at again; nothing is refused.")]
 
 
 def vehicle_body(sheet: VehicleSheet) -> VehicleBody:
     found = [measurement_body(one) for one in sheet.measurements]
-    return filled_from(VehicleBody, sheet, measurements=found)
+    return filled_from(VehicleBody, sheet, measurements=found, doubts=_doubts(sheet))
+
+
+def _doubts(sheet: VehicleSheet) -> tuple[Doubt, ...]:
+    heights = {
+        one.values.target: Height(one.values.height_m, one.values.u_height_m or 0.0)
+        for one in sheet.measurements
+        if one.values.height_m is not None
+    }
+    return doubts(heights, sheet.category, sheet.manufacturer_height_m, sheet.u_manufacturer_height_m or 0.0)

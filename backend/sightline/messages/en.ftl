@@ -1074,6 +1074,12 @@ measure-details-hide = { $target ->
    *[other] Hide the details of other
 }
 measure-discard = Discard
+measure-doubt = { $kind ->
+    [above_roof] This lies above the roof ({ $low }): is the point on the right feature of this vehicle?
+    [below_lamp] The headlight lies higher ({ $low }): is the point on the driver’s eye?
+    [far_from_maker] The maker says { $low }: are the points, and make and model, those of this vehicle?
+   *[outside_class] Vehicles of this kind lie between { $low } and { $high }: are the points and the category right?
+}
 measure-not-yet-saved = not yet saved…
 measure-not-stored = not stored
 measure-click-again = Click it again.

@@ -12,7 +12,7 @@ from sightline.measurements.bodies import MeasurementBody, measurement_body
 from sightline.reviews import plan_store, query, store
 from sightline.reviews.bodies import HistoryBody, NewReview, PlanIn, QueueItemBody
 from sightline.reviews.records import ReviewPlan, ReviewWork
-from sightline.reviews.service import review
+from sightline.reviews.service import require_seen_by_plan, review
 from sightline.surveys.store import get_survey
 
 router = APIRouter()
@@ -69,6 +69,7 @@ def review_measurement(
     measurement_id: PathId, body: NewReview, who: Reviewer, session: Writing
 ) -> MeasurementBody:
     """Accept, reject (with a reason), fix (with points: a new revision) or reopen; never one's own work."""
+    require_seen_by_plan(session, measurement_id, body.revision, body.verdict, who.id)
     judged = review(
         session,
         measurement_id,

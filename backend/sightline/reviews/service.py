@@ -11,6 +11,17 @@ from sightline.measurements.store import require_measurement_revision
 from sightline.reviews.store import add_review, require_clicked_again
 
 
+def require_seen_by_plan(
+    session: Session, series_id: int, revision: int, verdict: ReviewVerdict, actor: int
+) -> None:
+    """A person at the desk accepts or fixes what the survey's plan draws once they have clicked it themselves.
+
+    Raises BadInput where they have not, NotAllowed for one's own work, Conflict for another revision.
+    """
+    if verdict in ("accepted", "fixed"):
+        require_clicked_again(session, require_measurement_revision(session, series_id, revision), actor)
+
+
 def review(
     session: Session,
     series_id: int,
@@ -28,11 +39,9 @@ def review(
 
     A fix keeps target, sigma and inset of that revision and takes the reviewer's points. Raises NotAllowed
     for one's own work, Conflict for a revision that is not current, BadInput for a rejection without a
-    reason, a fix without points or that changes nothing, and one that is to be clicked again first.
+    reason, and a fix without points or that changes nothing.
     """
     before = require_measurement_revision(session, series_id, revision)
-    if verdict in ("accepted", "fixed"):
-        require_clicked_again(session, before, actor)
     fixed = None
     if verdict == "fixed":
         fixed = _fixed(session, before, frame, contact, target_point, actor)

@@ -31,6 +31,7 @@ export function FramePanel({ model, player }: { model: MeasureModel; player: Pla
           <>
             <Hint model={model} />
             <LiveHeight model={model} />
+            <Refused model={model} />
             <DriftLine
               surveyId={model.surveyId}
               recordingId={player.recordingId}
@@ -126,6 +127,26 @@ function hintWords(model: MeasureModel): string {
   }
   if (model.awaiting.value === "contact") return say("blind-contact");
   return say("blind-target", { target });
+}
+
+/** Why a contact cannot stand where it was clicked (the sky, outside the lens), said there. */
+function Refused({ model }: { model: MeasureModel }) {
+  const problem = model.geometry.problem.value;
+  const at = model.contact.value;
+  if (!problem || !at) return null;
+  const view = model.stage.view.value;
+  const [x, y] = view.toScreen(at);
+  const flip = x > view.screen.width / 2;
+  return (
+    <p
+      class={`live-height live-height--refused${flip ? " live-height--left" : ""}`}
+      data-testid="contact-refused"
+      aria-hidden="true"
+      style={{ left: `${x + (flip ? -16 : 16)}px`, top: `${y + 14}px` }}
+    >
+      {problem}
+    </p>
+  );
 }
 
 /** The height beside the pointer, as the server last answered it. */

@@ -6,7 +6,7 @@ import { say } from "../../core/messages";
 import { outbox } from "../../core/outbox";
 import { canWork } from "../../core/session";
 import type { Target } from "../../core/types";
-import { inUnits } from "../../core/units";
+import { formatLength, inUnits } from "../../core/units";
 import { REQUIRED, TARGET_NOUNS, TARGET_WORDS, TARGETS } from "../../core/words";
 import { MeasurementConflict } from "./Conflicts";
 import { InsetChoice } from "./InsetChoice";
@@ -44,6 +44,7 @@ export function MeasurementList({ model }: { model: MeasureModel }) {
                       }}
                     />
                     <Said entry={entry} />
+                    <Doubts model={model} entry={entry} />
                     {detail(entry)}
                   </div>
                 ))
@@ -134,6 +135,25 @@ function keyOf(index: number): string {
 function clickAgain(target: Target): string {
   const key = keyOf(TARGETS.indexOf(target));
   return key ? say("measure-click-again-key", { key }) : say("measure-click-again");
+}
+
+/** Asked at once, and nothing is refused: the operator looks, clicks again or goes on. */
+function Doubts({ model, entry }: { model: MeasureModel; entry: Entry }) {
+  const found = (model.vehicle.value?.doubts ?? []).filter((one) => one.target === entry.values.target);
+  if (entry.state !== "saved") return null;
+  return (
+    <>
+      {found.map(({ kind, low_m, high_m }) => (
+        <p key={kind} class="height-row__said height-row__doubt" role="alert" data-testid={`doubt-${kind}`}>
+          <Icon name="warning" size={14} />
+          <span class="grow">
+            {say("measure-doubt", { kind, low: formatLength(low_m, 2), high: formatLength(high_m, 2) })}{" "}
+            {canWork.value && clickAgain(entry.values.target)}
+          </span>
+        </p>
+      ))}
+    </>
+  );
 }
 
 /** The line under a row, when there is something to say. */
