@@ -311,6 +311,7 @@ unsaved-otherwise = The server stored something else than was asked for; look at
 
 ## App: the list of keys
 
+keys-how = To change a key, click on it, then press the new one; it is kept in this browser.
 keys-usual = Back to the usual keys
 keys-clash = { $chord } now means both “{ $one }” and “{ $other }”; the first one wins.
 keys-elsewhere = On other screens

@@ -14,7 +14,7 @@ from sightline.reviews.store import add_review, require_clicked_again
 def require_seen_by_plan(
     session: Session, series_id: int, revision: int, verdict: ReviewVerdict, actor: int
 ) -> None:
-    """A person at the desk accepts or fixes what the survey's plan draws once they have clicked it themselves.
+    """A person accepts or fixes what the survey's plan draws once they have clicked it themselves.
 
     Raises BadInput where they have not, NotAllowed for one's own work, Conflict for another revision.
     """

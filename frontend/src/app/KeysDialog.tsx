@@ -71,6 +71,7 @@ export default function KeysDialog() {
             {say("keys-clash", { chord: showChord(chord), one: commandName(a), other: commandName(b) })}
           </Notice>
         ))}
+        <p class="small">{say("keys-how")}</p>
         <KeyTables ids={ids.filter((id) => here.has(id))} {...rows} />
         {ids.some((id) => !here.has(id)) && (
           <details>
@@ -90,10 +91,11 @@ interface Rows {
   listen(id: ActionId | null): void;
 }
 
+/** Those of the page first, then what goes for every picture. */
+const SCOPES: readonly Scope[] = ["measure", "review", "scan", "point", "frames", "anywhere"];
+
 function KeyTables({ ids, ...rows }: Rows & { ids: readonly ActionId[] }) {
-  const scopes = (Object.keys(SCOPE_NAMES) as Scope[]).filter((scope) =>
-    ids.some((id) => ACTIONS[id].scope === scope),
-  );
+  const scopes = SCOPES.filter((scope) => ids.some((id) => ACTIONS[id].scope === scope));
   return (
     <div class="keys">
       {scopes.map((scope) => (

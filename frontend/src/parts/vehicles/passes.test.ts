@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Vehicle } from "../../core/types";
-import { bestFrame, listed, neighbour, nextOpen } from "./passes";
+import { bestFrame, firstOpen, listed, neighbour, nextOpen } from "./passes";
 
 const pass = (number: number, state: Vehicle["state"], first_frame = number * 10): Vehicle =>
   ({
@@ -46,5 +46,12 @@ describe("the list of passes", () => {
 
   it("looks at the middle where no best frame is known", () => {
     expect(bestFrame(pass(1, "to_do"))).toBe(13);
+  });
+
+  it("begins with a pass that nobody has begun, not with one that was sent back", () => {
+    const list = [pass(1, "rejected"), pass(2, "partial"), pass(3, "to_do")];
+    expect(firstOpen(list)?.number).toBe(3);
+    expect(firstOpen(list.slice(0, 2))?.number).toBe(1);
+    expect(firstOpen([pass(1, "accepted")])).toBeUndefined();
   });
 });

@@ -74,6 +74,11 @@ export function nextOpen(list: readonly Vehicle[], from: Vehicle | undefined): V
   return round.find((vehicle) => isOpen(vehicle) && vehicle.id !== from?.id);
 }
 
+/** Where to begin: a pass that nobody has begun, else one begun or sent back. */
+export function firstOpen(list: readonly Vehicle[]): Vehicle | undefined {
+  return list.find((vehicle) => vehicle.state === "to_do") ?? nextOpen(list, undefined);
+}
+
 /** Where to look first: the best frame, else the middle of the span. */
 export function bestFrame(vehicle: Vehicle): number {
   return vehicle.best_frame ?? Math.round((vehicle.first_frame + vehicle.last_frame) / 2);

@@ -13,7 +13,15 @@ import { stored } from "../../core/stored";
 import { survey } from "../../core/survey";
 import { toast, toastProblem } from "../../core/toasts";
 import type { Recording, Target, Vehicle } from "../../core/types";
-import { bestFrame, type Filter, listed, neighbour, nextOpen, type Order } from "../../parts/vehicles/passes";
+import {
+  bestFrame,
+  type Filter,
+  firstOpen,
+  listed,
+  neighbour,
+  nextOpen,
+  type Order,
+} from "../../parts/vehicles/passes";
 import { AFTER_CLICK_MS, Geometry } from "../../viewer/geometry";
 import type { ImagePoint } from "../../viewer/points";
 import { Reel } from "../../viewer/reel";
@@ -391,7 +399,7 @@ export class MeasureModel implements Desk {
   private openIn(recording: Recording | undefined, pass: boolean): void {
     const wanted = ({ recording_id }: Vehicle) => !recording || recording_id === recording.id;
     const list = this.list.value.filter(wanted);
-    const next = nextOpen(list, undefined) ?? list[0] ?? this.vehicles.list.value.find(wanted);
+    const next = firstOpen(list) ?? list[0] ?? this.vehicles.list.value.find(wanted);
     const ready = this.reel.recordings.value.find(
       (one) => one.state === "ready" && (!recording || one === recording),
     );

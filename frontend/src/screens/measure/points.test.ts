@@ -100,6 +100,35 @@ describe("measuring with clicks", () => {
     expect(live()).toBeNull();
   });
 
+  it("takes a second frame once for all of a vehicle: one contact, then one click for each target", async () => {
+    server.on("POST", /second-frame$/, () => ({
+      ok: true,
+      frame: 44,
+      spots: [],
+      source: "measured",
+      words: "",
+    }));
+    for (const point of [at(100, 400), at(101, 250), at(90, 300), at(20, 330)]) model.points.place(point);
+    await quiet();
+    await model.second.start();
+    await quiet();
+    expect(model.reel.player.value?.frame.value).toBe(44);
+    expect(model.second.awaiting.value).toBe("contact");
+    model.stage.place(at(140, 400));
+    for (const point of [at(60, 330), at(141, 250), at(130, 300)]) {
+      expect(model.second.awaiting.value).toBe("point");
+      model.stage.place(point);
+    }
+    await quiet();
+    expect(model.second.now.value).toBeNull();
+    const stored = [...server.stored.values()].map((m) => [m.target, m.more_frames]);
+    expect(stored).toEqual([
+      ["roof", [{ frame: 44, contact: [140, 400], target_point: [141, 250] }]],
+      ["driver_eye", [{ frame: 44, contact: [140, 400], target_point: [130, 300] }]],
+      ["taillight", [{ frame: 44, contact: [140, 400], target_point: [60, 330] }]],
+    ]);
+  });
+
   it("says nothing of its own while the server is away, and asks again when it is back", async () => {
     server.down = true;
     model.points.place(at(100, 400));

@@ -181,8 +181,8 @@ export class SecondFrame implements ClickTool {
     const more = [...entry.values.more, { frame, contact, point }];
     const live = this.desk.geometry.live.value;
     const fits = live && samePoint(live.wish.more?.at(-1)?.point ?? null, point);
+    const answer = this.now.value?.answer;
     this.now.value = null;
-    this.clicked.value = null;
     this.desk.geometry.forgetHeight();
     this.change(
       entry,
@@ -191,6 +191,24 @@ export class SecondFrame implements ClickTool {
       fits ? (live.answer ?? null) : null,
     );
     this.last = entry.key;
+    const next = this.alike(entry, frame);
+    // once for all of a vehicle: the contact stands, so that each of the others is one click
+    if (next && answer)
+      this.now.value = { key: next.key, target: next.values.target, answer: { ...answer, spots: [] } };
+    else this.clicked.value = null;
+  }
+
+  /** Another target that stands on the same tyre contact and has no points on this frame yet. */
+  private alike(entry: Entry, frame: number): Entry | undefined {
+    return this.desk.entries.value.find(
+      ({ key, values, state }) =>
+        key !== entry.key &&
+        state !== "conflict" &&
+        !values.withdrawn &&
+        values.frame === entry.values.frame &&
+        samePoint(values.contact, entry.values.contact) &&
+        !pointsOn(values, frame),
+    );
   }
 
   /** Takes one frame away from a measurement; the next one becomes its first where that goes. */
