@@ -25,6 +25,7 @@ COMMANDS = {
     "plan": "sightline.commands.plan:plan",
     "errors": "sightline.commands.errors:errors",
     "sightdistance": "sightline.commands.sightdistance:sightdistance",
+    "distribution": "sightline.commands.distribution:distribution",
     "linescan": "sightline.commands.linescan:linescan",
     "stream": "sightline.commands.stream:stream",
     "export": "sightline.commands.export:export",

@@ -53,6 +53,7 @@ StatisticsState = Literal["accepted", "to_review", "rejected", "all"]
 StandardHeight = Literal["driver_eye", "object"]
 Rounding = Literal["cm", "none"]
 Correction = Literal["inset", "shift", "none", "regression", "deconvolution"]
+IntervalPart = Literal["sampling", "sites", "shared_errors", "random_error"]
 LengthUnit = Literal["m", "ft"]
 SightKind = Literal[
     "stopping",

@@ -28,6 +28,7 @@ def test_help_lists_the_commands_of_the_contract(capsys: pytest.CaptureFixture[s
         "pose",
         "height",
         "plan",
+        "distribution",
         "linescan",
         "export",
         "verify",
@@ -43,6 +44,7 @@ def test_help_lists_the_commands_of_the_contract(capsys: pytest.CaptureFixture[s
     [
         ([], "Usage"),
         (["measure"], "measure"),
+        (["distribution", "nowhere.csv"], "nowhere.csv"),
         (["height"], "--pose"),
         (["height", "--pose", "nowhere.json", "--contact", "1,2", "--target", "3,4"], "nowhere.json"),
         (["export", "--survey", "X"], "--output"),

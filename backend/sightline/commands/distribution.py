@@ -1,0 +1,208 @@
+"""`sightline distribution`: percentiles, mean and spread of a heights.csv with their total uncertainty."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from sightline.commands.files import read_text
+from sightline.commands.options import json_option, print_json
+from sightline.errors import BadInput
+
+if TYPE_CHECKING:
+    from sightline.statistics.total_uncertainty import HeightSample, TotalFigure, TotalUncertainty
+
+_WHAT = "a heights.csv of sightline height"
+_USUAL = "2.5,5,10,15,50,85,90,95,97.5"
+_ALL = "all"
+_MOST_M = 10.0
+
+
+@dataclass
+class _Rows:
+    """The rows of one group, by column."""
+
+    height_m: list[float] = field(default_factory=list)
+    u_random_m: list[float] = field(default_factory=list)
+    shared_group: list[str] = field(default_factory=list)
+    u_shared_m: list[float] = field(default_factory=list)
+    site: list[str] = field(default_factory=list)
+
+
+@click.command()
+@click.argument("heights", type=click.Path(path_type=Path))
+@click.option("--by", "by", metavar="COLUMN", help="Treat each value of this column apart.")
+@click.option("--percentile", "percents", metavar="P,P,...", default=_USUAL, show_default=True)
+@json_option
+def distribution(heights: Path, by: str | None, percents: str, as_json: bool) -> None:
+    """Percentiles, mean and SD of the heights in HEIGHTS (a heights.csv), with their total uncertainty.
+
+    Read besides height_m, u_height_m and status: u_random_m (what no other row shares; usually u_height_m),
+    shared_group and u_shared_m (one error that all rows of a group share), site (a cluster).
+    """
+    from sightline.statistics.total_uncertainty import TotalUncertainty
+
+    wanted = percents_of(percents)
+    groups, left_out = read_groups(heights, by)
+    found = {name: TotalUncertainty(sample_of(rows)) for name, rows in groups.items()}
+    if as_json:
+        print_json({"groups": {name: _json(one, wanted) for name, one in found.items()}})
+        return
+    click.echo("\n\n".join(_text(name, one, wanted) for name, one in found.items()))
+    if left_out:
+        click.echo(f"\n{left_out} rows have no height and do not count.")
+
+
+def percents_of(text: str) -> list[tuple[str, float]]:
+    """Percentiles as they were written, and as numbers, each once. Raises BadInput."""
+    found = {}
+    for part in text.split(","):
+        percent = _number(part)
+        if percent is None or not 0.0 < percent < 100.0:
+            raise BadInput("commands-not-percentile", part=part.strip())
+        found[format(percent, "g")] = percent
+    return list(found.items())
+
+
+def read_groups(path: Path, by: str | None) -> tuple[dict[str, _Rows], int]:
+    """The rows with a height by the value of a column, in order of appearance, and how many have none.
+
+    Raises BadInput naming the row.
+    """
+    table = csv.DictReader(io.StringIO(read_text(path, _WHAT), newline=""))
+    try:
+        header = [name.strip() for name in table.fieldnames or ()]
+        table.fieldnames = header
+        _refuse_header(path, header, by)
+        groups: dict[str, _Rows] = {}
+        left_out = 0
+        for number, row in enumerate(table, start=2):
+            if "status" in header and (row["status"] or "").strip() != "ok":
+                left_out += 1
+                continue
+            name = _ALL if by is None else (row[by] or "").strip()
+            _add(groups.setdefault(name, _Rows()), row, f"{path}, row {number}")
+    except csv.Error as error:
+        raise BadInput("commands-not-csv", path=path, why=str(error), what=_WHAT) from error
+    if not groups:
+        raise BadInput("commands-no-row-with-height", path=path)
+    return groups, left_out
+
+
+def _refuse_header(path: Path, header: Sequence[str], by: str | None) -> None:
+    own_u = "u_height_m" if "u_random_m" not in header else "height_m"
+    needed = ["height_m", own_u, *([] if by is None else [by])]
+    if "u_shared_m" in header or "shared_group" in header:
+        needed += ["shared_group", "u_shared_m"]
+    for name in needed:
+        if name not in header:
+            raise BadInput("commands-distribution-needs-column", path=path, name=name)
+
+
+def _add(rows: _Rows, row: dict[str, Any], where: str) -> None:
+    height_m = _length(row, "height_m", where)
+    random_m = _length(row, "u_random_m" if (row.get("u_random_m") or "").strip() else "u_height_m", where)
+    group = (row.get("shared_group") or "").strip()
+    said = (row.get("u_shared_m") or "").strip()
+    shared_m = _length(row, "u_shared_m", where) if said or group else 0.0
+    if not group:  # an error that is shared with nobody is random
+        random_m, shared_m = math.hypot(random_m, shared_m), 0.0
+    rows.height_m.append(height_m)
+    rows.u_random_m.append(random_m)
+    rows.shared_group.append(group)
+    rows.u_shared_m.append(shared_m)
+    if "site" in row:
+        rows.site.append((row["site"] or "").strip())
+
+
+def _length(row: dict[str, Any], name: str, where: str) -> float:
+    value = _number(row.get(name) or "")
+    least = -_MOST_M if name == "height_m" else 0.0
+    if value is None or not least <= value <= _MOST_M:
+        raise BadInput("commands-row-not-length", where=where, name=name, cell=row.get(name) or "")
+    return value
+
+
+def _number(text: str) -> float | None:
+    try:
+        value = float(text)
+    except ValueError:
+        return None
+    return value if math.isfinite(value) else None
+
+
+def sample_of(rows: _Rows) -> HeightSample:
+    """The columns as the statistics take them; rows without a word of their site are of one site."""
+    import numpy as np
+
+    from sightline.statistics.shared_errors import SharedErrors
+    from sightline.statistics.total_uncertainty import HeightSample
+
+    code = _codes(rows.shared_group)
+    group = np.where([bool(one) for one in rows.shared_group], code, -1)
+    shared = SharedErrors(group, np.array(rows.u_shared_m))
+    return HeightSample(
+        height_m=np.array(rows.height_m),
+        u_random_m=np.array(rows.u_random_m),
+        shared=(shared,) if np.any(group >= 0) else (),
+        site=np.array(_codes(rows.site)) if rows.site else None,
+    )
+
+
+def _codes(words: Iterable[str]) -> list[int]:
+    known: dict[str, int] = {}
+    return [known.setdefault(word, len(known)) for word in words]
+
+
+def _json(found: TotalUncertainty, percents: Sequence[tuple[str, float]]) -> dict[str, Any]:
+    percentiles = {}
+    for name, percent in percents:
+        one = found.percentile(percent)
+        percentiles[name] = {**_figure(one), "raw": one.raw}
+    return {
+        "n": found.n,
+        "mean_m": _figure(found.mean()),
+        "sd_m": _figure(found.sd()),
+        "percentiles": percentiles,
+        "holds": list(found.holds),
+    }
+
+
+def _figure(one: TotalFigure) -> dict[str, float | str | None]:
+    ends: dict[str, float | str | None] = {
+        "value": one.value,
+        "U95_low": one.U95_low,
+        "U95_high": one.U95_high,
+    }
+    return ends if one.reason is None else {**ends, "reason": one.reason}
+
+
+def _text(name: str, found: TotalUncertainty, percents: Sequence[tuple[str, float]]) -> str:
+    lines = [f"{name}: {found.n} heights", f"{'':>8} {'value m':>9} {'95 % interval m':>20} {'raw m':>9}"]
+    lines += _lines(found, percents)
+    return "\n".join([*lines, f"Intervals hold {found.holds_in_words}."])
+
+
+def _lines(found: TotalUncertainty, percents: Sequence[tuple[str, float]]) -> Iterator[str]:
+    for name, percent in percents:
+        one = found.percentile(percent)
+        yield f"{'P' + name:>8} {one.value:>9.4f} {_ends(one):>20} {one.raw:>9.4f}{_reason(one)}"
+    for label, figure in (("mean", found.mean()), ("SD", found.sd())):
+        yield f"{label:>8} {figure.value:>9.4f} {_ends(figure):>20} {'':>9}{_reason(figure)}".rstrip()
+
+
+def _ends(one: TotalFigure) -> str:
+    if one.U95_low is None or one.U95_high is None:
+        return "-"
+    return f"{one.U95_low:.4f} to {one.U95_high:.4f}"
+
+
+def _reason(one: TotalFigure) -> str:
+    return "" if one.reason is None else f"  {one.reason}"

@@ -1,0 +1,66 @@
+"""Errors that many heights share (a road pose's, a mean inset's), and what they do to means and spreads."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+
+@dataclass(frozen=True, eq=False)
+class SharedErrors:
+    """One error for each group of heights, independent between groups and of mean 0.
+
+    group: (N,) codes, -1 for none; u_m: (N,), the error's standard uncertainty as it acts on each height. Its
+    sign is taken to be the same on all heights of a group.
+    """
+
+    group: Ints
+    u_m: Floats
+
+    def where(self, chosen: Ints | NDArray[np.bool_]) -> "SharedErrors":
+        """The rows that are `chosen` (M,), by number, or (N,), by truth."""
+        return SharedErrors(self.group[chosen], self.u_m[chosen])
+
+    def variance_of_mean_m2(self) -> float:
+        """Variance of the mean of heights of which these (N,) are a sample; 0 of fewer than 2.
+
+        Over pairs of different heights, so that few heights do not make one group look larger than it is.
+        """
+        n = len(self.group)
+        sums, squares = self._by_group()
+        return max(float((sums**2 - squares).sum()) / (n * (n - 1)), 0.0) if n > 1 else 0.0
+
+    def spread_m2(self) -> float:
+        """Variance that differences between groups are expected to add to the spread of the heights."""
+        n = max(len(self.group), 1)
+        sums, squares = self._by_group()
+        return max(float(squares.sum()) / n - float((sums**2).sum()) / n**2, 0.0)
+
+    def variance_of_spread_m4(self) -> float:
+        """Variance of what one draw of the errors adds to the spread, about `spread_m2`: of a quadratic form
+        in normal variables, twice the sum of its squared coefficients.
+        """
+        n = max(len(self.group), 1)
+        sums, squares = self._by_group()
+        own, mean = squares / n, sums**2 / n**2
+        return max(2.0 * float((own**2 - 2.0 * own * mean).sum() + mean.sum() ** 2), 0.0)
+
+    def by_site_m(self, site: Ints, sites: int) -> Floats:
+        """What one standard uncertainty of each group moves the mean of each site by, (J, G); site (N,):
+        codes.
+        """
+        known = self.group >= 0
+        code = np.unique(self.group[known], return_inverse=True)[1]
+        moved = np.zeros((sites, int(code.max(initial=-1)) + 1))
+        np.add.at(moved, (site[known], code), self.u_m[known])
+        return np.asarray(moved / np.bincount(site, minlength=sites)[:, None], dtype=np.float64)
+
+    def _by_group(self) -> tuple[Floats, Floats]:
+        """Sums of u and of its squares by group, (G,) each."""
+        known = self.group >= 0
+        code = np.unique(self.group[known], return_inverse=True)[1]
+        u = self.u_m[known]
+        return np.bincount(code, u).astype(np.float64), np.bincount(code, u * u).astype(np.float64)

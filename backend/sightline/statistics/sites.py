@@ -1,0 +1,130 @@
+"""Sites as clusters: the variance of a figure that is pooled from several, by what they differ in.
+
+Heights of J sites say of all roads what J numbers say: the pooled figure is a weighted mean of the sites'
+own, and its variance is seen in their differences (Bell & McCaffrey, Survey Methodology 28, 2002, for unequal
+sites), with Satterthwaite's degrees of freedom (Biometrics Bulletin 2, 1946). For few sites no other interval
+covers alike whether they differ or not.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sightline.statistics.shared_errors import SharedErrors
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+_SOME = 6  # sites; from then on sampling within them is taken from all heights, not from their differences
+_MANY = 400  # sites; from then on their degrees of freedom are one less than they are
+
+
+@dataclass(frozen=True, eq=False)
+class Sites:
+    """code: (N,), 0 to J - 1, the site of each height; count: (J,), heights of each."""
+
+    code: Ints
+    count: Floats
+
+
+@dataclass(frozen=True)
+class PooledVariance:
+    """Variance of a pooled figure with its degrees of freedom.
+
+    within: the share of it that comes of sampling within sites; unseen: the variance of shared errors by
+    which sites do not differ, not in `variance`.
+    """
+
+    variance: float
+    freedom: float
+    within: float
+    unseen: float
+
+
+def sites_of(site: Ints | None) -> Sites | None:
+    """Sites by `site` (N,), codes of any kind; None where there are not two, or where each height has its
+    own.
+
+    Own reading: a cluster of one height each is a sample without clusters.
+    """
+    if site is None:
+        return None
+    code = np.unique(site, return_inverse=True)[1].astype(np.int64)
+    count = np.bincount(code).astype(np.float64)
+    return Sites(code, count) if 1 < len(count) < len(code) else None
+
+
+def pooled_variance(
+    sites: Sites,
+    influence: Floats,
+    smooth: Floats,
+    shared: Sequence[SharedErrors],
+    inner: float | None = None,
+) -> PooledVariance:
+    """Variance of a figure of which `influence` (N,) is each height's influence, in the figure's unit.
+
+    The estimate of Bell and McCaffrey 2002 with Satterthwaite's degrees of freedom (Satterthwaite 1946).
+    smooth: (N,), an influence of the same mean in every site whose values do not jump, for a percentile's own
+    takes two values only and sites tie; the influence itself where it does not jump. shared: errors (N,) that
+    act on the figure as they do on heights. inner: variance of the influence within sites, if it is known
+    better.
+    """
+    count = sites.count
+    weight = count / count.sum()
+    inner = _within(sites, influence) if inner is None else inner
+    smooth = smooth - smooth.mean()
+    of_site = np.bincount(sites.code, smooth) / count
+    inner_smooth = _within(sites, smooth)
+    emphasis = weight**2 / (1.0 - weight)
+    observed = float(emphasis @ of_site**2)
+    moved = [one.by_site_m(sites.code, len(count)) for one in shared]
+    apart = max(_excess(count, of_site, inner_smooth), sum(_variance_between(one) for one in moved))
+    expected, freedom = _moments(weight, emphasis, inner_smooth / count + apart)
+    total = float(weight**2 @ (inner / count + apart))
+    variance = observed * total / expected
+    if len(count) >= _SOME:
+        more = float(weight**2 @ ((inner - inner_smooth) / count))
+        seen = observed * (total - more) / expected
+        variance = seen + more
+        freedom *= (variance / max(seen, 1e-30)) ** 2
+    unseen = 0.0
+    for one in moved:
+        all_together = float(np.square(weight @ one).sum())
+        differing = float(emphasis @ np.square(one - weight @ one).sum(axis=1))
+        unseen += max(all_together - differing * total / expected, 0.0)
+    return PooledVariance(variance, freedom, min(inner / float(count.sum()) / total, 1.0), unseen)
+
+
+def _within(sites: Sites, influence: Floats) -> float:
+    of_site = np.bincount(sites.code, influence) / sites.count
+    apart = np.square(influence - of_site[sites.code]).sum()
+    return float(apart) / (len(influence) - len(sites.count))
+
+
+def _variance_between(moved: Floats) -> float:
+    """Variance between sites of what shared errors (J, G) move them by."""
+    return float(np.square(moved - moved.mean(axis=0)).sum()) / (len(moved) - 1)
+
+
+def _excess(count: Floats, of_site: Floats, inner: float) -> float:
+    """Variance between sites beyond sampling, by its moments (Cochran, Biometrics 10, 1954), not below 0."""
+    n = float(count.sum())
+    observed = float(count @ of_site**2)
+    return max((observed - (len(count) - 1) * inner) / (n - float(count @ count) / n), 0.0)
+
+
+def _moments(weight: Floats, emphasis: Floats, working: Floats) -> tuple[float, float]:
+    """Mean of the sum of `emphasis` times the squared deviations of sites whose variances are `working`, (J,)
+    each, and the degrees of freedom of a chi-squared variable of the same two moments.
+    """
+    total = float(weight**2 @ working)
+    expected = float(emphasis @ (working - 2.0 * weight * working + total))
+    if len(weight) > _MANY:
+        return expected, float(len(weight) - 1)
+    own = weight * working
+    covariance = total - own[:, None] - own[None, :]
+    covariance[np.diag_indices(len(weight))] += working
+    variance = 2.0 * float(emphasis @ covariance**2 @ emphasis)
+    return expected, 2.0 * expected**2 / variance

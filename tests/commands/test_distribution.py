@@ -1,0 +1,116 @@
+"""`sightline distribution`: the contract's object, groups, defaults, and its refusals."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from sightline.cli import main
+
+pytestmark = pytest.mark.once
+HEADER = "id,height_m,u_height_m,status,lighting,u_random_m,shared_group,u_shared_m,site"
+
+
+def written(tmp_path: Path, header: str = HEADER, n: int = 240, more: str = "") -> Path:
+    rng = np.random.default_rng(5)
+    heights = rng.normal(1.16, 0.06, n)
+    cells = {
+        "id": [str(i) for i in range(n)],
+        "height_m": [f"{one:.6f}" for one in heights],
+        "u_height_m": ["0.015"] * n,
+        "status": ["ok"] * n,
+        "lighting": ["daytime" if i % 3 else "low_light" for i in range(n)],
+        "u_random_m": ["0.01"] * n,
+        "shared_group": [f"pose {i % 4}" for i in range(n)],
+        "u_shared_m": ["0.011"] * n,
+        "site": [f"site {i % 4}" for i in range(n)],
+    }
+    names = header.split(",")
+    rows = [",".join(cells[name][i] for name in names) for i in range(n)]
+    path = tmp_path / "heights.csv"
+    path.write_text("\ufeff" + "\r\n".join([header, *rows]) + "\r\n" + more, encoding="utf-8")
+    return path
+
+
+def answer(capsys: pytest.CaptureFixture[str], *arguments: object) -> dict:
+    assert main(["distribution", *map(str, arguments), "--json"]) == 0
+    return json.loads(capsys.readouterr().out)["groups"]
+
+
+def test_groups_figures_and_rows_without_a_height(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = written(tmp_path, more=",,,not_measurable,daytime,,,,\r\n")
+    found = answer(capsys, path, "--by", "lighting", "--percentile", "2.5,10, 50")
+    assert {name: one["n"] for name, one in found.items()} == {"low_light": 80, "daytime": 160}
+    for one in found.values():
+        assert list(one["percentiles"]) == ["2.5", "10", "50"]
+        for figure in (one["mean_m"], one["sd_m"], *one["percentiles"].values()):
+            assert figure["U95_low"] < figure["value"] < figure["U95_high"]
+        assert one["holds"] == ["sampling", "sites", "shared_errors", "random_error"]
+    whole = answer(capsys, path, "--percentile", "10")["all"]
+    lines = path.read_text("utf-8-sig").splitlines()[1:-1]
+    heights = [float(line.split(",")[1]) for line in lines]
+    assert whole["percentiles"]["10"]["raw"] == pytest.approx(np.percentile(heights, 10))
+
+
+def test_a_shared_error_widens_and_u_height_is_the_random_part_by_default(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    plain = answer(capsys, written(tmp_path, "height_m,u_height_m,status"), "--percentile", "10")["all"]
+    assert plain["holds"] == ["sampling", "random_error"]
+    spread = np.hypot(plain["sd_m"]["value"], 0.015)
+    shared = answer(capsys, written(tmp_path, HEADER.removesuffix(",site")), "--percentile", "10")["all"]
+    assert np.hypot(shared["sd_m"]["value"], np.hypot(0.01, 0.011 * np.sqrt(0.75))) == pytest.approx(spread)
+    width = {
+        name: one["mean_m"]["U95_high"] - one["mean_m"]["U95_low"]
+        for name, one in (("plain", plain), ("shared", shared))
+    }
+    assert width["shared"] ** 2 - width["plain"] ** 2 == pytest.approx((3.92 * 0.011 / 2) ** 2, rel=0.05)
+
+
+def test_the_plain_table_says_what_the_intervals_hold(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["distribution", str(written(tmp_path))]) == 0
+    said = capsys.readouterr().out
+    assert "P2.5" in said and "mean" in said and "differences between 4 sites" in said
+
+
+@pytest.mark.parametrize(
+    ("header", "arguments", "word"),
+    [
+        (HEADER, ["--percentile", "10,x"], "“x”"),
+        (HEADER, ["--percentile", "100"], "“100”"),
+        (HEADER, ["--by", "colour"], "colour"),
+        ("height_m,status", [], "u_height_m"),
+        ("u_height_m,status", [], "height_m"),
+        ("height_m,u_height_m,shared_group", [], "u_shared_m"),
+    ],
+)
+def test_bad_input_is_one_sentence(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], header: str, arguments: list[str], word: str
+) -> None:
+    assert main(["distribution", str(written(tmp_path, header)), *arguments, "--json"]) == 2
+    printed = capsys.readouterr()
+    assert word in printed.err and printed.err.count("\n") == 1 and printed.out == ""
+
+
+@pytest.mark.parametrize(
+    ("text", "word"),
+    [
+        ("height_m,u_height_m,status\n1.2,-0.01,ok\n", "row 2"),
+        ("height_m,u_height_m,status\n1.2,0.01,ok\nabc,0.01,ok\n", "row 3"),
+        ("height_m,u_height_m,status\n,,not_measurable\n", "no row with a height"),
+        ("height_m,u_height_m,shared_group,u_shared_m\n1.2,0.01,a,\n", "u_shared_m"),
+        ("", "height_m"),
+    ],
+)
+def test_rows_that_cannot_be_are_named(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], text: str, word: str
+) -> None:
+    path = tmp_path / "heights.csv"
+    path.write_text(text)
+    assert main(["distribution", str(path)]) == 2
+    assert word in capsys.readouterr().err

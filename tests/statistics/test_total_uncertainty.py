@@ -1,0 +1,189 @@
+"""Total uncertainty against simulation and closed forms that share no code with it."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy import stats
+
+from sightline.statistics.deconvolution import noise_of, smooth_density
+from sightline.statistics.shared_errors import SharedErrors
+from sightline.statistics.sites import pooled_variance, sites_of
+from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty, difference
+
+P10 = 10.0
+
+
+def sample(
+    n: int, seed: int, *, sites: int = 1, shared_m: float = 0.0, random_m: float = 0.0, sd_m: float = 0.06
+) -> HeightSample:
+    """Normal heights at `sites`, each with an error of its own, and random errors."""
+    rng = np.random.default_rng(seed)
+    site = np.arange(n) % sites
+    error = rng.normal(0, 1, sites)[site] * shared_m + rng.normal(0, 1, n) * random_m
+    shared = (SharedErrors(site, np.full(n, shared_m)),) if shared_m else ()
+    height = rng.normal(1.16, sd_m, n) + error
+    return HeightSample(height, np.full(n, random_m), shared, site if sites > 1 else None)
+
+
+def held(percent: float, runs: int, n: int, **world: float) -> float:
+    """Share of samples whose interval of a percentile holds the truth."""
+    truth = stats.norm.ppf(percent / 100, 1.16, 0.06)
+    found = [
+        TotalUncertainty(sample(n, seed, **world)).percentile(percent)  # type: ignore[arg-type]
+        for seed in range(runs)
+    ]
+    return float(
+        np.mean([one.U95_low <= truth <= one.U95_high for one in found if one.U95_low and one.U95_high])
+    )
+
+
+@pytest.mark.parametrize(
+    "world",
+    [
+        {"sites": 1, "shared_m": 0.011, "random_m": 0.02},
+        {"sites": 5, "shared_m": 0.011, "random_m": 0.02},
+    ],
+)
+def test_intervals_hold_the_truth_where_sampling_alone_holds_it_seldom(world: dict[str, float]) -> None:
+    runs = 60
+    assert held(P10, runs, 200, **world) >= 0.95 - 3 * np.sqrt(0.05 * 0.95 / runs)
+    truth = stats.norm.ppf(P10 / 100, 1.16, 0.06)
+    plain = [
+        TotalUncertainty(HeightSample(sample(200, s, **world).height_m, np.zeros(200))) for s in range(40)
+    ]  # type: ignore[arg-type]
+    alone = [one.percentile(P10) for one in plain]
+    assert np.mean([bool(o.U95_low and o.U95_high and o.U95_low <= truth <= o.U95_high) for o in alone]) < 0.9
+
+
+def test_random_error_is_taken_out_of_the_spread_as_for_a_normal_distribution() -> None:
+    n, random_m = 40_000, 0.02
+    found = TotalUncertainty(sample(n, 1, random_m=random_m))
+    for percent in (2.5, 10.0, 50.0, 97.5):
+        one = found.percentile(percent)
+        z = float(stats.norm.ppf(percent / 100))
+        assert one.value - one.raw == pytest.approx(z * (0.06 - np.hypot(0.06, random_m)), abs=0.0005)
+    assert found.sd().value == pytest.approx(0.06, abs=0.001)
+
+
+def test_two_kinds_of_vehicles_keep_their_shapes() -> None:
+    rng = np.random.default_rng(2)
+    n = 20_000
+    true = np.where(rng.random(n) < 0.9, rng.normal(1.14, 0.05, n), rng.normal(2.3, 0.12, n))
+    measured = true + rng.normal(0, 0.02, n)
+    found = TotalUncertainty(HeightSample(measured, np.full(n, 0.02)))
+    for percent in (2.5, 10.0, 50.0):
+        value, raw = found.percentile(percent).value, float(np.quantile(measured, percent / 100))
+        best = float(np.quantile(true, percent / 100))
+        # one factor for all heights, the variance's, would move the 2.5th percentile 0.6 mm of the 7 needed
+        assert abs(value - best) < max(0.35 * abs(raw - best), 0.0012)
+
+
+def test_the_influence_of_a_height_on_the_correction_is_its_derivative() -> None:
+    heights = np.sort(sample(400, 3, random_m=0.02).height_m)
+    noise = noise_of(np.full(400, 0.02), 0.0)
+    density = smooth_density(heights, noise)
+    assert density is not None
+    influence = density.correction_influence_m(0.1)[density.cell_of(heights)]
+    assert abs(influence.mean()) < 0.05 * influence.std()
+    scatter = influence.std() / np.sqrt(400)
+    found = []
+    for seed in range(60):
+        again = smooth_density(np.sort(sample(400, 100 + seed, random_m=0.02).height_m), noise)
+        assert again is not None
+        found.append(again.correction_m(0.1))
+    assert np.std(found) == pytest.approx(scatter, rel=0.6)
+
+
+def test_balanced_sites_give_the_students_interval_of_their_means() -> None:
+    heights = sample(600, 4, sites=6, shared_m=0.015)
+    means = np.array([heights.height_m[heights.site == code].mean() for code in range(6)])
+    expected = stats.t.interval(0.95, 5, means.mean(), stats.sem(means))
+    found = TotalUncertainty(heights).mean()
+    # draws in 4000 parts of the distribution: 0.2 % of the half width
+    assert (found.U95_low, found.U95_high) == pytest.approx(expected, abs=4e-5)
+
+
+def test_shared_errors_within_sites_are_not_counted_twice_and_across_sites_are_counted() -> None:
+    n, u = 600, 0.01
+    site = np.arange(n) % 6
+    sites = sites_of(site)
+    assert sites is not None
+    influence = sample(n, 5).height_m - 1.16
+    within = pooled_variance(sites, influence, influence, [SharedErrors(site, np.full(n, u))])
+    across = pooled_variance(
+        sites, influence, influence, [SharedErrors(np.zeros(n, np.int64), np.full(n, u))]
+    )
+    assert within.unseen == pytest.approx(0.0, abs=1e-12)
+    assert across.unseen == pytest.approx(u**2)
+    assert within.freedom == pytest.approx(5.0) or within.freedom > 5.0
+
+
+def test_sites_of_unequal_size_have_fewer_degrees_of_freedom() -> None:
+    site = np.repeat([0, 1, 2, 3], [500, 40, 30, 30])
+    sites = sites_of(site)
+    assert sites is not None
+    influence = np.random.default_rng(6).normal(0, 1, 600) + np.array([0.0, 3.0, -3.0, 1.0])[site]
+    assert pooled_variance(sites, influence, influence, ()).freedom < 2.0
+
+
+def test_a_share_moves_with_its_limit_and_holds_the_truth() -> None:
+    found = TotalUncertainty(sample(800, 7, shared_m=0.008, random_m=0.015))
+    shares = [found.share_below(limit) for limit in (1.0, 1.08, 1.16, 1.3)]
+    assert [one.value for one in shares] == sorted(one.value for one in shares)
+    for limit, one in zip((1.0, 1.08, 1.16, 1.3), shares, strict=True):
+        assert one.U95_low is not None and one.U95_high is not None
+        assert 0.0 <= one.U95_low <= one.value <= one.U95_high <= 1.0
+        assert one.U95_low - 0.02 <= stats.norm.cdf(limit, 1.16, 0.06) <= one.U95_high + 0.02
+
+
+def test_a_difference_of_two_surveys_has_the_uncertainty_of_both() -> None:
+    first, second = (TotalUncertainty(sample(400, seed, shared_m=0.006)) for seed in (8, 9))
+    moved = TotalUncertainty(HeightSample(sample(400, 9, shared_m=0.006).height_m + 0.1, np.zeros(400)))
+    found = difference(first, second, P10)
+    assert not isinstance(found, str)
+    one, other = first.percentile(P10), second.percentile(P10)
+    assert found.value == pytest.approx(other.value - one.value)
+    assert found.U95_low is not None and found.U95_high is not None
+    halves = [(p.U95_high or 0) - (p.U95_low or 0) for p in (one, other)]
+    assert found.U95_high - found.U95_low == pytest.approx(np.hypot(*halves), rel=0.05)
+    apart = difference(first, moved, P10)
+    assert not isinstance(apart, str) and apart.U95_low is not None and apart.U95_low > 0.05
+
+
+def test_what_is_too_small_says_so() -> None:
+    few = TotalUncertainty(sample(30, 1))
+    assert few.percentile(50.0).U95_low is not None
+    outer = few.percentile(2.5)
+    assert outer.U95_low is None and outer.reason is not None and "40" in outer.reason
+    same = TotalUncertainty(HeightSample(np.full(50, 1.2), np.zeros(50)))
+    assert same.percentile(50.0).reason == "the heights are all the same"
+    assert TotalUncertainty(HeightSample(np.array([1.2]), np.zeros(1))).mean().U95_low is None
+
+
+@settings(max_examples=25, deadline=None)
+@given(
+    n=st.integers(40, 150),
+    seed=st.integers(0, 1000),
+    shift=st.floats(-0.5, 2.0),
+    random_m=st.floats(0.0, 0.03),
+    sites=st.integers(1, 5),
+)
+def test_figures_move_with_the_heights_and_do_not_know_their_order(
+    n: int, seed: int, shift: float, random_m: float, sites: int
+) -> None:
+    plain = sample(n, seed, sites=sites, shared_m=0.01, random_m=random_m)
+    order = np.random.default_rng(seed).permutation(n)
+    mixed = plain.where(order)
+    moved = HeightSample(mixed.height_m + shift, mixed.u_random_m, mixed.shared, mixed.site)
+    before, after = TotalUncertainty(plain), TotalUncertainty(moved)
+    for percent in (2.5, 50.0):
+        one, other = before.percentile(percent), after.percentile(percent)
+        assert one.U95_low is not None and one.U95_high is not None
+        assert one.U95_low <= one.value <= one.U95_high
+        for name in ("value", "U95_low", "U95_high", "raw"):
+            assert getattr(other, name) - shift == pytest.approx(getattr(one, name), abs=2e-4)
+    assert after.sd().value == pytest.approx(before.sd().value, abs=1e-9)
+    assert after.mean().value - shift == pytest.approx(before.mean().value, abs=1e-9)
