@@ -1,10 +1,12 @@
 """Equations (2) to (5) of the paper, printed and corrected, against motions integrated step by step."""
 
+from dataclasses import replace
+
 import pytest
 
 from sightline.linescan.equations import corrected, exact, printed
 from sightline.linescan.gaps import gaps
-from sightline.linescan.parts import Crossings, Motion, Rig
+from sightline.linescan.parts import Crossings, Entry, Motion, Rig
 from sightline.linescan.planner import line_rate_for, speed_error
 
 BASELINE_M, RATE_HZ = 0.593, 4882.8
@@ -90,6 +92,24 @@ def test_gaps_carry_the_leader_on_by_its_own_motion() -> None:
     assert 0 < gap.u_distance_gap_m < 0.5
 
 
+def test_an_end_is_known_to_so_many_metres_so_a_slow_vehicles_gap_is_less_sure() -> None:
+    rig = Rig(BASELINE_M, RATE_HZ)
+    u_s = []
+    for speed in (2.5, 25.0):
+        ahead = crossings(speed, 0.0, 4.2)
+        behind = crossings(speed, 0.0, 4.2, start=ahead.rear_line_1 + 6000)
+        ends = (Entry("boundaries", 0.0, 0.0, 0.0028), Entry("fit", 0.01, 0.02, 5.0))
+        pair = [(seen, replace(motion(seen, speed, 0.0, 4.2), budget=ends)) for seen in (ahead, behind)]
+        u_s.append(gaps(pair, rig)[1].u_time_gap_s)
+        later = gaps(pair, replace(rig, u_line_rate_ratio=0.01))[1]
+        assert later.u_time_gap_s == pytest.approx(0.01 * later.time_gap_s, rel=0.01)
+    # 2 mm an end, both ends, and the even spread of a line of exposure for each
+    for found, speed in zip(u_s, (2.5, 25.0), strict=True):
+        assert found == pytest.approx(
+            2**0.5 * ((0.00198 / speed) ** 2 + (0.2887 / RATE_HZ) ** 2) ** 0.5, rel=0.01
+        )
+
+
 def test_a_gap_that_cannot_be_known_has_its_reason() -> None:
     rig = Rig(BASELINE_M, RATE_HZ)
     ahead, behind = crossings(9.0, 0.0, 4.2), crossings(9.0, 0.0, 4.2, start=60_000.0)
@@ -97,6 +117,7 @@ def test_a_gap_that_cannot_be_known_has_its_reason() -> None:
     after = motion(behind, 9.0, 0.0, 4.2)
     gap = gaps([(ahead, none), (behind, after)], rig)[1]
     assert gap.time_gap_s is not None and gap.distance_gap_m is None and "motion" in str(gap.reason)
+    assert gap.u_time_gap_s is None
     braking = gaps([(ahead, motion(ahead, 9.0, -1.4, 4.2)), (behind, after)], rig)[1]
     assert braking.distance_gap_m is None and "stopped" in str(braking.reason)
     close = crossings(9.0, 0.0, 4.2, start=100.0)

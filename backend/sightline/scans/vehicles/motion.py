@@ -8,7 +8,7 @@ from dataclasses import asdict, replace
 from sightline.enums import Cause, JsonObject
 from sightline.infra.version import code_version
 from sightline.linescan.gaps import gaps
-from sightline.linescan.parts import Crossings, Gap, Motion, Rig
+from sightline.linescan.parts import Crossings, Entry, Gap, Motion, Rig
 from sightline.linescan.rig import wheelbase
 from sightline.scans.records import ScanValues, ScanVehicle
 from sightline.scans.store import rig_columns
@@ -62,12 +62,13 @@ def values_of(
 
 
 def motion_of(values: ScanValues) -> Motion:
-    """A stored revision as a motion again, without its profile and budget."""
+    """A stored revision as a motion again, without its profile."""
     return Motion(
         method=values.method,
         crossings=crossings_of(values),
         status=values.status,
         reason=values.reason,
+        budget=tuple(Entry(**entry) for entry in values.budget),
         **{name: getattr(values, name) for name in _NUMBERS},
     )
 
