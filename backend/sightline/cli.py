@@ -26,6 +26,7 @@ COMMANDS = {
     "errors": "sightline.commands.errors:errors",
     "sightdistance": "sightline.commands.sightdistance:sightdistance",
     "distribution": "sightline.commands.distribution:distribution",
+    "catalogue": "sightline.commands.catalogue:catalogue",
     "linescan": "sightline.commands.linescan:linescan",
     "stream": "sightline.commands.stream:stream",
     "export": "sightline.commands.export:export",

@@ -55,6 +55,10 @@ Rounding = Literal["cm", "none"]
 Correction = Literal["inset", "shift", "none", "regression", "deconvolution"]
 IntervalPart = Literal["sampling", "sites", "shared_errors", "random_error"]
 LengthUnit = Literal["m", "ft"]
+ModelSize = Literal["height", "length", "width", "wheelbase", "taillight", "headlight"]
+SizeUnit = Literal["m", "cm", "mm", "ft", "in"]
+CatalogueChange = Literal["new", "update", "same", "conflict", "duplicate", "refused"]
+OnConflict = Literal["keep", "replace"]
 SightKind = Literal[
     "stopping",
     "decision_a",

@@ -68,7 +68,12 @@ from sightline.surveys.photographs.store import (
 )
 from sightline.surveys.store import create_survey, update_survey
 from sightline.vehicles.catalogue.records import CatalogueRow
-from sightline.vehicles.catalogue.store import add_catalogue_row, import_catalogue_rows
+from sightline.vehicles.catalogue.store import (
+    add_catalogue_row,
+    correct_catalogue_row,
+    import_catalogue_rows,
+    retire_catalogue_row,
+)
 from sightline.vehicles.store import create_vehicle, remove_vehicle, restore_vehicle, update_vehicle
 from tests.support import samples, scans_samples
 from tests.support.samples import Sample, frame_table, values
@@ -273,6 +278,16 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
         lambda s, o, _: import_catalogue_rows(
             s, [CatalogueRow("A", "B"), CatalogueRow("A", "C")], actor=o.olga.id
         ),
+    ),
+    "correct_catalogue_row": (
+        lambda s, o: add_catalogue_row(s, CatalogueRow("Audi", "A3"), actor=None),
+        lambda s, o, row: correct_catalogue_row(
+            s, row.id, CatalogueRow("Audi", "A3", height_m=1.43), version=1, actor=o.olga.id
+        ),
+    ),
+    "retire_catalogue_row": (
+        lambda s, o: add_catalogue_row(s, CatalogueRow("Audi", "A3"), actor=None),
+        lambda s, o, row: retire_catalogue_row(s, row.id, version=1, retired=True, actor=o.olga.id),
     ),
     "create_vehicle": (
         lambda s, o: None,

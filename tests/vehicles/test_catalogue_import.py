@@ -1,5 +1,7 @@
 """The catalogue: completion by beginnings of words, and CSV files of other people."""
 
+from typing import Any
+
 import pytest
 
 from tests.support.app import Client, error_of
@@ -25,13 +27,14 @@ def test_rows_that_can_be_used_are_stored_and_the_others_named(operator: Client,
     assert answer.status_code == 200, answer.text  # type: ignore[attr-defined]
     found = answer.json()  # type: ignore[attr-defined]
     assert (found["added"], found["updated"]) == (2, 0)
-    assert [one["line"] for one in found["skipped"]] == [3, 5, 6]
-    assert "metres" in found["skipped"][0]["reason"]
+    refused = [one for one in found["plan"]["rows"] if one["change"] == "refused"]
+    assert [one["line"] for one in refused] == [3, 5, 6]
+    assert "metres" in refused[0]["words"]
     assert [one["model"] for one in viewer.seen("/catalogue?q=corv li")] == ["Lindo, long"]
     assert viewer.seen("/catalogue?q=citroen eva")[0]["make"] == "Citroën"
     assert viewer.seen("/catalogue?q=vane") == []
     again = send(operator, lines.encode()).json()  # type: ignore[attr-defined]
-    assert (again["added"], again["updated"]) == (0, 2)
+    assert (again["added"], again["updated"]) == (0, 0) and again["plan"]["counts"]["same"] == 2
 
 
 def test_a_list_with_semicolons_and_decimal_commas_is_read(operator: Client) -> None:
@@ -56,5 +59,122 @@ def test_a_file_that_is_no_table_is_refused_in_words(operator: Client) -> None:
 def test_a_model_added_by_hand_is_found(operator: Client, viewer: Client) -> None:
     row = {"make": "Nordal", "model": "Taiga", "year_from": 2013, "height_m": 1.735, "category": "suv"}
     assert operator.made("/catalogue", row)["height_m"] == 1.735
+    assert "already" in error_of(operator.post("/catalogue", {**row, "model": "TAIGA "}))
+    row["model"] = "Taiga Long"
     assert viewer.seen("/catalogue?q=2013 tai")[0]["make"] == "Nordal"
     assert operator.post("/catalogue", {**row, "height_m": 1735}).status_code == 422
+
+
+def preview(client: Client, content: str, query: str = "") -> dict[str, Any]:
+    files = {"file": ("cars.csv", content.encode(), "text/csv")}
+    answer = client.post(f"/catalogue/import/preview?{query}", files=files)
+    assert answer.status_code == 200, answer.text
+    return dict(answer.json())
+
+
+def words_of(plan: dict[str, Any]) -> dict[int, tuple[str, str]]:
+    return {one["line"]: (one["change"], one["words"]) for one in plan["rows"]}
+
+
+def test_each_line_that_is_not_plain_is_named_and_nothing_is_stored_before(
+    operator: Client, viewer: Client
+) -> None:
+    send(operator, b"make,model,year_from,height_m,source\nAudi,A3,2012,1.43,brochure\nBMW,i3,2013,,\n")
+    content = (
+        "make,model,year_from,height_m,taillight_m,u_taillight_m\n"
+        "Audi,A3,2012,1.45,0.71,0.01\n"
+        "BMW,i3,2013,1.58,,\n"
+        "Kia,Rio,2017,1.45,,\n"
+        "Kia,RIO,2017,1.45,,\n"
+        "Kia,Rio,2017,1.46,,\n"
+        "Kia,Ceed,2018,14.5,,\n"
+        "Kia,Ceed,2018,1.447,,2.5\n"
+    )
+    plan = preview(operator, content)
+    assert plan["problem"] is None
+    assert plan["counts"] == {"new": 1, "update": 1, "same": 0, "conflict": 1, "duplicate": 2, "refused": 2}
+    named = words_of(plan)
+    assert named[2][0] == "conflict" and "1.450 m here, height 1.430 m (brochure) there" in named[2][1]
+    assert named[3] == ("update", "Fills in height_m.")
+    assert "line 4" in named[5][1] and "1.460 m here" in named[6][1]
+    assert "in feet it would be 4.420 m" in named[7][1] and "u_taillight_m" in named[8][1]
+    assert viewer.seen("/catalogue?q=kia") == []
+    kept = send(operator, content.encode()).json()  # type: ignore[attr-defined]
+    assert (kept["added"], kept["updated"]) == (1, 2)
+    audi = viewer.seen("/catalogue?q=audi")[0]
+    assert (audi["height_m"], audi["taillight_m"], audi["u_taillight_m"]) == (1.43, 0.71, 0.01)
+    assert (audi["source"], audi["height_source"]) == ("brochure", "brochure")
+    files = {"file": ("cars.csv", content.encode(), "text/csv")}
+    operator.post("/catalogue/import?on_conflict=replace", files=files)
+    assert viewer.seen("/catalogue?q=audi")[0]["height_m"] == 1.45
+
+
+def test_feet_that_pass_for_metres_are_refused_as_a_whole(operator: Client, viewer: Client) -> None:
+    content = "make,model,height_m,length_m\n" + "".join(
+        f"Make,Model {n},{4.7 + 0.01 * n:.2f},{14.2 + 0.1 * n:.1f}\n" for n in range(20)
+    )
+    sentence = error_of(send(operator, content.encode()))  # type: ignore[arg-type]
+    assert "height_m" in sentence and "feet" in sentence and "Nothing is stored" in sentence
+    assert "feet" in preview(operator, content)["problem"]
+    assert viewer.seen("/catalogue?q=make") == []
+    plan = preview(operator, content, "unit=ft")
+    assert plan["problem"] is None and plan["counts"]["new"] == 20
+    operator.post("/catalogue/import?unit=ft", files={"file": ("c.csv", content.encode(), "text/csv")})
+    found = viewer.seen("/catalogue?q=make 0")[0]
+    assert (found["height_m"], found["length_m"]) == (1.43256, 4.32816)
+
+
+def test_units_are_read_from_headers_and_columns_are_mapped(operator: Client, viewer: Client) -> None:
+    content = (
+        "Marque;Modèle;Height (mm);Length_cm;Wheelbase [in];Couleur\nRenault;Zoe;1562;408,7;101,9;blue\n"
+    )
+    with pytest.raises(AssertionError, match="make"):
+        preview(operator, content)
+    query = "column=make%3DMarque&column=model%3DMod%C3%A8le"
+    plan = preview(operator, content, query)
+    assert [(one["field"], one["unit"]) for one in plan["columns"]] == [
+        ("make", None),
+        ("model", None),
+        ("height_m", "mm"),
+        ("length_m", "cm"),
+        ("wheelbase_m", "in"),
+        (None, None),
+    ]
+    operator.post(f"/catalogue/import?{query}", files={"file": ("c.csv", content.encode(), "text/csv")})
+    zoe = viewer.seen("/catalogue?q=zoe")[0]
+    assert (zoe["height_m"], zoe["length_m"], zoe["wheelbase_m"]) == (1.562, 4.087, 2.58826)
+    assert "no field" in error_of(
+        operator.post(
+            "/catalogue/import/preview?column=hight%3DMarque", files={"file": ("c.csv", b"Marque,b\n")}
+        )
+    )
+
+
+def test_a_model_is_corrected_retired_and_brought_back(operator: Client, viewer: Client) -> None:
+    row = {"make": "Opel", "model": "Corsa", "year_from": 2019, "height_m": 1.435, "source": "brochure"}
+    made = operator.made("/catalogue", row)
+    path = f"/catalogue/{made['id']}"
+    corrected = operator.put(path, {**row, "height_m": 1.433, "headlight_m": 0.66, "version": 1}).json()
+    assert (corrected["height_m"], corrected["headlight_m"], corrected["version"]) == (1.433, 0.66, 2)
+    late = operator.put(path, {**row, "version": 1})
+    assert late.status_code == 409 and late.json()["current"]["height_m"] == 1.433
+    assert operator.post(f"{path}/retire", {"version": 2, "retired": True}).json()["retired_at"]
+    assert viewer.seen("/catalogue?q=corsa") == []
+    assert viewer.seen("/catalogue/page?q=corsa")["total"] == 0
+    assert viewer.seen("/catalogue/page?q=corsa&retired=true")["entries"][0]["id"] == made["id"]
+    operator.post(f"{path}/retire", {"version": 3, "retired": False})
+    assert viewer.seen("/catalogue?q=corsa")[0]["version"] == 4
+
+
+def test_what_is_exported_is_imported_again(operator: Client, viewer: Client) -> None:
+    send(
+        operator,
+        b"make,model,year_from,category,height_m,u_height_m,taillight_m,taillight_source,source\n"
+        b"'=Odd,A3,2012,suv,1.43,0.005,0.7,tape,brochure\nBMW,i3,,,,,,,\n",
+    )
+    content = viewer.get("/catalogue/export").text
+    before = viewer.seen("/catalogue/page")["entries"]
+    assert content.splitlines()[1].startswith("'=Odd,A3,2012,,suv,1.430000,0.005000,,")
+    plan = preview(operator, content)
+    assert plan["counts"]["same"] == 2 and plan["problem"] is None
+    assert viewer.seen("/catalogue/page")["entries"] == before

@@ -70,6 +70,8 @@ from sightline.surveys.photographs.service import photograph_content
 from sightline.surveys.photographs.store import list_photographs
 from sightline.surveys.records import Survey
 from sightline.surveys.store import get_survey
+from sightline.vehicles.catalogue.csv import CATALOGUE
+from sightline.vehicles.catalogue.store import catalogue_of_models
 
 Record = TypeVar("Record")
 Tell = Callable[[float, str], None]
@@ -93,12 +95,13 @@ class Built:
 
 @dataclass(eq=False)
 class _Seen:
-    """What is gathered on the way: people named, frames clicked on, places to crop."""
+    """What is gathered on the way: people named, frames clicked on, places to crop, models of vehicles."""
 
     people: dict[int, str] = field(default_factory=dict)
     marks: dict[int, bytearray] = field(default_factory=dict)
     spots: list[Spots] = field(default_factory=list)
     crops: bool = False
+    models: set[tuple[str, str]] = field(default_factory=set)
     measurements: int = 0
     vehicles: int = 0
 
@@ -232,7 +235,10 @@ def _small_tables(staging: Staging, session: Session, survey: Survey, seen: _See
         for page in vehicle_pages(session, survey.id):
             for vehicle in page:
                 table.add(vehicle)
+                if vehicle.make and vehicle.model:
+                    seen.models.add((vehicle.make, vehicle.model))
         seen.vehicles = table.rows
+    staging.fill(CATALOGUE, catalogue_of_models(session, seen.models))
     with staging.table(REVIEWS) as table_of_reviews:
         for reviews in review_pages(session, survey.id):
             for review in reviews:

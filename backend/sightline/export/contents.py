@@ -29,6 +29,7 @@ from sightline.scans.csv import TABLES as SCANS
 from sightline.surveys.csv import INSETS
 from sightline.surveys.photographs.csv import FOLDER as PHOTOGRAPHS_FOLDER
 from sightline.surveys.photographs.csv import PHOTOGRAPHS
+from sightline.vehicles.catalogue.csv import CATALOGUE
 
 REPORT = "report.pdf"
 FIGURES = "figures/"
@@ -36,6 +37,7 @@ FIGURES = "figures/"
 #: After those of measurements; the last ones are derived from the others.
 _OTHER_TABLES: tuple[AnyTable, ...] = (
     VEHICLES,
+    CATALOGUE,
     RECORDINGS,
     FRAMES,
     POSES,
@@ -73,9 +75,10 @@ _ABOUT = (
     "(0, 0) at the centre of the top-left pixel. `sightline verify` checks this folder; `sightline height "
     "--pose poses/pose-N.json --clicks clicks/pose-N.csv` computes its heights again. statistics/ is made of "
     "the accepted measurements in these tables, heights to the micrometre. An apostrophe stands before any "
-    "text that a spreadsheet would run as a formula. The audit chain does not vouch for the names of people "
-    "and texts of flags: keep the SHA-256 of the ZIP elsewhere, which covers them. An event's hash is "
-    "sha256(previous_hash + content_sha256), its content_sha256 that of the event as JSON by RFC 8785."
+    "text that a spreadsheet would run as a formula. The audit chain does not vouch for the names of "
+    "people, texts of flags and models of catalogue.csv: keep the SHA-256 of the ZIP elsewhere, which "
+    "covers them. An event's hash is sha256(previous_hash + content_sha256), its content_sha256 that of the "
+    "event as JSON by RFC 8785."
 )
 
 

@@ -90,6 +90,7 @@ page-scan = Line scan
 page-export = Export
 page-statistics = Statistics
 page-sight-distance = Sight distance
+page-catalogue = Catalogue
 page-audit = Audit
 page-people = People
 page-account = Account
@@ -260,6 +261,7 @@ app-loading-page = { $page ->
     [export] export
     [statistics] statistics
     [sight-distance] sight distance
+    [catalogue] catalogue
     [audit] audit
     [people] people
    *[account] account
@@ -2621,6 +2623,7 @@ audit-action-requeue = requeue
 audit-action-restart_ingest = restart ingest
 audit-action-restart_reading = restart reading
 audit-action-restore = restore
+audit-action-retire = retire
 audit-action-review = review
 audit-action-revise = revise
 audit-action-run = run
@@ -3405,3 +3408,104 @@ sightdistance-radius = The radius must be above 0, and its curve must hold the d
 sightdistance-shares = The shares of a fleet must sum to 100 %; these sum to { $total_percent } %. Correct them.
 sightdistance-share = “{ $share }” is no share of a fleet; write the class, a colon and 0 to 100 percent (suv:40).
 sightdistance-class-unseen = The fleet has a share of { $category }, of which the survey measured none; set that share to 0 or measure some.
+
+## Catalogue: the page
+
+catalogue-lead = Makers’ sizes of models, each with its source: what measured heights and lengths are compared with.
+catalogue-loading = Loading the catalogue ...
+catalogue-search = Search by make, model and year
+catalogue-which = Which models
+catalogue-offered = offered
+catalogue-retired = retired
+catalogue-none = No models
+catalogue-none-found = No model begins with these words; search by fewer letters.
+catalogue-none-yet = Import a CSV of models, or add one by hand.
+catalogue-model = Model
+catalogue-years = Years
+catalogue-category = Class
+catalogue-category-unknown = not known
+catalogue-size-head = { $size } ({ $unit })
+catalogue-height = Roof
+catalogue-length = Length
+catalogue-width = Width
+catalogue-wheelbase = Wheelbase
+catalogue-taillight = Taillight, lower edge
+catalogue-headlight = Headlight, lower edge
+catalogue-u = u = { $u }
+catalogue-u-of = { $size }, u
+catalogue-source-of = { $size }, source
+catalogue-source = Source of the sizes
+catalogue-shown = { NUMBER($first) } to { NUMBER($last) } of { NUMBER($total) }
+catalogue-before = Before
+catalogue-after = After
+catalogue-correct = Correct
+catalogue-correct-model = Correct { $model }
+catalogue-correct-title = Correct a model
+catalogue-correct-save = Store the correction
+catalogue-retire = Retire
+catalogue-restore = Offer again
+catalogue-add = Add a model
+catalogue-add-title = Add a model
+catalogue-add-save = Add the model
+catalogue-make = Make
+catalogue-model-name = Model
+catalogue-year-from = First model year
+catalogue-year-to = Last model year
+catalogue-needed = This is needed.
+catalogue-year-problem = Four digits, as in 2019.
+catalogue-number-problem = This is no number.
+catalogue-export = Export
+catalogue-import = Import a CSV
+catalogue-import-title = Import models from a CSV
+catalogue-import-choose = Choose a CSV of models
+catalogue-import-drop = Drop a CSV here
+catalogue-import-hint = A header line with make and model; sizes with their unit in the header (height_m, Length (mm)).
+catalogue-import-looking = Looking through the file ...
+catalogue-import-unit = Unit of the sizes
+catalogue-import-unit-header = as the headers say, else metres
+catalogue-import-conflicts = Where the catalogue says otherwise
+catalogue-import-keep = keep what it has
+catalogue-import-replace = put the file’s value in its place
+catalogue-import-columns = Columns of the file
+catalogue-import-in = in { $unit }
+catalogue-import-left-out = left out
+catalogue-import-lines = Lines to look at
+catalogue-import-line = Line
+catalogue-import-what = What
+catalogue-import-why = Why
+catalogue-import-store = { $count ->
+    [0] Nothing to store
+    [one] Store { NUMBER($count) } model
+   *[other] Store { NUMBER($count) } models
+}
+catalogue-import-done = { NUMBER($added) } models added, { NUMBER($updated) } updated.
+catalogue-change-new = new
+catalogue-change-update = filled in
+catalogue-change-same = unchanged
+catalogue-change-conflict = in conflict
+catalogue-change-duplicate = twice in the file
+catalogue-change-refused = cannot be used
+catalogue-unit-m = metres
+catalogue-unit-cm = centimetres
+catalogue-unit-mm = millimetres
+catalogue-unit-ft = feet
+catalogue-unit-in = inches
+
+## Catalogue: what an import says of a line, and what cannot be stored
+catalogue-make-and-model = The make and the model are needed; fill in both.
+catalogue-too-long = A make has at most { $most_make } signs and a model { $most_model }; shorten it.
+catalogue-years-reversed = The last year lies before the first; swap them.
+catalogue-size-impossible = { $column } is { $value }, which no vehicle has; give it in metres, from { $low } to { $high }.
+catalogue-size-in-other-unit = { $column } is { $value }, which no vehicle has in metres; in { $unit } it would be { $metres } m. Give it in metres, or say the unit.
+catalogue-u-impossible = { $column } is { $value }, which is no standard uncertainty of a size; give metres, from 0 to 1.
+catalogue-unit-doubtful = { $column }: half of its values are { $middle } or more, which no list of vehicles has in { $unit }; they look like { $other }. Nothing is stored; say that the unit is { $sign }, or convert the file.
+catalogue-there-already = { $make } { $model } ({ $year }) is in the catalogue already; correct that row instead.
+catalogue-changed-meanwhile = Somebody changed { $make } { $model } meanwhile; look at it again and redo your change.
+catalogue-no-such-field = The catalogue has no field “{ $field }”; use one of { $known }.
+catalogue-column-choice = “{ $column }” says nothing of a column; write the field, an equals sign and the header (height_m=Roof).
+catalogue-duplicate = The same model as line { $line }; left out.
+catalogue-duplicate-differs = The same model as line { $line } with other values ({ $differences }); left out. Keep one of the two.
+catalogue-conflict-keep = { $differences }; what the catalogue has stays.
+catalogue-conflict-replace = { $differences }; this line takes its place.
+catalogue-differs = { $here } here, { $there } there
+catalogue-fills-in = Fills in { $columns }.

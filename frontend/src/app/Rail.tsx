@@ -55,6 +55,12 @@ export function Rail({ surveyId, name }: { surveyId: number; name: string }) {
           </a>
         </li>
         <li>
+          <a class="rail__item" href="/catalogue">
+            <Icon name="overview" />
+            <span class="grow">{titleOf("catalogue")}</span>
+          </a>
+        </li>
+        <li>
           <a class="rail__item" href={`/audit?survey_id=${surveyId}`}>
             <Icon name="audit" />
             <span class="grow">{say("app-audit")}</span>

@@ -152,6 +152,9 @@ function PersonMenu() {
           {titleOf("people")}
         </a>
       )}
+      <a class="menu__item" href="/catalogue">
+        {titleOf("catalogue")}
+      </a>
       <a class="menu__item" href="/audit">
         {say("app-audit")}
       </a>

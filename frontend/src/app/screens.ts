@@ -24,6 +24,7 @@ const LOADERS: Record<PlaceName, () => Promise<{ default: Screen }>> = {
   export: () => import("../screens/export/ExportScreen"),
   statistics: () => import("../screens/statistics/StatisticsScreen"),
   "sight-distance": () => import("../screens/sightdistance/SightScreen"),
+  catalogue: () => import("../screens/catalogue/CatalogueScreen"),
   audit: () => import("../screens/audit/AuditScreen"),
   people: () => import("../screens/people/PeopleScreen"),
   account: () => import("../screens/account/AccountScreen"),

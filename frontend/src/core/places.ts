@@ -24,6 +24,7 @@ export type PlaceName =
   | "export"
   | "statistics"
   | "sight-distance"
+  | "catalogue"
   | "audit"
   | "people"
   | "account";
@@ -125,6 +126,11 @@ export const PLACES: readonly Place[] = [
   {
     name: "sight-distance",
     pattern: "/sight-distance",
+    layout: "alone",
+  },
+  {
+    name: "catalogue",
+    pattern: "/catalogue",
     layout: "alone",
   },
   {

@@ -1,91 +1,294 @@
-"""The catalogue from a CSV: rows that can be used are stored, the others are named with their reason."""
+"""The catalogue from a CSV: what its columns are taken for, what each line would do, and doing it.
+
+`plan_import` stores nothing. `import_csv` stores what the plan says, and nothing at all where a column's
+unit is doubtful: lengths in feet that pass for metres are wrong numbers that look right.
+"""
 
 from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+import re
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, fields
+from functools import partial
+from statistics import median
 from typing import Any, cast, get_args
 
-from sightline.enums import Category
+from sightline.enums import CatalogueChange, Category, ModelSize, OnConflict, SizeUnit
 from sightline.errors import BadInput
 from sightline.infra.database import Session
-from sightline.vehicles.catalogue.records import CatalogueRow
-from sightline.vehicles.catalogue.store import catalogue_row_problem, import_catalogue_rows
+from sightline.messages import Value, say
+from sightline.vehicles.catalogue.records import (
+    SIZES,
+    CatalogueEntry,
+    CatalogueRow,
+    ImportColumn,
+    Imported,
+    ImportPlan,
+    ImportRow,
+)
+from sightline.vehicles.catalogue.store import (
+    METRES,
+    UNIT_WORDS,
+    Key,
+    import_catalogue_rows,
+    key_of,
+    known_models,
+    merge,
+    require_possible,
+)
 
-MOST_BYTES = 10_000_000
+MOST_BYTES = 20_000_000
+MOST_ROWS_SHOWN = 500
+FIELDS = tuple(one.name for one in fields(CatalogueRow))
 _NEEDED = ("make", "model")
-_LENGTHS = ("height_m", "length_m", "width_m", "wheelbase_m")
-_KNOWN = (*_NEEDED, "year_from", "year_to", "category", *_LENGTHS, "source")
-# Public size lists leave the unit out of the header; metres are then believed only within a vehicle's range.
+_LENGTHS = frozenset([*(f"{name}_m" for name in SIZES), *(f"u_{name}_m" for name in SIZES)])
+_YEARS = ("year_from", "year_to")
+# Other names of columns; sizes may have their unit behind them, in brackets or not: "Height (mm)",
+# "height_ft".
 _ALSO = {
-    "height": "height_m",
-    "length": "length_m",
-    "width": "width_m",
-    "wheelbase": "wheelbase_m",
-    "year": "year_from",
     "manufacturer": "make",
+    "brand": "make",
+    "year": "year_from",
+    "first_year": "year_from",
+    "last_year": "year_to",
+    "class": "category",
+    "roof": "height",
+    "roof_height": "height",
+    "overall_height": "height",
+    "overall_length": "length",
+    "overall_width": "width",
+    "taillight_lower_edge": "taillight",
+    "tail_lamp": "taillight",
+    "headlight_lower_edge": "headlight",
+    "head_lamp": "headlight",
 }
+# Half of a list's models lie below a size within these, metres: what tells its unit.
+_USUAL_M: dict[ModelSize, tuple[float, float]] = {
+    "height": (1.1, 3.3),
+    "length": (2.3, 7.4),
+    "width": (1.3, 2.7),
+    "wheelbase": (1.7, 5.5),
+    "taillight": (0.35, 1.2),
+    "headlight": (0.35, 1.2),
+}
+_SIZED = re.compile(rf"^(u_)?(.+?)(?:_({'|'.join(get_args(SizeUnit))}))?$")
 
 
 @dataclass(frozen=True)
-class Skipped:
-    """A line of the file that was left out, and why."""
-
-    line: int
-    reason: str
-
-
-@dataclass(frozen=True)
-class Imported:
-    """What came of an import."""
-
-    added: int
-    updated: int
-    skipped: list[Skipped]
-
-
-def import_csv(session: Session, data: bytes, name: str, *, actor: int | None) -> Imported:
-    """Store the rows of a CSV; its header names the columns (make, model, year_from, height_m, source, ...).
-
-    Raises BadInput for a file that is no such table; a row that cannot be used is skipped with its reason.
+class Choices:
+    """How a file is read: fields by header ("" leaves a column out), and the unit of sizes that name none
+    or m.
     """
-    good: list[CatalogueRow] = []
-    skipped: list[Skipped] = []
-    for line, cells in _lines(data, name):
+
+    columns: Mapping[str, str]
+    unit: SizeUnit | None = None
+    on_conflict: OnConflict = "keep"
+
+
+NO_CHOICES = Choices({})
+
+
+@dataclass(frozen=True)
+class _Planned:
+    plan: ImportPlan
+    rows: list[CatalogueRow]
+    known: Mapping[Key, CatalogueEntry]
+
+
+def plan_import(session: Session, data: bytes, name: str, choices: Choices = NO_CHOICES) -> ImportPlan:
+    """What an import of this file would do. Raises BadInput for a file that is no such table."""
+    return _planned(session, data, name, choices).plan
+
+
+def import_csv(
+    session: Session, data: bytes, name: str, choices: Choices = NO_CHOICES, *, actor: int | None
+) -> Imported:
+    """Store the rows of a CSV that can be used; its header names the columns.
+
+    Raises BadInput for a file that is no such table, whose units are doubtful, or of which no row can be
+    used.
+    """
+    planned = _planned(session, data, name, choices)
+    if planned.plan.problem is not None:
+        raise BadInput("said", sentence=planned.plan.problem)
+    if not planned.rows:
+        return Imported(0, 0, planned.plan)
+    done = import_catalogue_rows(session, planned.rows, known=planned.known, actor=actor)
+    return Imported(done.added, done.updated, planned.plan)
+
+
+def _planned(session: Session, data: bytes, name: str, choices: Choices) -> _Planned:
+    header, lines = _table(data, name)
+    columns = _columns(header, lines, name, choices)
+    known = known_models(session)
+    sorter = _Sorter(known, choices.on_conflict)
+    for line, cells in lines:
+        sorter.sort(line, cells, columns)
+    doubtful = next((one.problem for one in columns if one.problem), None)
+    refused = sorter.counts["refused"]
+    if doubtful is None and refused and refused == len(lines):
+        first = next(one for one in sorter.rows if one.change == "refused")
+        doubtful = say("vehicles-no-row-used-line", {"name": name, "line": first.line, "reason": first.words})
+    rows = sorted(sorter.rows, key=lambda one: (_ORDER[one.change], one.line))[:MOST_ROWS_SHOWN]
+    plan = ImportPlan(
+        columns=tuple(columns),
+        counts={word: sorter.counts[word] for word in get_args(CatalogueChange)},
+        rows=tuple(rows),
+        problem=doubtful,
+    )
+    return _Planned(plan, sorter.to_store, known)
+
+
+# Those to look at come first.
+_ORDER: dict[CatalogueChange, int] = {
+    "refused": 0,
+    "conflict": 1,
+    "duplicate": 2,
+    "update": 3,
+    "new": 4,
+    "same": 5,
+}
+Words = Callable[[], str]
+
+
+class _Sorter:
+    """Lines of a file, one after the other: what becomes of each."""
+
+    def __init__(self, known: Mapping[Key, CatalogueEntry], on_conflict: OnConflict) -> None:
+        self._known, self._on_conflict = known, on_conflict
+        self._first: dict[Key, tuple[int, CatalogueRow]] = {}
+        self.counts: Counter[CatalogueChange] = Counter()
+        self.rows: list[ImportRow] = []
+        self.to_store: list[CatalogueRow] = []
+
+    def sort(self, line: int, cells: Sequence[str], columns: Sequence[ImportColumn]) -> None:
+        named = {
+            one.field: cell.strip()
+            for one, cell in zip(columns, cells, strict=False)
+            if one.field is not None
+        }
         try:
-            good.append(_row(cells))
+            row = _row(named, columns)
         except BadInput as error:
-            skipped.append(Skipped(line, error.message))
-    if not good and not skipped:
-        return Imported(0, 0, [])
-    if not good:
-        raise BadInput("vehicles-no-row-used-line", name=name, line=skipped[0].line, reason=skipped[0].reason)
-    result = import_catalogue_rows(session, good, actor=actor)
-    return Imported(result.added, result.updated, skipped)
+            who = (named.get("make", ""), named.get("model", ""), None)
+            self._note(line, who, "refused", partial(_said, error.code, **error.values))
+            return
+        change, words = self._change(line, row)
+        self._note(line, (row.make, row.model, row.year_from), change, words)
+
+    def _change(self, line: int, row: CatalogueRow) -> tuple[CatalogueChange, Words]:
+        key = key_of(row)
+        if key in self._first:
+            first_line, first = self._first[key]
+            if differs(first, row):
+                return "duplicate", partial(
+                    _of_two, "catalogue-duplicate-differs", first, row, line=first_line
+                )
+            return "duplicate", partial(_said, "catalogue-duplicate", line=first_line)
+        self._first[key] = (line, row)
+        before = self._known.get(key)
+        if before is None:
+            self.to_store.append(row)
+            return "new", str
+        if differs(before, row):
+            replace = self._on_conflict == "replace"
+            self.to_store.append(row if replace else merge(row, before))
+            said = "catalogue-conflict-replace" if replace else "catalogue-conflict-keep"
+            return "conflict", partial(_of_two, said, before, row)
+        gained = [
+            name for name in _GAINED if _empty(getattr(before, name)) and not _empty(getattr(row, name))
+        ]
+        if not gained:
+            return "same", str
+        self.to_store.append(row)
+        return "update", partial(_said, "catalogue-fills-in", columns=", ".join(gained))
+
+    def _note(
+        self, line: int, who: tuple[str, str, int | None], change: CatalogueChange, words: Words
+    ) -> None:
+        """Words cost more than all the rest, so they are made for those that are shown alone."""
+        self.counts[change] += 1
+        if change == "same" or self.counts[change] > MOST_ROWS_SHOWN:
+            return
+        make, model, year = who
+        self.rows.append(
+            ImportRow(
+                line=line, make=make[:100], model=model[:200], year_from=year, change=change, words=words()
+            )
+        )
 
 
-def _lines(data: bytes, name: str) -> Iterator[tuple[int, dict[str, str]]]:
-    """(line number, cells by column) of every row that is not blank."""
+_GAINED = tuple(name for name in FIELDS if not name.endswith("source"))
+
+
+def _said(key: str, **values: Value) -> str:
+    return say(key, values)
+
+
+def _of_two(key: str, before: CatalogueRow, row: CatalogueRow, **values: Value) -> str:
+    return say(key, {**values, "differences": _differences(before, row)})
+
+
+def differs(before: CatalogueRow, row: CatalogueRow) -> bool:
+    """Whether a size, the last year or the class is known on both sides and not the same."""
+    pairs = ((getattr(before, name), getattr(row, name)) for name in _COMPARED)
+    return any(not (_empty(old) or _empty(new)) and not _alike(old, new) for old, new in pairs)
+
+
+_COMPARED = (*(f"{name}_m" for name in SIZES), "category", "year_to")
+
+
+def _alike(old: object, new: object) -> bool:
+    if isinstance(old, float) and isinstance(new, float):
+        return abs(old - new) <= 5e-7  # files carry six decimals
+    return old == new
+
+
+def _differences(before: CatalogueRow, row: CatalogueRow) -> str:
+    """What `differs`, in words."""
+    found = []
+    for name in SIZES:
+        old, new = before.size(name), row.size(name)
+        if old is not None and new is not None and not _alike(old, new):
+            source = before.source_of(name)
+            said = f"{name} {old:.3f} m" + (f" ({source})" if source else "")
+            found.append(say("catalogue-differs", {"here": f"{new:.3f} m", "there": said}))
+    for field in ("category", "year_to"):
+        old, new = getattr(before, field), getattr(row, field)
+        if not _empty(old) and not _empty(new) and old != new:
+            found.append(say("catalogue-differs", {"here": str(new), "there": f"{field} {old}"}))
+    return ", ".join(found)
+
+
+def _empty(value: object) -> bool:
+    return value is None or value == ""
+
+
+Lines = list[tuple[int, list[str]]]
+
+
+def _table(data: bytes, name: str) -> tuple[list[str], Lines]:
+    """The header, and (line number, cells) of every row that is not blank."""
     text = _text(data, name)
     first = text.partition("\n")[0]
     semicolons = first.count(";") > first.count(",")
     reader = csv.reader(io.StringIO(text, newline=""), delimiter=";" if semicolons else ",", strict=True)
     try:
-        header = _header(next(reader, []), name)
-        for cells in reader:
-            if any(cell.strip() for cell in cells):
-                decimal = [cell.replace(",", ".") for cell in cells] if semicolons else cells
-                paired = {
-                    column: (changed if column in _LENGTHS else cell).strip()
-                    for column, cell, changed in zip(header, cells, decimal, strict=False)
-                }
-                yield reader.line_num, paired
+        header = [cell.strip() for cell in next(reader, [])]
+        return header, list(_rows(reader))
     except csv.Error as error:
         raise BadInput(
             "vehicles-cannot-read-csv-near-line-save", name=name, line_num=reader.line_num, problem=error
         ) from error
+
+
+def _rows(reader: Any) -> Iterator[tuple[int, list[str]]]:
+    for cells in reader:
+        if any(cell.strip() for cell in cells):
+            yield reader.line_num, cells
 
 
 def _text(data: bytes, name: str) -> str:
@@ -99,34 +302,92 @@ def _text(data: bytes, name: str) -> str:
         raise BadInput("vehicles-not-utf-8-text-save-csv", name=name) from None
 
 
-def _header(cells: list[str], name: str) -> list[str]:
-    folded = [cell.strip().lower().replace(" ", "_") for cell in cells]
-    header = [_ALSO.get(column, column) for column in folded]
-    missing = [column for column in _NEEDED if column not in header]
+def _columns(header: Sequence[str], lines: Lines, name: str, choices: Choices) -> list[ImportColumn]:
+    """What each column is taken for, by choice or by its name; each field once."""
+    taken: set[str] = set()
+    found: list[ImportColumn] = []
+    for at, title in enumerate(header):
+        field, unit = _field(title, choices)
+        if field in taken:
+            field = None
+        if field is not None:
+            taken.add(field)
+        cells = (row[at] for _, row in lines if at < len(row))
+        found.append(_column(title, field, unit, cells, choices.unit))
+    missing = [column for column in _NEEDED if column not in taken]
     if missing:
         raise BadInput(
             "vehicles-no-column-first-line-names-columns",
             name=name,
             missing=" and no column ".join(missing),
-            known=", ".join(_KNOWN),
+            known=", ".join(FIELDS),
         )
-    return header
+    return found
 
 
-def _row(cells: Mapping[str, str]) -> CatalogueRow:
+def _field(title: str, choices: Choices) -> tuple[str | None, SizeUnit | None]:
+    """The field of a header, and the unit that it names."""
+    folded = re.sub(r"[\s()\[\]]+", "_", title.strip().lower()).strip("_")
+    matched = _SIZED.match(folded)
+    u, plain, unit = matched.groups() if matched else (None, folded, None)
+    chosen = choices.columns.get(title)
+    if chosen is not None:
+        if chosen and chosen not in FIELDS:
+            raise BadInput("catalogue-no-such-field", field=chosen, known=", ".join(FIELDS))
+        return chosen or None, cast(SizeUnit | None, unit) if chosen in _LENGTHS else None
+    plain = _ALSO.get(plain, plain)
+    if plain in SIZES:
+        return f"{u or ''}{plain}_m", cast(SizeUnit | None, unit)
+    folded = _ALSO.get(folded, folded)
+    return (folded if folded in FIELDS else None), None
+
+
+def _column(
+    title: str, field: str | None, named: SizeUnit | None, cells: Iterator[str], chosen: SizeUnit | None
+) -> ImportColumn:
+    """A column with its unit; doubtful where its values are usual in another unit than the one it names."""
+    if field not in _LENGTHS or field is None:
+        return ImportColumn(header=title, field=field, unit=None, problem=None)
+    unit: SizeUnit = chosen if chosen is not None and named in (None, "m") else named or "m"
+    size = cast(ModelSize, field.removesuffix("_m"))
+    problem = None
+    if chosen is None and size in _USUAL_M:
+        problem = _doubt(
+            title, size, unit, [number for cell in cells if (number := _maybe(cell)) is not None]
+        )
+    return ImportColumn(header=title, field=field, unit=unit, problem=problem)
+
+
+def _doubt(title: str, size: ModelSize, unit: SizeUnit, values: Sequence[float]) -> str | None:
+    if len(values) < 2:
+        return None  # one value tells no unit; its row is looked at by itself
+    low, high = _USUAL_M[size]
+    middle = median(values)
+    if low <= METRES[unit] * middle <= high:
+        return None
+    other = next((one for one in get_args(SizeUnit) if low <= METRES[one] * middle <= high), None)
+    if other is None:
+        return None
+    said = {"column": title, "middle": f"{middle:g}", "unit": UNIT_WORDS[unit]}
+    return say("catalogue-unit-doubtful", {**said, "other": UNIT_WORDS[other], "sign": other})
+
+
+def _row(cells: Mapping[str, str], columns: Sequence[ImportColumn]) -> CatalogueRow:
     """One row, checked. Raises BadInput saying what is wrong with it."""
-    values: dict[str, Any] = {column: _number(cells, column) for column in _LENGTHS}
-    values |= {column: _year(cells, column) for column in ("year_from", "year_to")}
-    category = cells.get("category", "").lower() or None
-    if category not in (None, *get_args(Category)):
-        raise BadInput(
-            "vehicles-not-category-use-one", category=category, categories=", ".join(get_args(Category))
-        )
-    values |= {column: _undefused(cells.get(column, "")) for column in ("make", "model", "source")}
-    row = CatalogueRow(**values, category=cast(Category | None, category))
-    problem = catalogue_row_problem(row)
-    if problem is not None:
-        raise BadInput("said", sentence=problem)
+    units = {one.field: one.unit for one in columns if one.unit is not None}
+    values: dict[str, Any] = {}
+    for field, cell in cells.items():
+        if field in _LENGTHS:
+            values[field] = _number(cell, field, units.get(field, "m"))
+        elif field in _YEARS:
+            values[field] = _year(cell, field)
+        elif field == "category":
+            values[field] = cell.lower() or None
+        else:
+            values[field] = _undefused(cell) or (None if field.endswith("_source") else "")
+    values["category"] = cast(Category | None, values.get("category"))
+    row = CatalogueRow(**{"make": "", "model": "", **values})
+    require_possible(row)
     return row
 
 
@@ -135,18 +396,24 @@ def _undefused(cell: str) -> str:
     return cell[1:] if cell[:1] == "'" and cell[1:2] in ("=", "+", "-", "@") else cell
 
 
-def _number(cells: Mapping[str, str], column: str) -> float | None:
-    cell = cells.get(column, "")
+def _maybe(cell: str) -> float | None:
+    """A number with a point or a comma."""
+    try:
+        return float(cell.strip().replace(",", "."))
+    except ValueError:
+        return None
+
+
+def _number(cell: str, column: str, unit: SizeUnit) -> float | None:
     if not cell:
         return None
-    try:
-        return float(cell)
-    except ValueError:
-        raise BadInput("vehicles-which-not-number-give-metres", column=column, cell=cell[:40]) from None
+    value = _maybe(cell)
+    if value is None:
+        raise BadInput("vehicles-which-not-number-give-metres", column=column, cell=cell[:40])
+    return value if unit == "m" else round(value * METRES[unit], 6)
 
 
-def _year(cells: Mapping[str, str], column: str) -> int | None:
-    cell = cells.get(column, "")
+def _year(cell: str, column: str) -> int | None:
     if not cell:
         return None
     if not cell.isdigit() or not 1885 <= int(cell[:9]) <= 2100:

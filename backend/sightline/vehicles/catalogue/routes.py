@@ -1,34 +1,72 @@
-"""The catalogue of models: completing what is typed, one more model, or a whole CSV."""
+"""The catalogue of models: completing what is typed, correcting and retiring, a CSV in and out."""
 
 from typing import Annotated
 
-from fastapi import APIRouter, File, Query, UploadFile
+from fastapi import APIRouter, File, Query, Response, UploadFile
 from pydantic import Field
 
-from sightline.enums import Category
+from sightline.enums import Category, OnConflict, SizeUnit
+from sightline.errors import BadInput
 from sightline.infra.web.bodies import Finite, In, Text
-from sightline.infra.web.deps import Operator, Reading, Viewer, Wired, Writing
+from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired, Writing
+from sightline.infra.web.uploaded import whole_file
 from sightline.vehicles.catalogue import store
-from sightline.vehicles.catalogue.import_csv import MOST_BYTES, Imported, import_csv
-from sightline.vehicles.catalogue.records import CatalogueEntry, CatalogueRow
+from sightline.vehicles.catalogue.csv import catalogue_csv
+from sightline.vehicles.catalogue.import_csv import MOST_BYTES, Choices, import_csv, plan_import
+from sightline.vehicles.catalogue.records import (
+    CatalogueEntry,
+    CataloguePage,
+    CatalogueRow,
+    Imported,
+    ImportPlan,
+)
 
 router = APIRouter()
 
-Metres = Annotated[Finite, Field(gt=0.1, lt=30)]
 Year = Annotated[int, Field(ge=1885, le=2100)]
+Source = Annotated[str, Field(max_length=1000)]
+Sent = Annotated[UploadFile, File(description="CSV in UTF-8.")]
+Column = Annotated[
+    list[str],
+    Query(max_length=100, description="field=header: what a column is taken for; =header leaves it out."),
+]
+Unit = Annotated[SizeUnit | None, Query(description="Of sizes whose column names none, or metres.")]
 
 
-class NewEntry(In):
-    make: Annotated[str, Field(min_length=1, max_length=100)]
-    model: Annotated[str, Field(min_length=1, max_length=200)]
+class ModelIn(In):
+    make: Annotated[str, Field(min_length=1, max_length=store.MOST_MAKE)]
+    model: Annotated[str, Field(min_length=1, max_length=store.MOST_MODEL)]
     year_from: Year | None = None
     year_to: Year | None = None
     category: Category | None = None
-    height_m: Metres | None = None
-    length_m: Metres | None = None
-    width_m: Metres | None = None
-    wheelbase_m: Metres | None = None
+    height_m: Finite | None = None
+    length_m: Finite | None = None
+    width_m: Finite | None = None
+    wheelbase_m: Finite | None = None
+    taillight_m: Annotated[Finite | None, Field(description="Of the lower edge.")] = None
+    headlight_m: Annotated[Finite | None, Field(description="Of the lower edge.")] = None
+    u_height_m: Finite | None = None
+    u_length_m: Finite | None = None
+    u_width_m: Finite | None = None
+    u_wheelbase_m: Finite | None = None
+    u_taillight_m: Finite | None = None
+    u_headlight_m: Finite | None = None
+    height_source: Source | None = None
+    length_source: Source | None = None
+    width_source: Source | None = None
+    wheelbase_source: Source | None = None
+    taillight_source: Source | None = None
+    headlight_source: Source | None = None
     source: Text = ""
+
+
+class CorrectedModel(ModelIn):
+    version: Annotated[int, Field(ge=1, le=2**31 - 1)]
+
+
+class Retired(In):
+    version: Annotated[int, Field(ge=1, le=2**31 - 1)]
+    retired: bool
 
 
 @router.get("/catalogue")
@@ -37,21 +75,88 @@ def search_catalogue(
     session: Reading,
     q: Annotated[str, Query(max_length=200, description="Beginnings of words: “corv li”.")] = "",
 ) -> tuple[CatalogueEntry, ...]:
-    """At most 20 models of which every word typed begins a word."""
+    """At most 20 models of which every word typed begins a word; none that is retired."""
     return store.search_catalogue(session, q)
 
 
+@router.get("/catalogue/page")
+def page_of_catalogue(
+    who: Viewer,
+    session: Reading,
+    q: Annotated[str, Query(max_length=200)] = "",
+    retired: bool = False,
+    offset: Annotated[int, Query(ge=0, le=10_000_000)] = 0,
+) -> CataloguePage:
+    """50 models from an offset, and how many there are."""
+    return store.page_of_catalogue(session, q, retired=retired, offset=offset)
+
+
+@router.get("/catalogue/export", response_class=Response)
+def export_catalogue(who: Viewer, session: Reading) -> Response:
+    """The whole catalogue as CSV, without retired models."""
+    content = catalogue_csv(store.all_of_catalogue(session))
+    headers = {"Content-Disposition": 'attachment; filename="sightline-catalogue.csv"'}
+    return Response(content, media_type="text/csv; charset=utf-8", headers=headers)
+
+
 @router.post("/catalogue", status_code=201)
-def add_to_catalogue(body: NewEntry, who: Operator, session: Writing) -> CatalogueEntry:
+def add_to_catalogue(body: ModelIn, who: Operator, session: Writing) -> CatalogueEntry:
     """One more model."""
     return store.add_catalogue_row(session, CatalogueRow(**body.model_dump()), actor=who.id)
 
 
+@router.put("/catalogue/{entry_id}")
+def correct_model(entry_id: PathId, body: CorrectedModel, who: Operator, session: Writing) -> CatalogueEntry:
+    """Other values in a model's place."""
+    row = CatalogueRow(**body.model_dump(exclude={"version"}))
+    return store.correct_catalogue_row(session, entry_id, row, version=body.version, actor=who.id)
+
+
+@router.post("/catalogue/{entry_id}/retire")
+def retire_model(entry_id: PathId, body: Retired, who: Operator, session: Writing) -> CatalogueEntry:
+    """No longer offer a model, or offer it again."""
+    return store.retire_catalogue_row(
+        session, entry_id, version=body.version, retired=body.retired, actor=who.id
+    )
+
+
+@router.post("/catalogue/import/preview")
+def preview_catalogue_import(
+    who: Operator,
+    services: Wired,
+    file: Sent,
+    column: Column = [],  # noqa: B006
+    unit: Unit = None,
+) -> ImportPlan:
+    """What an import of this file would do; nothing is stored."""
+    name = file.filename or "The file"
+    data = whole_file(file, MOST_BYTES, name)
+    with services.reading() as session:
+        return plan_import(session, data, name, Choices(_columns(column), unit))
+
+
 @router.post("/catalogue/import")
 def import_catalogue(
-    who: Operator, services: Wired, file: Annotated[UploadFile, File(description="CSV in UTF-8.")]
+    who: Operator,
+    services: Wired,
+    file: Sent,
+    column: Column = [],  # noqa: B006
+    unit: Unit = None,
+    on_conflict: Annotated[OnConflict, Query(description="What becomes of sizes that differ.")] = "keep",
 ) -> Imported:
     """The rows of a CSV; those that cannot be used are named with their reason, the others are stored."""
-    data = file.file.read(MOST_BYTES + 1)
+    name = file.filename or "The file"
+    data = whole_file(file, MOST_BYTES, name)
     with services.writing() as session:
-        return import_csv(session, data, file.filename or "The file", actor=who.id)
+        choices = Choices(_columns(column), unit, on_conflict)
+        return import_csv(session, data, name, choices, actor=who.id)
+
+
+def _columns(given: list[str]) -> dict[str, str]:
+    found: dict[str, str] = {}
+    for one in given:
+        field, equals, header = one.partition("=")
+        if not equals:
+            raise BadInput("catalogue-column-choice", column=one[:100])
+        found[header] = field
+    return found

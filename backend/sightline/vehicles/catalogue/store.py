@@ -1,33 +1,79 @@
 """The catalogue of models with the manufacturers' dimensions."""
 
 import unicodedata
-from collections.abc import Mapping, Sequence
-from dataclasses import asdict
-from typing import Any
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import asdict, fields
+from typing import Any, get_args
 
-from sqlalchemy import insert, select
+from sqlalchemy import ColumnElement, Select, bindparam, func, insert, select, tuple_, update
 from sqlalchemy.orm import Session
 
-from sightline.errors import BadInput
+from sightline.enums import Category, ModelSize, SizeUnit
+from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
 from sightline.infra.audit.hashing import content_hash
 from sightline.infra.database.rows import add_row, change_row, get_row
-from sightline.infra.database.types import columns_of
-from sightline.vehicles.catalogue.records import CatalogueEntry, CatalogueImport, CatalogueRow
+from sightline.infra.database.types import columns_of, now
+from sightline.vehicles.catalogue.records import (
+    SIZES,
+    CatalogueEntry,
+    CatalogueImport,
+    CataloguePage,
+    CatalogueRow,
+)
 from sightline.vehicles.catalogue.tables import catalogue
 
-_CATEGORIES = (None, "hatchback", "saloon", "estate", "suv", "van", "lorry", "other")
-_LENGTHS = ("height_m", "length_m", "width_m", "wheelbase_m")
+#: What a vehicle's sizes lie within, metres; heights of lamps are those of their lower edges.
+POSSIBLE_M: dict[ModelSize, tuple[float, float]] = {
+    "height": (0.5, 4.6),
+    "length": (1.2, 30.0),
+    "width": (0.4, 3.2),
+    "wheelbase": (0.8, 15.0),
+    "taillight": (0.1, 2.5),
+    "headlight": (0.1, 2.5),
+}
+METRES: dict[SizeUnit, float] = {"m": 1.0, "cm": 0.01, "mm": 0.001, "ft": 0.3048, "in": 0.0254}
+UNIT_WORDS: dict[SizeUnit, str] = {
+    "m": "metres",
+    "cm": "centimetres",
+    "mm": "millimetres",
+    "ft": "feet",
+    "in": "inches",
+}
+MOST_U_M = 1.0
+MOST_MAKE, MOST_MODEL = 100, 200  # signs
+_FIELDS = tuple(one.name for one in fields(CatalogueRow))
+_LIVING: ColumnElement[bool] = catalogue.c.retired_at.is_(None)
+Key = tuple[str, str, int | None]
 
 
 def search_catalogue(session: Session, q: str, *, limit: int = 20) -> tuple[CatalogueEntry, ...]:
-    """Models of which every word of `q` begins a word, accents and case aside ("corv li")."""
-    query = select(*columns_of(catalogue, "search_text"))
-    for word in _folded(q).split():
-        escaped = word.replace("\\", "\\\\").replace("%", "\\%").replace("_", "\\_")
-        query = query.where(catalogue.c.search_text.like(f"% {escaped}%", escape="\\"))
-    ordered = query.order_by(catalogue.c.make, catalogue.c.model, catalogue.c.year_from, catalogue.c.id)
-    return tuple(_entry(row) for row in session.execute(ordered.limit(limit)).mappings())
+    """Models of which every word of `q` begins a word, accents and case aside ("corv li"); none retired."""
+    return _entries(session, _found(q).where(_LIVING).limit(limit))
+
+
+def page_of_catalogue(
+    session: Session, q: str, *, retired: bool, offset: int, limit: int = 50
+) -> CataloguePage:
+    """A part of what a search finds, and how many there are; with `retired` those alone."""
+    query = _found(q).where(catalogue.c.retired_at.is_not(None) if retired else _LIVING)
+    total = session.execute(select(func.count()).select_from(query.order_by(None).subquery())).scalar_one()
+    return CataloguePage(total, _entries(session, query.offset(offset).limit(limit)))
+
+
+def all_of_catalogue(session: Session) -> tuple[CatalogueEntry, ...]:
+    """Every model that is not retired."""
+    return _entries(session, _found("").where(_LIVING))
+
+
+def catalogue_of_models(session: Session, models: Iterable[tuple[str, str]]) -> tuple[CatalogueEntry, ...]:
+    """The models of these makes and names, in any case, retired ones too."""
+    wanted = sorted({(make.lower(), model.lower()) for make, model in models})
+    found: list[CatalogueEntry] = []
+    for start in range(0, len(wanted), 400):
+        both = tuple_(func.lower(catalogue.c.make), func.lower(catalogue.c.model))
+        found += _entries(session, _found("").where(both.in_(wanted[start : start + 400])))
+    return tuple(found)
 
 
 def get_catalogue_row(session: Session, entry_id: int) -> CatalogueEntry:
@@ -37,59 +83,153 @@ def get_catalogue_row(session: Session, entry_id: int) -> CatalogueEntry:
 
 
 def add_catalogue_row(session: Session, row: CatalogueRow, *, actor: int | None) -> CatalogueEntry:
-    """One more model. Raises BadInput for a row that cannot be true."""
-    entry_id = add_row(session, catalogue, _content(row))
+    """One more model. Raises BadInput for a row that cannot be true or is there already."""
+    require_possible(row)
+    if key_of(row) in known_models(session):
+        raise BadInput("catalogue-there-already", make=row.make, model=row.model, year=row.year_from or "–")
+    entry_id = add_row(session, catalogue, {**_content(row), "version": 1})
     trail.record(session, actor, "create", "catalogue", entry_id, None, None, asdict(row))
     return get_catalogue_row(session, entry_id)
 
 
-def catalogue_row_problem(row: CatalogueRow) -> str | None:
-    """Why a row cannot be used, as one sentence; None when it can."""
+def correct_catalogue_row(
+    session: Session, entry_id: int, row: CatalogueRow, *, version: int, actor: int | None
+) -> CatalogueEntry:
+    """Put other values in a model's place. Raises NotFound, Conflict for another version, BadInput."""
+    before = _seen(session, entry_id, version)
+    require_possible(row)
+    other = known_models(session).get(key_of(row))
+    if other is not None and other.id != entry_id:
+        raise BadInput("catalogue-there-already", make=row.make, model=row.model, year=row.year_from or "–")
+    change_row(session, catalogue, entry_id, {**_content(row), "version": version + 1})
+    what = trail.changed({name: getattr(before, name) for name in _FIELDS}, asdict(row), asdict(row))
+    trail.record(session, actor, "update", "catalogue", entry_id, None, *what)
+    return get_catalogue_row(session, entry_id)
+
+
+def retire_catalogue_row(
+    session: Session, entry_id: int, *, version: int, retired: bool, actor: int | None
+) -> CatalogueEntry:
+    """No longer offer a model, or offer it again. Raises NotFound, Conflict for another version."""
+    before = _seen(session, entry_id, version)
+    moment = now() if retired else None
+    change_row(session, catalogue, entry_id, {"retired_at": moment, "version": version + 1})
+    then, after = ({"retired": one} for one in (before.retired_at is not None, retired))
+    trail.record(session, actor, "retire" if retired else "restore", "catalogue", entry_id, None, then, after)
+    return get_catalogue_row(session, entry_id)
+
+
+def require_possible(row: CatalogueRow) -> None:
+    """Raise BadInput for a row that cannot be true."""
     if not row.make.strip() or not row.model.strip():
-        return "The make and the model are needed; fill in both."
-    if row.category not in _CATEGORIES:
-        return f"“{row.category}” is not a category; use one of {', '.join(str(c) for c in _CATEGORIES[1:])}."
-    for name in _LENGTHS:
-        value = getattr(row, name)
-        if value is not None and not 0.1 < value < 30:
-            return f"{name} is {value}, which no vehicle has; give it in metres."
+        raise BadInput("catalogue-make-and-model")
+    if len(row.make) > MOST_MAKE or len(row.model) > MOST_MODEL:
+        raise BadInput("catalogue-too-long", most_make=MOST_MAKE, most_model=MOST_MODEL)
+    if row.category is not None and row.category not in get_args(Category):
+        raise BadInput(
+            "vehicles-not-category-use-one", category=row.category, categories=", ".join(get_args(Category))
+        )
+    for name in SIZES:
+        _require_size(name, row.size(name))
+        u = getattr(row, f"u_{name}_m")
+        if u is not None and not 0.0 <= u <= MOST_U_M:
+            raise BadInput("catalogue-u-impossible", column=f"u_{name}_m", value=f"{u:g}")
     if row.year_from is not None and row.year_to is not None and row.year_to < row.year_from:
-        return "The last year lies before the first; swap them."
-    return None
+        raise BadInput("catalogue-years-reversed")
+
+
+def _require_size(name: ModelSize, value: float | None) -> None:
+    low, high = POSSIBLE_M[name]
+    if value is None or low <= value <= high:
+        return
+    others: tuple[SizeUnit, ...] = ("ft", "mm", "cm", "in")
+    for unit in others:
+        if low <= value * METRES[unit] <= high:
+            raise BadInput(
+                "catalogue-size-in-other-unit",
+                column=f"{name}_m",
+                value=f"{value:g}",
+                unit=UNIT_WORDS[unit],
+                metres=f"{value * METRES[unit]:.3f}",
+            )
+    raise BadInput("catalogue-size-impossible", column=f"{name}_m", value=f"{value:g}", low=low, high=high)
+
+
+def key_of(row: CatalogueRow) -> Key:
+    """What makes a model the same: make, name and first year."""
+    return row.make.strip().lower(), row.model.strip().lower(), row.year_from
+
+
+def known_models(session: Session) -> dict[Key, CatalogueEntry]:
+    """Every model by its key, retired ones too."""
+    return {key_of(entry): entry for entry in _entries(session, _columns())}
 
 
 def import_catalogue_rows(
-    session: Session, rows: Sequence[CatalogueRow], *, actor: int | None
+    session: Session,
+    rows: Sequence[CatalogueRow],
+    *,
+    known: Mapping[Key, CatalogueEntry] | None = None,
+    actor: int | None,
 ) -> CatalogueImport:
-    """Add many models at once; same make, model and first year means the same model, which is updated."""
-    contents = [_content(row) for row in rows]
-    known = {
-        (row.make.lower(), row.model.lower(), row.year_from): row.id
-        for row in session.execute(
-            select(catalogue.c.id, catalogue.c.make, catalogue.c.model, catalogue.c.year_from)
-        )
-    }
-    new: dict[Any, dict[str, Any]] = {}
-    updated: set[int] = set()
-    for content in contents:
-        key = (content["make"].lower(), content["model"].lower(), content["year_from"])
-        if key in known:
-            change_row(session, catalogue, known[key], content)
-            updated.add(known[key])
-        else:
-            new[key] = content
+    """Add many models at once; of one that is there already, what is given takes the place of what was.
+
+    `known`: `known_models` of the same transaction, where it is at hand. Raises BadInput for a row that
+    cannot be true.
+    """
+    known = known_models(session) if known is None else known
+    merged: dict[Key, CatalogueRow] = {}
+    for row in rows:
+        require_possible(row)
+        key = key_of(row)
+        before = merged.get(key) or known.get(key)
+        merged[key] = row if before is None else merge(before, row)
+    contents = {key: _content(row) for key, row in merged.items()}
+    new = [{**content, "version": 1} for key, content in contents.items() if key not in known]
+    changed = [
+        {**content, "row_id": known[key].id, "version": known[key].version + 1}
+        for key, content in contents.items()
+        if key in known
+    ]
     if new:
-        session.execute(insert(catalogue), list(new.values()))
-    after = {"added": len(new), "updated": len(updated), "rows_sha256": content_hash({"rows": contents})}
+        session.execute(insert(catalogue), new)
+    if changed:
+        values: dict[str, Any] = {name: bindparam(name) for name in (*_FIELDS, "search_text", "version")}
+        statement = update(catalogue).where(catalogue.c.id == bindparam("row_id")).values(values)
+        session.connection().execute(statement, changed)
+    told = [{name: row[name] for name in _FIELDS if row[name] is not None} for row in contents.values()]
+    digest = content_hash({"rows": told})
+    after = {"added": len(new), "updated": len(changed), "rows_sha256": digest}
     trail.record(session, actor, "import", "catalogue", None, None, None, after)
-    return CatalogueImport(len(new), len(updated))
+    return CatalogueImport(len(new), len(changed))
+
+
+def merge(before: CatalogueRow, given: CatalogueRow) -> CatalogueRow:
+    """What is given, and behind it what was there; a size that is given brings its own u and source."""
+    values: dict[str, Any] = {name: getattr(before, name) for name in _FIELDS}
+    for name in _FIELDS:
+        value = getattr(given, name)
+        if value is not None and value != "":
+            values[name] = value
+    for name in SIZES:
+        if given.size(name) is not None:
+            values[f"u_{name}_m"] = getattr(given, f"u_{name}_m")
+            values[f"{name}_source"] = given.source_of(name) or None
+        elif before.size(name) is not None:
+            values[f"{name}_source"] = before.source_of(name) or None
+    values["make"], values["model"] = before.make, before.model
+    return CatalogueRow(**values)
+
+
+def _seen(session: Session, entry_id: int, version: int) -> CatalogueEntry:
+    before = get_catalogue_row(session, entry_id)
+    if before.version != version:
+        raise Conflict("catalogue-changed-meanwhile", current=before, make=before.make, model=before.model)
+    return before
 
 
 def _content(row: CatalogueRow) -> dict[str, Any]:
-    problem = catalogue_row_problem(row)
-    if problem is not None:
-        raise BadInput("said", sentence=problem)
-    content = asdict(row)
+    content = {name: getattr(row, name) for name in _FIELDS}
     content["make"], content["model"] = row.make.strip(), row.model.strip()
     years = " ".join(str(year) for year in (row.year_from, row.year_to) if year is not None)
     content["search_text"] = f" {_folded(f'{row.make} {row.model} {years}')}"
@@ -100,6 +240,22 @@ def _folded(text: str) -> str:
     apart = unicodedata.normalize("NFKD", text)
     plain = "".join(letter for letter in apart if not unicodedata.combining(letter))
     return " ".join(plain.casefold().replace("-", " ").split())
+
+
+def _columns() -> Select[Any]:
+    return select(*columns_of(catalogue, "search_text"))
+
+
+def _found(q: str) -> Select[Any]:
+    query = _columns()
+    for word in _folded(q).split():
+        escaped = word.replace("\\", "\\\\").replace("%", "\\%").replace("_", "\\_")
+        query = query.where(catalogue.c.search_text.like(f"% {escaped}%", escape="\\"))
+    return query.order_by(catalogue.c.make, catalogue.c.model, catalogue.c.year_from, catalogue.c.id)
+
+
+def _entries(session: Session, query: Select[Any]) -> tuple[CatalogueEntry, ...]:
+    return tuple(_entry(row) for row in session.execute(query).mappings())
 
 
 def _entry(row: Mapping[Any, Any]) -> CatalogueEntry:

@@ -1,6 +1,7 @@
 """The table of the catalogue."""
 
 from sqlalchemy import (
+    CheckConstraint,
     Column,
     Float,
     Index,
@@ -11,7 +12,8 @@ from sqlalchemy import (
 )
 
 from sightline.enums import Category
-from sightline.infra.database.types import enum_check, identity, metadata
+from sightline.infra.database.types import UtcDateTime, enum_check, identity, metadata
+from sightline.vehicles.catalogue.records import SIZES
 
 catalogue = Table(
     "catalogue",
@@ -22,13 +24,15 @@ catalogue = Table(
     Column("year_from", Integer),
     Column("year_to", Integer),
     Column("category", String(20)),
-    Column("height_m", Float),
-    Column("length_m", Float),
-    Column("width_m", Float),
-    Column("wheelbase_m", Float),
+    *(Column(f"{name}_m", Float) for name in SIZES),
+    *(Column(f"u_{name}_m", Float) for name in SIZES),
+    *(Column(f"{name}_source", Text) for name in SIZES),
     Column("source", Text, nullable=False),
     Column("search_text", Text, nullable=False),
+    Column("version", Integer, nullable=False, server_default="1"),
+    Column("retired_at", UtcDateTime),
     enum_check("category", Category),
+    CheckConstraint("version >= 1", name="version_counts"),
 )
 
 

@@ -57,6 +57,7 @@ const ACTION_WORDS = wordsOf({
   restart_ingest: "audit-action-restart_ingest",
   restart_reading: "audit-action-restart_reading",
   restore: "audit-action-restore",
+  retire: "audit-action-retire",
   review: "audit-action-review",
   revise: "audit-action-revise",
   run: "audit-action-run",

@@ -1,0 +1,157 @@
+"""`sightline catalogue`: the catalogue of models from a CSV, and as one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING, get_args
+
+import click
+
+from sightline.commands.files import write_whole
+from sightline.commands.options import data_dir_option, json_option, print_json, require_database, settings_of
+from sightline.enums import OnConflict, SizeUnit
+from sightline.errors import BadInput
+
+if TYPE_CHECKING:
+    from sightline.infra.services import Services
+    from sightline.vehicles.catalogue.records import Imported, ImportPlan
+
+_SHOWN = 40
+
+
+@click.group()
+def catalogue() -> None:
+    """The catalogue of models: makers' sizes with their sources."""
+
+
+@catalogue.command("import")
+@click.argument("file", type=click.Path(path_type=Path))
+@click.option("--dry-run", is_flag=True, help="Say what would become of each line, and store nothing.")
+@click.option(
+    "--unit", type=click.Choice(get_args(SizeUnit)), help="Of sizes whose column names none, or metres."
+)
+@click.option(
+    "--column",
+    "columns",
+    multiple=True,
+    metavar="FIELD=HEADER",
+    help="What a column is taken for (height_m=Roof); =HEADER leaves it out. May be given again.",
+)
+@click.option(
+    "--on-conflict",
+    type=click.Choice(get_args(OnConflict)),
+    default="keep",
+    show_default=True,
+    help="Sizes that differ from the catalogue's.",
+)
+@json_option
+@data_dir_option
+def import_(
+    file: Path,
+    dry_run: bool,
+    unit: SizeUnit | None,
+    columns: tuple[str, ...],
+    on_conflict: OnConflict,
+    as_json: bool,
+    data_dir: Path | None,
+) -> None:
+    """Rows of FILE (CSV, a header with make, model, year_from, height_m, ...) into the catalogue.
+
+    Lines that cannot be used, are there twice, or contradict the catalogue are named one by one.
+    """
+    from sightline.vehicles.catalogue.import_csv import Choices, import_csv, plan_import
+
+    content = _content(file)
+    choices = Choices(_columns(columns), unit, on_conflict)
+    with _database(data_dir) as services:
+        if dry_run:
+            with services.reading() as session:
+                plan = plan_import(session, content, str(file), choices)
+            if plan.problem is not None and not as_json:
+                raise BadInput("said", sentence=plan.problem)
+            _tell(plan, None, as_json)
+            return
+        with services.writing() as session:
+            done = import_csv(session, content, str(file), choices, actor=None)
+    _tell(done.plan, done, as_json)
+
+
+@catalogue.command("export")
+@click.option("-o", "--output", required=True, type=click.Path(path_type=Path), help="The CSV to write.")
+@data_dir_option
+def export_(output: Path, data_dir: Path | None) -> None:
+    """The whole catalogue as a CSV that `import` reads, without retired models."""
+    from sightline.vehicles.catalogue.csv import catalogue_csv
+    from sightline.vehicles.catalogue.store import all_of_catalogue
+
+    with _database(data_dir) as services, services.reading() as session:
+        entries = all_of_catalogue(session)
+    write_whole(output, catalogue_csv(entries).decode())
+    click.echo(f"{len(entries)} models written to {output}.")
+
+
+def _content(file: Path) -> bytes:
+    from sightline.vehicles.catalogue.import_csv import MOST_BYTES
+
+    try:
+        with file.open("rb") as opened:
+            return opened.read(MOST_BYTES + 1)
+    except FileNotFoundError:
+        raise BadInput("commands-not-exist-give", path=file, what="a CSV of models") from None
+    except OSError as error:
+        raise BadInput(
+            "commands-cannot-read-give", path=file, strerror=error.strerror, what="a CSV of models"
+        ) from None
+
+
+def _columns(given: tuple[str, ...]) -> dict[str, str]:
+    found: dict[str, str] = {}
+    for one in given:
+        field, equals, header = one.partition("=")
+        if not equals:
+            raise BadInput("catalogue-column-choice", column=one[:100])
+        found[header] = field
+    return found
+
+
+@contextmanager
+def _database(data_dir: Path | None) -> Iterator[Services]:
+    from sightline.infra.database.engine import migrate
+    from sightline.infra.services import open_services
+
+    settings = settings_of(data_dir=data_dir)
+    require_database(settings)
+    services = open_services(settings)
+    try:
+        migrate(services.engine)
+        yield services
+    finally:
+        services.close()
+
+
+def _tell(plan: ImportPlan, done: Imported | None, as_json: bool) -> None:
+    """What was done, or what a dry run would do."""
+    if as_json:
+        stored = (
+            {"added": 0, "updated": 0} if done is None else {"added": done.added, "updated": done.updated}
+        )
+        print_json({**asdict(plan), **stored, "dry_run": done is None})
+        return
+    for one in plan.columns:
+        taken = "left out" if one.field is None else f"{one.field}{f' in {one.unit}' if one.unit else ''}"
+        click.echo(f"column {one.header}: {taken}")
+    noted = [one for one in plan.rows if one.change not in ("new", "same")]
+    for row in noted[:_SHOWN]:
+        year = f" {row.year_from}" if row.year_from else ""
+        click.echo(f"line {row.line}, {row.make} {row.model}{year}: {row.change}. {row.words}")
+    rest = sum(plan.counts[word] for word in plan.counts if word not in ("new", "same")) - len(noted[:_SHOWN])
+    if rest > 0:
+        click.echo(f"... and {rest} more lines to look at (--json lists up to 500).")
+    click.echo(", ".join(f"{count} {word}" for word, count in plan.counts.items() if count) + ".")
+    if done is None:
+        click.echo("Nothing is stored: this was a dry run.")
+    else:
+        click.echo(f"{done.added} models added, {done.updated} updated.")

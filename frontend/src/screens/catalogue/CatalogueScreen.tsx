@@ -1,0 +1,207 @@
+import { useState } from "preact/hooks";
+import { Button, Empty, Loading, Problem, Segments, TableScroll, TextField } from "../../components";
+import { query, setQuery } from "../../core/address";
+import { api } from "../../core/api";
+import { say } from "../../core/messages";
+import { useResource } from "../../core/resource";
+import { canWork } from "../../core/session";
+import type { CatalogueRow } from "../../core/types";
+import { formatSmall, lengthScale, plainLength } from "../../core/units";
+import { CATEGORY_WORDS } from "../../core/words";
+import { ImportDialog } from "./ImportDialog";
+import { ModelDialog } from "./ModelDialog";
+import { SIZE_WORDS, SIZES, type Size } from "./model";
+import "./catalogue.css";
+
+const A_PAGE = 50;
+
+/** The models that vehicles are compared with: search, correct, retire, a CSV in and out. */
+export default function CatalogueScreen() {
+  const q = query.value.get("q") ?? "";
+  const retired = query.value.get("retired") === "true";
+  const offset = Number(query.value.get("offset") ?? 0) || 0;
+  const found = useResource(
+    (signal) => api.ask("GET /catalogue/page", { q, retired, offset }, { signal }),
+    [q, retired, offset],
+    { keep: true },
+  );
+  const [edited, setEdited] = useState<CatalogueRow | "new" | null>(null);
+  const [importing, setImporting] = useState(false);
+  const [problem, setProblem] = useState<unknown>(null);
+  const retire = async (row: CatalogueRow) => {
+    setProblem(null);
+    try {
+      const body = { version: row.version, retired: row.retired_at === null };
+      await api.write("POST /catalogue/{entry_id}/retire", { entry_id: row.id }, { body });
+    } catch (error) {
+      setProblem(error);
+    }
+    await found.reload();
+  };
+  return (
+    <div class="page page--alone catalogue-page">
+      <header class="page__head">
+        <div>
+          <h1>{say("page-catalogue")}</h1>
+          <p class="page__lead">{say("catalogue-lead")}</p>
+        </div>
+        <div class="row">
+          <Button href="/api/catalogue/export" icon="download">
+            {say("catalogue-export")}
+          </Button>
+          {canWork.value && (
+            <>
+              <Button icon="add" onClick={() => setEdited("new")}>
+                {say("catalogue-add")}
+              </Button>
+              <Button kind="primary" icon="upload" onClick={() => setImporting(true)}>
+                {say("catalogue-import")}
+              </Button>
+            </>
+          )}
+        </div>
+      </header>
+      <div class="catalogue-search">
+        <TextField
+          label={say("catalogue-search")}
+          type="search"
+          value={q}
+          onInput={(text) => setQuery({ q: text || null, offset: null })}
+        />
+        <Segments
+          label={say("catalogue-which")}
+          value={retired ? "retired" : "offered"}
+          options={[
+            { value: "offered", label: say("catalogue-offered") },
+            { value: "retired", label: say("catalogue-retired") },
+          ]}
+          onChange={(value) => setQuery({ retired: value === "retired" ? "true" : null, offset: null })}
+        />
+      </div>
+      <Problem error={problem ?? found.error} again={found.reload} />
+      {!found.data && found.loading && <Loading what={say("catalogue-loading")} />}
+      {found.data && (
+        <section class="panel" aria-label={say("page-catalogue")}>
+          {found.data.total === 0 ? (
+            <Empty title={say("catalogue-none")}>
+              {say(q ? "catalogue-none-found" : "catalogue-none-yet")}
+            </Empty>
+          ) : (
+            <Models rows={found.data.entries} edit={setEdited} retire={retire} />
+          )}
+          <Pages offset={offset} total={found.data.total} />
+        </section>
+      )}
+      {edited && (
+        <ModelDialog
+          row={edited === "new" ? null : edited}
+          close={() => setEdited(null)}
+          saved={() => {
+            setEdited(null);
+            void found.reload();
+          }}
+        />
+      )}
+      {importing && <ImportDialog close={() => setImporting(false)} imported={() => void found.reload()} />}
+    </div>
+  );
+}
+
+interface ModelsProps {
+  rows: readonly CatalogueRow[];
+  edit: (row: CatalogueRow) => void;
+  retire: (row: CatalogueRow) => Promise<void>;
+}
+
+function Models({ rows, edit, retire }: ModelsProps) {
+  const unit = lengthScale()[1];
+  return (
+    <TableScroll label={say("page-catalogue")}>
+      <table class="table table--dense" data-testid="catalogue">
+        <thead>
+          <tr>
+            <th>{say("catalogue-model")}</th>
+            <th>{say("catalogue-years")}</th>
+            <th>{say("catalogue-category")}</th>
+            {SIZES.map((size) => (
+              <th key={size} class="num">
+                {say("catalogue-size-head", { size: SIZE_WORDS[size], unit })}
+              </th>
+            ))}
+            <th>
+              <span class="visually-hidden">{say("people-actions")}</span>
+            </th>
+          </tr>
+        </thead>
+        <tbody>
+          {rows.map((row) => (
+            <tr key={row.id}>
+              <td>
+                <strong>{row.make}</strong> {row.model}
+              </td>
+              <td class="nowrap">{yearsOf(row)}</td>
+              <td>{row.category ? CATEGORY_WORDS[row.category] : ""}</td>
+              {SIZES.map((size) => (
+                <SizeCell key={size} row={row} size={size} />
+              ))}
+              <td class="nowrap">
+                {canWork.value && (
+                  <>
+                    <Button
+                      small
+                      label={say("catalogue-correct-model", { model: `${row.make} ${row.model}` })}
+                      onClick={() => edit(row)}
+                    >
+                      {say("catalogue-correct")}
+                    </Button>{" "}
+                    <Button small onClick={() => void retire(row)}>
+                      {say(row.retired_at === null ? "catalogue-retire" : "catalogue-restore")}
+                    </Button>
+                  </>
+                )}
+              </td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </TableScroll>
+  );
+}
+
+function yearsOf(row: CatalogueRow): string {
+  if (row.year_from === null && row.year_to === null) return "";
+  return `${row.year_from ?? ""}–${row.year_to ?? ""}`;
+}
+
+/** A size over its standard uncertainty; where it comes from stands in the title. */
+function SizeCell({ row, size }: { row: CatalogueRow; size: Size }) {
+  const value = row[`${size}_m`];
+  const u = row[`u_${size}_m`];
+  return (
+    <td class="num" title={value === null ? undefined : (row[`${size}_source`] ?? row.source)}>
+      {value === null ? "" : plainLength(value, 3)}
+      {value !== null && u !== null && (
+        <div class="catalogue-u">{say("catalogue-u", { u: formatSmall(u) })}</div>
+      )}
+    </td>
+  );
+}
+
+function Pages({ offset, total }: { offset: number; total: number }) {
+  const last = Math.min(offset + A_PAGE, total);
+  return (
+    <footer class="catalogue-pages small">
+      <span class="grow">{say("catalogue-shown", { first: Math.min(offset + 1, total), last, total })}</span>
+      <Button
+        small
+        disabled={offset === 0}
+        onClick={() => setQuery({ offset: Math.max(0, offset - A_PAGE) || null })}
+      >
+        {say("catalogue-before")}
+      </Button>
+      <Button small disabled={last >= total} onClick={() => setQuery({ offset: offset + A_PAGE })}>
+        {say("catalogue-after")}
+      </Button>
+    </footer>
+  );
+}

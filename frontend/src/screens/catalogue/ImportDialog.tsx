@@ -1,0 +1,206 @@
+import { useState } from "preact/hooks";
+import {
+  Button,
+  Dialog,
+  DropFiles,
+  Loading,
+  Notice,
+  Problem,
+  SelectField,
+  TableScroll,
+} from "../../components";
+import { api } from "../../core/api";
+import { say } from "../../core/messages";
+import { formatCount } from "../../core/units";
+import { CHANGE_WORDS, FIELDS, type Plan, UNIT_WORDS, type Unit } from "./model";
+
+interface Choices {
+  /** Fields by header; "" leaves a column out. */
+  columns: Readonly<Record<string, string>>;
+  unit: Unit | "";
+  on_conflict: "keep" | "replace";
+}
+
+const NO_CHOICES: Choices = { columns: {}, unit: "", on_conflict: "keep" };
+
+/** A CSV into the catalogue: what it is taken for and what it would change, before anything is stored. */
+export function ImportDialog({ close, imported }: { close: () => void; imported: () => void }) {
+  const [file, setFile] = useState<File | null>(null);
+  const [choices, setChoices] = useState<Choices>(NO_CHOICES);
+  const [plan, setPlan] = useState<Plan | null>(null);
+  const [problem, setProblem] = useState<unknown>(null);
+  const [busy, setBusy] = useState(false);
+  const [done, setDone] = useState<{ added: number; updated: number } | null>(null);
+  const look = async (chosen: File, next: Choices) => {
+    setFile(chosen);
+    setChoices(next);
+    setBusy(true);
+    setProblem(null);
+    try {
+      setPlan(await api.ask("POST /catalogue/import/preview", asked(next), { body: chosen }));
+    } catch (error) {
+      setPlan(null);
+      setProblem(error);
+    }
+    setBusy(false);
+  };
+  const store = async () => {
+    if (!file) return;
+    setBusy(true);
+    setProblem(null);
+    try {
+      const params = { ...asked(choices), on_conflict: choices.on_conflict };
+      setDone(await api.write("POST /catalogue/import", params, { body: file }));
+      imported();
+    } catch (error) {
+      setProblem(error);
+    }
+    setBusy(false);
+  };
+  const change = (part: Partial<Choices>) => file && void look(file, { ...choices, ...part });
+  return (
+    <Dialog
+      wide
+      title={say("catalogue-import-title")}
+      onClose={close}
+      actions={
+        <>
+          <Button onClick={close}>{say(done ? "action-close" : "action-cancel")}</Button>
+          {!done && (
+            <Button
+              kind="primary"
+              busy={busy}
+              disabled={!plan || plan.problem !== null || stored(plan) === 0}
+              onClick={() => void store()}
+            >
+              {say("catalogue-import-store", { count: plan ? stored(plan) : 0 })}
+            </Button>
+          )}
+        </>
+      }
+    >
+      <div class="stack">
+        {done ? (
+          <Notice>{say("catalogue-import-done", { added: done.added, updated: done.updated })}</Notice>
+        ) : (
+          <DropFiles
+            label={say("catalogue-import-choose")}
+            title={file ? file.name : say("catalogue-import-drop")}
+            hint={say("catalogue-import-hint")}
+            accept=".csv,text/csv"
+            add={(files) => files[0] && void look(files[0], NO_CHOICES)}
+          />
+        )}
+        <Problem error={problem} />
+        {busy && !plan && <Loading what={say("catalogue-import-looking")} />}
+        {plan && !done && <Preview plan={plan} choices={choices} change={change} />}
+      </div>
+    </Dialog>
+  );
+}
+
+function asked(choices: Choices) {
+  const column = Object.entries(choices.columns).map(([header, field]) => `${field}=${header}`);
+  return { column, unit: choices.unit || undefined };
+}
+
+function stored(plan: Plan): number {
+  const count = (name: "new" | "update" | "conflict") => plan.counts[name] ?? 0;
+  return count("new") + count("update") + count("conflict");
+}
+
+interface PreviewProps {
+  plan: Plan;
+  choices: Choices;
+  change: (part: Partial<Choices>) => void;
+}
+
+function Preview({ plan, choices, change }: PreviewProps) {
+  return (
+    <>
+      {plan.problem && <Notice kind="problem">{plan.problem}</Notice>}
+      <div class="catalogue-form">
+        <SelectField<Unit | "">
+          label={say("catalogue-import-unit")}
+          value={choices.unit}
+          options={[
+            { value: "", label: say("catalogue-import-unit-header") },
+            ...Object.entries(UNIT_WORDS).map(([value, label]) => ({ value: value as Unit, label })),
+          ]}
+          onChange={(unit) => change({ unit })}
+        />
+        <SelectField<Choices["on_conflict"]>
+          label={say("catalogue-import-conflicts")}
+          value={choices.on_conflict}
+          options={[
+            { value: "keep", label: say("catalogue-import-keep") },
+            { value: "replace", label: say("catalogue-import-replace") },
+          ]}
+          onChange={(on_conflict) => change({ on_conflict })}
+        />
+      </div>
+      <Columns plan={plan} choices={choices} change={change} />
+      <p class="catalogue-counts" data-testid="catalogue-counts">
+        {Object.entries(CHANGE_WORDS).map(([name, word]) => (
+          <span key={name}>
+            <strong>{formatCount(plan.counts[name as keyof typeof CHANGE_WORDS] ?? 0)}</strong> {word}
+          </span>
+        ))}
+      </p>
+      <Lines plan={plan} />
+    </>
+  );
+}
+
+function Columns({ plan, choices, change }: PreviewProps) {
+  return (
+    <fieldset class="catalogue-columns">
+      <legend>{say("catalogue-import-columns")}</legend>
+      {plan.columns.map((one) => (
+        <SelectField
+          key={one.header}
+          label={one.header}
+          value={one.field ?? ""}
+          problem={one.problem}
+          hint={one.unit ? say("catalogue-import-in", { unit: UNIT_WORDS[one.unit] }) : undefined}
+          options={[
+            { value: "", label: say("catalogue-import-left-out") },
+            ...FIELDS.map((field) => ({ value: field, label: field })),
+          ]}
+          onChange={(field) => change({ columns: { ...choices.columns, [one.header]: field } })}
+        />
+      ))}
+    </fieldset>
+  );
+}
+
+function Lines({ plan }: { plan: Plan }) {
+  const shown = plan.rows.filter((row) => row.change !== "new");
+  if (shown.length === 0) return null;
+  return (
+    <TableScroll label={say("catalogue-import-lines")} class="catalogue-lines">
+      <table class="table table--dense" data-testid="catalogue-lines">
+        <thead>
+          <tr>
+            <th class="num">{say("catalogue-import-line")}</th>
+            <th>{say("catalogue-model")}</th>
+            <th>{say("catalogue-import-what")}</th>
+            <th>{say("catalogue-import-why")}</th>
+          </tr>
+        </thead>
+        <tbody>
+          {shown.map((row) => (
+            <tr key={row.line}>
+              <td class="num">{row.line}</td>
+              <td>
+                {row.make} {row.model} {row.year_from ?? ""}
+              </td>
+              <td class="nowrap">{CHANGE_WORDS[row.change]}</td>
+              <td>{row.words}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </TableScroll>
+  );
+}

@@ -1,0 +1,164 @@
+import { useState } from "preact/hooks";
+import { FormDialog, SelectField, TextField } from "../../components";
+import { api } from "../../core/api";
+import { say } from "../../core/messages";
+import type { CatalogueRow, Category } from "../../core/types";
+import { lengthText, lengthUnit, parseLength, parseSmall, smallScale, smallText } from "../../core/units";
+import { CATEGORY_WORDS } from "../../core/words";
+import { bodyOf, type ModelIn, SIZE_WORDS, SIZES, type Size } from "./model";
+
+interface Props {
+  /** Null: a new one. */
+  row: CatalogueRow | null;
+  close: () => void;
+  saved: () => void;
+}
+
+type Typed = Record<Size, { size: string; u: string; source: string }>;
+
+/** One model, to be added or corrected: each size with its uncertainty and its source. */
+export function ModelDialog({ row, close, saved }: Props) {
+  const [make, setMake] = useState(row?.make ?? "");
+  const [model, setModel] = useState(row?.model ?? "");
+  const [from, setFrom] = useState(yearText(row?.year_from));
+  const [to, setTo] = useState(yearText(row?.year_to));
+  const [category, setCategory] = useState<Category | "">(row?.category ?? "");
+  const [source, setSource] = useState(row?.source ?? "");
+  const [typed, setTyped] = useState<Typed>(() => typedOf(row));
+  const [tried, setTried] = useState(false);
+  const sizes = read(typed);
+  const years = [from, to].map(yearOf);
+  const wrong = !make.trim() || !model.trim() || sizes === null || years.includes(undefined);
+  const submit = () => {
+    setTried(true);
+    return wrong || sizes === null ? null : send(sizes);
+  };
+  const send = async (values: Partial<ModelIn>) => {
+    const body = {
+      ...(row ? bodyOf(row) : {}),
+      ...values,
+      make,
+      model,
+      source,
+      year_from: years[0] ?? null,
+      year_to: years[1] ?? null,
+      category: category || null,
+    };
+    if (row) {
+      const full = { ...body, version: row.version };
+      await api.write("PUT /catalogue/{entry_id}", { entry_id: row.id }, { body: full });
+    } else await api.write("POST /catalogue", {}, { body });
+    saved();
+  };
+  const empty = (text: string) => (tried && !text.trim() ? say("catalogue-needed") : null);
+  const year = (text: string) => (tried && yearOf(text) === undefined ? say("catalogue-year-problem") : null);
+  return (
+    <FormDialog
+      title={say(row ? "catalogue-correct-title" : "catalogue-add-title")}
+      action={say(row ? "catalogue-correct-save" : "catalogue-add-save")}
+      onClose={close}
+      submit={submit}
+    >
+      <div class="catalogue-form">
+        <TextField label={say("catalogue-make")} value={make} onInput={setMake} problem={empty(make)} />
+        <TextField
+          label={say("catalogue-model-name")}
+          value={model}
+          onInput={setModel}
+          problem={empty(model)}
+        />
+        <TextField label={say("catalogue-year-from")} value={from} onInput={setFrom} problem={year(from)} />
+        <TextField label={say("catalogue-year-to")} value={to} onInput={setTo} problem={year(to)} />
+        <SelectField<Category | "">
+          label={say("catalogue-category")}
+          value={category}
+          options={[
+            { value: "", label: say("catalogue-category-unknown") },
+            ...Object.entries(CATEGORY_WORDS).map(([value, label]) => ({ value: value as Category, label })),
+          ]}
+          onChange={setCategory}
+        />
+        <TextField label={say("catalogue-source")} value={source} onInput={setSource} />
+      </div>
+      {SIZES.map((size) => (
+        <SizeFields
+          key={size}
+          size={size}
+          typed={typed[size]}
+          tried={tried}
+          change={(part) => setTyped({ ...typed, [size]: { ...typed[size], ...part } })}
+        />
+      ))}
+    </FormDialog>
+  );
+}
+
+interface SizeProps {
+  size: Size;
+  typed: Typed[Size];
+  tried: boolean;
+  change: (part: Partial<Typed[Size]>) => void;
+}
+
+function SizeFields({ size, typed, tried, change }: SizeProps) {
+  const name = SIZE_WORDS[size];
+  const wrong = (text: string, parsed: number | null) =>
+    tried && text.trim() && parsed === null ? say("catalogue-number-problem") : null;
+  return (
+    <div class="catalogue-sizes">
+      <TextField
+        label={name}
+        numeric
+        unit={lengthUnit.value}
+        value={typed.size}
+        onInput={(text) => change({ size: text })}
+        problem={wrong(typed.size, parseLength(typed.size))}
+      />
+      <TextField
+        label={say("catalogue-u-of", { size: name })}
+        numeric
+        unit={smallScale()[1]}
+        value={typed.u}
+        onInput={(text) => change({ u: text })}
+        problem={wrong(typed.u, parseSmall(typed.u))}
+      />
+      <TextField
+        label={say("catalogue-source-of", { size: name })}
+        value={typed.source}
+        onInput={(text) => change({ source: text })}
+      />
+    </div>
+  );
+}
+
+function typedOf(row: CatalogueRow | null): Typed {
+  const one = (size: Size) => ({
+    size: lengthText(row?.[`${size}_m`]),
+    u: smallText(row?.[`u_${size}_m`]),
+    source: row?.[`${size}_source`] ?? "",
+  });
+  return Object.fromEntries(SIZES.map((size) => [size, one(size)])) as Typed;
+}
+
+/** The typed sizes in metres; null where one is no number. */
+function read(typed: Typed): Partial<ModelIn> | null {
+  const values: Record<string, number | string | null> = {};
+  for (const size of SIZES) {
+    const { size: length, u, source } = typed[size];
+    const metres = length.trim() ? parseLength(length) : null;
+    const uncertainty = u.trim() ? parseSmall(u) : null;
+    if ((length.trim() && metres === null) || (u.trim() && uncertainty === null)) return null;
+    values[`${size}_m`] = metres;
+    values[`u_${size}_m`] = uncertainty;
+    values[`${size}_source`] = source.trim() || null;
+  }
+  return values as Partial<ModelIn>;
+}
+
+const yearText = (year: number | null | undefined) => (year ? String(year) : "");
+
+/** Null where nothing is typed, undefined where it is no year. */
+function yearOf(text: string): number | null | undefined {
+  if (!text.trim()) return null;
+  return /^\d{4}$/.test(text.trim()) ? Number(text) : undefined;
+}
