@@ -1,6 +1,8 @@
 """One small demonstration survey, one server and one Chromium for all browser tests."""
 
+import fcntl
 import os
+import shutil
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -17,8 +19,11 @@ from playwright.sync_api import (
 )
 
 from sightline.demo.request import ensure_requested
-from sightline.infra.database.engine import make_engine, migrate, session_factory, writing
+from sightline.infra.database.engine import migrate
+from sightline.infra.services import open_services
+from sightline.people.service import first_sign_in_link
 from sightline.settings import Settings
+from tests.support.working import run_jobs
 
 from .server import ROOT, Server, start
 
@@ -61,9 +66,11 @@ def browser(playwright: Playwright) -> Iterator[Browser]:
 
 @pytest.fixture(scope="session")
 def demonstration(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
-    """`sightline demo` over a data folder in which a small demonstration survey is asked for already."""
-    data_dir = tmp_path_factory.mktemp("demonstration")
-    ask_for_small_survey(data_dir)
+    """`sightline demo` over a copy of a small demonstration survey, which the first of all workers makes."""
+    here = tmp_path_factory.getbasetemp()
+    shared = here.parent if "PYTEST_XDIST_WORKER" in os.environ else here
+    data_dir = here / "demonstration"
+    shutil.copytree(made_once(shared / "small-demonstration"), data_dir)
     server = start("demo", data_dir)
     try:
         server.wait(300)
@@ -72,13 +79,27 @@ def demonstration(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
         server.stop()
 
 
-def ask_for_small_survey(data_dir: Path) -> None:
-    """Queue its making before there is a server: the server's own request then finds this one waiting."""
-    engine = make_engine(Settings(data_dir=data_dir).database_url)
-    migrate(engine)
-    with writing(session_factory(engine)) as session:
+def made_once(folder: Path) -> Path:
+    """The data folder of a small demonstration survey; who comes while it is made waits."""
+    with folder.with_suffix(".lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        if not folder.exists():
+            part = folder.with_suffix(".part")
+            make_small_survey(part)
+            part.rename(folder)
+    return folder
+
+
+def make_small_survey(data_dir: Path) -> None:
+    """As a worker of `sightline demo` makes it, but of fewer vehicles."""
+    services = open_services(Settings(data_dir=data_dir, find_passes=False))
+    migrate(services.engine)
+    assert first_sign_in_link(services)  # whoever makes it comes first; the server then prints their link
+    with services.writing() as session:
         ensure_requested(session, scenes=SCENES, scan_vehicles=SCAN_VEHICLES)
-    engine.dispose()
+    (job,) = run_jobs(services)
+    services.close()
+    assert job.state == "done", job
 
 
 @pytest.fixture(scope="session")
