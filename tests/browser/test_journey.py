@@ -86,7 +86,7 @@ def find_pose(
     for label, value in (("Inner corners across", board["columns"]), ("and down", board["rows"])):
         page.get_by_label(label).fill(str(value))
     square = page.get_by_label("Square", exact=True)
-    square.fill(f"{board['square_m']:.3f}")
+    square.fill(f"{1000 * board['square_m']:.1f}")
     page.get_by_text("uppermost row", exact=True).click()
     page.get_by_label(re.compile("From the road up to the uppermost")).fill(
         f"{board['reference_height_m']:.4f}"

@@ -63,6 +63,7 @@ MATRIX = {
     "GET /recordings/{recording_id}/frames/{n}/crop.png": "viewer",
     "GET /recordings/{recording_id}/thumbs/{frame}.jpg": "viewer",
     "POST /recordings/{recording_id}/board": "operator",
+    "POST /recordings/{recording_id}/board/span": "operator",
     "POST /recordings/{recording_id}/poses": "operator",
     "GET /surveys/{survey_id}/poses": "viewer",
     "GET /poses/{pose_id}": "viewer",

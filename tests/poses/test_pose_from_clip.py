@@ -6,9 +6,14 @@ from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
+from sightline.geometry.board import Board
+from sightline.geometry.corners import Corners
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
+from sightline.poses.service import StillSpan, still_span
 from tests.support import boards
 from tests.support.app import Client, error_of, upload
 from tests.support.ground import flat_camera, store_calibration
@@ -16,6 +21,7 @@ from tests.support.ground import flat_camera, store_calibration
 pytestmark = pytest.mark.once
 
 REFERENCE_M = 0.05
+BOARD = Board(9, 6, 0.1)
 # The first pose of the clip: square-on, 0.4 m away, its centre on the optical axis.
 CAMERA_HEIGHT_M = REFERENCE_M + (boards.ROWS - 1) / 2 * boards.SQUARE_M
 
@@ -56,6 +62,33 @@ def test_the_board_is_found_in_the_order_as_seen(operator: Client, clip_id: int)
     assert found["outline_px"][0] == found["corners_px"][0] == found["outline_px"][-1]
     missing = operator.made(f"/recordings/{clip_id}/board", {"frame": 0, "columns": 12, "rows": 4})
     assert not missing["found"] and "12x4" in missing["reason"]
+
+
+def test_the_span_of_a_board_that_stands_still_is_found_by_itself(operator: Client, clip_id: int) -> None:
+    body = {"frame": 0, "columns": boards.COLUMNS, "rows": boards.ROWS}
+    frames = operator.seen(f"/recordings/{clip_id}")["frame_count"]
+    found = operator.made(f"/recordings/{clip_id}/board/span", body)
+    assert found["first_frame"] == 0 and 0 <= found["last_frame"] < frames
+    assert operator.made(f"/recordings/{clip_id}/board/span", {**body, "columns": 12, "rows": 4}) is None
+
+
+@given(
+    st.integers(0, 400).flatmap(
+        lambda last: st.tuples(st.just(last), *(st.integers(0, last) for _ in range(3)))
+    )
+)
+def test_the_span_is_that_of_the_frames_which_look_alike(drawn: tuple[int, int, int, int]) -> None:
+    last, *ends = drawn
+    first, frame, end = sorted(ends)
+    looked = []
+
+    def look(n: int) -> Corners:
+        looked.append(n)
+        moved = 0.0 if first <= n <= end else 5.0
+        return Corners(True, np.zeros((6, 9, 2)) + moved, BOARD, None, 0.0, "")
+
+    assert still_span(look, frame, last) == StillSpan(first, end)
+    assert len(looked) <= 1 + 4 * 10 and all(0 <= n <= last for n in looked)
 
 
 def test_a_pose_is_solved_drawn_and_used(

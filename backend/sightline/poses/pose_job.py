@@ -12,13 +12,23 @@ from sightline.enums import BoardKind, BoardSide
 from sightline.errors import BadInput
 from sightline.geometry.board import Board, require_board
 from sightline.geometry.camera import Camera
+from sightline.geometry.corners import detect
 from sightline.geometry.documents import camera_from_dict
 from sightline.geometry.road_pose import DEFAULT_U_BOW_M, Reference
 from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
-from sightline.poses.service import BoardView, Solved, board_in_span, board_view, check_fits, solve
+from sightline.poses.service import (
+    BoardView,
+    Solved,
+    StillSpan,
+    board_in_span,
+    board_view,
+    check_fits,
+    solve,
+    still_span,
+)
 from sightline.poses.store import add_pose
 from sightline.recordings.drift_request import request_if_posed
 from sightline.recordings.frames.stills import stills_of
@@ -75,6 +85,22 @@ def look_for_board(
         with services.reading() as session:
             fitting_camera(session, get_recording(session, recording_id), calibration_id)
     return board_view(stills_of(services).gray(recording_id, frame), board)
+
+
+def look_for_span(
+    services: Services, recording_id: int, frame: int, board: Board, calibration_id: int | None
+) -> StillSpan | None:
+    """The frames around one in which the board stands still; None where it is not on it.
+
+    Raises NotFound, BadInput (not ready, calibration of another size).
+    """
+    with services.reading() as session:
+        recording = get_recording(session, recording_id)
+        if calibration_id is not None:
+            fitting_camera(session, recording, calibration_id)
+    stills = stills_of(services)
+    count = recording.frame_count or frame + 1
+    return still_span(lambda n: detect(stills.gray(recording_id, n), board), frame, count - 1)
 
 
 def request_pose(session: Session, wanted: PoseRequest, *, actor: int) -> Job:

@@ -8,6 +8,7 @@ from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired, W
 from sightline.poses import pose_job, store
 from sightline.poses.bodies import BoardBody, BoardWanted, PoseBody, PoseSummaryBody, PoseWanted
 from sightline.poses.pose_job import PoseRequest
+from sightline.poses.service import StillSpan
 from sightline.surveys.store import get_survey
 
 router = APIRouter()
@@ -21,6 +22,17 @@ def find_board(recording_id: PathId, body: BoardWanted, who: Operator, services:
     )
     found = pose_job.look_for_board(services, recording_id, body.frame, board, body.calibration_id)
     return BoardBody.model_validate(found)
+
+
+@router.post("/recordings/{recording_id}/board/span")
+def find_still_span(
+    recording_id: PathId, body: BoardWanted, who: Operator, services: Wired
+) -> StillSpan | None:
+    """The frames around one in which the board stands still, to be confirmed; null where it is not there."""
+    board = board_told(
+        body.columns, body.rows, body.square_m, body.board_kind, body.dictionary, body.marker_m
+    )
+    return pose_job.look_for_span(services, recording_id, body.frame, board, body.calibration_id)
 
 
 @router.post("/recordings/{recording_id}/poses", status_code=202)

@@ -26,6 +26,8 @@ from sightline.poses.records import ExpectedHeight, IsoHeight, PoseOverlay
 
 # Corner errors of neighbouring frames are correlated: more frames add time, not accuracy.
 MOST_FRAMES = 15
+#: A corner that moved less has not moved: beyond the scatter of its detection, below any push of the board.
+STILL_PX = 1.0
 EXPECTED_AT_M = (2.0, 3.0, 5.0)
 _ORDER_NOTE = "Corners are numbered from the top left as seen, along the rows to the right and then down."
 _PART = (
@@ -114,6 +116,49 @@ def board_view(gray: Gray, board: Board) -> BoardView:
         ids=ids,
         order_note=note,
     )
+
+
+@dataclass(frozen=True, slots=True)
+class StillSpan:
+    """Frames, both included, in which the board stands where it stands on one of them."""
+
+    first_frame: int
+    last_frame: int
+
+
+def still_span(look: Callable[[int], Corners], frame: int, last: int) -> StillSpan | None:
+    """The span around `frame` in which the board stands still, of a recording that ends with frame `last`.
+
+    Steps double outwards, then halve: some twenty looks for any length. What covers the board ends the span.
+    None where it is not found on the frame itself.
+    """
+    here = look(frame)
+    if not here.found:
+        return None
+
+    def stands(n: int) -> bool:
+        there = look(n)
+        if not there.found or there.points_px.shape != here.points_px.shape:
+            return False
+        return bool(np.abs(there.points_px - here.points_px).max() < STILL_PX)
+
+    return StillSpan(_furthest(stands, frame, 0), _furthest(stands, frame, last))
+
+
+def _furthest(stands: Callable[[int], bool], start: int, end: int) -> int:
+    """The frame furthest towards `end` up to which it stands, as far as doubled and halved steps tell."""
+    way = 1 if end >= start else -1
+    good, step = start, 1
+    while good != end:
+        n = good + way * min(step, abs(end - good))
+        if not stands(n):
+            bad = n
+            while abs(bad - good) > 1:
+                middle = (good + bad) // 2
+                good, bad = (middle, bad) if stands(middle) else (good, middle)
+            break
+        good, step = n, 2 * step
+    return good
 
 
 def outline(corners: Corners) -> list[list[float]]:

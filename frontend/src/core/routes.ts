@@ -20,7 +20,7 @@ export type Question = Extract<
   | "POST /session/link"
   | "POST /audit/verify"
   | "POST /catalogue/import/preview"
-  | `POST /recordings/{recording_id}/${"board" | "frames/{n}/contact"}`
+  | `POST /recordings/{recording_id}/${"board" | "board/span" | "frames/{n}/contact"}`
   | `POST /recordings/{recording_id}/geometry/${string}`
   | `POST /scans/{scan_id}/${"line-height" | "line-pose/preview"}`
 >;

@@ -4,7 +4,7 @@ import { Button, JobProgress, Notice, Segments, SelectField, TextField } from ".
 import { hint } from "../../core/commands";
 import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
-import { fixed, lengthText, lengthUnit } from "../../core/units";
+import { fixed, lengthUnit, smallScale, smallText } from "../../core/units";
 import { KindField, MarkerFields } from "../../parts/boards/MarkerFields";
 import { BoardDrawing } from "./BoardDrawing";
 import { U_BOW_M, U_TAPE_M } from "./form";
@@ -79,7 +79,7 @@ function standing({ current, trusted }: { current: boolean; trusted: boolean }) 
 function BoardQuestions({ model }: { model: PoseModel }) {
   const form = model.form.value;
   const problems = model.problems.value;
-  const unit = lengthUnit.value;
+  const [, unit] = smallScale();
   const locked = !canWork.value;
   return (
     <fieldset disabled={locked}>
@@ -149,6 +149,19 @@ function SpanQuestions({ model }: { model: PoseModel }) {
           {span(form.first, form.last)}
         </span>
       </div>
+      {model.offered.value && (
+        <p class="row small" data-testid="pose-span-offer">
+          <span class="grow">
+            {say("pose-span-offer", {
+              first_frame: String(model.offered.value.first_frame),
+              last_frame: String(model.offered.value.last_frame),
+            })}
+          </span>
+          <Button small onClick={() => model.takeOffered()}>
+            {say("pose-span-take")}
+          </Button>
+        </p>
+      )}
       {shown(model, problems.span) && <p class="field__problem">{problems.span}</p>}
     </fieldset>
   );
@@ -194,7 +207,7 @@ function HeightQuestions({ model }: { model: PoseModel }) {
 function SurenessQuestions({ model }: { model: PoseModel }) {
   const form = model.form.value;
   const problems = model.problems.value;
-  const unit = lengthUnit.value;
+  const [, unit] = smallScale();
   return (
     <details>
       <summary>{say("pose-sure")}</summary>
@@ -205,7 +218,7 @@ function SurenessQuestions({ model }: { model: PoseModel }) {
           unit={unit}
           value={form.uReferenceHeight}
           onInput={(uReferenceHeight) => model.set({ uReferenceHeight })}
-          placeholder={lengthText(U_TAPE_M)}
+          placeholder={smallText(U_TAPE_M)}
         />
         <TextField
           label={say("pose-u-lean")}
@@ -229,7 +242,7 @@ function SurenessQuestions({ model }: { model: PoseModel }) {
           unit={unit}
           value={form.uBow}
           onInput={(uBow) => model.set({ uBow })}
-          placeholder={lengthText(U_BOW_M)}
+          placeholder={smallText(U_BOW_M)}
         />
       </div>
       <p class="field__hint">{say("pose-u-hint")}</p>

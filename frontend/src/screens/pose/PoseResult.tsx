@@ -1,4 +1,6 @@
 /** What the pose is worth, in plain words: the expected uncertainty of heights, warnings, and other poses to choose from. */
+import { useSignalEffect } from "@preact/signals";
+import { useRef } from "preact/hooks";
 import { Button, Notice, Shape } from "../../components";
 import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
@@ -11,10 +13,15 @@ import type { PoseModel } from "./model";
 export function PoseResult({ model }: { model: PoseModel }) {
   const pose = model.pose.value;
   const recording = model.reel.recording.value;
+  const box = useRef<HTMLElement>(null);
+  // the form was scrolled to its end to press the button: what came of it is above
+  useSignalEffect(() => {
+    if (model.found.value > 0) requestAnimationFrame(() => box.current?.scrollIntoView({ block: "start" }));
+  });
   if (!pose && model.poses.value.length === 0) return null;
   const inUse = pose !== null && recording?.pose_id === pose.id;
   return (
-    <section class="pose-result">
+    <section class="pose-result" ref={box}>
       {pose && (
         <>
           <header class="row">

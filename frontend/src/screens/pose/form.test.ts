@@ -5,7 +5,7 @@ import { boardOf, EMPTY_FORM, fromPose, problemsOf, requestOf } from "./form";
 const filled = {
   ...EMPTY_FORM,
   calibrationId: 3,
-  square: "0,1",
+  square: "100,0",
   referenceHeight: "0.45",
   first: 20,
   last: 80,
@@ -38,11 +38,11 @@ describe("the board form", () => {
   });
 
   it("tells the markers of a ChArUco board, and looks for it only when all is told", () => {
-    const charuco = { ...filled, kind: "charuco", dictionary: "4X4_50", marker: "0,075" } as const;
+    const charuco = { ...filled, kind: "charuco", dictionary: "4X4_50", marker: "75" } as const;
     const told = { board_kind: "charuco", dictionary: "4X4_50", marker_m: 0.075 };
     expect(requestOf(charuco)).toMatchObject(told);
     expect(boardOf(charuco)).toEqual({ columns: 9, rows: 6, square_m: 0.1, ...told });
-    expect(boardOf({ ...charuco, marker: "0.2" })).toBeNull();
+    expect(boardOf({ ...charuco, marker: "200" })).toBeNull();
     expect(requestOf({ ...charuco, marker: "" })).toBeNull();
     expect(boardOf(filled)).toEqual({ columns: 9, rows: 6 });
   });
@@ -50,7 +50,7 @@ describe("the board form", () => {
   it("leaves the uncertainties that nobody gave to the estimates", () => {
     expect(requestOf(filled)).toMatchObject({ u_bow_m: 0.0005 });
     expect(requestOf(filled)).not.toHaveProperty("u_square_m");
-    expect(requestOf({ ...filled, uSquare: "0.00002", uBow: "0,002" })).toMatchObject({
+    expect(requestOf({ ...filled, uSquare: "0.02", uBow: "2,0" })).toMatchObject({
       u_square_m: 0.00002,
       u_bow_m: 0.002,
     });
@@ -77,10 +77,10 @@ describe("the board form", () => {
     } as unknown as Pose;
     expect(fromPose(pose, true)).toMatchObject({
       columns: 7,
-      square: "0.12",
+      square: "120",
       reference: "top",
       referenceHeight: "1.1",
-      uSquare: "0.000025",
+      uSquare: "0.025",
       uBow: "",
       first: 5,
     });

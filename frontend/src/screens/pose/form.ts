@@ -3,7 +3,14 @@
 import { say } from "../../core/messages";
 import type { BodyOf } from "../../core/routes";
 import type { Pose } from "../../core/types";
-import { lengthText, lengthUnit, parseLength } from "../../core/units";
+import {
+  type LengthUnit,
+  lengthText,
+  lengthUnit,
+  parseLength,
+  parseSmall,
+  smallText,
+} from "../../core/units";
 import { type BoardKind, markerProblem, markersTold, PLAIN } from "../../parts/boards/markers";
 
 export interface BoardForm {
@@ -11,7 +18,7 @@ export interface BoardForm {
   /** Inner corners. */
   readonly columns: number;
   readonly rows: number;
-  /** Lengths as typed, in the shown unit; `null` stands for the default. */
+  /** Lengths as typed, the board's own and the uncertainties as small lengths (mm), the tape's in m; or in and ft. */
   readonly square: string;
   readonly kind: BoardKind;
   readonly dictionary: string;
@@ -61,17 +68,17 @@ export interface FormProblems {
 const RADIANS_PER_DEGREE = Math.PI / 180;
 
 export function problemsOf(form: BoardForm): FormProblems {
-  const square = parseLength(form.square);
+  const square = parseSmall(form.square);
   const height = parseLength(form.referenceHeight);
-  const tape = lengthOr(form.uReferenceHeight, U_TAPE_M);
+  const tape = smallOr(form.uReferenceHeight, U_TAPE_M);
   const lean = Number(form.uLean.replace(",", "."));
-  const ofSquare = lengthOr(form.uSquare, 0);
-  const bow = lengthOr(form.uBow, U_BOW_M);
+  const ofSquare = smallOr(form.uSquare, 0);
+  const bow = smallOr(form.uBow, U_BOW_M);
   return {
     calibration: form.calibrationId === null ? say("pose-problem-calibration") : null,
     board: form.columns >= 2 && form.rows >= 2 ? null : say("pose-problem-board"),
     square: square !== null && square > 0 ? null : say("pose-problem-square"),
-    marker: markerProblem(form.kind, parseLength(form.marker), square, lengthText(0.075)),
+    marker: markerProblem(form.kind, parseSmall(form.marker), square, smallText(0.075)),
     referenceHeight: height !== null ? null : say("pose-problem-height"),
     uncertainty: [tape, lean, ofSquare, bow].every((one) => one !== null && one >= 0)
       ? null
@@ -80,17 +87,17 @@ export function problemsOf(form: BoardForm): FormProblems {
   };
 }
 
-function lengthOr(text: string, metres: number): number | null {
-  return text.trim() === "" ? metres : parseLength(text);
+function smallOr(text: string, metres: number): number | null {
+  return text.trim() === "" ? metres : parseSmall(text);
 }
 
 /** The request, or null while something is missing. */
 export function requestOf(form: BoardForm): BodyOf<"POST /recordings/{recording_id}/poses"> | null {
   const { calibrationId, first, last } = form;
-  const square_m = parseLength(form.square);
+  const square_m = parseSmall(form.square);
   const reference_height_m = parseLength(form.referenceHeight);
-  const u_reference_height_m = lengthOr(form.uReferenceHeight, U_TAPE_M);
-  const u_bow_m = lengthOr(form.uBow, U_BOW_M);
+  const u_reference_height_m = smallOr(form.uReferenceHeight, U_TAPE_M);
+  const u_bow_m = smallOr(form.uBow, U_BOW_M);
   if (Object.values(problemsOf(form)).some((problem) => problem !== null)) return null;
   if (calibrationId === null || first === null || last === null) return null;
   if (square_m === null || reference_height_m === null) return null;
@@ -102,12 +109,12 @@ export function requestOf(form: BoardForm): BodyOf<"POST /recordings/{recording_
     columns: form.columns,
     rows: form.rows,
     square_m,
-    ...markersTold(form.kind, form.dictionary, parseLength(form.marker)),
+    ...markersTold(form.kind, form.dictionary, parseSmall(form.marker)),
     reference: form.reference,
     reference_height_m,
     u_reference_height_m,
     u_lean_rad: Number(form.uLean.replace(",", ".")) * RADIANS_PER_DEGREE,
-    ...(form.uSquare.trim() === "" ? {} : { u_square_m: parseLength(form.uSquare) }),
+    ...(form.uSquare.trim() === "" ? {} : { u_square_m: parseSmall(form.uSquare) }),
     u_bow_m,
   };
 }
@@ -121,8 +128,8 @@ export function boardOf(form: BoardForm): BoardSought | null {
   if (form.kind === "checkerboard") return size;
   const { square, marker } = problemsOf(form);
   if (square !== null || marker !== null) return null;
-  const square_m = parseLength(form.square);
-  return { ...size, square_m, ...markersTold(form.kind, form.dictionary, parseLength(form.marker)) };
+  const square_m = parseSmall(form.square);
+  return { ...size, square_m, ...markersTold(form.kind, form.dictionary, parseSmall(form.marker)) };
 }
 
 /** What an earlier pose was made from; of another recording without its span. */
@@ -131,15 +138,13 @@ export function fromPose(
   own: boolean,
 ): Partial<BoardForm> & Pick<BoardForm, "columns" | "rows" | "square"> {
   const board = pose.document.board;
-  const text = (metres: number | undefined, otherwise: string): string =>
-    metres === undefined ? otherwise : lengthText(metres);
-  const small = (metres: number | null | undefined): string => lengthText(metres, lengthUnit.value, 6);
+  const small = (metres: number | null | undefined): string => smallText(metres, lengthUnit.value, 4);
   return {
     columns: board?.columns ?? EMPTY_FORM.columns,
     rows: board?.rows ?? EMPTY_FORM.rows,
-    square: text(board?.square_m, ""),
+    square: small(board?.square_m),
     reference: board?.reference ?? "bottom",
-    referenceHeight: text(board?.reference_height_m, ""),
+    referenceHeight: lengthText(board?.reference_height_m),
     uReferenceHeight: small(board?.u_reference_height_m),
     uLean:
       board === null ? EMPTY_FORM.uLean : String(Number((board.u_lean_rad / RADIANS_PER_DEGREE).toFixed(2))),
@@ -147,4 +152,17 @@ export function fromPose(
     uBow: small(board?.u_bow_m),
     ...(own ? { first: pose.first_frame, last: pose.last_frame, calibrationId: pose.calibration_id } : {}),
   };
+}
+
+const SMALL = ["square", "marker", "uReferenceHeight", "uSquare", "uBow"] as const;
+
+/** What is typed, in another unit: the lengths stay, their numbers change. */
+export function inUnit(form: BoardForm, from: LengthUnit, to: LengthUnit): BoardForm {
+  const turned = SMALL.map((name) => {
+    const metres = parseSmall(form[name], from);
+    return [name, metres === null ? form[name] : smallText(metres, to, to === "ft" ? 5 : 4)];
+  });
+  const height = parseLength(form.referenceHeight, from);
+  const referenceHeight = height === null ? form.referenceHeight : lengthText(height, to, 5);
+  return { ...form, ...Object.fromEntries(turned), referenceHeight };
 }

@@ -1,5 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { ApiError } from "../../core/api";
+import { lengthUnit } from "../../core/units";
 import { FakeServer, recording } from "../../testing/server";
 import { PoseModel } from "./model";
 
@@ -59,5 +60,25 @@ describe("the road pose page", () => {
     model.reel.player.value?.go(10);
     model.mark("last");
     expect(model.form.value).toMatchObject({ first: 10, last: 10 });
+  });
+
+  it("offers the frames in which a board that was found stands still, until some are marked by hand", async () => {
+    server.on("POST", /\/board\/span$/, () => ({ first_frame: 3, last_frame: 60 }));
+    await model.load();
+    await vi.advanceTimersByTimeAsync(1000);
+    expect(model.finding.value?.found).toBe(true);
+    expect(model.offered.value).toEqual({ first_frame: 3, last_frame: 60 });
+    model.takeOffered();
+    expect(model.form.value).toMatchObject({ first: 3, last: 60 });
+    expect(model.offered.value).toBeNull();
+  });
+
+  it("keeps what is typed when the unit becomes another: the length stays, its number changes", async () => {
+    await model.load();
+    model.set({ square: "101.6", referenceHeight: "0.4572", uBow: "" });
+    lengthUnit.value = "ft";
+    expect(model.form.value).toMatchObject({ square: "4", referenceHeight: "1.5", uBow: "" });
+    lengthUnit.value = "m";
+    expect(model.form.value).toMatchObject({ square: "101.6", referenceHeight: "0.4572" });
   });
 });

@@ -5,9 +5,11 @@ import { api, explain } from "../../core/api";
 import { cancelJob, followJob } from "../../core/jobs";
 import { Latest } from "../../core/latest";
 import { say } from "../../core/messages";
+import { canWork } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
 import { toast, toastProblem } from "../../core/toasts";
-import type { BoardFinding, Camera, Job, Pose, PoseSummary } from "../../core/types";
+import type { BoardFinding, Camera, Job, Pose, PoseSummary, StillSpan } from "../../core/types";
+import { lengthUnit } from "../../core/units";
 import { linesShown } from "../../viewer/display";
 import { Reel } from "../../viewer/reel";
 import { FrameStage } from "../../viewer/stage";
@@ -17,6 +19,7 @@ import {
   boardOf,
   EMPTY_FORM,
   fromPose,
+  inUnit,
   problemsOf,
   requestOf,
 } from "./form";
@@ -38,6 +41,10 @@ export class PoseModel {
   readonly job = signal<Job | null>(null);
   readonly pose = signal<Pose | null>(null);
   readonly tried = signal(false);
+  /** The frames in which the board was found to stand still, until they are taken or others are marked. */
+  readonly offered = signal<StillSpan | null>(null);
+  /** Counts up when a pose was found just now: its verdict is to be seen. */
+  readonly found = signal(0);
 
   /** Calibrations of the recording's camera first; of the others if it has none. */
   readonly calibrations = computed(() => {
@@ -78,6 +85,7 @@ export class PoseModel {
       if (this.reel.player.value?.frame.value !== wish.frame) return;
       this.finding.value = finding;
       this.findingProblem.value = finding.found ? null : finding.reason;
+      if (finding.found) void this.offerSpan(wish);
     },
     (error) => {
       this.looking.value = false;
@@ -89,7 +97,16 @@ export class PoseModel {
   private readonly stopJob = new AbortController();
 
   constructor(readonly surveyId: number) {
-    this.stops.push(effect(() => this.lookWhenResting()));
+    let unit = lengthUnit.peek();
+    this.stops.push(
+      effect(() => this.lookWhenResting()),
+      // the lengths that are typed stay what they are
+      effect(() => {
+        const now = lengthUnit.value;
+        if (now !== unit) this.form.value = inUnit(this.form.peek(), unit, now);
+        unit = now;
+      }),
+    );
   }
 
   async load(): Promise<void> {
@@ -133,6 +150,7 @@ export class PoseModel {
       this.reel.show(id, Math.max(0, frame));
       this.pose.value = null;
       this.finding.value = null;
+      this.offered.value = null;
     });
     const calibrations = this.calibrations.value;
     const current = calibrations.find((one) => one.current) ?? calibrations.at(-1);
@@ -147,10 +165,37 @@ export class PoseModel {
   }
 
   mark(end: "first" | "last"): void {
+    this.offered.value = null;
     const frame = this.reel.player.value?.frame.value ?? 0;
     const { first, last } = this.form.value;
     if (end === "first") this.set({ first: frame, last: last !== null && last < frame ? null : last });
     else this.set({ last: frame, first: first === null || first > frame ? frame : first });
+  }
+
+  /** The frames in which a board that was found stands still, where nobody has marked any: to be taken with one click. */
+  private async offerSpan(wish: { recordingId: number; frame: number; board: BoardSought }): Promise<void> {
+    const marked = this.form.value.first !== null && this.form.value.last !== null;
+    if (marked || !canWork.value || this.offered.value) return;
+    const { recordingId, frame, board } = wish;
+    try {
+      const found = await api.ask(
+        "POST /recordings/{recording_id}/board/span",
+        { recording_id: recordingId },
+        { body: { frame, ...board } },
+      );
+      // what was marked or opened meanwhile counts
+      const { first, last } = this.form.value;
+      if (this.reel.player.value?.recordingId === recordingId && (first === null || last === null))
+        this.offered.value = found;
+    } catch {
+      // marked by hand instead
+    }
+  }
+
+  takeOffered(): void {
+    const found = this.offered.value;
+    this.offered.value = null;
+    if (found) this.set({ first: found.first_frame, last: found.last_frame });
   }
 
   lookNow(): void {
@@ -244,6 +289,7 @@ export class PoseModel {
       linesShown.value = true;
     });
     if (typeof id === "number") await this.showPose(id);
+    this.found.value += 1;
     void refreshSurvey();
   }
 
