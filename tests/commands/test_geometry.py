@@ -74,7 +74,7 @@ def test_pose_then_height(camera_file, still, tmp_path, capsys) -> None:
     assert height["height_m"] == pytest.approx(1.16, abs=height["U95_height_m"])
     assert height["u_height_m"] == pytest.approx(np.sqrt(sum(e["u_m"] ** 2 for e in height["budget"])))
     assert height["status"] == "ok" and height["reason"] is None
-    assert run(*arguments) == 0 and "m +-" in capsys.readouterr().out
+    assert run(*arguments) == 0 and "m ±" in capsys.readouterr().out
 
 
 def test_not_measurable_is_an_answer(pose_file, capsys) -> None:

@@ -95,7 +95,7 @@ def _text(found: Adjustment, unread: list[LeftOut], output: Path) -> str:
         f"{one.name}: {one.value:+.6f}, u {one.u_before:.6f} -> {one.u_after:.6f}" for one in found.moved
     ]
     lines += [
-        f"expected at {distance:g} m: +- {1960 * u:.0f} mm (95 %)"
+        f"expected at {distance:g} m: ± {1960 * u:.0f} mm (95 %)"
         for distance, u in expected_u(found.pose)
         if u is not None
     ]

@@ -260,7 +260,7 @@ def pose(
     )
     for distance, u in expected:
         if u is not None:
-            click.echo(f"expected at {distance:g} m: +- {1000 * expanded(u):.0f} mm (95 %)")
+            click.echo(f"expected at {distance:g} m: ± {1000 * expanded(u):.0f} mm (95 %)")
     for warning in solved.warnings:
         click.echo(f"warning: {warning}")
 
@@ -319,7 +319,7 @@ def height(
     elif measured.height_m is None or measured.U95_height_m is None:
         click.echo(f"not measurable: {measured.reason}")
     else:
-        click.echo(f"{measured.height_m:.3f} m +- {measured.U95_height_m:.3f} m (95 %)")
+        click.echo(f"{measured.height_m:.3f} m ± {measured.U95_height_m:.3f} m (95 %)")
         for flag in measured.flags:
             click.echo(f"note: {flag}")
 

@@ -12,7 +12,7 @@ from sightline.enums import DriverSide, InsetName, Target
 from sightline.geometry.arrays import Floats
 
 USUAL_INSETS: dict[InsetName, tuple[float, float, str]] = {
-    "roof": (0.30, 0.10, "near edge of the roof; 0.85 +- 0.10 m for its crown (estimate)"),
+    "roof": (0.30, 0.10, "near edge of the roof; 0.85 m (u 0.10 m) for its crown (estimate)"),
     "driver_eye_near": (0.45, 0.10, "driver on the side of the camera (estimate)"),
     "driver_eye_far": (1.15, 0.15, "driver on the side away from the camera (estimate)"),
     "taillight": (0.05, 0.05, "outer edge of the lamp (estimate)"),

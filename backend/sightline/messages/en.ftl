@@ -911,6 +911,7 @@ checks-used-of = { $count ->
    *[other] { $count } vehicles of { NUMBER($all) }
 }
 checks-turned-from = This pose was turned by { $turned } from pose { $pose }.
+value-u = { $value } (u { $u })
 checks-turn-by = Turn the road axes by { $turn }…
 checks-use-before = Use the pose before
 checks-turned-pose = Turned pose

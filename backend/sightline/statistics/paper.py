@@ -22,7 +22,7 @@ _DAY = (
     "printed. The text's “less than 10 % below 2 cm” is impossible with this MAE and MSE."
 )
 _LOW = (
-    "A perfect clicker of +-1 px against reference heights of +-3 cm scores MAE 0.016 m, RMSE 0.019 m: this "
+    "A perfect clicker of ±1 px against reference heights of ±3 cm scores MAE 0.016 m, RMSE 0.019 m: this "
     "column bounds the reference, not the method. The printed SD of 0.059 ft should be 0.062 ft."
 )
 _ALL = (

@@ -298,7 +298,7 @@ def _offered(one: Estimate, target: Target, in_force: Inset, seen: Sightings | N
         between = DEFAULT_INSETS[target][1] if one.spread_m is None else one.spread_m
         u = float(np.ceil(np.hypot(one.u_inset_m, between) / _OFFER_STEP_M - 1e-9)) * _OFFER_STEP_M
         note = _NOTES[one.method].format(n=one.vehicles)
-        mean = f"{one.inset_m:.3f} +- {one.u_inset_m:.3f} m on average, {between:.2f} m between vehicles"
+        mean = f"{one.inset_m:.3f} m (u {one.u_inset_m:.3f} m) on average, {between:.2f} m between vehicles"
         offer = Offer(
             round(one.inset_m, 2),
             round(u, 2),

@@ -238,7 +238,7 @@ def _verdict(found: Headings, changes: Changes) -> str:
     """In plain words: how the axes lie against the traffic, and what it matters."""
     mean, u = np.rad2deg(found.mean_rad), np.rad2deg(found.u_mean_rad)
     count = int(found.used.sum())
-    figures = f"{abs(mean):.2f}° ± {u:.2f}° from {count} vehicles"
+    figures = f"{abs(mean):.2f}° (u {u:.2f}°, {count} vehicles)"
     if found.proposed:
         said = f"The road's X axis is turned by {figures} against the traffic."
     else:

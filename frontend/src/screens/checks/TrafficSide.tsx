@@ -41,7 +41,7 @@ function Verdict({ model }: { model: TrafficModel }) {
         <dl class="facts small">
           <dt>{say("checks-mean")}</dt>
           <dd>
-            {formatDegrees(pose.mean_rad)} ± {formatDegrees(pose.u_mean_rad)}
+            {say("value-u", { value: formatDegrees(pose.mean_rad), u: formatDegrees(pose.u_mean_rad) })}
           </dd>
           <dt>{say("checks-spread-of-vehicles")}</dt>
           <dd>{formatDegrees(pose.spread_rad)}</dd>
@@ -59,8 +59,9 @@ function Verdict({ model }: { model: TrafficModel }) {
       )}
       {canWork.value && (
         <div class="row row--wrap">
-          {pose.mean_rad !== null && (
-            <Button small kind={pose.proposed ? "primary" : "plain"} onClick={() => void model.previewTurn()}>
+          {/* where the verdict says that none is needed, none is offered */}
+          {pose.proposed && pose.mean_rad !== null && (
+            <Button small kind="primary" onClick={() => void model.previewTurn()}>
               {say("checks-turn-by", { turn: formatDegrees(pose.mean_rad) })}
             </Button>
           )}

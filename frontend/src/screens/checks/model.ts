@@ -196,7 +196,7 @@ export class TrafficModel {
     }
     await this.reload();
     batch(() => {
-      this.preview.value = null;
+      if (this.preview.value === preview) this.preview.value = null;
       this.turning.value = false;
     });
     void refreshSurvey();
@@ -258,6 +258,9 @@ export class TrafficModel {
     what: "checks-tyres" | "checks-withdrawal",
   ): Promise<void> {
     this.saving.value = true;
+    // now, not once it is stored: what is clicked or looked at meanwhile stays
+    this.clicks.back();
+    this.preview.value = null;
     try {
       await this.history.inTurn(() =>
         this.history.run(say(what, { vehicle: String(vehicle.number) }), async (changes) => {
@@ -267,11 +270,7 @@ export class TrafficModel {
     } catch (error) {
       this.refused.value = error;
     }
-    batch(() => {
-      this.clicks.back();
-      this.preview.value = null;
-      this.saving.value = false;
-    });
+    this.saving.value = false;
   }
 
   private async reload(): Promise<void> {
