@@ -996,6 +996,9 @@ measure-pass-delete-body = { $count ->
    *[other] Vehicle { $vehicle } leaves the list, and its { $count } measurements with it. Undo brings it back.
 }
 measure-pass-delete = Delete the pass
+measure-pass-bring-back = Bring the pass back
+measure-pass-kept = This is kept here and will be done when the connection is back.
+measure-pass-new-frames = frames { $first_frame } to { $last_frame }
 
 ## Measure: what undo and redo name
 

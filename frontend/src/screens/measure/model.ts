@@ -7,12 +7,14 @@ import { ask } from "../../components";
 import { asked, query, setQuery } from "../../core/address";
 import { History, type Ledger } from "../../core/history";
 import { say } from "../../core/messages";
-import { outbox } from "../../core/outbox";
+import { outbox, type Wanted, type Wish } from "../../core/outbox";
+import { newKey } from "../../core/random";
 import { canWork } from "../../core/session";
 import { stored } from "../../core/stored";
 import { survey } from "../../core/survey";
 import { toast, toastProblem } from "../../core/toasts";
 import type { Recording, Target, Vehicle } from "../../core/types";
+import { vehicleName } from "../../core/words";
 import {
   bestFrame,
   type Filter,
@@ -32,6 +34,14 @@ import type { ClickTool, Desk } from "./desk";
 import type { Changes } from "./fields";
 import { type Effect, type Flow, type FlowEvent, firstMissing, START, step } from "./flow";
 import { factLedger } from "./ledgers";
+import {
+  type AddedWant,
+  PASS_ADDED,
+  PASS_JOINED,
+  PASS_SPLIT,
+  PASS_THERE,
+  type Presence,
+} from "./passes/kinds";
 import { Points } from "./points";
 import * as server from "./ports";
 import { Records } from "./records";
@@ -99,7 +109,11 @@ export class MeasureModel implements Desk {
     const { inset_m, u_inset_m } = (target && this.insetOf(target)) ?? {};
     return `${this.seenFrame.value} ${target} ${this.contact.value} ${this.awaiting.value} ${inset_m} ${u_inset_m}`;
   });
-  private readonly facts: ReturnType<typeof factLedger>;
+  /** Taken out, as they were. */
+  private readonly gone = new Map<number, Vehicle>();
+  /** Keys of what this page itself waits for. */
+  private readonly underWay = new Set<string>();
+  readonly facts: ReturnType<typeof factLedger>;
   private readonly stops: (() => void)[] = [];
   private aimTimer: ReturnType<typeof setTimeout> | undefined;
   private urlTimer: ReturnType<typeof setTimeout> | undefined;
@@ -118,6 +132,9 @@ export class MeasureModel implements Desk {
     this.facts = factLedger(this.vehicles);
     this.startFromAddress();
     this.stops.push(
+      ...[PASS_ADDED, PASS_THERE, PASS_SPLIT, PASS_JOINED].map((kind) =>
+        outbox.listen(kind, (wish) => this.follow(wish)),
+      ),
       effect(() => this.followAxes()),
       effect(() => this.followAddress()),
       effect(() => this.refuseContact()),
@@ -292,45 +309,111 @@ export class MeasureModel implements Desk {
   private async addPass(first: number, last: number): Promise<void> {
     const recordingId = this.reel.player.value?.recordingId;
     if (recordingId === undefined) return;
+    const known = this.vehicles.list.value.filter((one) => one.recording_id === recordingId);
+    const opened = this.vehicleId.value;
     await this.inTurn(async () => {
-      const vehicle = await server.addVehicle(recordingId, first, last);
+      const stored = await this.stored<Vehicle, AddedWant, { recordingId: number; surveyId: number }>({
+        key: newKey(),
+        kind: PASS_ADDED,
+        lane: `passes.${recordingId}`,
+        about: { recordingId, surveyId: this.surveyId },
+        what: say("measure-pass-new"),
+        mine: say("measure-pass-new-frames", { first_frame: String(first), last_frame: String(last) }),
+        saved: null,
+        want: { first_frame: first, last_frame: last, known: known.map(({ id }) => id) },
+      });
+      const vehicle = stored?.saved;
+      if (!vehicle) return toast(say("measure-pass-kept"));
       this.history.run(say("measure-step-new-pass", { vehicle: String(vehicle.number) }), (step) => {
         step.touch(this.passes, vehicle.id);
         this.put(vehicle);
-        this.open(vehicle);
+        this.openUnless(vehicle, opened);
       });
     });
   }
 
-  private inTurn(work: () => Promise<void>): Promise<void> {
+  /** What was opened while something was stored stays open. */
+  openUnless(vehicle: Vehicle, opened: number | null): void {
+    if (this.vehicleId.value === opened) this.open(vehicle);
+  }
+
+  inTurn(work: () => Promise<void>): Promise<void> {
     return this.history.inTurn(work).catch(toastProblem);
   }
 
+  /** A change of passes, by the outbox; null: kept, and told once it is there. */
+  async stored<S, W, A>(wanted: Omit<Wanted<S, W, A>, "page">): Promise<Wish<S, W, A> | null> {
+    this.underWay.add(wanted.key);
+    const page = `/surveys/${this.surveyId}/measure`;
+    try {
+      return await outbox.store<S, W, A>({ ...wanted, page });
+    } finally {
+      this.underWay.delete(wanted.key);
+    }
+  }
+
+  /** What was kept without a connection, or left by an earlier page, is there now. */
+  private follow({ key, state, page }: Wish): void {
+    const own = page === `/surveys/${this.surveyId}/measure`;
+    if (state === "saved" && own && !this.underWay.has(key)) void this.readAgain();
+  }
+
+  private async readAgain(): Promise<void> {
+    try {
+      const vehicles = await server.listVehicles(this.surveyId);
+      batch(() => {
+        this.vehicles.takeAll(vehicles);
+        for (const vehicle of vehicles) this.records.take(vehicle);
+      });
+    } catch {
+      // the list is read again with the next change
+    }
+  }
+
   /** Whether a pass is in the list. */
-  private readonly passes: Ledger<number, boolean> = {
+  readonly passes: Ledger<number, boolean> = {
     read: (id) => this.vehicles.get(id) !== undefined,
-    write: (id, there) => (there ? this.bringBack(id) : this.takeOut(id)),
+    write: (id, there) => this.turnPass(id, there),
   };
 
-  private async takeOut(id: number): Promise<void> {
-    await this.vehicles.flush(id);
-    const vehicle = this.vehicles.shown(id);
+  /** The version that is seen; null while changes of one's own are on their way, which go out before and make another. */
+  versionOf({ id, version }: Vehicle): number | null {
+    return this.vehicles.drafts.value.has(id) ? null : version;
+  }
+
+  /** Out of the list, and known for an undo. */
+  takenOut(vehicle: Vehicle): void {
+    this.gone.set(vehicle.id, vehicle);
+    this.vehicles.hide(vehicle.id);
+  }
+
+  private async turnPass(id: number, there: boolean): Promise<void> {
+    const vehicle = this.vehicles.shown(id) ?? this.gone.get(id);
     if (!vehicle) return;
-    await server.removeVehicle(id, vehicle.version);
+    const opened = this.vehicleId.value;
     const next = neighbour(this.list.value, vehicle, 1) ?? neighbour(this.list.value, vehicle, -1);
-    this.vehicles.drop(id);
+    const stored = await this.stored<Presence, boolean, { id: number }>({
+      key: `pass.${id}`,
+      kind: PASS_THERE,
+      lane: `vehicle.${id}`,
+      about: { id },
+      what: say("measure-vehicle-number", { vehicle: vehicleName(vehicle.number) }),
+      mine: say(there ? "measure-pass-bring-back" : "measure-pass-delete"),
+      saved: { there: !there, version: this.versionOf(vehicle), vehicle },
+      want: there,
+    });
+    if (there) {
+      this.put(stored?.saved?.vehicle ?? vehicle);
+      this.openUnless(vehicle, opened);
+      return;
+    }
+    this.takenOut(vehicle);
     if (this.vehicleId.value !== id) return;
     if (next) this.open(next);
     else this.step({ type: "open", vehicleId: null, target: null });
   }
 
-  private async bringBack(id: number): Promise<void> {
-    const back = await server.restoreVehicle(id);
-    this.put(back);
-    this.open(back);
-  }
-
-  private put(vehicle: Vehicle): void {
+  put(vehicle: Vehicle): void {
     this.vehicles.take(vehicle);
     this.records.take(vehicle);
   }

@@ -65,9 +65,9 @@ export class Vehicles {
     this.list.value = [...vehicles].sort(byRecordingAndNumber);
   }
 
-  drop(id: number): void {
+  /** Out of the list; what was typed of it is still stored. */
+  hide(id: number): void {
     this.list.value = this.list.value.filter((vehicle) => vehicle.id !== id);
-    this.outbox.discard(keyOf(id));
   }
 
   /** Somebody begins to type: what they see now is what their change will be compared with. */

@@ -3,13 +3,22 @@ import { useState } from "preact/hooks";
 import { FormDialog, TextField } from "../../components";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
-import type { BodyOf } from "../../core/routes";
 import { toast, toastProblem } from "../../core/toasts";
 import type { Scan } from "../../core/types";
 import type { ScanModel } from "./model";
 import { RigFields } from "./RigFields";
 import { RigOfTraffic } from "./RigOfTraffic";
-import { isValues, type RigProblems, type RigTyped, type RigValues, typedOf, valuesOf } from "./rig";
+import {
+  isValues,
+  type RigChange,
+  type RigName,
+  type RigProblems,
+  type RigTyped,
+  type RigValues,
+  rigValues,
+  typedOf,
+  valuesOf,
+} from "./rig";
 
 interface Props {
   scan: Scan;
@@ -46,9 +55,17 @@ export function RigDialog({ model, scan, onClose, changed, offered }: Props) {
   const store = async (values: Partial<RigValues>): Promise<void> => {
     const words = name.trim() && name.trim() !== scan.name ? { name: name.trim() } : {};
     if (Object.keys({ ...values, ...words }).length === 0) return onClose();
-    const stored = await put(scan.id, { ...values, ...words }, scan.version, model, changed);
+    const all = { ...values, ...words };
+    const names = Object.keys(all) as RigName[];
+    const stored = put(scan.id, all, scan.version, model, changed);
+    await (model
+      ? model.history.run(say("scans-rig-undo"), async (changes) => {
+          changes.touch(model.rig, names);
+          await stored;
+        })
+      : stored);
     onClose();
-    offerUndo(scan, { ...values, ...words }, stored, model, changed);
+    tell(scan, all, await stored, model, changed);
   };
   return (
     <FormDialog
@@ -78,8 +95,6 @@ export function RigDialog({ model, scan, onClose, changed, offered }: Props) {
   );
 }
 
-type RigChange = Omit<BodyOf<"PATCH /scans/{scan_id}">, "version">;
-
 async function put(
   id: number,
   values: RigChange,
@@ -95,23 +110,19 @@ async function put(
 }
 
 /** The change can be taken back: on the bench with Ctrl Z, elsewhere from the message. */
-function offerUndo(
+function tell(
   before: Scan,
   values: RigChange,
   stored: Scan,
   model?: ScanModel,
   changed?: () => Promise<void>,
 ): void {
-  const old: RigChange = { ...before.rig, name: before.name };
-  const then: RigChange = Object.fromEntries(
-    Object.entries(old).filter(([name]) => Object.hasOwn(values, name)),
-  );
-  const again = async (what: RigChange) => {
+  const then = rigValues(before, Object.keys(values) as RigName[]);
+  const again = async (): Promise<void> => {
     const now = await api.ask("GET /scans/{scan_id}", { scan_id: before.id });
-    await put(before.id, what, now.version, model, changed);
+    await put(before.id, then, now.version, model, changed);
   };
-  model?.history.push({ label: say("scans-rig-undo"), undo: () => again(then), redo: () => again(values) });
-  const action = { label: say("command-undo"), run: () => void again(then).catch(toastProblem) };
+  const action = { label: say("command-undo"), run: () => void again().catch(toastProblem) };
   toast(
     say(stored.counts.older > 0 ? "scans-rig-stored-older" : "scans-rig-stored"),
     model ? {} : { action },

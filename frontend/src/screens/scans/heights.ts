@@ -214,11 +214,12 @@ export class LineHeights {
     const before = this.of(target);
     const vehicle = this.bench.chosen.value;
     if (!before || !vehicle) return;
+    // now, not once it is stored: what is picked meanwhile stays
+    this.selected.value = null;
     await this.bench.change(
       say("scan-step-withdraw", { target, vehicle: String(vehicle.number) }),
       async (changes) => void (await changes.write(this.ledger, { id: vehicle.id, target }, null)),
     );
-    this.selected.value = null;
   }
 
   /** Contact and target of the selected height in turn; false where there is none. */

@@ -139,4 +139,17 @@ describe("the strips", () => {
     hand()(350, 350, 330);
     expect(model.chosenId.value).toBe(9);
   });
+
+  it("keep what was taken up while a vehicle was being stored", async () => {
+    const made = { id: 10, number: 2, version: 1, deleted: false, measurement: null };
+    server.on("POST", /^\/scans\/3\/vehicles$/, () => made);
+    server.on("GET", /^\/scans\/3\/vehicles$/, () => [shown(), made]);
+    const stored = model["addVehicle"](600, 700);
+    model.start("rod");
+    await vi.advanceTimersByTimeAsync(100);
+    await stored;
+    expect(model.vehicles.value.map((one) => one.id)).toEqual([9, 10]);
+    expect(model.mode.value).toBe("rod");
+    expect(model.chosenId.value).toBe(9);
+  });
 });

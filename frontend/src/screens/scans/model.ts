@@ -28,6 +28,7 @@ import {
   type ScannedWanted,
   scannedWords,
 } from "./kinds";
+import { type RigChange, type RigName, rigValues } from "./rig";
 import { RodDraft } from "./rod";
 import { StripStage } from "./stage";
 import { Tiles } from "./tiles";
@@ -144,6 +145,11 @@ export class ScanModel implements Strips {
     if (id === null) return;
     void this.readDetail(id);
     this.show("reveal");
+  }
+
+  /** What was chosen or taken up while something was stored stays. */
+  private chooseUnless(id: number, before: number | null): void {
+    if (this.chosenId.value === before && this.mode.value === "look") this.choose(id);
   }
 
   step(by: 1 | -1): void {
@@ -321,6 +327,7 @@ export class ScanModel implements Strips {
   }
 
   private async addVehicle(front: number, rear: number): Promise<void> {
+    const before = this.chosenId.value;
     await this.tell(async () => {
       const added = await outbox.store<ScanVehicle, unknown, { scanId: number }>({
         key: newKey(),
@@ -341,7 +348,7 @@ export class ScanModel implements Strips {
           async (changes) => {
             changes.touch(this.presence, made.id);
             await this.readVehicles();
-            this.choose(made.id);
+            this.chooseUnless(made.id, before);
           },
         );
     });
@@ -370,6 +377,18 @@ export class ScanModel implements Strips {
     write: ({ id }, facts) => this.want(id, { facts }),
   };
 
+  /** Values of the rig, and the recording's name. */
+  readonly rig: Ledger<readonly RigName[], RigChange> = {
+    nameOf: (names) => names.join(),
+    read: (names) => (this.scan.value ? rigValues(this.scan.value, names) : {}),
+    write: async (_names, values) => {
+      const { version } = await api.ask("GET /scans/{scan_id}", { scan_id: this.id });
+      const body = { ...values, version };
+      this.take(await api.write("PATCH /scans/{scan_id}", { scan_id: this.id }, { body }));
+      await this.refresh();
+    },
+  };
+
   private readonly hubs: Ledger<number, Hubs> = {
     read: (id) => {
       const measured = this.measurementOf(id);
@@ -383,8 +402,9 @@ export class ScanModel implements Strips {
   }
 
   private async putThere(id: number, there: boolean): Promise<void> {
+    const before = this.chosenId.value;
     await this.want(id, { there });
-    if (there && this.numberOf(id) > 0) this.choose(id);
+    if (there && this.numberOf(id) > 0) this.chooseUnless(id, before);
     else if (this.chosenId.value === id) this.choose(null);
   }
 

@@ -1,6 +1,7 @@
 /** The rig's values as they are typed, and what is wrong with them. */
 import type { components } from "#schema";
 import { say } from "../../core/messages";
+import type { BodyOf } from "../../core/routes";
 import type { Scan } from "../../core/types";
 import { fixed, lengthScale, parseLength, parseNumber } from "../../core/units";
 
@@ -113,4 +114,13 @@ export function valuesOf(typed: RigTyped): RigValues | RigProblems {
 
 export function isValues(value: RigValues | RigProblems): value is RigValues {
   return "baseline_m" in value;
+}
+
+export type RigChange = Omit<BodyOf<"PATCH /scans/{scan_id}">, "version">;
+export type RigName = keyof RigChange;
+
+/** Some of a scan's values as they stand: what an undo puts back. */
+export function rigValues({ rig, name }: Scan, names: readonly RigName[]): RigChange {
+  const all: RigChange = { ...rig, name };
+  return Object.fromEntries(names.map((one) => [one, all[one]]));
 }
