@@ -22,6 +22,7 @@ COMMANDS = {
     "pose": "sightline.commands.geometry:pose",
     "height": "sightline.commands.geometry:height",
     "adjust": "sightline.commands.adjust:adjust_command",
+    "passes": "sightline.commands.passes:passes",
     "plan": "sightline.commands.plan:plan",
     "errors": "sightline.commands.errors:errors",
     "sightdistance": "sightline.commands.sightdistance:sightdistance",

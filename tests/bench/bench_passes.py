@@ -3,6 +3,7 @@
     python -m tests.bench.bench_passes             the demonstration's two videos
     python -m tests.bench.bench_passes --sites     twelve other surveys, in which vehicles meet and are hidden
     python -m tests.bench.bench_passes --baseline  the held-out surveys by OpenCV's MOG2 and KNN, and by ours
+    python -m tests.bench.bench_passes --real FOLDER  the shared real clips, against spans read off them
     python -m tests.bench.bench_passes VIDEO ...   a contact sheet of the best frames, in .build/passes
 
 The first needs a made demonstration survey: SIGHTLINE_DATA_DIR (default .data) with demonstration/truth.json.
@@ -91,7 +92,8 @@ def counted(
     """Search a video; each true pass is paired with the found one that covers it best, none twice."""
     started = process_time()
     if method is None:
-        found, frames = find_passes(path, square_at=square)
+        search = find_passes(path, square_at=square)
+        found, frames = search.passes, search.frames
     else:
         found, frames = pass_baseline.find_passes(path, method)
     speed = frames / fps / (process_time() - started)
@@ -165,12 +167,49 @@ def sites() -> Iterator[Row]:
         yield row(f"{group}: recall, never hidden", "0.98", f"{seen:.3f} of {len(clear)}", seen >= 0.98)
 
 
+# First and last frame of every vehicle in view, read off the pictures; a train is one.
+REAL: dict[str, list[tuple[int, int]]] = {
+    "video/car-detection.mp4": [(56, 117), (177, 227), (189, 244), (312, 355)],
+    "video/cars_truck_roadside.mp4": [(0, 59), (0, 59)],
+    "video/cars_truck_roadside_rotate90.mov": [(0, 59), (0, 59)],
+    "linescan/train_day.mp4": [(20, 155)],
+    "linescan/train_snow.mp4": [(0, 83)],
+    "linescan/train_platform_portrait_vfr.mov": [(12, 414)],
+    "video/odd/vtest_msmpeg4.avi": [],
+    "video/odd/tree_cinepak_vfr.avi": [],
+    "video/odd/smallcar_unordered_pts.mp4": [],
+    "calibration/clip_screen_board/chessboard.mp4": [],
+}
+
+
+def real(folder: Path) -> None:
+    """Recall and precision on real clips: a vehicle is found where half of both spans is shared."""
+    hits = true = count = 0
+    for name, spans in REAL.items():
+        search = find_passes(folder / name)
+        left = list(search.passes)
+        for first, last in spans:
+            best = max(left, key=lambda one: _shared(one, first, last), default=None)
+            if best is not None and _shared(best, first, last) >= LEAST_OVERLAP:
+                left.remove(best)
+        found = len(search.passes)
+        print(f"{name}: {found - len(left)} of {len(spans)}, {len(left)} false", *search.notes, flush=True)
+        hits, true, count = hits + found - len(left), true + len(spans), count + found
+    print(f"recall {hits / true:.2f}, precision {hits / max(1, count):.2f}")
+
+
+def _shared(one: FoundPass, first: int, last: int) -> float:
+    shared = min(one.last_frame, last) - max(one.first_frame, first) + 1
+    return shared / (max(one.last_frame, last) - min(one.first_frame, first) + 1)
+
+
 def sheet(path: Path) -> None:
     """Best frames of a video as one picture, and what was found in words."""
     started = process_time()
-    found, frames = find_passes(path)
+    search = find_passes(path)
+    found, frames = search.passes, search.frames
     print(f"{path.name} ({sha256_of(path)[:12]}): {len(found)} passes in {frames} frames,", end=" ")
-    print(f"{process_time() - started:.1f} s of one core")
+    print(f"{process_time() - started:.1f} s of one core", *search.notes)
     wanted = {one.best_frame: one for one in found}
     tiles = []
     for n, _pts, gray in frames_of(path):
@@ -198,7 +237,9 @@ if __name__ == "__main__":
         raise SystemExit(report([sites], []))
     if sys.argv[1:] == ["--baseline"]:
         raise SystemExit(report([baselines], []))
-    if len(sys.argv) > 1:
+    if sys.argv[1:2] == ["--real"]:
+        real(Path(sys.argv[2]))
+    elif len(sys.argv) > 1:
         for argument in sys.argv[1:]:
             sheet(Path(argument))
     else:

@@ -10,7 +10,7 @@ from sightline.detection.classify import FoundPass
 from sightline.detection.finder import PassFinder, downsample
 from sightline.media.video.passes import PassesCancelled, find_passes
 from sightline.media.video.writer import write_mp4
-from tests.media.street import HEIGHT, WIDTH, Mover, car, street, walker
+from tests.media.street import HEIGHT, WIDTH, Mover, car, street, texture, walker
 
 RATE_HZ = 30.0
 
@@ -62,6 +62,33 @@ def test_the_light_before_a_car_is_not_the_car() -> None:
     assert passes[0].luminance < 60
 
 
+@pytest.mark.parametrize("quarters", [1, 2, 3])
+def test_a_picture_on_its_side_has_the_same_passes(tmp_path: Path, quarters: int) -> None:
+    cars = [car(15), car(55, right=False, near=False, grey=40)]
+    path = tmp_path / "turned.mp4"
+    frames = (np.ascontiguousarray(np.rot90(gray, quarters)) for gray in street(100, cars))
+    write_mp4(path, (np.repeat(gray[..., None], 3, 2) for gray in frames), 30, crf=18)
+    passes = find_passes(path).passes
+    assert len(passes) == 2
+    for one, mover in zip(passes, cars, strict=True):
+        there = [n for n in range(1000) if mover.in_view(n)]
+        assert abs(one.first_frame - there[0]) <= 3 and abs(one.last_frame - there[-1]) <= 4
+        assert one.direction == {1: None, 2: "left" if mover.step_px > 0 else "right", 3: None}[quarters]
+
+
+def test_a_train_is_one_vehicle_and_a_queue_is_several() -> None:
+    train = texture(1400, 120, 2)
+    finder = PassFinder((WIDTH, HEIGHT), RATE_HZ)
+    for n, gray in enumerate(street(180, [])):
+        at = 14 * (n - 30)  # its front; the whole of it takes 3.3 s
+        shown = slice(max(0, at - 1400), min(WIDTH, max(0, at)))
+        gray[80:200, shown] = train[:, [1400 - at + x for x in range(shown.start, shown.stop)]]
+        finder.offer(downsample(n, gray))
+    assert [(one.direction, one.whole) for one in finder.finish()] == [("right", False)]
+    queue = [car(first, grey=grey) for first, grey in ((10, 210), (28, 60), (46, 190), (64, 40))]
+    assert len(found(130, queue)) == 4
+
+
 def test_an_empty_street_has_no_passes() -> None:
     assert found(90, []) == ()
 
@@ -78,7 +105,8 @@ def test_a_video_is_read_once_and_can_be_cancelled(tmp_path: Path) -> None:
     mover = car(20)
     write_mp4(path, (np.repeat(g[..., None], 3, 2) for g in street(70, [mover])), 30, crf=18)
     told: list[float] = []
-    passes, frames = find_passes(path, on_progress=told.append)
+    search = find_passes(path, on_progress=told.append)
+    passes, frames = search.passes, search.frames
     assert frames == 70 and len(passes) == 1 and told == sorted(told) and told[-1] == 1.0
     assert_is(passes[0], mover)
     with pytest.raises(PassesCancelled, match="cancelled"):

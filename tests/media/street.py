@@ -47,12 +47,33 @@ def walker(first: int) -> Mover:
     return Mover(first, -20.0, 5.0, 30, 100, 205, 40)
 
 
+def texture(width: int, height: int, seed: int) -> NDArray[np.float32]:
+    """Grey values 40 to 210 with detail of all sizes, as scenery and paint have it."""
+    rng = np.random.default_rng(seed)
+    out = np.zeros((height, width), np.float32)
+    for cell in (6, 20, 60):
+        coarse = rng.normal(0, 1, (height // cell + 2, width // cell + 2)).astype(np.float32)
+        out += cv2.resize(coarse, (width, height), interpolation=cv2.INTER_CUBIC)
+    return np.asarray(np.clip(125 + 30 * out, 40, 210), np.float32)
+
+
 def street(
-    count: int, movers: list[Mover], level: float = 1.0, flicker: float = 0.0, board_until: int = 0
+    count: int,
+    movers: list[Mover],
+    level: float = 1.0,
+    flicker: float = 0.0,
+    board_until: int = 0,
+    detailed: bool = False,
 ) -> Iterator[Picture]:
-    """`count` frames, (HEIGHT, WIDTH) grey; `level` is the light, `flicker` its relative swing."""
+    """`count` frames, (HEIGHT, WIDTH) grey; `level` is the light, `flicker` its relative swing; `detailed`:
+    the ground has detail of all sizes.
+    """
     rng = np.random.default_rng(5)
-    ground = cv2.resize(rng.uniform(90, 150, (48, 64)).astype(np.float32), (WIDTH, HEIGHT))
+    ground = (
+        texture(WIDTH, HEIGHT, 7)
+        if detailed
+        else cv2.resize(rng.uniform(90, 150, (48, 64)).astype(np.float32), (WIDTH, HEIGHT))
+    )
     for n in range(count):
         frame = ground * level
         if n < board_until:

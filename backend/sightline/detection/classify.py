@@ -15,11 +15,15 @@ from sightline.enums import Direction
 
 LEAST_TRAVEL_SHARE = 0.2
 LEAST_AREA_SHARE = 0.012
+LEAST_AREA_SHARE_FAR = 0.005  # of what goes by straight for long: a road seen from above
 LEAST_SIGHTS = 4
 LEAST_SIGHTS_DOWN = 10
 LEAST_SIGHTS_WITHIN = 15
 LEAST_STRAIGHTNESS = 0.6
-NARROWEST = 0.8
+LEAST_STRAIGHTNESS_DOWN = 0.85  # of what goes down where the traffic goes across
+LEAST_STRAIGHTNESS_WITHIN = 0.9
+NARROWEST = 1.15  # width over height of what goes across: less is somebody on foot, or several
+SHORTEST = 0.65  # height over width of what goes down or up
 BORDER_PX = 1.0
 SHARP_WEIGHT = 0.1
 SHOWN_WEIGHT = 0.3
@@ -51,14 +55,15 @@ class FoundPass:
 
 @dataclass(frozen=True)
 class View:
-    """Size of the reduced picture, its scale to the upright one, and where the camera looks square at the
-    road: a fraction of the width.
+    """Size of the reduced picture, its scale to the upright one, where the camera looks square at the road (a
+    fraction of the width), and whether rows and columns were exchanged.
     """
 
     width: int
     height: int
     scale: float
     square_at: float = 0.5
+    turned: bool = False
 
     @property
     def size(self) -> tuple[int, int]:
@@ -68,34 +73,32 @@ class View:
 def is_vehicle(track: Track, view: View) -> bool:
     """Whether it went by, straight, large enough, and not as narrow as somebody on foot."""
     seen = _seen(track)
-    if len(seen) < LEAST_SIGHTS:
+    way = course(track, view.size) if len(seen) >= LEAST_SIGHTS else None
+    if way is None or abs(way.far_px) < LEAST_TRAVEL_SHARE * view.size[way.axis]:
         return False
-    way = course(track, view.size)
-    largest = max(detection.box.area_px for detection in seen)
-    if abs(way.far_px) < LEAST_TRAVEL_SHARE * view.size[way.axis]:
+    straight = straightness(track, way.axis)
+    if not (enters(track, view.size) or leaves(track, view.size)):
+        if len(seen) < LEAST_SIGHTS_WITHIN or straight < LEAST_STRAIGHTNESS_WITHIN:
+            return False
+    elif straight < (LEAST_STRAIGHTNESS_DOWN if way.axis else LEAST_STRAIGHTNESS):
         return False
-    if (
-        largest < LEAST_AREA_SHARE * view.width * view.height
-        or straightness(track, way.axis) < LEAST_STRAIGHTNESS
-    ):
+    if (way.axis == 1 or view.turned) and len(seen) < LEAST_SIGHTS_DOWN:
         return False
-    if way.axis == 1 and len(seen) < LEAST_SIGHTS_DOWN:
+    sure = len(seen) >= LEAST_SIGHTS_WITHIN and straight >= LEAST_STRAIGHTNESS_WITHIN
+    least = LEAST_AREA_SHARE_FAR if sure else LEAST_AREA_SHARE
+    if max(detection.box.area_px for detection in seen) < least * view.width * view.height:
         return False
-    if not (enters(track, view.size) or leaves(track, view.size)) and len(seen) < LEAST_SIGHTS_WITHIN:
-        return False
-    return way.axis == 1 or _breadth(seen, view) >= NARROWEST
+    across = way.axis == 0 and not view.turned
+    return _breadth(seen, view, way.axis) >= (NARROWEST if across else SHORTEST)
 
 
-def _breadth(seen: list[Detection], view: View) -> float:
-    """Width over height: the middle one of the sights in which all of it is in view, else the largest."""
-    whole = [
-        detection.box.width / detection.box.height
-        for detection in seen
-        if detection.clear and is_whole(detection.box, view)
-    ]
-    if len(whole) >= LEAST_SIGHTS:
-        return float(np.median(whole))
-    return max(detection.box.width / detection.box.height for detection in seen)
+def _breadth(seen: list[Detection], view: View, axis: int) -> float:
+    """Length along its way over what lies across: the middle one of the sights in which all of it is in
+    view, else the largest.
+    """
+    shapes = [one.box.height / one.box.width if axis else one.box.width / one.box.height for one in seen]
+    whole = [shape for one, shape in zip(seen, shapes, strict=True) if one.clear and is_whole(one.box, view)]
+    return float(np.median(whole)) if len(whole) >= LEAST_SIGHTS else max(shapes)
 
 
 def score_of(track: Track, whole: bool, view: View) -> float:
@@ -118,7 +121,7 @@ def straightness(track: Track, axis: int) -> float:
 def direction_of(track: Track, view: View) -> Direction | None:
     """Which way it goes in the picture; None for one that drives away from the camera or towards it."""
     way = course(track, view.size)
-    if way.axis == 1:
+    if way.axis != int(view.turned):
         return None
     return "right" if way.far_px > 0 else "left"
 

@@ -1,13 +1,19 @@
-"""Looking for vehicle passes in a video: one decode from first frame to last."""
+"""Looking for vehicle passes in a video: one decode from first frame to last, two where the traffic runs
+down it.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from contextlib import closing
+from dataclasses import dataclass
 from pathlib import Path
+
+import numpy as np
 
 from sightline.detection.classify import FoundPass
 from sightline.detection.finder import PassFinder, downsample
+from sightline.detection.steadiness import Wander
 from sightline.errors import BadInput
 from sightline.media.cancelling import Cancelled
 from sightline.media.video.decode import Damage, decoded, open_container, same_size, video_stream
@@ -23,6 +29,17 @@ class PassesCancelled(BadInput):
     kind = "cancelled"
 
 
+@dataclass(frozen=True)
+class PassSearch:
+    """The passes of a recording in order of their first frame, how many frames it has, and what is to be
+    said of the search, in whole sentences.
+    """
+
+    passes: tuple[FoundPass, ...]
+    frames: int
+    notes: tuple[str, ...]
+
+
 def find_passes(
     path: Path,
     *,
@@ -32,21 +49,45 @@ def find_passes(
     is_cancelled: Cancelled = lambda: False,
     threads: int = 1,
     name: str | None = None,
-) -> tuple[tuple[FoundPass, ...], int]:
-    """The vehicle passes of a recording in order of their first frame, and how many frames it has.
+) -> PassSearch:
+    """The vehicle passes of a recording.
 
     Frames count as in its frame table. `rate_hz` is the mean frame rate (default: what the file says, else
     25), `square_at` the fraction of the picture's width where the camera looks square at the road.
-    `on_progress` gets a fraction 0..1; `is_cancelled` is asked at every frame. Two vehicles side by side that
-    go the same way and cover each other all the way are one pass. Raises BadInput (not a video),
+    `on_progress` gets a fraction 0..1; `is_cancelled` is asked at every frame. Two vehicles side by side
+    that go the same way and cover each other all the way are one pass. Where the traffic runs down the
+    picture it is searched a second time with rows and columns exchanged. A camera that wanders is followed,
+    and the notes say so; one that wanders too far gives no passes. Raises BadInput (not a video),
     PassesCancelled.
     """
     name = name or path.name
+    finder, frames, width_px = _searched(path, name, rate_hz, square_at, on_progress, is_cancelled, threads)
+    wander = finder.wander
+    passes = () if wander.hopeless else finder.finish()
+    if not wander.hopeless and finder.runs_down:
+        finder, _, _ = _searched(path, name, rate_hz, None, lambda _: None, is_cancelled, threads)
+        passes = finder.finish()
+    on_progress(1.0)
+    return PassSearch(passes, frames, _notes(wander, width_px))
+
+
+def _searched(
+    path: Path,
+    name: str,
+    rate_hz: float | None,
+    square_at: float | None,
+    on_progress: Progress,
+    is_cancelled: Cancelled,
+    threads: int,
+) -> tuple[PassFinder, int, int]:
+    """A finder that has seen every picture, their number and width; `square_at` None: rows and columns
+    exchanged.
+    """
     with closing(open_container(path, name)) as container:
         stream = video_stream(container, name, threads)
         rate = rate_hz or float(stream.average_rate or 25)
         stride = max(1, round(rate / PICTURES_HZ))
-        damage, size, layout, n = Damage(), max(path.stat().st_size, 1), None, -1
+        damage, size, layout, n, width_px = Damage(), max(path.stat().st_size, 1), None, -1, 0
         finder: PassFinder | None = None
         for frame in decoded(container, stream, damage):
             if is_cancelled():
@@ -58,11 +99,34 @@ def find_passes(
             if n % stride:
                 continue
             gray = upright_gray(frame, layout)
-            finder = finder or PassFinder((gray.shape[1], gray.shape[0]), rate, stride, square_at)
+            width_px = gray.shape[1]
+            if square_at is None:
+                gray = np.ascontiguousarray(gray.T)
+            finder = finder or PassFinder(
+                (gray.shape[1], gray.shape[0]),
+                rate,
+                stride,
+                0.5 if square_at is None else square_at,
+                square_at is None,
+            )
             finder.offer(downsample(n, gray))
             if n % 30 == 0 and damage.position is not None:
                 on_progress(min(0.99, damage.position / size))
     if finder is None:
         raise BadInput("video-holds-no-picture-decoded-copy-again", name=name)
-    on_progress(1.0)
-    return finder.finish(), n + 1
+    return finder, n + 1, width_px
+
+
+def _notes(wander: Wander, width_px: int) -> tuple[str, ...]:
+    """What a wandering camera means for the passes."""
+    far = f"{max(1.0, wander.usual * width_px):.0f} px"
+    if wander.hopeless:
+        return (
+            f"The camera moves (by {far} and more), so nothing tells the road from vehicles; "
+            "mark the passes by hand.",
+        )
+    if wander.still:
+        return ()
+    return (
+        f"The camera moves by up to {far}; the search follows it. A road pose holds only where it stands.",
+    )

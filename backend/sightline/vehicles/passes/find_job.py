@@ -58,7 +58,7 @@ def look_for_passes(context: JobContext) -> Finish:
     board, square_at = _posed(services, recording)
     context.progress(0.0, "Looking for passes.")
     try:
-        found, count = find_passes(
+        search = find_passes(
             opened.media.path,
             rate_hz=_rate_hz(opened.time_s),
             square_at=square_at,
@@ -68,6 +68,7 @@ def look_for_passes(context: JobContext) -> Finish:
         )
     except PassesCancelled as stopped:
         raise Cancelled("vehicles-search-passes-cancelled-start-again-when") from stopped
+    count = search.frames
     if count != len(opened.media):
         raise Damaged(
             "vehicles-gives-frames-now-gave-when-read",
@@ -75,16 +76,20 @@ def look_for_passes(context: JobContext) -> Finish:
             count=count,
             count_2=len(opened.media),
         )
-    moving = [one for one in found if not _is_board(one, board)]
+    moving = [one for one in search.passes if not _is_board(one, board)]
 
     def finish(session: Session) -> Mapping[str, Any]:
-        return store(session, recording_id, moving, context.actor)
+        return store(session, recording_id, moving, context.actor, search.notes)
 
     return finish
 
 
 def store(
-    session: Session, recording_id: int, found: Sequence[FoundPass], actor: int | None
+    session: Session,
+    recording_id: int,
+    found: Sequence[FoundPass],
+    actor: int | None,
+    notes: Sequence[str] = (),
 ) -> dict[str, Any]:
     """Add the passes that are not there yet, discarded ones counted as there; what was done, in words."""
     known = pass_spans(session, recording_id)
@@ -96,7 +101,7 @@ def store(
         "found": len(found),
         "added": len(new),
         "known": len(found) - len(new),
-        "message": _told(len(found), len(new)),
+        "message": " ".join([_told(len(found), len(new)), *notes]),
     }
 
 

@@ -1,0 +1,36 @@
+"""The command passes: the vehicles that go by in a video (docs/formats.md)."""
+
+from pathlib import Path
+
+import click
+
+from sightline.commands.options import json_option, print_json
+from sightline.detection.classify import FoundPass
+
+
+@click.command()
+@click.argument("video", type=click.Path(path_type=Path))
+@json_option
+def passes(video: Path, as_json: bool) -> None:
+    """The vehicle passes of a VIDEO, by frame numbers from 0."""
+    from sightline.media.video.passes import find_passes
+
+    search = find_passes(video, name=str(video))
+    if as_json:
+        print_json({"passes": [_told(one) for one in search.passes], "notes": list(search.notes)})
+        return
+    click.echo(f"{video}: {len(search.passes)} found in {search.frames} frames")
+    for one in search.passes:
+        way = one.direction or "down or up the picture"
+        click.echo(f"frames {one.first_frame} to {one.last_frame}, best {one.best_frame}, {way}")
+    for note in search.notes:
+        click.echo(f"note: {note}")
+
+
+def _told(one: FoundPass) -> dict[str, int | str | None]:
+    return {
+        "first": one.first_frame,
+        "best": one.best_frame,
+        "last": one.last_frame,
+        "direction": one.direction,
+    }
