@@ -161,10 +161,11 @@ def test_calibrate_pose_measure_review_export(
     find_pose(page, survey_id, recording, truth, calibration)
 
     rng = np.random.default_rng(5)
-    # the driver on the near side: the inset of the other side is not the one that is offered
-    near = [one for one in whole_passes(demonstration, "day") if one["driver_side"] == "near"]
-    chosen = [own_vehicle(page, demonstration, "day", over) for over in near[:3]]
-    assert len(chosen) == 3
+    # of both lanes: near or far follows from the direction
+    whole = whole_passes(demonstration, "day")
+    near, far = ([one for one in whole if one["driver_side"] == side] for side in ("near", "far"))
+    chosen = [own_vehicle(page, demonstration, "day", over) for over in (*near[:2], *far[:1])]
+    assert [one.vehicle["side"] for one in chosen] == ["near", "near", "far"]
     page.goto(f"/surveys/{survey_id}/measure?recording={recording['id']}")
     expect(page.get_by_test_id("frame-view")).to_be_visible()
     for one in chosen:

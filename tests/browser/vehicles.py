@@ -79,7 +79,10 @@ def own_vehicle(
     made = page.request.post(
         f"/api/recordings/{recording_of(page, survey, scene)['id']}/vehicles",
         headers={"X-Sightline": "1"},
-        data={name: one[name] for name in ("first_frame", "last_frame", "best_frame")},
+        data={
+            **{name: one[name] for name in ("first_frame", "last_frame", "best_frame")},
+            "direction": "right" if one["direction"] > 0 else "left",
+        },
     )
     assert made.ok, made.text()
     frame = whole_frames(one)[0]

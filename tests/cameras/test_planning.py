@@ -32,7 +32,7 @@ def test_a_plan_with_the_surveys_calibration_and_insets(
     _, calibration_id = store_calibration(services, survey_id, flat_camera())
     path = f"/surveys/{survey_id}/plan?calibration_id={calibration_id}&{PLACE}"
     before = operator.seen(path)["targets"][1]
-    insets = {"driver_eye": {"inset_m": 0.6, "u_inset_m": 0.3, "note": ""}}
+    insets = {"driver_eye_near": {"inset_m": 0.6, "u_inset_m": 0.3, "note": ""}}
     operator.put(f"/surveys/{survey_id}", {"name": "Wide", "version": 1, "insets": insets})
     after = operator.seen(path)
     assert after["camera"]["width_px"] == flat_camera().width_px

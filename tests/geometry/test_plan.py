@@ -8,7 +8,7 @@ import pytest
 from sightline.errors import BadInput
 from sightline.geometry.board import road_points
 from sightline.geometry.height import measure_heights
-from sightline.geometry.insets import DEFAULT_INSETS
+from sightline.geometry.insets import USUAL_INSETS
 from sightline.geometry.multiframe import measure_frames
 from sightline.geometry.plan import Plan, plan_site
 from sightline.geometry.planar import refine
@@ -174,7 +174,7 @@ def test_the_surveys_own_insets_are_planned_with() -> None:
     wide = plan_site(CAMERA, SITE, {"driver_eye": (0.6, 0.3)})
     assert (of(wide, "driver_eye").inset_m, of(wide, "driver_eye").u_inset_m) == (0.6, 0.3)
     assert of(wide, "driver_eye").result.u_height_m > of(planned(), "driver_eye").result.u_height_m
-    assert of(wide, "roof").inset_m == DEFAULT_INSETS["roof"][0]
+    assert of(wide, "roof").inset_m == USUAL_INSETS["roof"][0]
 
 
 def test_a_board_out_of_the_picture_gives_a_reason_and_no_number() -> None:

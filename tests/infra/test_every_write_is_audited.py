@@ -21,6 +21,7 @@ from sightline.cameras.store import (
     set_detection,
 )
 from sightline.export.store import add_export
+from sightline.geometry.sides import TrafficFacts
 from sightline.infra.audit import trail
 from sightline.infra.audit.tables import audit_events
 from sightline.infra.audit.verification import verify_records
@@ -175,7 +176,15 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
     "update_survey": (
         lambda s, o: None,
         lambda s, o, _: update_survey(
-            s, o.survey.id, name="C", site="", description="", insets={}, version=1, actor=o.olga.id
+            s,
+            o.survey.id,
+            name="C",
+            site="",
+            description="",
+            traffic=TrafficFacts(),
+            insets={},
+            version=1,
+            actor=o.olga.id,
         ),
     ),
     "choose_standards": (

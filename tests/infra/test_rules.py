@@ -2,13 +2,15 @@
 
 from collections.abc import Iterator
 from datetime import timedelta
-from typing import Any
+from typing import Any, get_args
 
 import pytest
 from sqlalchemy.orm import Session
 
 from sightline.cameras.store import choose_calibration, create_camera, get_camera
+from sightline.enums import InsetName
 from sightline.errors import BadInput, Conflict, NotAllowed, NotFound, NotSignedIn
+from sightline.geometry.sides import TrafficFacts
 from sightline.infra.jobs.store import create_job
 from sightline.measurements.sheets.query import get_sheet, list_sheets
 from sightline.measurements.store import (
@@ -171,7 +173,7 @@ def test_the_second_of_two_tabs_is_told(session: Session, one: Sample) -> None:
     assert get_vehicle(session, one.vehicle.id).make == "Renault"
     with pytest.raises(Conflict, match="René changed vehicle"):
         remove_vehicle(session, one.vehicle.id, version=1, actor=one.olga.id)
-    same = {"name": "S", "site": "", "description": "", "insets": {}}
+    same = {"name": "S", "site": "", "description": "", "traffic": TrafficFacts(), "insets": {}}
     update_survey(session, one.survey.id, **same, version=1, actor=one.rene.id)
     with pytest.raises(Conflict, match=r"^René changed this survey at"):
         update_survey(session, one.survey.id, **same, version=1, actor=one.olga.id)
@@ -337,8 +339,15 @@ def test_an_upload_ends_once(session: Session, one: Sample) -> None:
 
 
 def test_insets_start_with_defaults_and_are_checked(session: Session, one: Sample) -> None:
-    assert set(one.survey.insets) == {"roof", "driver_eye", "taillight", "headlight", "other"}
-    change = {"name": "S", "site": "", "description": "", "version": 1, "actor": None}
+    assert set(one.survey.insets) == set(get_args(InsetName))
+    change = {
+        "name": "S",
+        "site": "",
+        "description": "",
+        "version": 1,
+        "actor": None,
+        "traffic": TrafficFacts(),
+    }
     changed = update_survey(session, one.survey.id, insets={"roof": Inset(0.4, 0.05, "seen")}, **change)  # type: ignore[arg-type]
     assert changed.insets["roof"] == Inset(0.4, 0.05, "seen")
     assert changed.insets["taillight"] == one.survey.insets["taillight"]

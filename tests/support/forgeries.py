@@ -211,7 +211,7 @@ def a_frame(place: Path) -> str:
 
 
 def an_inset(place: Path) -> str:
-    edit(place, "insets.csv", lambda row: row["target"] == "driver_eye", inset_m="0.100000")
+    edit(place, "insets.csv", lambda row: row["target"] == "driver_eye_near", inset_m="0.100000")
     rederive(place)
     return "insets.csv is not what the survey's audit events say"
 

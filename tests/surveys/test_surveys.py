@@ -1,9 +1,11 @@
 """Surveys, the audit trail of what was done, and the list of jobs."""
 
 from collections.abc import Callable
+from typing import get_args
 
 from sqlalchemy import text
 
+from sightline.enums import InsetName
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
 from tests.support.app import Client, error_of
@@ -20,7 +22,7 @@ def test_a_survey_tells_what_comes_next(operator: Client, survey_id: int) -> Non
         "results",
     ]
     assert survey["steps"][0]["state"] == "next"
-    assert set(survey["insets"]) == {"roof", "driver_eye", "taillight", "headlight", "other"}
+    assert set(survey["insets"]) == set(get_args(InsetName))
     assert set(survey["counts"].values()) == {0}
 
 

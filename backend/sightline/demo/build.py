@@ -20,6 +20,7 @@ from sightline.demo.repeats import click_again
 from sightline.demo.scan import ScanMaker, ScanParts, store_scan
 from sightline.demo.wheels import click_wheels
 from sightline.enums import Lighting, Role
+from sightline.geometry.sides import TrafficFacts
 from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.recovery import STOPPED
@@ -45,6 +46,7 @@ DESCRIPTION = (
     "of invented makes. Ten are measured and partly reviewed; the others are there to try with. A line-scan "
     "recording has 15 vehicles more, with speed, length and gaps."
 )
+TRAFFIC = TrafficFacts(traffic_side="right", steering_side="left", camera_place="verge")
 LIGHTING: dict[str, Lighting] = {"day": "daytime", "low_light": "low_light"}
 MEASURED = {"day": 7, "low_light": 3}
 WHEELED = {"day": 10, "low_light": 6}
@@ -84,7 +86,9 @@ def build(session: Session, parts: Parts, scanned: ScanParts) -> tuple[int, dict
     """Store everything; the survey's id and the vehicles' numbers by scene."""
     operator, reviewer = _person(session, *OPERATOR, "operator"), _person(session, *REVIEWER, "reviewer")
     import_catalogue_rows(session, [_model(row) for row in demo_catalogue()], actor=None)
-    survey = create_survey(session, name=NAME, site=SITE, description=DESCRIPTION, is_demo=True, actor=None)
+    survey = create_survey(
+        session, name=NAME, site=SITE, description=DESCRIPTION, traffic=TRAFFIC, is_demo=True, actor=None
+    )
     camera_id, calibration_id = _camera(session, survey.id, parts)
     passes: dict[str, list[Pass]] = {}
     for video, solved in zip(parts.videos, parts.poses, strict=True):
@@ -202,6 +206,7 @@ def _vehicles(session: Session, recording_id: int, video: Video, actor: int) -> 
             "u_manufacturer_height_m": 0.01,
             "height_source": "catalogue of the demonstration (invented)",
             "lighting": LIGHTING[video.scene.name],
+            "direction": "right" if vehicle.direction > 0 else "left",
         }
         passes.append(Pass(create_vehicle(session, recording_id, fields, actor=actor), one))
     return passes

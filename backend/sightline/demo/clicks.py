@@ -22,8 +22,6 @@ from sightline.simulation.truth import PassTruth
 from sightline.vehicles.records import Vehicle
 
 CLICK_NOISE_PX = 0.7
-# A driver on the far side sits behind the middle of the car.
-FAR_EYE_INSET_M, U_FAR_EYE_INSET_M = 1.15, 0.15
 REJECTED = "The contact point is on the shadow, below the tyre; click where the tyre touches the road."
 _NAMESPACE = UUID("6f0b5a52-4d1c-4b6e-9d6e-2f1f0a3f7c11")
 _SLIP_PX = 7.0
@@ -60,15 +58,12 @@ def _clicks(truth: PassTruth, rng: np.random.Generator, slip: bool) -> Iterator[
         if found is None:
             continue
         frame, contact, point = found
-        far_driver = target == "driver_eye" and truth.vehicle.driver_side == "far"
         below = _SLIP_PX if slip and target == "taillight" else 0.0
         yield Clicks(
             target=target,
             frame=frame,
             contact=_beside((contact[0], contact[1] + below), rng),
             target_point=_beside(point, rng),
-            inset_m=FAR_EYE_INSET_M if far_driver else None,
-            u_inset_m=U_FAR_EYE_INSET_M if far_driver else None,
         )
 
 

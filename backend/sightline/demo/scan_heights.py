@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from sightline.geometry.insets import USUAL_INSETS
 from sightline.infra.database import Session
 from sightline.scans.heights import poses
 from sightline.scans.heights.poses import Mark, Rod
@@ -38,8 +39,14 @@ def store_heights(
             continue
         contact = _off(contact_of(site, true), rng)
         for name, spot in targets_of(site, true).items():
-            clicked = Clicked(name, contact, _off(spot, rng))  # type: ignore[arg-type]
+            clicked = Clicked(name, contact, _off(spot, rng), **_of_near_driver(name))  # type: ignore[arg-type]
             store_line_height(session, one.id, clicked, seen_revision=0, actor=operator)
+
+
+def _of_near_driver(name: str) -> dict[str, float]:
+    """The operator sees the drivers of the scan on the side of the camera."""
+    inset_m, u_inset_m, _ = USUAL_INSETS["driver_eye_near"]
+    return {"inset_m": inset_m, "u_inset_m": u_inset_m} if name == "driver_eye" else {}
 
 
 def clicked_rod(site: ScanSite, rng: np.random.Generator) -> Rod:

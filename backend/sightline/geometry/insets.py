@@ -20,20 +20,13 @@ USUAL_INSETS: dict[InsetName, tuple[float, float, str]] = {
     "other": (0.0, 0.30, "unknown"),
 }
 
-# What a survey starts with: the driver on the near side, as long as the survey's facts do not say.
-DEFAULT_INSETS: dict[Target, tuple[float, float, str]] = {
-    "roof": USUAL_INSETS["roof"],
-    "driver_eye": USUAL_INSETS["driver_eye_near"],
-    "taillight": USUAL_INSETS["taillight"],
-    "headlight": USUAL_INSETS["headlight"],
-    "other": USUAL_INSETS["other"],
-}
-
 # What an operator can see of a vehicle and choose between: words, inset, standard uncertainty (estimates).
-INSET_CHOICES: dict[str, tuple[tuple[str, float, float], ...]] = {
-    "driver_eye": (("near side", 0.45, 0.10), ("far side", 1.15, 0.15)),  # where the driver sits
+INSET_CHOICES: dict[Target, tuple[tuple[str, float, float], ...]] = {
     "roof": (("near edge", 0.30, 0.10), ("crown", 0.85, 0.10)),
 }
+
+# An eye of which nobody knows the side lies somewhere here: to look for it on other frames, for no height.
+EITHER_SIDE_M, U_EITHER_SIDE_M = 0.80, 0.40
 
 SIDE_UNKNOWN = (
     "It is not known whether the driver sits on the near or on the far side of the vehicle, and the eye's "
@@ -45,10 +38,18 @@ def inset_name(target: Target, side: DriverSide | None) -> InsetName | None:
     """The name of a target's usual inset; None for an eye while the driver's side is unknown."""
     if target != "driver_eye":
         return target
-    return None if side is None else _EYES[side]
+    if side is None:
+        return None
+    return "driver_eye_near" if side == "near" else "driver_eye_far"
 
 
-_EYES: dict[DriverSide, InsetName] = {"near": "driver_eye_near", "far": "driver_eye_far"}
+def target_of(name: InsetName) -> tuple[Target, DriverSide | None]:
+    """The target, and for an eye the driver's side, that an inset is for."""
+    if name == "driver_eye_near":
+        return "driver_eye", "near"
+    if name == "driver_eye_far":
+        return "driver_eye", "far"
+    return name, None
 
 
 def bias_m(

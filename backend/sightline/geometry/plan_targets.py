@@ -6,7 +6,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from sightline.coverage import COVERAGE_95
-from sightline.enums import InsetName
 from sightline.geometry.arrays import Floats
 from sightline.geometry.camera import project
 from sightline.geometry.gain import second_frame_gain
@@ -51,13 +50,13 @@ class PlannedTarget:
 
 
 def insets_of(given: Insets | None) -> dict[str, tuple[float, float]]:
-    """Inset and standard uncertainty per planned target: the survey's own, else the defaults."""
+    """Inset and standard uncertainty per planned target: those given by their names, else the usual ones."""
     usual = {_planned_name(name): (inset, u) for name, (inset, u, _) in USUAL_INSETS.items()}
-    known = usual | dict(given or {})
+    known = usual | {_planned_name(name): inset for name, inset in (given or {}).items()}
     return {name: known[name] for name, _ in TYPICAL_M}
 
 
-def _planned_name(name: InsetName) -> str:
+def _planned_name(name: str) -> str:
     return "driver_eye" if name == "driver_eye_near" else name
 
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing_extensions import TypedDict
 
 from sightline.geometry.arrays import Floats
-from sightline.geometry.road import Overlay, axes_at_contact, ladder_at_contact
+from sightline.geometry.road import Overlay, Rung, axes_at_contact, ladder_at_contact
 from sightline.geometry.road_pose import RoadPose
 
 Polyline = list[tuple[float, float]]
@@ -41,10 +41,10 @@ class Ruler:
     distance_m: float | None
 
 
-def ruler(pose: RoadPose, contact: tuple[float, float], inset_m: float) -> Ruler:
-    """The road's axes through a contact click and the ladder of heights `inset_m` behind it."""
+def ruler(pose: RoadPose, contact: tuple[float, float], inset_m: float | None) -> Ruler:
+    """The road's axes through a contact click and the ladder of heights `inset_m` behind it (None: none)."""
     axes = axes_at_contact(pose, contact)
-    rungs = ladder_at_contact(pose, contact, inset_m)
+    rungs: tuple[Rung, ...] | str = () if inset_m is None else ladder_at_contact(pose, contact, inset_m)
     if isinstance(axes, str) or isinstance(rungs, str):
         reason = axes if isinstance(axes, str) else str(rungs)
         return Ruler(ok=False, reason=reason, axes=None, ladder=[], x_m=None, y_m=None, distance_m=None)

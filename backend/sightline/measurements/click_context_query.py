@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from sqlalchemy import ScalarSelect, and_, select
 from sqlalchemy.orm import Session
 
+from sightline.geometry.sides import FoundSide, driver_side
 from sightline.infra.database.rows import missing
 from sightline.measurements.tables import click_sigmas
 from sightline.poses.tables import road_poses
@@ -14,6 +15,7 @@ from sightline.recordings.frames.store import missing_frame
 from sightline.recordings.frames.tables import frames
 from sightline.recordings.tables import recordings
 from sightline.surveys.records import Inset
+from sightline.surveys.store import TRAFFIC, traffic_of_row
 from sightline.surveys.tables import surveys
 from sightline.vehicles.tables import vehicles
 
@@ -22,7 +24,9 @@ from sightline.vehicles.tables import vehicles
 class ClickContext:
     """`pose_id` and `calibration_id` are None while the recording has no road pose.
 
-    `own_sigma_px`: what was chosen for this person's clicks from their repeats; None: the usual one.
+    `side`: where the driver of the vehicle sits, or of any in the lane beside the camera where no vehicle is
+    named; None where nobody knows. `own_sigma_px`: what was chosen for this person's clicks from their
+    repeats; None: the usual one.
     """
 
     recording_id: int
@@ -32,6 +36,7 @@ class ClickContext:
     calibration_id: int | None
     size_px: tuple[int | None, int | None]
     insets: Mapping[str, Inset]
+    side: FoundSide | None
     own_sigma_px: float | None
     frames: Mapping[int, Frame] = field(default_factory=dict)
 
@@ -43,13 +48,18 @@ class ClickContext:
 
 
 def click_context(
-    session: Session, recording_id: int, person_id: int | None = None, frame_numbers: Sequence[int] = ()
+    session: Session,
+    recording_id: int,
+    person_id: int | None = None,
+    frame_numbers: Sequence[int] = (),
+    *,
+    vehicle_id: int | None = None,
 ) -> ClickContext:
-    """The context of a person's clicks on frames of a recording.
+    """The context of a person's clicks on frames of a recording, on a vehicle of it.
 
     Raises NotFound (also when the recording was deleted).
     """
-    context = _context(session, recording_id, person_id, frame_numbers)
+    context = _context(session, recording_id, person_id, frame_numbers, vehicle_id)
     if context is None:
         raise missing("recording", recording_id)
     return context
@@ -62,7 +72,7 @@ def click_context_of_vehicle(
     its_recording = select(vehicles.c.recording_id).where(
         vehicles.c.id == vehicle_id, vehicles.c.deleted_at.is_(None)
     )
-    context = _context(session, its_recording.scalar_subquery(), person_id, frame_numbers)
+    context = _context(session, its_recording.scalar_subquery(), person_id, frame_numbers, vehicle_id)
     if context is None:
         raise missing("vehicle", vehicle_id)
     return context
@@ -73,7 +83,9 @@ def _context(
     recording_id: int | ScalarSelect[int],
     person_id: int | None,
     frame_numbers: Sequence[int],
+    vehicle_id: int | None,
 ) -> ClickContext | None:
+    on_vehicle = and_(vehicles.c.id == vehicle_id, vehicles.c.recording_id == recordings.c.id)
     clicked_on = and_(frames.c.recording_id == recordings.c.id, frames.c.n.in_(frame_numbers))
     query = (
         select(
@@ -84,12 +96,14 @@ def _context(
             road_poses.c.calibration_id,
             recordings.c.width_px,
             recordings.c.height_px,
-            surveys.c.insets,
+            *(surveys.c.insets, *(surveys.c[name] for name in TRAFFIC)),
+            *(vehicles.c.direction, vehicles.c.driver_side),
             _own_sigma(person_id).label("own_sigma_px"),
             *(frames.c.n, frames.c.pts, frames.c.time_s, frames.c.key, frames.c.crc32),
         )
         .join(surveys, surveys.c.id == recordings.c.survey_id)
         .outerjoin(road_poses, road_poses.c.id == recordings.c.pose_id)
+        .outerjoin(vehicles, on_vehicle)
         .outerjoin(frames, clicked_on)
         .where(recordings.c.id == recording_id, recordings.c.deleted_at.is_(None))
     )
@@ -105,6 +119,7 @@ def _context(
         calibration_id=row.calibration_id,
         size_px=(row.width_px, row.height_px),
         insets={target: Inset(**values) for target, values in row.insets.items()},
+        side=driver_side(row.driver_side, row.direction, traffic_of_row(row._mapping)),
         own_sigma_px=row.own_sigma_px,
         frames={
             of.n: Frame(n=of.n, pts=of.pts, time_s=of.time_s, key=of.key, crc32=of.crc32)

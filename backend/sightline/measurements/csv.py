@@ -8,7 +8,17 @@ from typing import get_args
 
 from typing_extensions import TypeVar
 
-from sightline.enums import Category, Lighting, MeasurementStatus, Point, Target, Verdict
+from sightline.enums import (
+    Category,
+    DriverSide,
+    InsetSource,
+    Lighting,
+    MeasurementStatus,
+    Point,
+    SideBasis,
+    Target,
+    Verdict,
+)
 from sightline.infra.csv_package.columns import (
     flag,
     integer,
@@ -120,9 +130,32 @@ _INSET: Columns = (
     metres(
         "inset_m",
         "how far the target lies behind the vertical plane through the contact point, along road Y",
-        lambda m: float(m.values.inset_m),
+        lambda m: m.values.inset_m,
     ),
-    metres("u_inset_m", "standard uncertainty of the inset (k = 1)", lambda m: float(m.values.u_inset_m)),
+    metres("u_inset_m", "standard uncertainty of the inset (k = 1)", lambda m: m.values.u_inset_m),
+)
+_SIDE: Columns = (
+    text(
+        "side",
+        "of an eye: on which side of the vehicle, as the camera sees it, the driver sits",
+        lambda m: m.values.side,
+        enum=get_args(DriverSide),
+    ),
+)
+_SIDE_FROM: Columns = (
+    text(
+        "side_from",
+        "what the side follows from: said of this vehicle, its direction, or the lane beside the camera",
+        lambda m: m.values.side_from,
+        enum=get_args(SideBasis),
+    ),
+    text(
+        "inset_from",
+        "whether the inset is the survey's usual one or this measurement's own",
+        lambda m: m.values.inset_from,
+        required=True,
+        enum=get_args(InsetSource),
+    ),
 )
 
 
@@ -197,6 +230,8 @@ _HEIGHT: Columns = (
     ),
     metres("u_height_m", "standard uncertainty of height_m (k = 1)", lambda m: m.values.u_height_m),
     metres("U95_height_m", "half-width of the 95 % interval of height_m", lambda m: m.values.U95_height_m),
+    metres("x_m", "contact point along the road, from the pose's origin (X)", lambda m: m.values.x_m),
+    metres("y_m", "contact point across the road, away from the camera (Y)", lambda m: m.values.y_m),
     metres("distance_m", "from the camera's centre to the contact point", lambda m: m.values.distance_m),
     text(
         "status",
@@ -223,6 +258,8 @@ _MEASURED: Columns = (
     *POSE,
     key("calibration_id", "calibration behind that pose", lambda m: m.values.calibration_id),
     *_INSET,
+    *_SIDE,
+    *_SIDE_FROM,
     *_SEVERAL,
     *_HEIGHT,
 )
@@ -303,7 +340,7 @@ CLICKS: Table[Clicked] = Table(
     "alone are in clicks/pose-N.csv, to be used with poses/pose-N.json.",
     (
         text("id", "measurement the clicks belong to", lambda c: f"m{c.measurement.id}", required=True),
-        *of_part((*POINTS, *_INSET, *_further_points(2)), _measurement),
+        *of_part((*POINTS, *_INSET, *_SIDE, *_further_points(2)), _measurement),
         text(
             "lighting",
             "light at the time of the pass",

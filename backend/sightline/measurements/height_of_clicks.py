@@ -14,10 +14,10 @@ from typing import Annotated, Any
 from cachetools import LRUCache
 from pydantic import Field
 
-from sightline.enums import Target
+from sightline.enums import DriverSide, Target
 from sightline.geometry.documents import pose_from_dict
-from sightline.geometry.height import Height, height_both
-from sightline.geometry.insets import DEFAULT_INSETS
+from sightline.geometry.height import Height, height_both, measure_height, not_measurable
+from sightline.geometry.insets import SIDE_UNKNOWN, inset_name
 from sightline.geometry.multiframe import MultiHeight, measure_frames
 from sightline.geometry.road_pose import RoadPose
 from sightline.measurements.records import Clicks, HeightOfClicks
@@ -27,6 +27,9 @@ DEFAULT_SIGMA_PX = 1.0
 # Insets are kept to the micrometre: that is what the CSV carries, so an export recomputes to the same figure.
 _INSET_DECIMALS = 6
 _MOST_POSES = 32
+SIDE_FROM_PLACE = (
+    "The pass has no direction; the driver's side is taken from the median, beside which all go one way."
+)
 
 
 @dataclass(frozen=True)
@@ -40,13 +43,11 @@ class SingleFrame:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Answer(HeightOfClicks):
-    """A height as it is answered while clicking: where the vehicle stands on the road, m, and how it goes.
+    """A height as it is answered while clicking, and how the vehicle goes.
 
     The heading is that of the vehicle's travel against the road's X axis.
     """
 
-    x_m: float | None
-    y_m: float | None
     frames: int = 1
     heading_rad: float | None = None
     u_heading_rad: float | None = None
@@ -74,22 +75,40 @@ class PoseCache:
 
 
 def filled_in(clicks: Clicks, insets: Mapping[str, Inset], own_sigma_px: float | None = None) -> Clicks:
-    """The clicks with what was left out: the person's own sigma, else 1 px, and the inset for this target."""
-    usual = inset_for(clicks.target, insets)
+    """The clicks with what was left out: the person's own sigma, else 1 px, and the inset for this target and
+    side; there is none for an eye of which nobody knows the side.
+    """
+    usual = inset_for(clicks.target, clicks.side, insets)
     usual_sigma_px = DEFAULT_SIGMA_PX if own_sigma_px is None else own_sigma_px
-    inset_m = usual.inset_m if clicks.inset_m is None else clicks.inset_m
-    u_inset_m = usual.u_inset_m if clicks.u_inset_m is None else clicks.u_inset_m
+    inset_m, u_inset_m = clicks.inset_m, clicks.u_inset_m
+    if usual is not None:
+        inset_m = usual.inset_m if inset_m is None else inset_m
+        u_inset_m = usual.u_inset_m if u_inset_m is None else u_inset_m
+    elif inset_m is not None and u_inset_m is None:
+        u_inset_m = max(insets[name].u_inset_m for name in ("driver_eye_near", "driver_eye_far"))
+    inset_m, u_inset_m = _rounded(inset_m), _rounded(u_inset_m if inset_m is not None else None)
+    is_usual = inset_m is None or (usual is not None and _same(usual, inset_m, u_inset_m))
     return replace(
         clicks,
         sigma_px=usual_sigma_px if clicks.sigma_px is None else clicks.sigma_px,
-        inset_m=round(inset_m, _INSET_DECIMALS),
-        u_inset_m=round(u_inset_m, _INSET_DECIMALS),
+        inset_m=inset_m,
+        u_inset_m=u_inset_m,
+        inset_from="usual" if is_usual else clicks.inset_from or "own",
     )
 
 
-def inset_for(target: Target, insets: Mapping[str, Inset]) -> Inset:
-    """The survey's inset of a target, else the default (an estimate)."""
-    return insets[target] if target in insets else Inset(*DEFAULT_INSETS[target])
+def _rounded(length_m: float | None) -> float | None:
+    return None if length_m is None else round(length_m, _INSET_DECIMALS)
+
+
+def _same(usual: Inset, inset_m: float, u_inset_m: float | None) -> bool:
+    return (inset_m, u_inset_m) == (_rounded(usual.inset_m), _rounded(usual.u_inset_m))
+
+
+def inset_for(target: Target, side: DriverSide | None, insets: Mapping[str, Inset]) -> Inset | None:
+    """The survey's inset of a target; None for an eye of which nobody knows the side."""
+    name = inset_name(target, side)
+    return None if name is None else insets[name]
 
 
 def answer(pose: RoadPose, clicks: Clicks) -> Answer:
@@ -97,9 +116,9 @@ def answer(pose: RoadPose, clicks: Clicks) -> Answer:
 
     One frame assumes the inset; several solve for it. Where several frames give no height, none is given: the
     reason says why, and what the first frame alone would give stands in `single`. The uncorrected height is
-    always the first frame's.
+    always the first frame's; an eye of unknown side has none of the two from one frame.
     """
-    height, uncorrected = height_both(pose, clicks.contact, clicks.target_point, *clicks.assumed())
+    height, uncorrected = _first_frame(pose, clicks)
     if not clicks.more_frames:
         return _answered(clicks, height, uncorrected)
     found = measured_frames(pose, clicks)
@@ -116,14 +135,26 @@ def answer(pose: RoadPose, clicks: Clicks) -> Answer:
     )
 
 
+def _first_frame(pose: RoadPose, clicks: Clicks) -> tuple[Height, Height]:
+    """The height by the inset assumed, and with an inset of 0."""
+    if clicks.inset_m is not None:
+        height, uncorrected = height_both(pose, clicks.contact, clicks.target_point, *clicks.assumed())
+    else:
+        uncorrected = measure_height(pose, clicks.contact, clicks.target_point, clicks.known_sigma_px)
+        height = not_measurable(uncorrected.reason or SIDE_UNKNOWN)
+        if not clicks.more_frames:
+            uncorrected = height
+    if height.status == "ok" and clicks.side_from == "place" and clicks.inset_from == "usual":
+        height = replace(height, flags=(*height.flags, SIDE_FROM_PLACE))
+    return height, uncorrected
+
+
 def measured_frames(pose: RoadPose, clicks: Clicks) -> MultiHeight:
     """The height from all frames of the clicks, the first one first."""
-    sigma_px, _, _ = clicks.assumed()
-    return measure_frames(pose, clicks.contacts, clicks.target_points, sigma_px)
+    return measure_frames(pose, clicks.contacts, clicks.target_points, clicks.known_sigma_px)
 
 
 def _answered(clicks: Clicks, height: Height, uncorrected: Height) -> Answer:
-    _, inset_m, u_inset_m = clicks.assumed()
     return Answer(
         status=height.status,
         reason=height.reason,
@@ -131,8 +162,11 @@ def _answered(clicks: Clicks, height: Height, uncorrected: Height) -> Answer:
         u_height_m=height.u_height_m,
         U95_height_m=height.U95_height_m,
         uncorrected_height_m=uncorrected.height_m,
-        inset_m=inset_m,
-        u_inset_m=u_inset_m,
+        inset_m=clicks.inset_m,
+        u_inset_m=clicks.u_inset_m,
+        inset_from=clicks.inset_from or "own",
+        side=clicks.side,
+        side_from=clicks.side_from,
         x_m=height.x_m,
         y_m=height.y_m,
         distance_m=height.distance_m,

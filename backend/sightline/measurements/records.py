@@ -8,8 +8,11 @@ from pydantic import Field
 from typing_extensions import TypedDict
 
 from sightline.enums import (
+    DriverSide,
+    InsetSource,
     MeasurementStatus,
     Point,
+    SideBasis,
     Target,
     VehicleState,
     Verdict,
@@ -32,7 +35,8 @@ class Clicks:
     """What one height is computed from: two points in pixels on a frame, and on further frames of the pass.
 
     With further frames the inset is solved for. What is None is filled in before anything is computed: the
-    person's own sigma, else 1 px; the survey's inset of the target.
+    person's own sigma, else 1 px; the survey's inset of the target. An eye's inset stays None where nobody
+    knows on which side the driver sits: then one frame gives no height.
     """
 
     target: Target
@@ -43,6 +47,9 @@ class Clicks:
     sigma_px: float | None = None
     inset_m: float | None = None
     u_inset_m: float | None = None
+    inset_from: InsetSource | None = None
+    side: DriverSide | None = None
+    side_from: SideBasis | None = None
 
     @property
     def frames(self) -> tuple[int, ...]:
@@ -59,11 +66,18 @@ class Clicks:
         """The target point on each of `frames`."""
         return (self.target_point, *(further.target_point for further in self.more_frames))
 
+    @property
+    def known_sigma_px(self) -> float:
+        """Raises ValueError where it is not filled in."""
+        if self.sigma_px is None:
+            raise ValueError("clicks need their sigma filled in before a height is computed")
+        return self.sigma_px
+
     def assumed(self) -> tuple[float, float, float]:
         """(sigma in px, inset and its standard uncertainty in m). Raises ValueError where one is missing."""
-        if self.sigma_px is None or self.inset_m is None or self.u_inset_m is None:
-            raise ValueError("clicks need their sigma and inset filled in before a height is computed")
-        return self.sigma_px, self.inset_m, self.u_inset_m
+        if self.inset_m is None or self.u_inset_m is None:
+            raise ValueError("clicks need their inset filled in before a height is computed")
+        return self.known_sigma_px, self.inset_m, self.u_inset_m
 
 
 class BudgetPart(TypedDict):
@@ -77,8 +91,9 @@ class BudgetPart(TypedDict):
 class HeightOfClicks:
     """One height with its uncertainty and budget, or why there is none (then every number is None).
 
-    `inset_m` is the inset assumed for one frame; `solved_inset_m` the one found from several.
-    `uncorrected_height_m` is the first frame's with an inset of 0.
+    `inset_m` is the inset assumed for one frame, None for an eye whose side is unknown; `solved_inset_m` the
+    one found from several. `uncorrected_height_m` is the first frame's with an inset of 0. `x_m`, `y_m`: the
+    contact on the road, along it and across.
     """
 
     status: MeasurementStatus
@@ -87,8 +102,15 @@ class HeightOfClicks:
     u_height_m: float | None
     U95_height_m: float | None
     uncorrected_height_m: float | None
-    inset_m: float
-    u_inset_m: float
+    inset_m: float | None
+    u_inset_m: float | None
+    inset_from: Annotated[
+        InsetSource, Field(description="The survey's usual one, or this measurement's own.")
+    ]
+    side: Annotated[DriverSide | None, Field(description="Of an eye: where the driver sits.")]
+    side_from: Annotated[SideBasis | None, Field(description="What `side` follows from.")]
+    x_m: Annotated[float | None, Field(description="Contact point along the road, from the pose's origin.")]
+    y_m: Annotated[float | None, Field(description="Contact point across the road, away from the camera.")]
     distance_m: float | None
     budget: list[BudgetPart]
     flags: list[str]

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
@@ -20,6 +20,7 @@ from sightline.errors import BadInput
 from sightline.geometry.follow import textured
 from sightline.geometry.gain import second_frame_gain
 from sightline.geometry.height import measure_height
+from sightline.geometry.insets import EITHER_SIDE_M, U_EITHER_SIDE_M
 from sightline.geometry.road import road_point
 from sightline.geometry.road_pose import RoadPose
 from sightline.geometry.travel import BodyTracker, body_of, further_gain
@@ -96,9 +97,11 @@ def proposal(
 
     Raises NotFound, Conflict without a road pose, BadInput for a vehicle of another recording.
     """
-    context = click_context(session, recording_id, actor)
+    context = click_context(session, recording_id, actor, vehicle_id=vehicle_id)
     pose, _, _ = pose_in_force(session, context)
     clicks = clicks_in_context(clicks, context)
+    if clicks.inset_m is None:
+        clicks = replace(clicks, inset_m=EITHER_SIDE_M, u_inset_m=U_EITHER_SIDE_M)
     vehicle = get_sheet(session, vehicle_id)
     if vehicle.recording_id != recording_id:
         raise BadInput("measurements-vehicle-not-recording-choose-one-passes")

@@ -48,21 +48,39 @@ def road_pose(session: Session, pose_id: int) -> RoadPose:
     return poses.get(pose_id) or poses.put(pose_id, get_pose(session, pose_id).document)
 
 
-def height_at(session: Session, recording_id: int, clicks: Clicks, *, actor: int | None = None) -> Answer:
-    """The height that these clicks of `actor` would be stored with. Raises Conflict without a road pose."""
-    context = click_context(session, recording_id, actor)
+def height_at(
+    session: Session,
+    recording_id: int,
+    clicks: Clicks,
+    *,
+    vehicle_id: int | None = None,
+    actor: int | None = None,
+) -> Answer:
+    """The height that these clicks of `actor` would be stored with on a vehicle.
+
+    Raises Conflict without a road pose.
+    """
+    context = click_context(session, recording_id, actor, vehicle_id=vehicle_id)
     pose, _, _ = pose_in_force(session, context)
     return answer(pose, clicks_in_context(clicks, context))
 
 
 def ruler_at(
-    session: Session, recording_id: int, contact: Point, target: Target, inset_m: float | None
+    session: Session,
+    recording_id: int,
+    contact: Point,
+    target: Target,
+    inset_m: float | None,
+    vehicle_id: int | None = None,
 ) -> Ruler:
-    """Axes and ladder through a contact click. Raises Conflict without a road pose."""
-    context = click_context(session, recording_id, None)
+    """Axes and ladder through a contact click; no ladder for an eye of unknown side.
+
+    Raises Conflict without a road pose.
+    """
+    context = click_context(session, recording_id, None, vehicle_id=vehicle_id)
     pose, _, _ = pose_in_force(session, context)
-    usual = inset_for(target, context.insets).inset_m
-    return ruler(pose, contact, usual if inset_m is None else inset_m)
+    usual = inset_for(target, None if context.side is None else context.side.side, context.insets)
+    return ruler(pose, contact, inset_m if inset_m is not None or usual is None else usual.inset_m)
 
 
 def store_measurement(
@@ -83,7 +101,7 @@ def store_measurement(
     context = click_context_of_vehicle(session, vehicle_id, actor, _frames_once(clicks))
     if repeat_of is not None and clicks.inset_m is None:
         first = get_measurement(session, repeat_of)
-        clicks = replace(clicks, inset_m=first.values.inset_m, u_inset_m=first.values.u_inset_m)
+        clicks = _with_inset_of(clicks, first.values)
     values = values_of_clicks(session, context, clicks)
     return add_measurement(
         session, vehicle_id, client_key=client_key, values=values, repeat_of=repeat_of, actor=actor
@@ -95,13 +113,28 @@ def store_revision(
 ) -> Measurement:
     """Measure again and store a new revision. Raises Conflict if `revision` is not the current one."""
     before = require_measurement_revision(session, series_id, revision)
-    values = values_at(session, before.recording_id, clicks, actor=actor)
+    then = before.values
+    if (clicks.target, clicks.inset_m, clicks.u_inset_m) == (then.target, then.inset_m, then.u_inset_m):
+        clicks = _with_inset_of(clicks, then)
+    values = values_of_vehicle(session, before.vehicle_id, clicks, actor=actor)
     return revise_current_measurement(session, before, values, actor=actor)
 
 
-def values_at(session: Session, recording_id: int, clicks: Clicks, *, actor: int) -> MeasurementValues:
-    """`values_of_clicks` of a person's clicks on a recording."""
-    context = click_context(session, recording_id, actor, _frames_once(clicks))
+def _with_inset_of(clicks: Clicks, then: MeasurementValues) -> Clicks:
+    """The inset stays what it was, and where it came from."""
+    return replace(
+        clicks,
+        inset_m=then.inset_m,
+        u_inset_m=then.u_inset_m,
+        inset_from=then.inset_from,
+        side=then.side,
+        side_from=then.side_from,
+    )
+
+
+def values_of_vehicle(session: Session, vehicle_id: int, clicks: Clicks, *, actor: int) -> MeasurementValues:
+    """`values_of_clicks` of a person's clicks on a vehicle."""
+    context = click_context_of_vehicle(session, vehicle_id, actor, _frames_once(clicks))
     return values_of_clicks(session, context, clicks)
 
 
@@ -155,6 +188,8 @@ def clicks_in_context(clicks: Clicks, context: ClickContext) -> Clicks:
     for further in clicks.more_frames:
         _check_point(f"contact (frame {further.frame})", further.contact)
         _check_point(f"target (frame {further.frame})", further.target_point)
+    if clicks.target == "driver_eye" and clicks.side is None and context.side is not None:
+        clicks = replace(clicks, side=context.side.side, side_from=context.side.basis)
     return filled_in(clicks, context.insets, context.own_sigma_px)
 
 
@@ -189,6 +224,28 @@ def pose_in_force(session: Session, context: ClickContext) -> tuple[RoadPose, in
     return pose, context.pose_id, context.calibration_id
 
 
+def revise_with_what_holds_now(session: Session, before: Measurement, *, actor: int) -> Measurement:
+    """The same clicks with the side, inset and road pose in force now, as a new revision; an inset of its own
+    stays. Raises Conflict without a road pose.
+    """
+    clicks = clicks_to_compute_again(before.values)
+    values = values_of_vehicle(session, before.vehicle_id, clicks, actor=actor)
+    return revise_current_measurement(session, before, values, actor=actor)
+
+
+def clicks_to_compute_again(values: MeasurementValues) -> Clicks:
+    """What a person clicked and said for a stored revision, without what followed from the survey."""
+    own = values.inset_from == "own"
+    return replace(
+        clicked_again(values, values.frame, values.contact, values.target_point),
+        inset_m=values.inset_m if own else None,
+        u_inset_m=values.u_inset_m if own else None,
+        inset_from="own" if own else None,
+        side=None,
+        side_from=None,
+    )
+
+
 def clicked_again(values: MeasurementValues, n: int, contact: Point, target_point: Point) -> Clicks:
     """Other points on frame n with everything else as in a stored revision.
 
@@ -207,4 +264,7 @@ def clicked_again(values: MeasurementValues, n: int, contact: Point, target_poin
         sigma_px=values.sigma_px,
         inset_m=values.inset_m,
         u_inset_m=values.u_inset_m,
+        inset_from=values.inset_from,
+        side=values.side,
+        side_from=values.side_from,
     )

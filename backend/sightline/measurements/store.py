@@ -35,6 +35,7 @@ _IN_EVENTS = (
     "frame",
     "contact",
     "target_point",
+    "side",
     "height_m",
     "U95_height_m",
     "status",

@@ -15,7 +15,7 @@ from sqlalchemy import (
     UniqueConstraint,
 )
 
-from sightline.enums import MeasurementStatus, ReviewVerdict, Target
+from sightline.enums import DriverSide, InsetSource, MeasurementStatus, ReviewVerdict, SideBasis, Target
 from sightline.infra.audit.vouched import WrittenOnce, WrittenOnceApart, vouched
 from sightline.infra.database.types import HOLDS, CanonicalJson, UtcDateTime, enum_check, identity, metadata
 
@@ -54,12 +54,18 @@ measurements = Table(
     Column("sigma_px", Float, nullable=False),
     Column("pose_id", ForeignKey("road_poses.id"), nullable=False),
     Column("calibration_id", ForeignKey("calibrations.id"), nullable=False),
-    Column("inset_m", Float, nullable=False),
-    Column("u_inset_m", Float, nullable=False),
+    # empty for an eye of which nobody knows on which side the driver sits
+    Column("inset_m", Float),
+    Column("u_inset_m", Float),
+    Column("inset_from", String(20), nullable=False),
+    Column("side", String(20)),
+    Column("side_from", String(20)),
     Column("height_m", Float),
     Column("uncorrected_height_m", Float),
     Column("u_height_m", Float),
     Column("U95_height_m", Float),
+    Column("x_m", Float),
+    Column("y_m", Float),
     Column("distance_m", Float),
     Column("status", String(20), nullable=False),
     Column("reason", Text),
@@ -76,8 +82,12 @@ measurements = Table(
     UniqueConstraint("series_id", "revision"),
     enum_check("target", Target),
     enum_check("status", MeasurementStatus),
+    enum_check("inset_from", InsetSource),
+    enum_check("side", DriverSide),
+    enum_check("side_from", SideBasis),
     CheckConstraint("revision >= 1", name="revision_counts"),
     CheckConstraint("sigma_px > 0", name="sigma_positive"),
+    CheckConstraint("inset_m IS NOT NULL OR target = 'driver_eye'", name="inset_of_all_but_eyes"),
     CheckConstraint(
         "(status = 'ok' AND height_m IS NOT NULL) OR (status <> 'ok' AND reason IS NOT NULL)",
         name="height_or_reason",

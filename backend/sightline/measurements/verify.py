@@ -12,7 +12,7 @@ from itertools import groupby
 from typing import Any, cast
 
 from sightline.coverage import COVERAGE_95
-from sightline.enums import Target
+from sightline.enums import DriverSide, InsetSource, SideBasis, Target
 from sightline.errors import BadInput, Damaged
 from sightline.geometry.documents import pose_from_dict
 from sightline.geometry.road_pose import RoadPose
@@ -128,8 +128,11 @@ def clicks_of_row(row: Row) -> Clicks:
         contact=(number["contact_x_px"], number["contact_y_px"]),
         target_point=(number["target_x_px"], number["target_y_px"]),
         sigma_px=number["sigma_px"],
-        inset_m=number["inset_m"],
-        u_inset_m=number["u_inset_m"],
+        inset_m=number.get("inset_m"),
+        u_inset_m=number.get("u_inset_m"),
+        inset_from=cast(InsetSource | None, row.get("inset_from")),
+        side=cast(DriverSide | None, row.get("side") or None),
+        side_from=cast(SideBasis | None, row.get("side_from") or None),
         more_frames=tuple(_on_further(number, k) for k in further(row)),
     )
 
@@ -181,7 +184,11 @@ def _is_newest(current: Row, newest: Row) -> None:
 
 def _same_clicks(path: str, row: Row, current: Row) -> None:
     for name in row:
-        given = name.endswith(("x_px", "y_px", "sigma_px", "inset_m")) or name in ("pose_id", "target")
+        given = name.endswith(("x_px", "y_px", "sigma_px", "inset_m")) or name in (
+            "pose_id",
+            "target",
+            "side",
+        )
         if given and row[name] != current[name]:
             raise Damaged(
                 "measurements-another-measurements-csv-one-wrong", path=path, id=row["id"], name=name
@@ -296,7 +303,7 @@ def _short_of_event(after: Mapping[str, Any]) -> list[Any]:
 
 def _words_of_event(after: Mapping[str, Any]) -> list[Any]:
     more = [[n, *contact, *point] for n, contact, point in after.get("more_frames", [])]
-    return [*_short_of_event(after), _length(after["U95_height_m"]), more]
+    return [*_short_of_event(after), _length(after["U95_height_m"]), after["side"] or "", more]
 
 
 def _length(value_m: float | None) -> str:
@@ -312,7 +319,7 @@ def _short_of_row(row: Mapping[str, str]) -> list[Any]:
 def _words_of_row(row: Mapping[str, str], further: list[int]) -> list[Any]:
     """What a row says, in the form in which its event says it."""
     more = [[int(row[f"frame{k}"]), *_points_of_row(row, str(k))] for k in further]
-    return [*_short_of_row(row), row["U95_height_m"], more]
+    return [*_short_of_row(row), row["U95_height_m"], row["side"], more]
 
 
 def _points_of_row(row: Mapping[str, str], k: str) -> list[float]:

@@ -21,6 +21,28 @@ target-hint-taillight = the lower limit of the lit area of the taillight
 target-hint-headlight = the lower limit of the headlight
 target-hint-other = the point whose height you want
 
+direction-right = to the right
+direction-left = to the left
+side-near = near side
+side-far = far side
+inset-driver_eye_near = Driver’s eye, near side
+inset-driver_eye_far = Driver’s eye, far side
+
+## Words of the domain: how traffic goes at a site
+
+traffic-title = Traffic and camera
+traffic-help = From these follows, by each vehicle’s direction, whether its driver sits on the side of the camera (near) or away from it (far). Without them no driver’s eye has a height.
+traffic-not-said = not said yet
+traffic-side = Traffic keeps
+traffic-right = right
+traffic-left = left
+traffic-steering = Steering wheel usually
+wheel-left = on the left
+wheel-right = on the right
+traffic-camera = The camera stands
+camera-verge = on the verge
+camera-median = in the median
+
 ## Words of the domain: states of vehicles, measurements, recordings, jobs, calibrations, people
 
 state-to_do = to do
@@ -851,14 +873,16 @@ checks-left-out-help = They do not fit the others; look at their clicks and heig
 checks-spread = { $spread } between vehicles
 checks-use = { $target ->
     [roof] Use { $inset } ± { $u_inset } for roofs
-    [driver_eye] Use { $inset } ± { $u_inset } for drivers’ eyes
+    [driver_eye_near] Use { $inset } ± { $u_inset } for near drivers’ eyes
+    [driver_eye_far] Use { $inset } ± { $u_inset } for far drivers’ eyes
     [taillight] Use { $inset } ± { $u_inset } for taillights
     [headlight] Use { $inset } ± { $u_inset } for headlights
    *[other] Use { $inset } ± { $u_inset } for other targets
 }
 checks-used = { $target ->
     [roof] The inset of roofs is changed for new measurements; stored ones keep theirs.
-    [driver_eye] The inset of drivers’ eyes is changed for new measurements; stored ones keep theirs.
+    [driver_eye_near] The inset of near drivers’ eyes is changed for new measurements; stored ones keep theirs.
+    [driver_eye_far] The inset of far drivers’ eyes is changed for new measurements; stored ones keep theirs.
     [taillight] The inset of taillights is changed for new measurements; stored ones keep theirs.
     [headlight] The inset of headlights is changed for new measurements; stored ones keep theirs.
    *[other] The inset of other targets is changed for new measurements; stored ones keep theirs.
@@ -1108,6 +1132,21 @@ measure-inset-solved = not used while several frames are clicked: they solve for
 measure-inset-what = how far the target lies behind the side of the vehicle
 measure-inset-as-survey = As the survey has it: { $inset } ± { $u_inset }
 measure-inset-side = The driver sits on the
+measure-side-unknown = not known
+measure-side-as-survey = as the survey says
+measure-side-from = { $from ->
+    [said] said of this vehicle
+    [direction] { $direction ->
+        [right] goes to the right
+       *[left] goes to the left
+    }, wheel on the { $steering ->
+        [right] right
+       *[left] left
+    }
+    [place] no direction known: from the median all go one way
+    [undirected] no direction known, so the eye has no height: say near or far here, or which way the vehicle goes
+   *[unknown] not known yet, so the eye has no height: say it here for this vehicle, or on the survey’s page for all
+}
 measure-inset-roof = Clicked on the roof: its
 measure-inset-now = inset { $inset } ± { $u_inset }, estimate
 
@@ -1206,6 +1245,8 @@ measure-field-manufacturer_height_m = Manufacturer height
 measure-field-u_manufacturer_height_m = ± of the manufacturer height
 measure-field-height_source = Source of the height
 measure-field-lighting = Lighting
+measure-field-direction = Goes
+measure-field-driver_side = Driver’s side
 measure-fact = { $field ->
     [first_frame] first frame { $value }
     [best_frame] best frame { $value }
@@ -1218,6 +1259,8 @@ measure-fact = { $field ->
     [u_manufacturer_height_m] ± of the manufacturer height { $value }
     [height_source] source of the height { $value }
     [lighting] lighting { $value }
+    [direction] goes { $value }
+    [driver_side] driver on the { $value }
    *[notes] notes { $value }
 }
 measure-fact-empty = empty
@@ -1836,6 +1879,7 @@ scan-height-unsaved = not yet saved…
 scan-height-older = Computed with the calibration before; compute it again.
 scan-height-again = Compute again
 scan-height-withdraw = Withdraw
+scan-height-side-first = Say first on which side the driver sits; the eye’s height depends on it.
 scan-height-inset-driver_eye = The driver sits on the
 scan-height-inset-roof = Clicked on the roof: its
 scan-height-distance = Lateral distance
@@ -2398,6 +2442,18 @@ survey-review-go = Review
 survey-results-go = Export
 survey-open = Open
 survey-statistics = <link>Statistics</link>: errors, distributions, percentiles.
+survey-traffic = Traffic keeps { $traffic ->
+    [right] right
+   *[left] left
+}, the steering wheel is usually on the { $steering ->
+    [right] right
+   *[left] left
+}, the camera stands { $camera ->
+    [verge] on the verge
+   *[median] in the median
+}.
+survey-traffic-unsaid = Nobody has said yet how traffic goes here and where the camera stands. Until then no driver’s eye has a height.
+survey-traffic-say = Say it
 survey-scans-none = <link>Line scans</link>: { $summary }
 survey-scans-label = Line scans, a way of their own beside these steps
 survey-scans = Line scans
@@ -3195,6 +3251,7 @@ reviews-measurements-csv-verdict-not-newest-review = measurements.csv: the verdi
 scans-calibrated-line-scan-meanwhile-look-calibration = { $name } calibrated this line scan meanwhile; look at that calibration first.
 scans-mark-row-line-lies-outside-strip = A mark at row { NUMBER($row_px, minimumFractionDigits: 1, maximumFractionDigits: 1) }, line { NUMBER($line, minimumFractionDigits: 0, maximumFractionDigits: 0) } lies outside the strip; click it again.
 scans-heights-need-line-cameras-pose-calibrate = Heights need the line camera's pose; calibrate the height with a rod first (Calibrate height).
+scans-eye-needs-side-say-which = It is not known whether the driver sits on the near or on the far side of this vehicle; choose one of them first.
 scans-click-line-row-lies-outside-strip = A click at line { NUMBER($line, minimumFractionDigits: 0, maximumFractionDigits: 0) }, row { NUMBER($row, minimumFractionDigits: 1, maximumFractionDigits: 1) } lies outside the strip; click again.
 scans-target-no-height-needs-reason-why = A target that has no height needs the reason why; measure it again.
 scans-height-withdrawn-already-nothing-done = This height was withdrawn already; nothing is to be done.

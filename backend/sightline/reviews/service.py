@@ -6,7 +6,7 @@ from sightline.enums import Point, ReviewVerdict, Verdict
 from sightline.errors import BadInput
 from sightline.infra.database import Session
 from sightline.measurements.records import Measurement, MeasurementValues
-from sightline.measurements.service import clicked_again, values_at
+from sightline.measurements.service import clicked_again, values_of_vehicle
 from sightline.measurements.store import require_measurement_revision
 from sightline.reviews.store import add_review, require_clicked_again
 
@@ -71,7 +71,7 @@ def _fixed(
         raise BadInput("reviews-fix-needs-both-points-contact-target")
     n = before.values.frame if frame is None else frame
     clicks = clicked_again(before.values, n, contact, target_point)
-    values = values_at(session, before.recording_id, clicks, actor=actor)
+    values = values_of_vehicle(session, before.vehicle_id, clicks, actor=actor)
     if _made_with(values) == _made_with(before.values):
         raise BadInput("reviews-fix-changes-nothing-accept")
     return values

@@ -3,8 +3,9 @@
 from datetime import datetime
 from typing import Annotated
 
-from pydantic import Field
+from pydantic import Field, computed_field
 
+from sightline.enums import CameraPlace, Hand
 from sightline.geometry.insets import INSET_CHOICES
 from sightline.infra.web.bodies import In, Name, Out, Text
 
@@ -26,7 +27,8 @@ class InsetIn(In):
 
 class Insets(Out):
     roof: InsetBody
-    driver_eye: InsetBody
+    driver_eye_near: InsetBody
+    driver_eye_far: InsetBody
     taillight: InsetBody
     headlight: InsetBody
     other: InsetBody
@@ -36,7 +38,8 @@ class InsetChanges(In):
     """Targets left out keep their inset."""
 
     roof: InsetIn | None = None
-    driver_eye: InsetIn | None = None
+    driver_eye_near: InsetIn | None = None
+    driver_eye_far: InsetIn | None = None
     taillight: InsetIn | None = None
     headlight: InsetIn | None = None
     other: InsetIn | None = None
@@ -48,12 +51,31 @@ class InsetChoice(Out):
     u_inset_m: float
 
 
-def inset_choices() -> dict[str, list[InsetChoice]]:
-    """Per target what can be told apart by looking at the vehicle; the same for every survey."""
-    return {
-        target: [InsetChoice(words=words, inset_m=inset, u_inset_m=u) for words, inset, u in choices]
-        for target, choices in INSET_CHOICES.items()
+def inset_choices(insets: Insets) -> dict[str, list[InsetChoice]]:
+    """Per target what can be told apart by looking at the vehicle: a roof's spot, a driver's side."""
+    choices = {
+        str(target): [InsetChoice(words=words, inset_m=inset, u_inset_m=u) for words, inset, u in found]
+        for target, found in INSET_CHOICES.items()
     }
+    eyes = (("near side", insets.driver_eye_near), ("far side", insets.driver_eye_far))
+    choices["driver_eye"] = [
+        InsetChoice(words=words, inset_m=eye.inset_m, u_inset_m=eye.u_inset_m) for words, eye in eyes
+    ]
+    return choices
+
+
+class TrafficBody(Out):
+    """How traffic goes at the site and where the camera stands; null while nobody has said."""
+
+    traffic_side: Annotated[Hand | None, Field(description="Which side of the road traffic keeps.")] = None
+    steering_side: Annotated[Hand | None, Field(description="On which side the wheel usually is.")] = None
+    camera_place: CameraPlace | None = None
+
+
+class TrafficIn(In):
+    traffic_side: Hand | None = None
+    steering_side: Hand | None = None
+    camera_place: CameraPlace | None = None
 
 
 class SurveyFacts(Out):
@@ -64,14 +86,21 @@ class SurveyFacts(Out):
     is_demo: bool
     version: int
     created_at: datetime
+    traffic: TrafficBody
     insets: Insets
-    inset_choices: dict[str, list[InsetChoice]] = Field(default_factory=inset_choices)
+
+    @computed_field  # type: ignore[prop-decorator]
+    @property
+    def inset_choices(self) -> dict[str, list[InsetChoice]]:
+        """What can be told apart by looking at a vehicle."""
+        return inset_choices(self.insets)
 
 
 class NewSurvey(In):
     name: Name
     site: Annotated[str, Field(max_length=200)] = ""
     description: Text = ""
+    traffic: TrafficIn | None = Field(default=None, description="Left out: as it is, at first not said.")
 
 
 class SurveyChange(NewSurvey):

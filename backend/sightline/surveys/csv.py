@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import get_args
 
-from sightline.enums import Target
+from sightline.enums import InsetName
 from sightline.infra.csv_package.columns import metres, text
 from sightline.infra.csv_package.schema import Table
 from sightline.surveys.records import Inset, Survey
@@ -16,7 +16,13 @@ INSETS: Table[InForce] = Table(
     "insets",
     "The insets in force in this survey: used for every measurement that does not carry its own.",
     (
-        text("target", "what is measured", lambda i: i[0], required=True, enum=get_args(Target)),
+        text(
+            "target",
+            "what is measured; of a driver's eye for the driver on the near or on the far side",
+            lambda i: i[0],
+            required=True,
+            enum=get_args(InsetName),
+        ),
         metres(
             "inset_m",
             "how far the target lies behind the vertical plane through the contact point, along road Y",

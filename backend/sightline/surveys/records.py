@@ -4,6 +4,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import datetime
 
+from sightline.geometry.sides import TrafficFacts
+
 
 @dataclass(frozen=True, slots=True)
 class Inset:
@@ -16,7 +18,7 @@ class Inset:
 
 @dataclass(frozen=True, slots=True)
 class Survey:
-    """Its words and insets; how far its work has come is its overview (`results`)."""
+    """Its words, traffic and insets (by `InsetName`); its progress is its overview (`results`)."""
 
     id: int
     name: str
@@ -25,4 +27,5 @@ class Survey:
     is_demo: bool
     version: int
     created_at: datetime
+    traffic: TrafficFacts
     insets: Mapping[str, Inset]

@@ -1,4 +1,4 @@
-"""Surveys: their words and insets."""
+"""Surveys: their words, traffic and insets."""
 
 from collections.abc import Mapping
 from dataclasses import asdict
@@ -8,19 +8,21 @@ from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from sightline.errors import BadInput, Conflict
-from sightline.geometry.insets import DEFAULT_INSETS
+from sightline.geometry.insets import USUAL_INSETS
+from sightline.geometry.sides import TrafficFacts
 from sightline.infra.audit import trail
 from sightline.infra.database.rows import add_row, change_row, get_row, last_change
 from sightline.infra.database.types import now
 from sightline.surveys.records import Inset, Survey
 from sightline.surveys.tables import surveys
 
-EDITABLE = ("name", "site", "description", "insets")
+TRAFFIC = ("traffic_side", "steering_side", "camera_place")
+EDITABLE = ("name", "site", "description", *TRAFFIC, "insets")
 
 
 def default_insets() -> dict[str, Inset]:
-    """The insets a new survey starts with, one per target (estimates, see geometry.insets)."""
-    return {target: Inset(inset, u_inset, note) for target, (inset, u_inset, note) in DEFAULT_INSETS.items()}
+    """The insets a new survey starts with, by name (estimates, see geometry.insets)."""
+    return {name: Inset(inset, u_inset, note) for name, (inset, u_inset, note) in USUAL_INSETS.items()}
 
 
 def create_survey(
@@ -29,13 +31,14 @@ def create_survey(
     name: str,
     site: str = "",
     description: str = "",
+    traffic: TrafficFacts = TrafficFacts(),
     insets: Mapping[str, Inset] | None = None,
     is_demo: bool = False,
     actor: int | None,
 ) -> Survey:
     """A new, empty survey. Raises BadInput without a name."""
     moment = now()
-    content = _content(name, site, description, insets or default_insets())
+    content = _content(name, site, description, traffic, insets or default_insets())
     stamps = {"created_at": moment, "created_by": actor, "updated_at": moment, "updated_by": actor}
     survey_id = add_row(session, surveys, {**content, **stamps, "is_demo": is_demo, "version": 1})
     trail.record(session, actor, "create", "survey", survey_id, survey_id, None, content)
@@ -81,16 +84,17 @@ def update_survey(
     name: str,
     site: str,
     description: str,
+    traffic: TrafficFacts,
     insets: Mapping[str, Inset],
     version: int,
     actor: int | None,
 ) -> Survey:
-    """Change words or insets. Raises Conflict, naming who and when, if `version` is not the current one."""
+    """Change words, traffic or insets. Raises Conflict, naming who and when, if `version` is not current."""
     before = get_row(session, surveys, survey_id, "survey")
     if before["version"] != version:
         who, when = last_change(session, before)
         raise Conflict("surveys-changed-survey-look-again-redo", name=who, when=when)
-    content = _content(name, site, description, insets)
+    content = _content(name, site, description, traffic, insets)
     stamps = {"version": version + 1, "updated_at": now(), "updated_by": actor}
     change_row(session, surveys, survey_id, {**content, **stamps})
     what = trail.changed(before, content, EDITABLE)
@@ -98,17 +102,20 @@ def update_survey(
     return get_survey(session, survey_id)
 
 
-def _content(name: str, site: str, description: str, insets: Mapping[str, Inset]) -> dict[str, Any]:
+def _content(
+    name: str, site: str, description: str, traffic: TrafficFacts, insets: Mapping[str, Inset]
+) -> dict[str, Any]:
     if not name.strip():
         raise BadInput("surveys-survey-needs-name-fill")
     for target, inset in insets.items():
-        if target not in DEFAULT_INSETS or not inset.u_inset_m >= 0:
+        if target not in USUAL_INSETS or not inset.u_inset_m >= 0:
             raise BadInput("surveys-inset-cannot-used-give-known-target", target=target)
     whole = {**default_insets(), **insets}
     return {
         "name": name.strip(),
         "site": site.strip(),
         "description": description.strip(),
+        **asdict(traffic),
         "insets": {target: asdict(inset) for target, inset in whole.items()},
     }
 
@@ -122,5 +129,11 @@ def _survey(row: Mapping[str, Any]) -> Survey:
         is_demo=row["is_demo"],
         version=row["version"],
         created_at=row["created_at"],
+        traffic=traffic_of_row(row),
         insets={target: Inset(**values) for target, values in row["insets"].items()},
     )
+
+
+def traffic_of_row(row: Mapping[Any, Any]) -> TrafficFacts:
+    """The traffic of a survey, from its row or one joined with it."""
+    return TrafficFacts(**{name: row[name] for name in TRAFFIC})

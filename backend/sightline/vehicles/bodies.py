@@ -4,7 +4,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from sightline.enums import Category, Lighting
+from sightline.enums import Category, Direction, DriverSide, Lighting
 from sightline.infra.web.bodies import Finite, FrameNumber, In, Text
 from sightline.infra.web.quantities import Word
 from sightline.vehicles.records import MOST_HEIGHT_M
@@ -24,6 +24,8 @@ class VehicleFields(In):
     u_manufacturer_height_m: Annotated[Finite, Field(ge=0, le=MOST_HEIGHT_M)] | None = None
     height_source: Text | None = None
     lighting: Lighting | None = None
+    direction: Direction | None = None
+    driver_side: DriverSide | None = None
     notes: Text | None = None
 
 

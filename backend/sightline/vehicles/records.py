@@ -6,7 +6,7 @@ from typing import Annotated, TypedDict
 
 from pydantic import Field
 
-from sightline.enums import Category, Direction, JsonObject, Lighting, VehicleOrigin
+from sightline.enums import Category, Direction, DriverSide, JsonObject, Lighting, SideBasis, VehicleOrigin
 from sightline.infra.audit.records import Who
 
 MOST_HEIGHT_M = 10.0  # of a vehicle, and of its uncertainty; a height is more than 0
@@ -36,11 +36,16 @@ class Vehicle:
     direction: Annotated[
         Direction | None, Field(description="Which way it goes in the picture, where that is known.")
     ]
+    driver_side: Annotated[
+        DriverSide | None, Field(description="Where the driver sits, if somebody said so of this vehicle.")
+    ]
     detection: Annotated[JsonObject | None, Field(description="What the search for passes saw of it.")]
     version: int
     updated_by: Who | None
     updated_at: datetime
     deleted: bool
+    side: Annotated[DriverSide | None, Field(description="Where the driver sits: said or derived.")]
+    side_from: Annotated[SideBasis | None, Field(description="What `side` follows from.")]
 
 
 class VehicleChanges(TypedDict, total=False):
@@ -60,4 +65,5 @@ class VehicleChanges(TypedDict, total=False):
     notes: str
     origin: VehicleOrigin
     direction: Direction | None
+    driver_side: DriverSide | None
     detection: JsonObject | None

@@ -9,11 +9,14 @@ from sqlalchemy.orm import Session
 
 from sightline.enums import Direction
 from sightline.errors import BadInput, Conflict
+from sightline.geometry.sides import driver_side
 from sightline.infra.audit import trail
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import add_row, change_row, get_row, last_change, missing, who
 from sightline.infra.database.types import columns_of, now
 from sightline.recordings.tables import recordings
+from sightline.surveys.store import TRAFFIC, traffic_of_row
+from sightline.surveys.tables import surveys
 from sightline.vehicles.records import MOST_HEIGHT_M, Vehicle, VehicleChanges
 from sightline.vehicles.tables import vehicles
 
@@ -155,8 +158,13 @@ def _checked(fields: Mapping[str, Any], frame_count: int | None) -> dict[str, An
 
 
 def vehicle_rows(*where: ColumnElement[bool], deleted: bool = False) -> Select[Any]:
-    """Vehicles by number with who changed them last, for `facts_of_row`; `deleted`: those too."""
-    query = select(vehicles, people.c.name.label("changer"))
+    """Vehicles by number with who changed them last and their survey's traffic, for `facts_of_row`.
+
+    `deleted`: those too.
+    """
+    traffic = (surveys.c[name] for name in TRAFFIC)
+    query = select(vehicles, people.c.name.label("changer"), *traffic)
+    query = query.join(surveys, surveys.c.id == vehicles.c.survey_id)
     query = query.outerjoin(people, people.c.id == vehicles.c.updated_by).order_by(vehicles.c.number)
     return query.where(*where) if deleted else query.where(*where, _ALIVE)
 
@@ -165,4 +173,6 @@ def facts_of_row(row: Mapping[Any, Any]) -> dict[str, Any]:
     """The fields of a Vehicle, from a row of `vehicle_rows`."""
     stored = {name: row[name] for name in _NAMED}
     changed = {"updated_by": who(row["updated_by"], row["changer"]), "deleted": row["deleted_at"] is not None}
-    return {**stored, **changed}
+    found = driver_side(row["driver_side"], row["direction"], traffic_of_row(row))
+    side = {"side": found and found.side, "side_from": found and found.basis}
+    return {**stored, **changed, **side}

@@ -12,7 +12,7 @@ from sqlalchemy import (
     UniqueConstraint,
 )
 
-from sightline.enums import Category, Direction, Lighting, VehicleOrigin
+from sightline.enums import Category, Direction, DriverSide, Lighting, VehicleOrigin
 from sightline.infra.audit.vouched import ChangedByEvents, vouched
 from sightline.infra.database.types import CanonicalJson, UtcDateTime, enum_check, identity, metadata
 
@@ -38,6 +38,8 @@ vehicles = Table(
     # found by the job that looks for passes, or marked by a person; where it goes in the picture
     Column("origin", String(20), nullable=False, server_default="person"),
     Column("direction", String(20)),
+    # where the driver sits, as the camera sees it; empty: as direction and the survey's traffic say
+    Column("driver_side", String(20)),
     Column("detection", CanonicalJson),
     Column("version", Integer, nullable=False),
     Column("created_at", UtcDateTime, nullable=False),
@@ -50,6 +52,7 @@ vehicles = Table(
     enum_check("lighting", Lighting),
     enum_check("origin", VehicleOrigin),
     enum_check("direction", Direction),
+    enum_check("driver_side", DriverSide),
     CheckConstraint("first_frame >= 0 AND last_frame >= first_frame", name="span_forward"),
     CheckConstraint("version >= 1", name="version_counts"),
     info=vouched(ChangedByEvents("vehicle", "vehicle")),

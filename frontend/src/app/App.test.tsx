@@ -35,7 +35,15 @@ const survey: Survey = {
   version: 1,
   created_at: "2026-11-21T10:00:00Z",
   inset_choices: {},
-  insets: { roof: inset, driver_eye: inset, taillight: inset, headlight: inset, other: inset },
+  traffic: { traffic_side: null, steering_side: null, camera_place: null },
+  insets: {
+    roof: inset,
+    driver_eye_near: inset,
+    driver_eye_far: inset,
+    taillight: inset,
+    headlight: inset,
+    other: inset,
+  },
   counts: {
     recordings: 1,
     vehicles: 4,

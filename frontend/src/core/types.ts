@@ -13,6 +13,8 @@ export type Target = Schemas["MeasurementBody"]["target"];
 export type Verdict = Schemas["ReviewState"]["verdict"];
 export type StepKey = Schemas["Step"]["key"];
 export type Lighting = NonNullable<Schemas["VehicleBody"]["lighting"]>;
+export type Direction = NonNullable<Schemas["VehicleBody"]["direction"]>;
+export type DriverSide = NonNullable<Schemas["VehicleBody"]["driver_side"]>;
 export type Category = NonNullable<Schemas["VehicleBody"]["category"]>;
 
 export const ROLE_NAMES = wordsOf({
@@ -28,6 +30,9 @@ export type Me = Schemas["Me"];
 export type Inset = Schemas["InsetBody"];
 export type Step = Schemas["Step"];
 export type Survey = Schemas["SurveyBody"];
+/** How traffic goes at a site and where the camera stands; null: nobody has said. */
+export type Traffic = Survey["traffic"];
+export type InsetName = keyof Survey["insets"];
 
 export type CameraDocument = Schemas["CameraDocument"];
 
@@ -72,6 +77,8 @@ export type VehicleFields = Pick<
   | "u_manufacturer_height_m"
   | "height_source"
   | "lighting"
+  | "direction"
+  | "driver_side"
   | "notes"
 >;
 export type CatalogueRow = Schemas["CatalogueEntry"];

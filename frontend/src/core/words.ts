@@ -1,6 +1,6 @@
 /** The words of the domain: what can be measured on a vehicle, and the states that things are in. */
 import { wordsOf } from "./messages";
-import type { Category, Lighting, Target } from "./types";
+import type { Category, Direction, DriverSide, InsetName, Lighting, Target } from "./types";
 
 export const TARGETS: readonly Target[] = ["roof", "driver_eye", "taillight", "headlight", "other"];
 /** A vehicle is measured when it has these three. */
@@ -32,6 +32,37 @@ export const LIGHTING_WORDS: Readonly<Record<Lighting, string>> = wordsOf({
 export const LIGHTING_NOUNS: Readonly<Record<Lighting, string>> = wordsOf({
   daytime: "lighting-noun-daytime",
   low_light: "lighting-noun-low_light",
+});
+
+/** Which way a pass goes in the picture. */
+export const DIRECTION_WORDS: Readonly<Record<Direction, string>> = wordsOf({
+  right: "direction-right",
+  left: "direction-left",
+});
+
+/** On which side of a vehicle, as the camera sees it, its driver sits. */
+export const SIDE_WORDS: Readonly<Record<DriverSide, string>> = wordsOf({
+  near: "side-near",
+  far: "side-far",
+});
+
+export const INSET_NAMES: readonly InsetName[] = [
+  "roof",
+  "driver_eye_near",
+  "driver_eye_far",
+  "taillight",
+  "headlight",
+  "other",
+];
+
+/** What an inset is for: a target, of an eye with the driver's side. */
+export const INSET_WORDS: Readonly<Record<InsetName, string>> = wordsOf({
+  roof: "target-roof",
+  driver_eye_near: "inset-driver_eye_near",
+  driver_eye_far: "inset-driver_eye_far",
+  taillight: "target-taillight",
+  headlight: "target-headlight",
+  other: "target-other",
 });
 
 export const CATEGORY_WORDS: Readonly<Record<Category, string>> = wordsOf({

@@ -5,7 +5,7 @@
 import { signal } from "@preact/signals";
 import { api, explain } from "../core/api";
 import { Latest } from "../core/latest";
-import type { AxesAnswer, HeightAnswer, SecondFrameAnswer, Target } from "../core/types";
+import type { AxesAnswer, DriverSide, HeightAnswer, SecondFrameAnswer, Target } from "../core/types";
 import { type ImagePoint, pair, samePoint } from "./points";
 import { clickBody, type FramePoints, frameBody, type Inset, type Values } from "./values";
 
@@ -17,6 +17,10 @@ export interface AxesWish {
   readonly contact: ImagePoint;
   readonly target: Target;
   readonly inset: Inset | null;
+  /** Whose driver's side counts for an eye. */
+  readonly vehicleId?: number | null;
+  /** Where that driver sits, as far as is known: another one asks anew. */
+  readonly side?: DriverSide | null;
 }
 
 export interface HeightWish extends AxesWish {
@@ -108,8 +112,8 @@ export class Geometry {
   }
 }
 
-function askAxes({ recordingId, contact, target, inset }: AxesWish): Promise<AxesAnswer> {
-  const body = { contact: pair(contact), target, ...(inset ?? {}) };
+function askAxes({ recordingId, contact, target, inset, vehicleId }: AxesWish): Promise<AxesAnswer> {
+  const body = { contact: pair(contact), target, ...(inset ?? {}), vehicle_id: vehicleId ?? null };
   return api.ask(
     "POST /recordings/{recording_id}/geometry/axes",
     { recording_id: recordingId },
@@ -126,10 +130,12 @@ export function askHeight({
   inset,
   sigma_px,
   more,
+  vehicleId,
 }: HeightWish): Promise<HeightAnswer> {
   const sigma = sigma_px === null ? {} : { sigma_px };
   const clicked = { target, ...frameBody({ frame, contact, point }) };
-  const body = { ...clicked, ...(inset ?? {}), ...sigma, more_frames: more?.map(frameBody) };
+  const of = { vehicle_id: vehicleId ?? null };
+  const body = { ...clicked, ...of, ...(inset ?? {}), ...sigma, more_frames: more?.map(frameBody) };
   return api.ask(
     "POST /recordings/{recording_id}/geometry/height",
     { recording_id: recordingId },
@@ -156,6 +162,8 @@ function sameAxes(a: AxesWish, b: AxesWish | null): boolean {
     b !== null &&
     a.recordingId === b.recordingId &&
     a.target === b.target &&
+    a.vehicleId === b.vehicleId &&
+    a.side === b.side &&
     samePoint(a.contact, b.contact) &&
     a.inset?.inset_m === b.inset?.inset_m &&
     a.inset?.u_inset_m === b.inset?.u_inset_m

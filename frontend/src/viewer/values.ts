@@ -26,6 +26,11 @@ export interface Values extends FramePoints {
   readonly withdrawn: boolean;
 }
 
+/** Null for an eye of which nobody knows on which side the driver sits. */
+export function insetOf({ inset_m, u_inset_m }: Pick<Measurement, "inset_m" | "u_inset_m">): Inset | null {
+  return inset_m === null || u_inset_m === null ? null : { inset_m, u_inset_m };
+}
+
 export function valuesOf(m: Measurement): Values {
   return {
     target: m.target,
@@ -37,7 +42,7 @@ export function valuesOf(m: Measurement): Values {
       contact: fromServer(one.contact),
       point: fromServer(one.target_point),
     })),
-    inset: { inset_m: m.inset_m, u_inset_m: m.u_inset_m },
+    inset: insetOf(m),
     sigma_px: m.sigma_px,
     withdrawn: m.withdrawn,
   };

@@ -16,7 +16,7 @@ from sightline.export.report.facts import (
     RecordingFacts,
     ReportFacts,
 )
-from sightline.geometry.insets import DEFAULT_INSETS
+from sightline.geometry.insets import USUAL_INSETS
 from sightline.results.survey_statistics import Statistics, StatisticsOptions
 from sightline.surveys.photographs.records import PhotographFile
 
@@ -78,7 +78,7 @@ def facts(
         poses=tuple(_pose(k, name) for k, name in ((1, "lane-1-day.mkv"), (2, "lane-1-dusk.mkv"))),
         insets=tuple(
             InsetFacts(name, inset, u, note)
-            for name, (inset, u, note) in DEFAULT_INSETS.items()
+            for name, (inset, u, note) in USUAL_INSETS.items()
             if name != "other"
         ),
         exclusions=tuple(

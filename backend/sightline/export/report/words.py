@@ -11,6 +11,10 @@ TARGETS: dict[Target, str] = {
     "roof": "roof",
     "other": "other",
 }
+EYES = {
+    "driver_eye_near": "driver’s eye, driver on the near side",
+    "driver_eye_far": "driver’s eye, driver on the far side",
+}
 MANY: dict[StatisticsTarget, str] = {
     "driver_eye": "drivers’ eyes",
     "taillight": "taillights’ lower limits",
@@ -35,8 +39,9 @@ def heading(word: str) -> str:
 
 
 def target_words(word: str) -> str:
-    """A target as a package names it, for people; one that is not known by its own name."""
-    return next((words for target, words in TARGETS.items() if target == word), word)
+    """A target or an inset as a package names it, for people; one that is not known by its own name."""
+    known = [*TARGETS.items(), *EYES.items()]
+    return next((words for name, words in known if name == word), word)
 
 
 def group_word(grouping: str, word: str) -> str:

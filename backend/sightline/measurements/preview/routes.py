@@ -17,14 +17,14 @@ router = APIRouter()
 @router.post("/recordings/{recording_id}/geometry/axes")
 def axes_through_contact(recording_id: PathId, body: AxesWanted, who: Viewer, session: Reading) -> Ruler:
     """The road's axes through a contact click, and the ladder of heights above it."""
-    return ruler_at(session, recording_id, body.contact, body.target, body.inset_m)
+    return ruler_at(session, recording_id, body.contact, body.target, body.inset_m, body.vehicle_id)
 
 
 @router.post("/recordings/{recording_id}/geometry/height")
 def height_of_point(recording_id: PathId, body: HeightWanted, who: Viewer, session: Reading) -> Answer:
     """The height that these two points would be stored with."""
     clicks = clicks_of(body, body.target)
-    return height_at(session, recording_id, clicks, actor=who.id)
+    return height_at(session, recording_id, clicks, vehicle_id=body.vehicle_id, actor=who.id)
 
 
 @router.post("/recordings/{recording_id}/geometry/second-frame")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import get_args
 
-from sightline.enums import Category, Lighting
+from sightline.enums import Category, Direction, DriverSide, Lighting
 from sightline.infra.csv_package.columns import integer, key, metres, text
 from sightline.infra.csv_package.schema import Table
 from sightline.measurements.records import VehicleSheet
@@ -31,6 +31,15 @@ VEHICLES: Table[VehicleSheet] = Table(
         ),
         text("height_source", "where that height comes from", lambda v: v.height_source),
         text("lighting", "light at the time of the pass", lambda v: v.lighting, enum=get_args(Lighting)),
+        text(
+            "direction", "which way it goes in the picture", lambda v: v.direction, enum=get_args(Direction)
+        ),
+        text(
+            "driver_side",
+            "where the driver was said to sit, as the camera sees it; else it follows from the direction",
+            lambda v: v.driver_side,
+            enum=get_args(DriverSide),
+        ),
         text("notes", "remarks", lambda v: v.notes),
         text("state", "how far the work on it is", lambda v: v.state, required=True),
     ),

@@ -9,7 +9,7 @@ from sightline.infra.database import Session
 from sightline.infra.web.bodies import Id
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
 from sightline.measurements.bodies import VehicleBody, vehicle_body
-from sightline.measurements.sheets import query
+from sightline.measurements.sheets import query, service
 from sightline.surveys.store import get_survey
 from sightline.vehicles import store
 from sightline.vehicles.bodies import ChangedVehicle, NewVehicle, VehicleFields
@@ -60,9 +60,12 @@ def get_vehicle(vehicle_id: PathId, who: Viewer, session: Reading) -> VehicleBod
 
 @router.put("/vehicles/{vehicle_id}")
 def change_vehicle(vehicle_id: PathId, body: ChangedVehicle, who: Operator, session: Writing) -> VehicleBody:
-    """Change a record. If somebody was quicker, the conflict says who and when and carries the record."""
+    """Change a record; an eye is computed again where the driver's side becomes another.
+
+    If somebody was quicker, the conflict says who and when and carries the record.
+    """
     try:
-        store.update_vehicle(session, vehicle_id, changes_of(body), version=body.version, actor=who.id)
+        service.change_vehicle(session, vehicle_id, changes_of(body), version=body.version, actor=who.id)
     except Conflict as error:
         error.current = sheet_body(session, vehicle_id)
         raise

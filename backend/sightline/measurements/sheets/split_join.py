@@ -42,6 +42,7 @@ def split(
         "lighting": whole.lighting,
         "origin": whole.origin,
         "direction": whole.direction,
+        "driver_side": whole.driver_side,
     }
     made = create_vehicle(session, whole.recording_id, fields, actor=actor)
     return (made, kept) if later else (kept, made)

@@ -10,7 +10,7 @@ from typing import Annotated, get_args
 import numpy as np
 from pydantic import Field
 
-from sightline.enums import InsetMethod, Target
+from sightline.enums import InsetMethod, InsetName, Target
 from sightline.geometry.inset_trend import (
     InsetEstimate,
     Sightings,
@@ -20,7 +20,7 @@ from sightline.geometry.inset_trend import (
     sightings,
     together,
 )
-from sightline.geometry.insets import DEFAULT_INSETS, INSET_CHOICES, bias_m
+from sightline.geometry.insets import INSET_CHOICES, USUAL_INSETS, bias_m, target_of
 from sightline.infra.database import Session
 from sightline.measurements.records import Measurement, VehicleSheet
 from sightline.measurements.service import road_pose
@@ -34,8 +34,9 @@ from sightline.surveys.store import get_survey
 USUAL_CAMERA_M = 1.5
 CASES_AT_M = (2.0, 3.0, 4.0, 5.0)
 # Heights for the table of typical cases; the insets are the survey's own.
-_CASES: tuple[tuple[Target, float], ...] = (
-    ("driver_eye", 1.16),
+_CASES: tuple[tuple[InsetName, float], ...] = (
+    ("driver_eye_near", 1.16),
+    ("driver_eye_far", 1.16),
     ("taillight", 0.87),
     ("headlight", 0.65),
     ("roof", 1.45),
@@ -97,15 +98,14 @@ class Estimate:
 
 @dataclass(frozen=True)
 class TargetInsets:
-    """A target's inset in force and what the survey says of it; typical: medians of what was measured."""
+    """An inset in force and what the survey says of it; typical: medians of what was measured."""
 
+    name: InsetName
     target: Target
     in_force: Inset
     is_default: bool
     measured: int
-    other_insets: Annotated[
-        int, Field(description="Measured as something else (driver on the far side); not used.")
-    ]
+    other_insets: Annotated[int, Field(description="Measured as something else (a roof's crown); not used.")]
     typical_height_m: float | None
     typical_distance_m: float | None
     estimates: tuple[Estimate, ...]
@@ -141,7 +141,7 @@ class _Rows:
 
 
 def check_insets(session: Session, survey_id: int) -> InsetCheck:
-    """Estimate each target's inset from the survey itself. Raises NotFound."""
+    """Estimate each inset from the survey itself. Raises NotFound."""
     survey = get_survey(session, survey_id)
     known = {one.id: one for one in list_sheets(session, survey_id)}
     standing = [
@@ -150,19 +150,26 @@ def check_insets(session: Session, survey_id: int) -> InsetCheck:
         if one.review.verdict != "rejected" and one.vehicle_id in known
     ]
     found = tuple(
-        _target(session, survey, target, [one for one in standing if one.values.target == target], known)
-        for target in get_args(Target)
+        _inset(session, survey, name, [one for one in standing if _is_of(name, one)], known)
+        for name in get_args(InsetName)
     )
     camera_m = _camera_height(session, survey_id)
     return InsetCheck(found, camera_m, CASES_AT_M, cases(survey, camera_m))
 
 
+def _is_of(name: InsetName, one: Measurement) -> bool:
+    target, side = target_of(name)
+    return one.values.target == target and (side is None or one.values.side == side)
+
+
 def cases(survey: Survey, camera_height_m: float) -> tuple[InsetCase, ...]:
-    """Typical heights with the survey's insets, and drivers on the far side, and roofs' crowns."""
+    """Typical heights with the survey's insets: eyes of both sides, roofs' edges and crowns."""
     rows: list[tuple[Target, str, float, float]] = []
-    for target, height_m in _CASES:
+    for name, height_m in _CASES:
+        target, side = target_of(name)
         choices = INSET_CHOICES.get(target, ())
-        rows.append((target, choices[0][0] if choices else "", height_m, survey.insets[target].inset_m))
+        words = f"{side} side" if side else choices[0][0] if choices else ""
+        rows.append((target, words, height_m, survey.insets[name].inset_m))
         rows += [(target, words, height_m, inset_m) for words, inset_m, _ in choices[1:]]
     return tuple(
         InsetCase(
@@ -179,20 +186,21 @@ def _camera_height(session: Session, survey_id: int) -> float:
     return float(np.median(found)) if found else USUAL_CAMERA_M
 
 
-def _target(
+def _inset(
     session: Session,
     survey: Survey,
-    target: Target,
+    name: InsetName,
     standing: Sequence[Measurement],
     known: dict[int, VehicleSheet],
 ) -> TargetInsets:
-    in_force = survey.insets[target]
+    in_force, (target, _) = survey.insets[name], target_of(name)
     fitting = [one for one in standing if not _is_other_choice(one, in_force)]
     rows = _rows(session, fitting)
     estimates = [_from_known(rows, known)] if target == "roof" else []
     estimates += [_from_trend(rows, known), _from_solved(fitting, known)]
-    default = DEFAULT_INSETS[target][:2]
+    default = USUAL_INSETS[name][:2]
     return TargetInsets(
+        name=name,
         target=target,
         in_force=in_force,
         is_default=(in_force.inset_m, in_force.u_inset_m) == default,
@@ -200,12 +208,12 @@ def _target(
         other_insets=len(standing) - len(fitting),
         typical_height_m=_median([one.values.height_m for one in fitting if one.values.height_m is not None]),
         typical_distance_m=None if rows.seen is None else _median(rows.seen.distance_m.tolist()),
-        estimates=tuple(_offered(one, target, in_force, rows.seen) for one in estimates),
+        estimates=tuple(_offered(one, name, in_force, rows.seen) for one in estimates),
     )
 
 
 def _is_other_choice(one: Measurement, in_force: Inset) -> bool:
-    """Whether it was clicked as something else: a driver on the far side, a roof's crown."""
+    """Whether it was clicked as something else: a roof's crown."""
     stored = (one.values.inset_m, one.values.u_inset_m)
     others = {(inset, u) for _, inset, u in INSET_CHOICES.get(one.values.target, ())[1:]}
     return stored in others and stored != (in_force.inset_m, in_force.u_inset_m)
@@ -285,7 +293,7 @@ def _estimate(
     )
 
 
-def _offered(one: Estimate, target: Target, in_force: Inset, seen: Sightings | None) -> Estimate:
+def _offered(one: Estimate, name: InsetName, in_force: Inset, seen: Sightings | None) -> Estimate:
     """The estimate with what it would change, and as the survey's inset where it may become that."""
     if one.inset_m is None or one.u_inset_m is None:
         return one
@@ -295,7 +303,7 @@ def _offered(one: Estimate, target: Target, in_force: Inset, seen: Sightings | N
         difference = float(np.median(by_inset)) * (one.inset_m - in_force.inset_m)
     offer = None
     if one.caution is None:
-        between = DEFAULT_INSETS[target][1] if one.spread_m is None else one.spread_m
+        between = USUAL_INSETS[name][1] if one.spread_m is None else one.spread_m
         u = float(np.ceil(np.hypot(one.u_inset_m, between) / _OFFER_STEP_M - 1e-9)) * _OFFER_STEP_M
         note = _NOTES[one.method].format(n=one.vehicles)
         mean = f"{one.inset_m:.3f} m (u {one.u_inset_m:.3f} m) on average, {between:.2f} m between vehicles"

@@ -79,7 +79,7 @@ def _heights(pose: RoadPose, standing: Sequence[Measurement]) -> Floats:
             pose,
             [one.values.contact for one in standing],
             [one.values.target_point for one in standing],
-            inset_m=[one.values.inset_m for one in standing],
+            inset_m=[np.nan if one.values.inset_m is None else one.values.inset_m for one in standing],
             with_uncertainty=False,
         ).height_m
     )

@@ -33,7 +33,7 @@ class Click:
     target: Target
     frame: int
     pose_id: int
-    inset_m: float
+    inset_m: float | None
     person: Who
     contact: Point
     target_point: Point
@@ -41,14 +41,19 @@ class Click:
     u_clicks_m: float | None
 
     @property
+    def _inset_m(self) -> float:
+        """To be sorted by; an eye of unknown side has none."""
+        return -1.0 if self.inset_m is None else self.inset_m
+
+    @property
     def item(self) -> tuple[int, int, int, float]:
         """Heights with the same item differ by their clicks alone."""
-        return self.first_id, self.frame, self.pose_id, self.inset_m
+        return self.first_id, self.frame, self.pose_id, self._inset_m
 
     @property
     def framed(self) -> tuple[int, int, float]:
         """Heights with the same of these, but other frames, differ by the frame too."""
-        return self.first_id, self.pose_id, self.inset_m
+        return self.first_id, self.pose_id, self._inset_m
 
 
 def clicks_of_survey(session: Session, survey_id: int) -> tuple[Click, ...]:
@@ -91,6 +96,9 @@ def alone(session: Session, one: Measurement) -> tuple[float | None, float | Non
         sigma_px=values.sigma_px,
         inset_m=values.inset_m,
         u_inset_m=values.u_inset_m,
+        inset_from=values.inset_from,
+        side=values.side,
+        side_from=values.side_from,
     )
     found = answer(road_pose(session, one.values.pose_id), clicks)
     return found.height_m, _u_clicks(found.height_m, found.budget)

@@ -2,6 +2,7 @@
 
 from fastapi import APIRouter
 
+from sightline.geometry.sides import TrafficFacts
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
 from sightline.results.overview.query import survey_overview, survey_overviews
 from sightline.results.overview.records import Step, SurveyCounts, SurveyOverview
@@ -21,9 +22,13 @@ class SurveyBody(SurveyFacts):
 
 def survey_body(overview: SurveyOverview) -> SurveyBody:
     """A survey with its overview as one object."""
-    facts = SurveyFacts.model_validate(overview.survey).model_dump()
+    facts = SurveyFacts.model_validate(overview.survey).model_dump(exclude={"inset_choices"})
     progress = {"counts": overview.counts, "steps": overview.steps, "scans": overview.scans}
     return SurveyBody.model_validate({**facts, **progress})
+
+
+def _traffic(body: NewSurvey, before: TrafficFacts) -> TrafficFacts:
+    return before if body.traffic is None else TrafficFacts(**body.traffic.model_dump())
 
 
 @router.get("/surveys")
@@ -36,7 +41,12 @@ def list_surveys(who: Viewer, session: Reading) -> list[SurveyBody]:
 def add_survey(body: NewSurvey, who: Operator, session: Writing) -> SurveyBody:
     """A new, empty survey."""
     made = store.create_survey(
-        session, name=body.name, site=body.site, description=body.description, actor=who.id
+        session,
+        name=body.name,
+        site=body.site,
+        description=body.description,
+        traffic=_traffic(body, TrafficFacts()),
+        actor=who.id,
     )
     return survey_body(survey_overview(session, made.id))
 
@@ -49,8 +59,9 @@ def get_survey(survey_id: PathId, who: Viewer, session: Reading) -> SurveyBody:
 
 @router.put("/surveys/{survey_id}")
 def change_survey(survey_id: PathId, body: SurveyChange, who: Operator, session: Writing) -> SurveyBody:
-    """Change words or insets; insets count for measurements made from now on."""
-    insets = dict(store.get_survey(session, survey_id).insets)
+    """Change words, traffic or insets; they count for measurements made from now on."""
+    before = store.get_survey(session, survey_id)
+    insets = dict(before.insets)
     for target, inset in (body.insets or InsetChanges()).model_dump(exclude_none=True).items():
         insets[target] = Inset(**inset)
     store.update_survey(
@@ -59,6 +70,7 @@ def change_survey(survey_id: PathId, body: SurveyChange, who: Operator, session:
         name=body.name,
         site=body.site,
         description=body.description,
+        traffic=_traffic(body, before.traffic),
         insets=insets,
         version=body.version,
         actor=who.id,

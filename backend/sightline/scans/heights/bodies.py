@@ -82,7 +82,7 @@ class LinePosesBody(Out):
 
 
 class LineClicks(In):
-    """Two clicks in strip 1; what is left out is 1 px and the survey's inset."""
+    """Two clicks in strip 1; what is left out is 1 px and the survey's inset. An eye needs its inset."""
 
     target: Target
     contact_line: Line
@@ -124,8 +124,8 @@ class LineHeightAnswer(Out):
     height_m: float | None
     u_height_m: float | None
     U95_height_m: float | None
-    inset_m: float
-    u_inset_m: float
+    inset_m: float | None
+    u_inset_m: float | None
     budget: list[BudgetEntryBody]
     warnings: list[str]
     ladder: list[LineRungBody]

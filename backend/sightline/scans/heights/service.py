@@ -10,6 +10,7 @@ from dataclasses import asdict, dataclass
 from sightline.coverage import expanded
 from sightline.enums import Target
 from sightline.errors import BadInput
+from sightline.geometry.insets import SIDE_UNKNOWN
 from sightline.infra.database import Session
 from sightline.infra.version import code_version
 from sightline.linescan.line_height import LineHeight, contact_distance, ladder, line_height
@@ -44,7 +45,10 @@ class RowClicks:
 
 @dataclass(frozen=True)
 class Clicked:
-    """What a person clicked; None is filled in: 1 px, the survey's inset. `point` None: only the contact."""
+    """What a person clicked; None is filled in: 1 px, the survey's inset. `point` None: only the contact.
+
+    An eye needs its inset: strips do not tell on which side of a vehicle the driver sits.
+    """
 
     target: Target
     contact: tuple[float, float]
@@ -56,11 +60,14 @@ class Clicked:
 
 @dataclass(frozen=True)
 class HeightPreview:
-    """A height not stored yet, with the ladder of (height m, row) above the contact, `inset_m` behind it."""
+    """A height not stored yet, with the ladder of (height m, row) above the contact, `inset_m` behind it.
+
+    An eye of unknown side has neither.
+    """
 
     found: LineHeight
-    inset_m: float
-    u_inset_m: float
+    inset_m: float | None
+    u_inset_m: float | None
     ladder: tuple[tuple[float, float], ...]
 
     @property
@@ -73,7 +80,10 @@ def preview_line_height(session: Session, scan_id: int, clicked: Clicked) -> Hei
     scan = get_scan(session, scan_id)
     pose = pose_of(_pose(session, scan_id).values)
     clicks = _filled(session, scan.survey_id, clicked)
-    distance_m = contact_distance(pose, clicks.contact[1])
+    distance_m = contact_distance(pose, clicked.contact[1])
+    if clicks is None:
+        reason = None if clicked.target_point is None and distance_m is not None else SIDE_UNKNOWN
+        return HeightPreview(LineHeight("not_measurable", reason, distance_m), None, None, ())
     rungs = ladder(pose, distance_m + clicks.inset_m, scan.rows_px or 0) if distance_m is not None else ()
     only_contact = clicked.target_point is None and distance_m is not None
     found = LineHeight("not_measurable", None, distance_m) if only_contact else answer(pose, clicks)
@@ -85,11 +95,14 @@ def store_line_height(
 ) -> StoredLineHeight:
     """Store the height of a target, with the newest calibration; `seen_revision`: 0 where none was there.
 
-    Raises NotFound, Conflict, BadInput without a calibration or for clicks outside the strip.
+    Raises NotFound, Conflict, BadInput without a calibration, for clicks outside the strip, or for an eye
+    without its inset.
     """
     vehicle = get_scan_vehicle(session, vehicle_id)
     scan = get_scan(session, vehicle.scan_id)
     clicks = _filled(session, scan.survey_id, clicked)
+    if clicks is None:
+        raise BadInput("scans-eye-needs-side-say-which")
     for line, row in (clicks.contact, clicks.target_point):
         if not shows(scan, line, row):
             raise BadInput("scans-click-line-row-lies-outside-strip", line=line, row=row)
@@ -142,10 +155,13 @@ def _pose(session: Session, scan_id: int) -> StoredLinePose:
     return found
 
 
-def _filled(session: Session, survey_id: int, clicked: Clicked) -> RowClicks:
-    usual = inset_for(clicked.target, get_survey(session, survey_id).insets)
-    inset_m = usual.inset_m if clicked.inset_m is None else clicked.inset_m
-    u_inset_m = usual.u_inset_m if clicked.u_inset_m is None else clicked.u_inset_m
+def _filled(session: Session, survey_id: int, clicked: Clicked) -> RowClicks | None:
+    """The clicks with what was left out; None for an eye without its inset."""
+    usual = inset_for(clicked.target, None, get_survey(session, survey_id).insets)
+    inset_m = usual.inset_m if clicked.inset_m is None and usual else clicked.inset_m
+    u_inset_m = usual.u_inset_m if clicked.u_inset_m is None and usual else clicked.u_inset_m
+    if inset_m is None or u_inset_m is None:
+        return None
     return RowClicks(
         target=clicked.target,
         contact=clicked.contact,

@@ -8,8 +8,9 @@ import { useResource } from "../../core/resource";
 import { canWork } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
 import { toast } from "../../core/toasts";
-import type { Survey, Target } from "../../core/types";
+import type { InsetName, Survey } from "../../core/types";
 import { formatLength, formatSmall } from "../../core/units";
+import { INSET_WORDS } from "../../core/words";
 import { InsetDrawing } from "./InsetDrawing";
 import { type Estimate, type InsetCheck, TARGET_NAMES, type TargetInsets } from "./types";
 
@@ -26,19 +27,19 @@ export function InsetsTab({ survey }: { survey: Survey }) {
   );
   const [problem, setProblem] = useState<unknown>(null);
   const [busy, setBusy] = useState<string | null>(null);
-  const use = async (target: Target, estimate: Estimate) => {
+  const use = async (name: InsetName, estimate: Estimate) => {
     if (!estimate.offer) return;
-    setBusy(`${target} ${estimate.method}`);
+    setBusy(`${name} ${estimate.method}`);
     setProblem(null);
     try {
-      const { name, site, description, version } = survey;
-      const insets = { [target]: estimate.offer };
+      const { site, description, version } = survey;
+      const insets = { [name]: estimate.offer };
       await api.write(
         "PUT /surveys/{survey_id}",
         { survey_id: survey.id },
-        { body: { name, site, description, version, insets } },
+        { body: { name: survey.name, site, description, version, insets } },
       );
-      toast(say("checks-used", { target }));
+      toast(say("checks-used", { target: name }));
     } catch (error) {
       setProblem(error);
     }
@@ -67,7 +68,7 @@ export function InsetsTab({ survey }: { survey: Survey }) {
                 </tr>
               </thead>
               {check.data.targets.map((one) => (
-                <TargetRows key={one.target} target={one} busy={busy} use={use} />
+                <TargetRows key={one.name} target={one} busy={busy} use={use} />
               ))}
             </table>
           </TableScroll>
@@ -82,7 +83,7 @@ export function InsetsTab({ survey }: { survey: Survey }) {
 interface RowsProps {
   target: TargetInsets;
   busy: string | null;
-  use(target: Target, estimate: Estimate): Promise<void>;
+  use(name: InsetName, estimate: Estimate): Promise<void>;
 }
 
 function TargetRows({ target, busy, use }: RowsProps) {
@@ -94,7 +95,7 @@ function TargetRows({ target, busy, use }: RowsProps) {
           {i === 0 && (
             <>
               <th scope="rowgroup" rowSpan={rows}>
-                {TARGET_NAMES[target.target]}
+                {INSET_WORDS[target.name]}
                 <div class="small muted">{say("checks-measurements", { count: target.measured })}</div>
                 {target.other_insets > 0 && (
                   <div class="small muted">{say("checks-other-insets", { count: target.other_insets })}</div>
@@ -115,7 +116,7 @@ function TargetRows({ target, busy, use }: RowsProps) {
               {one.reason}
             </td>
           ) : (
-            <Figures target={target.target} one={one} busy={busy} use={use} />
+            <Figures name={target.name} one={one} busy={busy} use={use} />
           )}
         </tr>
       ))}
@@ -123,9 +124,9 @@ function TargetRows({ target, busy, use }: RowsProps) {
   );
 }
 
-function Figures(props: { target: Target; one: Estimate; busy: string | null; use: RowsProps["use"] }) {
-  const { target, one, busy, use } = props;
-  const name = `${target} ${one.method}`;
+function Figures(props: { name: InsetName; one: Estimate; busy: string | null; use: RowsProps["use"] }) {
+  const { name, one, busy, use } = props;
+  const at = `${name} ${one.method}`;
   return (
     <>
       <td>
@@ -140,9 +141,9 @@ function Figures(props: { target: Target; one: Estimate; busy: string | null; us
         )}
         {one.caution && <div class="small">{one.caution}</div>}
         {one.offer && canWork.value && (
-          <Button small busy={busy === name} disabled={busy !== null} onClick={() => void use(target, one)}>
+          <Button small busy={busy === at} disabled={busy !== null} onClick={() => void use(name, one)}>
             {say("checks-use", {
-              target,
+              target: name,
               inset: formatLength(one.offer.inset_m, 2),
               u_inset: formatLength(one.offer.u_inset_m, 2),
             })}

@@ -1,18 +1,13 @@
-/** What only a look at the vehicle can tell (on which side the driver sits): asked where the target is clicked. */
+/** What only a look at the vehicle can tell: where the driver sits, which spot of the roof was clicked. */
 import { Segments } from "../../components";
-import { say, wordsOf } from "../../core/messages";
+import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import { survey } from "../../core/survey";
-import type { Target } from "../../core/types";
+import type { DriverSide, Target, Vehicle } from "../../core/types";
 import { formatLength } from "../../core/units";
-import { TARGET_WORDS } from "../../core/words";
+import { SIDE_WORDS } from "../../core/words";
 import type { MeasureModel } from "./model";
 import type { Entry } from "./records";
-
-const ASKED: Readonly<Partial<Record<Target, string>>> = wordsOf({
-  driver_eye: "measure-inset-side",
-  roof: "measure-inset-roof",
-});
 
 interface Props {
   model: MeasureModel;
@@ -21,7 +16,48 @@ interface Props {
 }
 
 export function InsetChoice({ model, target, entry }: Props) {
-  const choices = survey.value?.inset_choices?.[target] ?? [];
+  const vehicle = model.vehicle.value;
+  if (target === "driver_eye" && vehicle) return <DriverSideChoice model={model} vehicle={vehicle} />;
+  return target === "roof" ? <RoofChoice model={model} target={target} entry={entry} /> : null;
+}
+
+/** Beside the eye, always: near or far, and what it follows from. One click says it of this vehicle. */
+function DriverSideChoice({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
+  const side = vehicle.driver_side ?? vehicle.side;
+  const silent = survey.value?.traffic.steering_side ? "undirected" : "unknown";
+  const from = vehicle.driver_side ? "said" : (vehicle.side_from ?? silent);
+  const values = {
+    direction: vehicle.direction ?? "right",
+    steering: survey.value?.traffic.steering_side ?? "left",
+  };
+  return (
+    <div class="inset-choice" data-testid="inset-choice-driver_eye" data-side={side ?? "unknown"}>
+      <span class="small">{say("measure-inset-side")}</span>
+      {canWork.value ? (
+        <Segments
+          label={say("measure-inset-side")}
+          value={side ?? ""}
+          options={(Object.keys(SIDE_WORDS) as DriverSide[]).map((one) => ({
+            value: one,
+            label: SIDE_WORDS[one],
+          }))}
+          onChange={(picked) => model.chooseSide(picked as DriverSide)}
+        />
+      ) : (
+        <span class="small">{side ? SIDE_WORDS[side] : say("measure-side-unknown")}</span>
+      )}
+      <span class="small muted">{say("measure-side-from", { from, ...values })}</span>
+      {from === "said" && canWork.value && (
+        <button type="button" class="link small" onClick={() => model.chooseSide(null)}>
+          {say("measure-side-as-survey")}
+        </button>
+      )}
+    </div>
+  );
+}
+
+function RoofChoice({ model, target, entry }: Props) {
+  const choices = survey.value?.inset_choices[target] ?? [];
   const asked = model.flow.value.target === target;
   if (choices.length < 2 || !asked || !canWork.value) return null;
   const now = model.insetOf(target) ?? entry?.values.inset ?? model.usualInset(target);
@@ -30,9 +66,9 @@ export function InsetChoice({ model, target, entry }: Props) {
   );
   return (
     <div class="inset-choice" data-testid={`inset-choice-${target}`}>
-      <span class="small">{ASKED[target]}</span>
+      <span class="small">{say("measure-inset-roof")}</span>
       <Segments
-        label={ASKED[target] ?? TARGET_WORDS[target]}
+        label={say("measure-inset-roof")}
         value={String(value)}
         options={choices.map((choice, i) => ({
           value: String(i),

@@ -132,7 +132,9 @@ function recordingOf(model: MeasureModel): number | undefined {
 function AgainstOne({ model, entry }: { model: MeasureModel; entry: Entry }) {
   const answer = useAnswer<HeightAnswer>(entry, () => {
     const recordingId = recordingOf(model);
-    return recordingId === undefined ? null : askHeight({ recordingId, ...entry.values });
+    return recordingId === undefined
+      ? null
+      : askHeight({ recordingId, vehicleId: entry.vehicleId, ...entry.values });
   }).answer;
   if (!answer?.single) return null;
   return (

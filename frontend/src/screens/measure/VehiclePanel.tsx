@@ -7,7 +7,7 @@ import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import type { CatalogueRow, Vehicle } from "../../core/types";
 import { lengthProblem, lengthText, lengthUnit, parseLength } from "../../core/units";
-import { CATEGORY_WORDS, LIGHTING_WORDS, vehicleName } from "../../core/words";
+import { CATEGORY_WORDS, DIRECTION_WORDS, LIGHTING_WORDS, vehicleName } from "../../core/words";
 import { CatalogueField } from "../../parts/vehicles/CatalogueField";
 import { ModelYears } from "../../parts/vehicles/ModelYears";
 import { VehicleConflict } from "./Conflicts";
@@ -161,6 +161,13 @@ function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
             options={choices(LIGHTING_WORDS)}
             disabled={locked}
             onChange={(lighting) => model.edit({ lighting: lighting === "" ? null : lighting })}
+          />
+          <SelectField
+            label={FIELD_WORDS.direction}
+            value={vehicle.direction ?? ""}
+            options={choices(DIRECTION_WORDS)}
+            disabled={locked}
+            onChange={(direction) => model.edit({ direction: direction === "" ? null : direction })}
           />
           <div class="facts-form__wide">
             <CommitField

@@ -14,6 +14,8 @@ const FIELDS = [
   "u_manufacturer_height_m",
   "height_source",
   "lighting",
+  "direction",
+  "driver_side",
   "notes",
 ] as const satisfies readonly (keyof VehicleFields)[];
 export type Field = (typeof FIELDS)[number];
@@ -31,6 +33,8 @@ export const FIELD_WORDS: Readonly<Record<Field, string>> = wordsOf({
   u_manufacturer_height_m: "measure-field-u_manufacturer_height_m",
   height_source: "measure-field-height_source",
   lighting: "measure-field-lighting",
+  direction: "measure-field-direction",
+  driver_side: "measure-field-driver_side",
   notes: "field-notes",
 });
 

@@ -2,9 +2,9 @@
 import { type ApiError, api } from "../../core/api";
 import { allOf, say } from "../../core/messages";
 import { type Kind, outbox } from "../../core/outbox";
-import type { Category, Lighting, Measurement, Vehicle } from "../../core/types";
+import type { Category, Direction, DriverSide, Lighting, Measurement, Vehicle } from "../../core/types";
 import { formatHeight, formatLength } from "../../core/units";
-import { CATEGORY_WORDS, LIGHTING_NOUNS, STATE_WORDS } from "../../core/words";
+import { CATEGORY_WORDS, DIRECTION_WORDS, LIGHTING_NOUNS, SIDE_WORDS, STATE_WORDS } from "../../core/words";
 import { clickBody, sameValues, type Values, valuesOf } from "../../viewer/values";
 import { type Changes, disputedFields, FIELD_WORDS, type Field } from "./fields";
 
@@ -72,6 +72,8 @@ export function showFact(field: Field, value: unknown): string {
   if (value === null || value === undefined || value === "") return say("measure-fact-empty");
   if (field === "category") return CATEGORY_WORDS[value as Category];
   if (field === "lighting") return LIGHTING_NOUNS[value as Lighting];
+  if (field === "direction") return DIRECTION_WORDS[value as Direction];
+  if (field === "driver_side") return SIDE_WORDS[value as DriverSide];
   return field.endsWith("_m") ? formatLength(Number(value)) : String(value);
 }
 

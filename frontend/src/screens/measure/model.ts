@@ -13,7 +13,7 @@ import { canWork } from "../../core/session";
 import { stored } from "../../core/stored";
 import { survey } from "../../core/survey";
 import { toast, toastProblem } from "../../core/toasts";
-import type { Recording, Target, Vehicle } from "../../core/types";
+import type { DriverSide, Recording, Target, Vehicle } from "../../core/types";
 import { vehicleName } from "../../core/words";
 import {
   bestFrame,
@@ -107,7 +107,8 @@ export class MeasureModel implements Desk {
   private readonly aim = computed(() => {
     const target = this.second.now.value?.target ?? this.flow.value.target;
     const { inset_m, u_inset_m } = (target && this.insetOf(target)) ?? {};
-    return `${this.seenFrame.value} ${target} ${this.contact.value} ${this.awaiting.value} ${inset_m} ${u_inset_m}`;
+    const click = `${this.seenFrame.value} ${target} ${this.contact.value} ${this.awaiting.value}`;
+    return `${click} ${inset_m} ${u_inset_m} ${this.vehicle.value?.side}`;
   });
   /** Taken out, as they were. */
   private readonly gone = new Map<number, Vehicle>();
@@ -262,9 +263,23 @@ export class MeasureModel implements Desk {
       if (entry.values.target === target && !entry.values.withdrawn) this.points.setInset(entry.key, inset);
   }
 
-  /** What the survey assumes for a target. */
+  /** What the survey assumes for a target; null for an eye of which nobody knows the driver's side. */
   usualInset(target: Target): (Inset & { note: string }) | null {
-    return survey.value?.insets[target] ?? null;
+    const insets = survey.value?.insets;
+    if (!insets || target !== "driver_eye") return insets?.[target as Exclude<Target, "driver_eye">] ?? null;
+    const side = this.vehicle.value?.side;
+    return side ? insets[`driver_eye_${side}`] : null;
+  }
+
+  /** Where this vehicle's driver sits; null: as its direction and the survey's traffic say. Saved at once. */
+  chooseSide(side: DriverSide | null): void {
+    const vehicle = this.vehicle.value;
+    if (!vehicle || vehicle.driver_side === side) return;
+    this.chosenInsets.value = new Map(
+      [...this.chosenInsets.value].filter(([target]) => target !== "driver_eye"),
+    );
+    this.edit({ driver_side: side });
+    void this.vehicles.flush(vehicle.id);
   }
 
   /** Edits vehicle facts, as a step that can be undone. */
@@ -495,7 +510,10 @@ export class MeasureModel implements Desk {
     const recordingId = this.reel.player.value?.recordingId;
     const target = this.flow.value.target ?? "roof";
     const show = contact !== null && recordingId !== undefined && this.hasPose.value;
-    this.geometry.showAxes(show ? { recordingId, contact, target, inset: this.insetOf(target) } : null);
+    const of = { vehicleId: this.vehicleId.value, side: this.vehicle.value?.side ?? null };
+    this.geometry.showAxes(
+      show ? { recordingId, contact, target, inset: this.insetOf(target), ...of } : null,
+    );
   }
 
   /** The height under a resting pointer was of something else: it goes at once, and is asked for again. */

@@ -96,6 +96,7 @@ export class Points implements ClickTool {
     }
     geometry.wantHeight({
       recordingId,
+      vehicleId: this.desk.vehicleId.value,
       frame: seenFrame.value,
       contact: contact.value,
       point,

@@ -26,7 +26,7 @@ export class Previews {
     if (recordingId === undefined || !this.desk.hasPose.value) return;
     const wishes = [...keys].flatMap((key): Preview[] => {
       const values = this.desk.records.find(key)?.values;
-      return values ? [{ key, wish: { recordingId, ...values } }] : [];
+      return values ? [{ key, wish: { recordingId, vehicleId: this.desk.vehicleId.value, ...values } }] : [];
     });
     if (wishes.length > 0) this.asker.want(wishes);
   }

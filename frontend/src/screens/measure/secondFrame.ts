@@ -173,7 +173,7 @@ export class SecondFrame implements ClickTool {
       return true;
     }
     const more = [...values.more, { frame: seenFrame.value, contact, point }];
-    geometry.wantHeight({ recordingId, ...values, more });
+    geometry.wantHeight({ recordingId, vehicleId: this.desk.vehicleId.value, ...values, more });
     return true;
   }
 

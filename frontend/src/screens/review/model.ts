@@ -16,7 +16,7 @@ import { fromServer, type ImagePoint, pair, samePoint } from "../../viewer/point
 import { Reel } from "../../viewer/reel";
 import { repeatWish } from "../../viewer/repeats";
 import { FrameStage } from "../../viewer/stage";
-import { valuesOf } from "../../viewer/values";
+import { insetOf, valuesOf } from "../../viewer/values";
 import { type Fix, FixTool } from "./fix";
 import { type GivenVerdict, VERDICT, type VerdictAbout } from "./kinds";
 
@@ -407,9 +407,10 @@ export class ReviewModel {
   private askHeight(fix: Fix): void {
     const m = this.current.value?.measurement;
     if (!m) return;
-    const inset = { inset_m: m.inset_m, u_inset_m: m.u_inset_m };
+    const inset = insetOf(m);
     this.geometry.wantHeight({
       recordingId: m.recording_id,
+      vehicleId: m.vehicle_id,
       target: m.target,
       frame: m.frame,
       contact: fix.contact,
@@ -486,7 +487,8 @@ export class ReviewModel {
             recordingId: m.recording_id,
             contact,
             target: m.target,
-            inset: { inset_m: m.inset_m, u_inset_m: m.u_inset_m },
+            vehicleId: m.vehicle_id,
+            inset: insetOf(m),
           }
         : null,
     );

@@ -165,9 +165,10 @@ const ASKED: Readonly<Partial<Record<Target, string>>> = wordsOf({
 });
 
 function InsetOf({ model, target }: { model: ScanModel; target: Target }) {
-  const choices = survey.value?.inset_choices?.[target] ?? [];
+  const choices = survey.value?.inset_choices[target] ?? [];
   if (choices.length < 2 || !canWork.value) return null;
-  const now = model.heights.insetOf(target) ?? survey.value?.insets?.[target];
+  const usual = target === "driver_eye" ? null : survey.value?.insets[target];
+  const now = model.heights.insetOf(target) ?? usual;
   const chosen = choices.findIndex((one) => one.inset_m === now?.inset_m && one.u_inset_m === now?.u_inset_m);
   return (
     <div class="line-heights__inset small">

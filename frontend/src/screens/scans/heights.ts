@@ -181,6 +181,10 @@ export class LineHeights {
       this.point(at);
       return;
     }
+    if (target === "driver_eye" && !this.insetOf(target)) {
+      toast(say("scan-height-side-first"));
+      return;
+    }
     // stored in its turn; the next target is asked for at once
     void this.store(vehicle.id, vehicle.number, target, { contact, point: at, inset: this.insetOf(target) });
     this.selected.value = { target, role: "point" };

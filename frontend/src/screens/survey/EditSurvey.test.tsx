@@ -12,7 +12,15 @@ const survey = {
   site: "",
   description: "",
   version: 1,
-  insets: { roof: inset, driver_eye: inset, taillight: inset, headlight: inset, other: inset },
+  traffic: { traffic_side: null, steering_side: null, camera_place: null },
+  insets: {
+    roof: inset,
+    driver_eye_near: inset,
+    driver_eye_far: inset,
+    taillight: inset,
+    headlight: inset,
+    other: inset,
+  },
 } as unknown as Survey;
 
 const box = (label: string): HTMLInputElement => {

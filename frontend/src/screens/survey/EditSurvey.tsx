@@ -3,17 +3,19 @@ import { FormDialog, TextField } from "../../components";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { refreshSurvey } from "../../core/survey";
-import type { Inset, Survey, Target } from "../../core/types";
+import type { Inset, InsetName, Survey } from "../../core/types";
 import { lengthText, lengthUnit, parseLength } from "../../core/units";
-import { TARGET_WORDS, TARGETS } from "../../core/words";
+import { INSET_NAMES, INSET_WORDS } from "../../core/words";
+import { TrafficFields } from "../../parts/vehicles/TrafficFields";
 
-type Typed = Record<Target, { inset: string; u: string }>;
+type Typed = Record<InsetName, { inset: string; u: string }>;
 
 /** Name, site, description, and how far each target usually lies behind the side plane. */
 export function EditSurvey({ survey, close }: { survey: Survey; close: () => void }) {
   const [name, setName] = useState(survey.name);
   const [site, setSite] = useState(survey.site);
   const [description, setDescription] = useState(survey.description);
+  const [traffic, setTraffic] = useState(survey.traffic);
   const [insets, setInsets] = useState<Typed>(() => typedInsets(survey));
   const [wrong, setWrong] = useState<string | null>(null);
   const submit = () => {
@@ -21,7 +23,7 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
     setWrong(typeof read === "string" ? read : null);
     return typeof read === "string" ? null : save(read);
   };
-  const save = async (read: Record<Target, Inset>) => {
+  const save = async (read: Record<InsetName, Inset>) => {
     await api.write(
       "PUT /surveys/{survey_id}",
       { survey_id: survey.id },
@@ -30,6 +32,7 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
           name,
           site,
           description,
+          traffic,
           insets: read,
           version: survey.version,
         },
@@ -39,7 +42,7 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
     close();
   };
   const unit = lengthUnit.value;
-  const change = (key: Target, part: "inset" | "u", value: string) =>
+  const change = (key: InsetName, part: "inset" | "u", value: string) =>
     setInsets({ ...insets, [key]: { ...insets[key], [part]: value } });
   return (
     <FormDialog title={say("survey-edit-title")} action={say("action-save")} onClose={close} submit={submit}>
@@ -51,6 +54,7 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
       />
       <TextField label={say("survey-site")} value={site} onInput={setSite} />
       <TextField label={say("survey-description")} value={description} onInput={setDescription} rows={3} />
+      <TrafficFields traffic={traffic} onChange={setTraffic} />
       <fieldset class="insets">
         <legend>{say("survey-insets")}</legend>
         <p class="field__hint">{say("survey-insets-help")}</p>
@@ -63,17 +67,17 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
             </tr>
           </thead>
           <tbody>
-            {TARGETS.map((key) => (
+            {INSET_NAMES.map((key) => (
               <tr key={key}>
                 <td>
-                  {TARGET_WORDS[key]}
+                  {INSET_WORDS[key]}
                   {survey.insets[key]?.note && <div class="field__hint">{survey.insets[key].note}</div>}
                 </td>
                 <td>
                   <TextField
                     hideLabel
                     numeric
-                    label={say("survey-inset-label", { target: TARGET_WORDS[key], unit })}
+                    label={say("survey-inset-label", { target: INSET_WORDS[key], unit })}
                     value={insets[key].inset}
                     onInput={(v) => change(key, "inset", v)}
                   />
@@ -82,7 +86,7 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
                   <TextField
                     hideLabel
                     numeric
-                    label={say("survey-inset-u-label", { target: TARGET_WORDS[key], unit })}
+                    label={say("survey-inset-u-label", { target: INSET_WORDS[key], unit })}
                     value={insets[key].u}
                     onInput={(v) => change(key, "u", v)}
                   />
@@ -99,16 +103,16 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
 
 function typedInsets(survey: Survey): Typed {
   const typed = {} as Typed;
-  for (const key of TARGETS) {
+  for (const key of INSET_NAMES) {
     const inset = survey.insets[key];
     typed[key] = { inset: lengthText(inset?.inset_m ?? 0), u: lengthText(inset?.u_inset_m ?? 0) };
   }
   return typed;
 }
 
-function readInsets(typed: Typed, survey: Survey): Record<Target, Inset> | string {
-  const read = {} as Record<Target, Inset>;
-  for (const key of TARGETS) {
+function readInsets(typed: Typed, survey: Survey): Record<InsetName, Inset> | string {
+  const read = {} as Record<InsetName, Inset>;
+  for (const key of INSET_NAMES) {
     const before = survey.insets[key];
     const inset_m = metresOf(typed[key].inset, before?.inset_m);
     const u_inset_m = metresOf(typed[key].u, before?.u_inset_m);
@@ -116,7 +120,7 @@ function readInsets(typed: Typed, survey: Survey): Record<Target, Inset> | strin
       const unit = lengthUnit.value;
       const inset = lengthText(0.12, unit, 2);
       const u_inset = lengthText(0.05, unit, 2);
-      return say("survey-inset-problem", { target: TARGET_WORDS[key], unit, inset, u_inset });
+      return say("survey-inset-problem", { target: INSET_WORDS[key], unit, inset, u_inset });
     }
     read[key] = { inset_m, u_inset_m, note: before?.note ?? "" };
   }

@@ -1,5 +1,5 @@
 import { useState } from "preact/hooks";
-import { Button, Icon, JobProgress, Loading, Shape } from "../../components";
+import { Button, Icon, JobProgress, Loading, Notice, Shape } from "../../components";
 import { Said } from "../../components/Said";
 import { api } from "../../core/api";
 import { isOver } from "../../core/jobs";
@@ -48,6 +48,7 @@ export default function SurveyScreen({ surveyId }: ScreenProps) {
           <JobProgress job={job} />
         </div>
       ))}
+      <TrafficOf survey={survey} edit={() => setEditing(true)} />
       <ol class="steps">
         {survey.steps.map((step, index) => (
           <StepRow key={step.key} step={step} index={index} survey={survey} />
@@ -57,6 +58,27 @@ export default function SurveyScreen({ surveyId }: ScreenProps) {
       <Photographs surveyId={survey.id} />
       {editing && <EditSurvey survey={survey} close={() => setEditing(false)} />}
     </div>
+  );
+}
+
+/** How traffic goes here, in words; while nobody has said it, why that matters and one click to say it. */
+function TrafficOf({ survey, edit }: { survey: Survey; edit(): void }) {
+  const { traffic_side, steering_side, camera_place } = survey.traffic;
+  if (traffic_side && steering_side && camera_place)
+    return (
+      <p class="muted" data-testid="traffic-said">
+        {say("survey-traffic", { traffic: traffic_side, steering: steering_side, camera: camera_place })}
+      </p>
+    );
+  return (
+    <Notice kind="warning">
+      {say("survey-traffic-unsaid")}{" "}
+      {may("operator") && (
+        <Button small onClick={edit}>
+          {say("survey-traffic-say")}
+        </Button>
+      )}
+    </Notice>
   );
 }
 

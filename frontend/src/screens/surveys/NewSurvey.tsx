@@ -3,11 +3,16 @@ import { FormDialog, TextField } from "../../components";
 import { navigate } from "../../core/address";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
+import type { Traffic } from "../../core/types";
+import { TrafficFields } from "../../parts/vehicles/TrafficFields";
+
+const UNSAID: Traffic = { traffic_side: null, steering_side: null, camera_place: null };
 
 export function NewSurvey({ close }: { close: () => void }) {
   const [name, setName] = useState("");
   const [site, setSite] = useState("");
   const [description, setDescription] = useState("");
+  const [traffic, setTraffic] = useState<Traffic>(UNSAID);
   const [missing, setMissing] = useState(false);
   const submit = () => {
     setMissing(!name.trim());
@@ -17,7 +22,7 @@ export function NewSurvey({ close }: { close: () => void }) {
     const made = await api.write(
       "POST /surveys",
       {},
-      { body: { name: name.trim(), site: site.trim(), description } },
+      { body: { name: name.trim(), site: site.trim(), description, traffic } },
     );
     navigate(`/surveys/${made.id}`);
   };
@@ -43,6 +48,7 @@ export function NewSurvey({ close }: { close: () => void }) {
         rows={3}
         hint={say("surveys-new-description-hint")}
       />
+      <TrafficFields traffic={traffic} onChange={setTraffic} />
     </FormDialog>
   );
 }
