@@ -37,7 +37,9 @@ InsetMethod = Literal["known_heights", "trend", "two_frames"]
 DirectionSource = Literal["tyres", "two_frames"]
 VehicleOrigin = Literal["person", "found"]
 Direction = Literal["right", "left"]
-VehicleState = Literal["to_do", "partial", "measured", "rejected", "accepted"]
+VehicleState = Literal["to_do", "partial", "measured", "not_visible", "rejected", "accepted"]
+AskedTarget = Literal["roof", "driver_eye", "taillight", "headlight"]
+NotVisible = Literal["hidden", "glare", "too_dark", "outside", "no_driver"]
 StepKey = Literal["camera", "recordings", "pose", "vehicles", "review", "results"]
 StepState = Literal["done", "next", "waiting"]
 OptionalStepState = Literal["none", "open", "done"]
@@ -81,4 +83,8 @@ Manoeuvre = Literal["A", "B", "C", "D", "E"]
 Crossing = Literal["left_from_stop", "right_from_stop", "crossing", "left_from_major"]
 DesignVehicle = Literal["passenger_car", "single_unit_truck", "combination_truck"]
 
-REQUIRED_TARGETS: tuple[Target, ...] = ("roof", "driver_eye", "taillight")
+# What a new survey asks for: eyes by day, when drivers can be seen; lamps in low light, when they are lit.
+USUALLY_ASKED: dict[Lighting, tuple[AskedTarget, ...]] = {
+    "daytime": ("roof", "driver_eye"),
+    "low_light": ("roof", "taillight"),
+}

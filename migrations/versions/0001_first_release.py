@@ -179,6 +179,7 @@ def create_tables() -> None:
         sa.Column("traffic_side", sa.String(length=20), nullable=True),
         sa.Column("steering_side", sa.String(length=20), nullable=True),
         sa.Column("camera_place", sa.String(length=20), nullable=True),
+        sa.Column("asked", sa.Text(), nullable=False),
         sa.Column("insets", sa.Text(), nullable=False),
         sa.Column("version", sa.Integer(), nullable=False),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
@@ -559,6 +560,10 @@ def create_tables() -> None:
         sa.Column("origin", sa.String(length=20), server_default="person", nullable=False),
         sa.Column("direction", sa.String(length=20), nullable=True),
         sa.Column("driver_side", sa.String(length=20), nullable=True),
+        sa.Column("roof_not_visible", sa.String(length=20), nullable=True),
+        sa.Column("driver_eye_not_visible", sa.String(length=20), nullable=True),
+        sa.Column("taillight_not_visible", sa.String(length=20), nullable=True),
+        sa.Column("headlight_not_visible", sa.String(length=20), nullable=True),
         sa.Column("detection", sa.Text(), nullable=True),
         sa.Column("version", sa.Integer(), nullable=False),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
@@ -572,6 +577,22 @@ def create_tables() -> None:
         ),
         sa.CheckConstraint("direction IN ('right', 'left')", name=op.f("ck_vehicles_direction_known")),
         sa.CheckConstraint("driver_side IN ('near', 'far')", name=op.f("ck_vehicles_driver_side_known")),
+        sa.CheckConstraint(
+            "roof_not_visible IN ('hidden', 'glare', 'too_dark', 'outside', 'no_driver')",
+            name=op.f("ck_vehicles_roof_not_visible_known"),
+        ),
+        sa.CheckConstraint(
+            "driver_eye_not_visible IN ('hidden', 'glare', 'too_dark', 'outside', 'no_driver')",
+            name=op.f("ck_vehicles_driver_eye_not_visible_known"),
+        ),
+        sa.CheckConstraint(
+            "taillight_not_visible IN ('hidden', 'glare', 'too_dark', 'outside', 'no_driver')",
+            name=op.f("ck_vehicles_taillight_not_visible_known"),
+        ),
+        sa.CheckConstraint(
+            "headlight_not_visible IN ('hidden', 'glare', 'too_dark', 'outside', 'no_driver')",
+            name=op.f("ck_vehicles_headlight_not_visible_known"),
+        ),
         sa.CheckConstraint("lighting IN ('daytime', 'low_light')", name=op.f("ck_vehicles_lighting_known")),
         sa.CheckConstraint("origin IN ('person', 'found')", name=op.f("ck_vehicles_origin_known")),
         sa.CheckConstraint(

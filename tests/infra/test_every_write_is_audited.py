@@ -67,6 +67,7 @@ from sightline.surveys.photographs.store import (
     remove_photograph,
     restore_photograph,
 )
+from sightline.surveys.records import Asked
 from sightline.surveys.store import create_survey, update_survey
 from sightline.vehicles.catalogue.records import CatalogueRow
 from sightline.vehicles.catalogue.store import (
@@ -182,6 +183,7 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
             site="",
             description="",
             traffic=TrafficFacts(),
+            asked=Asked(),
             insets={},
             version=1,
             actor=o.olga.id,

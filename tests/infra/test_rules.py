@@ -48,7 +48,7 @@ from sightline.recordings.uploads.store import (
 from sightline.results.overview.query import survey_overview
 from sightline.reviews.query import measurement_history
 from sightline.reviews.store import add_review, review_queue
-from sightline.surveys.records import Inset
+from sightline.surveys.records import Asked, Inset
 from sightline.surveys.store import create_survey, get_survey, update_survey
 from sightline.vehicles.catalogue.records import CatalogueRow
 from sightline.vehicles.catalogue.store import add_catalogue_row, import_catalogue_rows, search_catalogue
@@ -173,7 +173,14 @@ def test_the_second_of_two_tabs_is_told(session: Session, one: Sample) -> None:
     assert get_vehicle(session, one.vehicle.id).make == "Renault"
     with pytest.raises(Conflict, match="René changed vehicle"):
         remove_vehicle(session, one.vehicle.id, version=1, actor=one.olga.id)
-    same = {"name": "S", "site": "", "description": "", "traffic": TrafficFacts(), "insets": {}}
+    same = {
+        "name": "S",
+        "site": "",
+        "description": "",
+        "traffic": TrafficFacts(),
+        "asked": Asked(),
+        "insets": {},
+    }
     update_survey(session, one.survey.id, **same, version=1, actor=one.rene.id)
     with pytest.raises(Conflict, match=r"^René changed this survey at"):
         update_survey(session, one.survey.id, **same, version=1, actor=one.olga.id)
@@ -347,6 +354,7 @@ def test_insets_start_with_defaults_and_are_checked(session: Session, one: Sampl
         "version": 1,
         "actor": None,
         "traffic": TrafficFacts(),
+        "asked": Asked(),
     }
     changed = update_survey(session, one.survey.id, insets={"roof": Inset(0.4, 0.05, "seen")}, **change)  # type: ignore[arg-type]
     assert changed.insets["roof"] == Inset(0.4, 0.05, "seen")

@@ -13,7 +13,7 @@ from sightline.cameras.calibrations.calibrating import DetectedView, document_of
 from sightline.cameras.calibrations.images import detection_of
 from sightline.cameras.calibrations.store import add_calibration
 from sightline.cameras.store import add_calibration_image, create_camera
-from sightline.demo.clicks import Pass, judge, measure
+from sightline.demo.clicks import TARGETS, Pass, judge, measure
 from sightline.demo.parts import LAB_BOARD, LabPicture, Parts, Video, make_parts, write_truth
 from sightline.demo.rendering import SCENES
 from sightline.demo.repeats import click_again
@@ -33,6 +33,7 @@ from sightline.recordings.drift_request import request_if_posed
 from sightline.recordings.ingest_job import facts_of, table_of
 from sightline.recordings.store import create_recording, list_recordings, note_ingested, update_recording
 from sightline.simulation.models import catalogue as demo_catalogue
+from sightline.surveys.records import Asked
 from sightline.surveys.store import create_survey, demo_survey_id
 from sightline.vehicles.catalogue.records import CatalogueRow
 from sightline.vehicles.catalogue.store import import_catalogue_rows
@@ -87,7 +88,14 @@ def build(session: Session, parts: Parts, scanned: ScanParts) -> tuple[int, dict
     operator, reviewer = _person(session, *OPERATOR, "operator"), _person(session, *REVIEWER, "reviewer")
     import_catalogue_rows(session, [_model(row) for row in demo_catalogue()], actor=None)
     survey = create_survey(
-        session, name=NAME, site=SITE, description=DESCRIPTION, traffic=TRAFFIC, is_demo=True, actor=None
+        session,
+        name=NAME,
+        site=SITE,
+        description=DESCRIPTION,
+        traffic=TRAFFIC,
+        asked=Asked(TARGETS, TARGETS),
+        is_demo=True,
+        actor=None,
     )
     camera_id, calibration_id = _camera(session, survey.id, parts)
     passes: dict[str, list[Pass]] = {}

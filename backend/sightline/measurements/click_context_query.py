@@ -17,6 +17,7 @@ from sightline.recordings.tables import recordings
 from sightline.surveys.records import Inset
 from sightline.surveys.store import TRAFFIC, traffic_of_row
 from sightline.surveys.tables import surveys
+from sightline.vehicles.records import NOT_VISIBLE
 from sightline.vehicles.tables import vehicles
 
 
@@ -25,8 +26,8 @@ class ClickContext:
     """`pose_id` and `calibration_id` are None while the recording has no road pose.
 
     `side`: where the driver of the vehicle sits, or of any in the lane beside the camera where no vehicle is
-    named; None where nobody knows. `own_sigma_px`: what was chosen for this person's clicks from their
-    repeats; None: the usual one.
+    named; None where nobody knows. `not_visible`: its targets that were said not to be visible.
+    `own_sigma_px`: what was chosen for this person's clicks from their repeats; None: the usual one.
     """
 
     recording_id: int
@@ -37,6 +38,7 @@ class ClickContext:
     size_px: tuple[int | None, int | None]
     insets: Mapping[str, Inset]
     side: FoundSide | None
+    not_visible: frozenset[str]
     own_sigma_px: float | None
     frames: Mapping[int, Frame] = field(default_factory=dict)
 
@@ -98,6 +100,7 @@ def _context(
             recordings.c.height_px,
             *(surveys.c.insets, *(surveys.c[name] for name in TRAFFIC)),
             *(vehicles.c.direction, vehicles.c.driver_side),
+            *(vehicles.c[name] for name in NOT_VISIBLE.values()),
             _own_sigma(person_id).label("own_sigma_px"),
             *(frames.c.n, frames.c.pts, frames.c.time_s, frames.c.key, frames.c.crc32),
         )
@@ -119,6 +122,9 @@ def _context(
         calibration_id=row.calibration_id,
         size_px=(row.width_px, row.height_px),
         insets={target: Inset(**values) for target, values in row.insets.items()},
+        not_visible=frozenset(
+            target for target, name in NOT_VISIBLE.items() if row._mapping[name] is not None
+        ),
         side=driver_side(row.driver_side, row.direction, traffic_of_row(row._mapping)),
         own_sigma_px=row.own_sigma_px,
         frames={

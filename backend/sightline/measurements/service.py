@@ -7,7 +7,7 @@ sigma and inset, so for the same points they are the same number.
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
+from typing import Any, cast
 from weakref import WeakKeyDictionary
 
 from sightline.enums import Point, Target
@@ -37,6 +37,8 @@ from sightline.measurements.store import (
     revise_current_measurement,
 )
 from sightline.poses.store import get_pose
+from sightline.vehicles.records import VehicleChanges
+from sightline.vehicles.store import update_vehicle
 
 # One cache a database: pose 1 of one is not pose 1 of another.
 _pose_caches: WeakKeyDictionary[Any, PoseCache] = WeakKeyDictionary()
@@ -95,17 +97,22 @@ def store_measurement(
     """Measure and store; the same `client_key` again gives back what was stored the first time.
 
     `repeat_of`: the measurement that these clicks repeat; its inset is theirs unless they bring one, so that
-    the heights differ by the clicks alone. Raises NotFound, Conflict without a road pose, BadInput for a
-    frame outside the recording or a repeat of another target's or vehicle's.
+    the heights differ by the clicks alone. A target that was said not to be visible is so no longer. Raises
+    NotFound, Conflict without a road pose, BadInput for a frame outside the recording or a repeat of another
+    target's or vehicle's.
     """
     context = click_context_of_vehicle(session, vehicle_id, actor, _frames_once(clicks))
     if repeat_of is not None and clicks.inset_m is None:
         first = get_measurement(session, repeat_of)
         clicks = _with_inset_of(clicks, first.values)
     values = values_of_clicks(session, context, clicks)
-    return add_measurement(
+    made = add_measurement(
         session, vehicle_id, client_key=client_key, values=values, repeat_of=repeat_of, actor=actor
     )
+    if clicks.target in context.not_visible and repeat_of is None:
+        seen = cast(VehicleChanges, {f"{clicks.target}_not_visible": None})
+        update_vehicle(session, vehicle_id, seen, version=None, actor=actor)
+    return made
 
 
 def store_revision(

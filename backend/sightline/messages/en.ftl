@@ -21,6 +21,11 @@ target-hint-taillight = the lower limit of the lit area of the taillight
 target-hint-headlight = the lower limit of the headlight
 target-hint-other = the point whose height you want
 
+not-visible-hidden = hidden by another vehicle
+not-visible-glare = glare
+not-visible-too_dark = too dark
+not-visible-outside = outside the picture
+not-visible-no_driver = no driver seen
 direction-right = to the right
 direction-left = to the left
 side-near = near side
@@ -43,11 +48,16 @@ traffic-camera = The camera stands
 camera-verge = on the verge
 camera-median = in the median
 
+asked-title = What is asked for
+asked-help = A vehicle is measured when each of these is measured, or was said not to be visible.
+asked-none = Choose at least one target by day and one in low light.
+
 ## Words of the domain: states of vehicles, measurements, recordings, jobs, calibrations, people
 
 state-to_do = to do
 state-partial = partly measured
 state-measured = measured
+state-not_visible = not visible
 state-to_review = to review
 state-accepted = accepted
 state-fixed = fixed
@@ -146,6 +156,7 @@ command-target2 = Target: driver's eye
 command-target3 = Target: taillight
 command-target4 = Target: headlight
 command-target5 = Target: other
+command-notVisible = Say that the target is not visible, and why
 command-newContact = New contact point
 command-secondFrame = Second frame: click the same two points there
 command-proposeContact = Propose the tyre's contact at the pointer
@@ -1068,7 +1079,7 @@ measure-find-pose = Find the road pose
 measure-no-pose = This recording has no road pose yet, so nothing can be measured on it.
 measure-choose-pass = Choose a pass on the left, or mark a new one with [ and ].
 measure-look-only = You may look, not measure.
-measure-vehicle-done = All three are measured. { $key } goes to the next pass, 1 to 5 measure again.
+measure-vehicle-done = All that is asked for is answered. { $key } goes to the next pass, 1 to 5 measure again.
 measure-choose-target = Choose a target: 1 to 5.
 measure-drift = The camera had moved by { $moved_px } px since its road pose. <link>Take a new pose or decide</link>
 measure-drift-off = The camera had moved by { $moved_px } px since its road pose, heights here are off by up to { $off }. <link>Take a new pose or decide</link>
@@ -1132,6 +1143,15 @@ measure-inset-solved = not used while several frames are clicked: they solve for
 measure-inset-what = how far the target lies behind the side of the vehicle
 measure-inset-as-survey = As the survey has it: { $inset } ± { $u_inset }
 measure-inset-side = The driver sits on the
+measure-unseen = Not visible: { $why }.
+measure-unseen-back = It is
+measure-unseen-ask = Not visible …
+measure-unseen-why = { $target ->
+    [roof] Why is the roof not visible?
+    [driver_eye] Why is the driver's eye not visible?
+    [taillight] Why is the taillight not visible?
+   *[headlight] Why is the headlight not visible?
+}
 measure-side-unknown = not known
 measure-side-as-survey = as the survey says
 measure-side-from = { $from ->
@@ -1247,6 +1267,10 @@ measure-field-height_source = Source of the height
 measure-field-lighting = Lighting
 measure-field-direction = Goes
 measure-field-driver_side = Driver’s side
+measure-field-roof_not_visible = Roof not visible
+measure-field-driver_eye_not_visible = Driver’s eye not visible
+measure-field-taillight_not_visible = Taillight not visible
+measure-field-headlight_not_visible = Headlight not visible
 measure-fact = { $field ->
     [first_frame] first frame { $value }
     [best_frame] best frame { $value }
@@ -1261,6 +1285,10 @@ measure-fact = { $field ->
     [lighting] lighting { $value }
     [direction] goes { $value }
     [driver_side] driver on the { $value }
+    [roof_not_visible] roof not visible: { $value }
+    [driver_eye_not_visible] driver's eye not visible: { $value }
+    [taillight_not_visible] taillight not visible: { $value }
+    [headlight_not_visible] headlight not visible: { $value }
    *[notes] notes { $value }
 }
 measure-fact-empty = empty
@@ -2452,6 +2480,7 @@ survey-traffic = Traffic keeps { $traffic ->
     [verge] on the verge
    *[median] in the median
 }.
+survey-asked = Asked for: by day { $daytime }; in low light { $low_light }.
 survey-traffic-unsaid = Nobody has said yet how traffic goes here and where the camera stands. Until then no driver’s eye has a height.
 survey-traffic-say = Say it
 survey-scans-none = <link>Line scans</link>: { $summary }
@@ -3327,6 +3356,7 @@ surveys-no-survey-named-check-name-home = There is no survey named “{ $name }�
 surveys-changed-survey-look-again-redo = { $name } changed this survey at { $when }; look again and redo yours.
 surveys-survey-needs-name-fill = A survey needs a name; fill it in.
 surveys-inset-cannot-used-give-known-target = The inset of “{ $target }” cannot be used; give a known target and an uncertainty >= 0.
+surveys-asks-nothing-choose-target = A survey asks for at least one target by day and one in low light; choose them.
 surveys-insets-csv-not-what-surveys-audit = insets.csv is not what the survey's audit events say; it was changed.
 
 ## Errors: vehicles
@@ -3346,6 +3376,7 @@ vehicles-vehicle-needs-first-last-frame-mark = A vehicle needs its first and las
 vehicles-vehicle-no-leave-out = A vehicle has no { $unknown }; leave it out.
 vehicles-frames-not-span-recording-ends-frame = Frames { $first } to { $last } are not a span of this recording; it ends at frame { $end }.
 vehicles-best-frame-lies-outside-frames-choose = The best frame { $best } lies outside frames { $first } to { $last }; choose one of them.
+vehicles-no-driver-only-eye-choose-another = “No driver seen” is a reason for the driver’s eye, not for { $target }; choose another.
 vehicles-manufacturers-height-m-cannot-used-give = A manufacturer's height of { $height } m cannot be used; give it in metres, as in 1.624.
 vehicles-uncertainty-m-cannot-used-give-metres = An uncertainty of { $u_height } m cannot be used; give it in metres, as in 0.005.
 
@@ -3366,6 +3397,7 @@ server-something-went-wrong = Something went wrong on the server and nothing was
 ## Errors: another person was quicker
 
 quality-tyres-changed-meanwhile = { $name } changed the tyres of this vehicle meanwhile; look at them first.
+measurements-not-visible-but-measured-withdraw = { $target } is measured of this vehicle, so it is visible; withdraw the measurement first.
 measurements-already-measured = { $name } has measured this target of the vehicle already; keep one of the two.
 reviews-verdict-given-meanwhile = { $name } gave the verdict “{ $verdict }” meanwhile; look at it first.
 

@@ -1,11 +1,11 @@
 """What surveys take, and what is said of one."""
 
 from datetime import datetime
-from typing import Annotated
+from typing import Annotated, get_args
 
 from pydantic import Field, computed_field
 
-from sightline.enums import CameraPlace, Hand
+from sightline.enums import AskedTarget, CameraPlace, Hand
 from sightline.geometry.insets import INSET_CHOICES
 from sightline.infra.web.bodies import In, Name, Out, Text
 
@@ -78,6 +78,21 @@ class TrafficIn(In):
     camera_place: CameraPlace | None = None
 
 
+class AskedBody(Out):
+    """The targets that a vehicle is to have, by lighting."""
+
+    daytime: tuple[AskedTarget, ...]
+    low_light: tuple[AskedTarget, ...]
+
+
+AskedTargets = Annotated[tuple[AskedTarget, ...], Field(max_length=len(get_args(AskedTarget)))]
+
+
+class AskedIn(In):
+    daytime: AskedTargets
+    low_light: AskedTargets
+
+
 class SurveyFacts(Out):
     id: int
     name: str
@@ -87,6 +102,7 @@ class SurveyFacts(Out):
     version: int
     created_at: datetime
     traffic: TrafficBody
+    asked: AskedBody
     insets: Insets
 
     @computed_field  # type: ignore[prop-decorator]
@@ -101,6 +117,7 @@ class NewSurvey(In):
     site: Annotated[str, Field(max_length=200)] = ""
     description: Text = ""
     traffic: TrafficIn | None = Field(default=None, description="Left out: as it is, at first not said.")
+    asked: AskedIn | None = Field(default=None, description="Left out: as it is, at first the usual.")
 
 
 class SurveyChange(NewSurvey):

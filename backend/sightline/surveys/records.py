@@ -3,7 +3,9 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import datetime
+from typing import get_args
 
+from sightline.enums import USUALLY_ASKED, AskedTarget, Lighting
 from sightline.geometry.sides import TrafficFacts
 
 
@@ -17,8 +19,23 @@ class Inset:
 
 
 @dataclass(frozen=True, slots=True)
+class Asked:
+    """The targets that a vehicle is to have, by lighting."""
+
+    daytime: tuple[AskedTarget, ...] = USUALLY_ASKED["daytime"]
+    low_light: tuple[AskedTarget, ...] = USUALLY_ASKED["low_light"]
+
+    def of(self, lighting: Lighting | None) -> tuple[AskedTarget, ...]:
+        """Those of one vehicle, in the usual order; all of both where its lighting is unknown."""
+        both = {*self.daytime, *self.low_light}
+        by_lighting = self.daytime if lighting == "daytime" else self.low_light
+        wanted = both if lighting is None else by_lighting
+        return tuple(target for target in get_args(AskedTarget) if target in wanted)
+
+
+@dataclass(frozen=True, slots=True)
 class Survey:
-    """Its words, traffic and insets (by `InsetName`); its progress is its overview (`results`)."""
+    """Its words, traffic, what it asks for, and insets by `InsetName`; its progress: see `results`."""
 
     id: int
     name: str
@@ -28,4 +45,5 @@ class Survey:
     version: int
     created_at: datetime
     traffic: TrafficFacts
+    asked: Asked
     insets: Mapping[str, Inset]

@@ -7,17 +7,18 @@ from typing import Any
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
+from sightline.enums import AskedTarget
 from sightline.errors import BadInput, Conflict
 from sightline.geometry.insets import USUAL_INSETS
 from sightline.geometry.sides import TrafficFacts
 from sightline.infra.audit import trail
 from sightline.infra.database.rows import add_row, change_row, get_row, last_change
 from sightline.infra.database.types import now
-from sightline.surveys.records import Inset, Survey
+from sightline.surveys.records import Asked, Inset, Survey
 from sightline.surveys.tables import surveys
 
 TRAFFIC = ("traffic_side", "steering_side", "camera_place")
-EDITABLE = ("name", "site", "description", *TRAFFIC, "insets")
+EDITABLE = ("name", "site", "description", *TRAFFIC, "asked", "insets")
 
 
 def default_insets() -> dict[str, Inset]:
@@ -32,13 +33,14 @@ def create_survey(
     site: str = "",
     description: str = "",
     traffic: TrafficFacts = TrafficFacts(),
+    asked: Asked = Asked(),
     insets: Mapping[str, Inset] | None = None,
     is_demo: bool = False,
     actor: int | None,
 ) -> Survey:
     """A new, empty survey. Raises BadInput without a name."""
     moment = now()
-    content = _content(name, site, description, traffic, insets or default_insets())
+    content = _content(name, site, description, traffic, asked, insets or default_insets())
     stamps = {"created_at": moment, "created_by": actor, "updated_at": moment, "updated_by": actor}
     survey_id = add_row(session, surveys, {**content, **stamps, "is_demo": is_demo, "version": 1})
     trail.record(session, actor, "create", "survey", survey_id, survey_id, None, content)
@@ -85,16 +87,17 @@ def update_survey(
     site: str,
     description: str,
     traffic: TrafficFacts,
+    asked: Asked,
     insets: Mapping[str, Inset],
     version: int,
     actor: int | None,
 ) -> Survey:
-    """Change words, traffic or insets. Raises Conflict, naming who and when, if `version` is not current."""
+    """Change it. Raises Conflict, naming who and when, if `version` is not the current one."""
     before = get_row(session, surveys, survey_id, "survey")
     if before["version"] != version:
         who, when = last_change(session, before)
         raise Conflict("surveys-changed-survey-look-again-redo", name=who, when=when)
-    content = _content(name, site, description, traffic, insets)
+    content = _content(name, site, description, traffic, asked, insets)
     stamps = {"version": version + 1, "updated_at": now(), "updated_by": actor}
     change_row(session, surveys, survey_id, {**content, **stamps})
     what = trail.changed(before, content, EDITABLE)
@@ -103,10 +106,17 @@ def update_survey(
 
 
 def _content(
-    name: str, site: str, description: str, traffic: TrafficFacts, insets: Mapping[str, Inset]
+    name: str,
+    site: str,
+    description: str,
+    traffic: TrafficFacts,
+    asked: Asked,
+    insets: Mapping[str, Inset],
 ) -> dict[str, Any]:
     if not name.strip():
         raise BadInput("surveys-survey-needs-name-fill")
+    if not asked.daytime or not asked.low_light:
+        raise BadInput("surveys-asks-nothing-choose-target")
     for target, inset in insets.items():
         if target not in USUAL_INSETS or not inset.u_inset_m >= 0:
             raise BadInput("surveys-inset-cannot-used-give-known-target", target=target)
@@ -116,6 +126,7 @@ def _content(
         "site": site.strip(),
         "description": description.strip(),
         **asdict(traffic),
+        "asked": {lighting: list(targets) for lighting, targets in asdict(asked).items()},
         "insets": {target: asdict(inset) for target, inset in whole.items()},
     }
 
@@ -130,6 +141,7 @@ def _survey(row: Mapping[str, Any]) -> Survey:
         version=row["version"],
         created_at=row["created_at"],
         traffic=traffic_of_row(row),
+        asked=asked_of(row["asked"]),
         insets={target: Inset(**values) for target, values in row["insets"].items()},
     )
 
@@ -137,3 +149,8 @@ def _survey(row: Mapping[str, Any]) -> Survey:
 def traffic_of_row(row: Mapping[Any, Any]) -> TrafficFacts:
     """The traffic of a survey, from its row or one joined with it."""
     return TrafficFacts(**{name: row[name] for name in TRAFFIC})
+
+
+def asked_of(stored: Mapping[str, list[AskedTarget]]) -> Asked:
+    """What a survey asks for, as its column holds it."""
+    return Asked(tuple(stored["daytime"]), tuple(stored["low_light"]))

@@ -26,6 +26,8 @@ surveys = Table(
     Column("traffic_side", String(20)),
     Column("steering_side", String(20)),
     Column("camera_place", String(20)),
+    # the targets asked for by lighting
+    Column("asked", CanonicalJson, nullable=False),
     Column("insets", CanonicalJson, nullable=False),
     Column("version", Integer, nullable=False),
     Column("created_at", UtcDateTime, nullable=False),

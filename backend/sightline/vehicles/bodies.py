@@ -4,7 +4,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from sightline.enums import Category, Direction, DriverSide, Lighting
+from sightline.enums import Category, Direction, DriverSide, Lighting, NotVisible
 from sightline.infra.web.bodies import Finite, FrameNumber, In, Text
 from sightline.infra.web.quantities import Word
 from sightline.vehicles.records import MOST_HEIGHT_M
@@ -26,6 +26,10 @@ class VehicleFields(In):
     lighting: Lighting | None = None
     direction: Direction | None = None
     driver_side: DriverSide | None = None
+    roof_not_visible: NotVisible | None = None
+    driver_eye_not_visible: NotVisible | None = None
+    taillight_not_visible: NotVisible | None = None
+    headlight_not_visible: NotVisible | None = None
     notes: Text | None = None
 
 

@@ -2,13 +2,25 @@
 
 from dataclasses import dataclass
 from datetime import datetime
-from typing import Annotated, TypedDict
+from typing import Annotated, TypedDict, get_args
 
 from pydantic import Field
 
-from sightline.enums import Category, Direction, DriverSide, JsonObject, Lighting, SideBasis, VehicleOrigin
+from sightline.enums import (
+    AskedTarget,
+    Category,
+    Direction,
+    DriverSide,
+    JsonObject,
+    Lighting,
+    NotVisible,
+    SideBasis,
+    VehicleOrigin,
+)
 from sightline.infra.audit.records import Who
 
+# The field that says why a target is not visible, by target.
+NOT_VISIBLE: dict[AskedTarget, str] = {target: f"{target}_not_visible" for target in get_args(AskedTarget)}
 MOST_HEIGHT_M = 10.0  # of a vehicle, and of its uncertainty; a height is more than 0
 
 
@@ -39,6 +51,10 @@ class Vehicle:
     driver_side: Annotated[
         DriverSide | None, Field(description="Where the driver sits, if somebody said so of this vehicle.")
     ]
+    roof_not_visible: NotVisible | None
+    driver_eye_not_visible: NotVisible | None
+    taillight_not_visible: NotVisible | None
+    headlight_not_visible: NotVisible | None
     detection: Annotated[JsonObject | None, Field(description="What the search for passes saw of it.")]
     version: int
     updated_by: Who | None
@@ -46,6 +62,16 @@ class Vehicle:
     deleted: bool
     side: Annotated[DriverSide | None, Field(description="Where the driver sits: said or derived.")]
     side_from: Annotated[SideBasis | None, Field(description="What `side` follows from.")]
+    asked: Annotated[
+        tuple[AskedTarget, ...], Field(description="What the survey asks for of it, by its lighting.")
+    ]
+
+    @property
+    def not_visible(self) -> dict[AskedTarget, NotVisible]:
+        """Why targets cannot be measured, of those of which somebody said so."""
+        return {
+            target: why for target, name in NOT_VISIBLE.items() if (why := getattr(self, name)) is not None
+        }
 
 
 class VehicleChanges(TypedDict, total=False):
@@ -66,4 +92,8 @@ class VehicleChanges(TypedDict, total=False):
     origin: VehicleOrigin
     direction: Direction | None
     driver_side: DriverSide | None
+    roof_not_visible: NotVisible | None
+    driver_eye_not_visible: NotVisible | None
+    taillight_not_visible: NotVisible | None
+    headlight_not_visible: NotVisible | None
     detection: JsonObject | None

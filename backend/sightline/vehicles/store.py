@@ -15,9 +15,9 @@ from sightline.infra.database.people import people
 from sightline.infra.database.rows import add_row, change_row, get_row, last_change, missing, who
 from sightline.infra.database.types import columns_of, now
 from sightline.recordings.tables import recordings
-from sightline.surveys.store import TRAFFIC, traffic_of_row
+from sightline.surveys.store import TRAFFIC, asked_of, traffic_of_row
 from sightline.surveys.tables import surveys
-from sightline.vehicles.records import MOST_HEIGHT_M, Vehicle, VehicleChanges
+from sightline.vehicles.records import MOST_HEIGHT_M, NOT_VISIBLE, Vehicle, VehicleChanges
 from sightline.vehicles.tables import vehicles
 
 
@@ -71,13 +71,13 @@ def list_vehicles_of_recording(session: Session, recording_id: int) -> tuple[Veh
 
 
 def update_vehicle(
-    session: Session, vehicle_id: int, changes: VehicleChanges, *, version: int, actor: int | None
+    session: Session, vehicle_id: int, changes: VehicleChanges, *, version: int | None, actor: int | None
 ) -> Vehicle:
-    """Change fields. Raises Conflict, naming who and when, if `version` is not the current one."""
+    """Change fields. Raises Conflict, naming who and when, if a `version` is not the current one."""
     before = _current(session, vehicle_id, version)
     frame_count = get_row(session, recordings, before["recording_id"], "recording")["frame_count"]
     change = _checked({**_span(before), **changes}, frame_count)
-    stamps = {"version": version + 1, "updated_at": now(), "updated_by": actor}
+    stamps = {"version": before["version"] + 1, "updated_at": now(), "updated_by": actor}
     change_row(session, vehicles, vehicle_id, {**change, **stamps})
     what = trail.changed(before, change, change)
     trail.record(session, actor, "update", "vehicle", vehicle_id, before["survey_id"], *what)
@@ -149,6 +149,9 @@ def _checked(fields: Mapping[str, Any], frame_count: int | None) -> dict[str, An
         raise BadInput("vehicles-frames-not-span-recording-ends-frame", first=first, last=last, end=end)
     if best is not None and not first <= best <= last:
         raise BadInput("vehicles-best-frame-lies-outside-frames-choose", best=best, first=first, last=last)
+    for target, name in NOT_VISIBLE.items():
+        if values.get(name) == "no_driver" and target != "driver_eye":
+            raise BadInput("vehicles-no-driver-only-eye-choose-another", target=target)
     height, u_height = values.get("manufacturer_height_m"), values.get("u_manufacturer_height_m")
     if height is not None and not 0 < height <= MOST_HEIGHT_M:
         raise BadInput("vehicles-manufacturers-height-m-cannot-used-give", height=format(height, "g"))
@@ -158,13 +161,15 @@ def _checked(fields: Mapping[str, Any], frame_count: int | None) -> dict[str, An
 
 
 def vehicle_rows(*where: ColumnElement[bool], deleted: bool = False) -> Select[Any]:
-    """Vehicles by number with who changed them last and their survey's traffic, for `facts_of_row`.
+    """Vehicles by number with who changed them last and what their survey says, for `facts_of_row`.
 
     `deleted`: those too.
     """
-    traffic = (surveys.c[name] for name in TRAFFIC)
-    query = select(vehicles, people.c.name.label("changer"), *traffic)
+    of_survey = (*(surveys.c[name] for name in TRAFFIC), surveys.c.asked)
+    light = func.coalesce(vehicles.c.lighting, recordings.c.lighting).label("light")
+    query = select(vehicles, people.c.name.label("changer"), *of_survey, light)
     query = query.join(surveys, surveys.c.id == vehicles.c.survey_id)
+    query = query.join(recordings, recordings.c.id == vehicles.c.recording_id)
     query = query.outerjoin(people, people.c.id == vehicles.c.updated_by).order_by(vehicles.c.number)
     return query.where(*where) if deleted else query.where(*where, _ALIVE)
 
@@ -175,4 +180,4 @@ def facts_of_row(row: Mapping[Any, Any]) -> dict[str, Any]:
     changed = {"updated_by": who(row["updated_by"], row["changer"]), "deleted": row["deleted_at"] is not None}
     found = driver_side(row["driver_side"], row["direction"], traffic_of_row(row))
     side = {"side": found and found.side, "side_from": found and found.basis}
-    return {**stored, **changed, **side}
+    return {**stored, **changed, **side, "asked": asked_of(row["asked"]).of(row["light"])}

@@ -12,9 +12,10 @@ from sqlalchemy import (
     UniqueConstraint,
 )
 
-from sightline.enums import Category, Direction, DriverSide, Lighting, VehicleOrigin
+from sightline.enums import Category, Direction, DriverSide, Lighting, NotVisible, VehicleOrigin
 from sightline.infra.audit.vouched import ChangedByEvents, vouched
 from sightline.infra.database.types import CanonicalJson, UtcDateTime, enum_check, identity, metadata
+from sightline.vehicles.records import NOT_VISIBLE
 
 vehicles = Table(
     "vehicles",
@@ -40,6 +41,8 @@ vehicles = Table(
     Column("direction", String(20)),
     # where the driver sits, as the camera sees it; empty: as direction and the survey's traffic say
     Column("driver_side", String(20)),
+    # why a target cannot be measured of this vehicle
+    *(Column(name, String(20)) for name in NOT_VISIBLE.values()),
     Column("detection", CanonicalJson),
     Column("version", Integer, nullable=False),
     Column("created_at", UtcDateTime, nullable=False),
@@ -53,6 +56,7 @@ vehicles = Table(
     enum_check("origin", VehicleOrigin),
     enum_check("direction", Direction),
     enum_check("driver_side", DriverSide),
+    *(enum_check(name, NotVisible) for name in NOT_VISIBLE.values()),
     CheckConstraint("first_frame >= 0 AND last_frame >= first_frame", name="span_forward"),
     CheckConstraint("version >= 1", name="version_counts"),
     info=vouched(ChangedByEvents("vehicle", "vehicle")),

@@ -36,6 +36,7 @@ const survey: Survey = {
   created_at: "2026-11-21T10:00:00Z",
   inset_choices: {},
   traffic: { traffic_side: null, steering_side: null, camera_place: null },
+  asked: { daytime: ["roof", "driver_eye"], low_light: ["roof", "taillight"] },
   insets: {
     roof: inset,
     driver_eye_near: inset,
@@ -47,6 +48,7 @@ const survey: Survey = {
   counts: {
     recordings: 1,
     vehicles: 4,
+    not_visible: 0,
     vehicles_measured: 3,
     measurements: 9,
     to_review: 2,

@@ -19,6 +19,7 @@ const SHAPES: Record<StateName, MarkShape> = {
   to_do: "empty",
   partial: "half",
   measured: "full",
+  not_visible: "dash",
   // reviews
   to_review: "empty",
   accepted: "check",

@@ -32,6 +32,10 @@ export type Step = Schemas["Step"];
 export type Survey = Schemas["SurveyBody"];
 /** How traffic goes at a site and where the camera stands; null: nobody has said. */
 export type Traffic = Survey["traffic"];
+/** The targets that a survey asks for, by lighting. */
+export type Asked = Survey["asked"];
+export type AskedTarget = Asked["daytime"][number];
+export type NotVisible = NonNullable<Schemas["VehicleBody"]["roof_not_visible"]>;
 export type InsetName = keyof Survey["insets"];
 
 export type CameraDocument = Schemas["CameraDocument"];
@@ -79,6 +83,7 @@ export type VehicleFields = Pick<
   | "lighting"
   | "direction"
   | "driver_side"
+  | `${AskedTarget}_not_visible`
   | "notes"
 >;
 export type CatalogueRow = Schemas["CatalogueEntry"];

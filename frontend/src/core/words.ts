@@ -1,10 +1,22 @@
 /** The words of the domain: what can be measured on a vehicle, and the states that things are in. */
 import { wordsOf } from "./messages";
-import type { Category, Direction, DriverSide, InsetName, Lighting, Target } from "./types";
+import type {
+  AskedTarget,
+  Category,
+  Direction,
+  DriverSide,
+  InsetName,
+  Lighting,
+  NotVisible,
+  Target,
+} from "./types";
 
 export const TARGETS: readonly Target[] = ["roof", "driver_eye", "taillight", "headlight", "other"];
-/** A vehicle is measured when it has these three. */
+/** What is clicked of a scanned vehicle, in this order. */
 export const REQUIRED: readonly Target[] = ["roof", "driver_eye", "taillight"];
+
+/** What a survey can ask for. */
+export const ASKABLE: readonly AskedTarget[] = ["roof", "driver_eye", "taillight", "headlight"];
 
 export const TARGET_WORDS = wordsOf({
   roof: "target-roof",
@@ -32,6 +44,15 @@ export const LIGHTING_WORDS: Readonly<Record<Lighting, string>> = wordsOf({
 export const LIGHTING_NOUNS: Readonly<Record<Lighting, string>> = wordsOf({
   daytime: "lighting-noun-daytime",
   low_light: "lighting-noun-low_light",
+});
+
+/** Why a target cannot be measured. */
+export const NOT_VISIBLE_WORDS: Readonly<Record<NotVisible, string>> = wordsOf({
+  hidden: "not-visible-hidden",
+  glare: "not-visible-glare",
+  too_dark: "not-visible-too_dark",
+  outside: "not-visible-outside",
+  no_driver: "not-visible-no_driver",
 });
 
 /** Which way a pass goes in the picture. */
@@ -80,6 +101,7 @@ export const STATE_WORDS = wordsOf({
   to_do: "state-to_do",
   partial: "state-partial",
   measured: "state-measured",
+  not_visible: "state-not_visible",
   // reviews
   to_review: "state-to_review",
   accepted: "state-accepted",

@@ -117,6 +117,11 @@ export function vehicle(measurements: Measurement[] = [], facts: Partial<Vehicle
     version: 1,
     state: "to_do",
     measurements,
+    asked: ["roof", "driver_eye", "taillight"],
+    roof_not_visible: null,
+    driver_eye_not_visible: null,
+    taillight_not_visible: null,
+    headlight_not_visible: null,
     ...facts,
   } as unknown as Vehicle;
 }

@@ -35,6 +35,7 @@ from sightline.infra.csv_package.files import (
 from sightline.infra.csv_package.schema import Written
 from sightline.results.survey_statistics import StatisticsOptions
 from sightline.surveys.photographs.csv import photos_in
+from sightline.vehicles.records import NOT_VISIBLE
 
 MOST_EXCLUSIONS = 300
 Words = Mapping[str, Any]
@@ -63,6 +64,7 @@ def report_facts(files: Files, made: PackageStatistics, written: Mapping[str, Wr
             ("recordings", len(recordings)),
             ("vehicles", sum(1 for _ in read_columns(files, "vehicles.csv", ("id",)))),
             ("measurements", used.count),
+            ("targets not visible", _not_visible(files)),
             ("counted in the results", found.counted.measurements),
             ("left out", exclusions),
             *_scanned(made),
@@ -88,6 +90,13 @@ def report_facts(files: Files, made: PackageStatistics, written: Mapping[str, Wr
         audit_events=head.count,
         audit_head=head.hash,
         checksums=tuple(Checksum(path, written[path].sha256) for path in sorted(written)),
+    )
+
+
+def _not_visible(files: Files) -> int:
+    """How many targets were answered by a reason why they cannot be seen."""
+    return sum(
+        sum(map(bool, row)) for row in read_columns(files, "vehicles.csv", tuple(NOT_VISIBLE.values()))
     )
 
 

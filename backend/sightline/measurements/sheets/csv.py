@@ -4,10 +4,17 @@ from __future__ import annotations
 
 from typing import get_args
 
-from sightline.enums import Category, Direction, DriverSide, Lighting
+from sightline.enums import AskedTarget, Category, Direction, DriverSide, Lighting, NotVisible
 from sightline.infra.csv_package.columns import integer, key, metres, text
-from sightline.infra.csv_package.schema import Table
+from sightline.infra.csv_package.schema import Column, Table
 from sightline.measurements.records import VehicleSheet
+from sightline.vehicles.records import NOT_VISIBLE
+
+
+def _not_visible(target: AskedTarget) -> Column[VehicleSheet]:
+    words = f"why the {target.replace('_', ' ')} cannot be measured of this vehicle; empty where it can"
+    return text(NOT_VISIBLE[target], words, lambda v: v.not_visible.get(target), enum=get_args(NotVisible))
+
 
 VEHICLES: Table[VehicleSheet] = Table(
     "vehicles",
@@ -40,8 +47,14 @@ VEHICLES: Table[VehicleSheet] = Table(
             lambda v: v.driver_side,
             enum=get_args(DriverSide),
         ),
+        *(_not_visible(target) for target in NOT_VISIBLE),
         text("notes", "remarks", lambda v: v.notes),
-        text("state", "how far the work on it is", lambda v: v.state, required=True),
+        text(
+            "state",
+            "how far the work on it is, by what the survey asks for",
+            lambda v: v.state,
+            required=True,
+        ),
     ),
     primary=("id",),
     foreign=((("recording_id",), "recordings", ("id",)),),

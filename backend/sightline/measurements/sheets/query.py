@@ -6,11 +6,12 @@ from typing import Any
 from sqlalchemy import ColumnElement, func, select
 from sqlalchemy.orm import Session
 
-from sightline.enums import REQUIRED_TARGETS, VehicleState
+from sightline.enums import AskedTarget, VehicleState
 from sightline.infra.database.rows import missing
 from sightline.measurements.query import measurements_of_vehicles
 from sightline.measurements.records import Measurement, VehicleSheet
 from sightline.measurements.tables import measurement_series, measurements, wheel_pairs
+from sightline.vehicles.records import NOT_VISIBLE
 from sightline.vehicles.store import facts_of_row, vehicle_rows
 from sightline.vehicles.tables import vehicles
 
@@ -60,13 +61,18 @@ def frames_used_of_vehicle(session: Session, vehicle_id: int) -> tuple[tuple[int
     return (*clicked, *((int(frame),) for frame in session.execute(pairs).scalars()))
 
 
-def state_of(found: Sequence[Measurement]) -> VehicleState:
-    """What a vehicle's standing measurements make of it (roof, eye and taillight are asked for)."""
+def state_of(
+    found: Sequence[Measurement], asked: Iterable[AskedTarget], not_visible: Iterable[AskedTarget]
+) -> VehicleState:
+    """What a vehicle's standing measurements make of it, by what is asked for; `not_visible` answers too."""
     verdicts = {one.review.verdict for one in found}
     if "rejected" in verdicts:
         return "rejected"
-    if not set(REQUIRED_TARGETS) <= {one.values.target for one in found}:
-        return "partial" if found else "to_do"
+    unseen = set(not_visible)
+    if not set(asked) <= {one.values.target for one in found} | unseen:
+        return "partial" if found or unseen else "to_do"
+    if not found:
+        return "not_visible"
     return "accepted" if verdicts <= {"accepted", "fixed"} else "measured"
 
 
@@ -79,4 +85,6 @@ def _fetch(
 
 
 def _sheet(facts: dict[str, Any], measured: tuple[Measurement, ...]) -> VehicleSheet:
-    return VehicleSheet(**facts, state=state_of(measured), measurements=measured)
+    unseen = [target for target, name in NOT_VISIBLE.items() if facts[name] is not None]
+    state = state_of(measured, facts["asked"], unseen)
+    return VehicleSheet(**facts, state=state, measurements=measured)

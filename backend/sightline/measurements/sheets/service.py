@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from sightline.errors import BadInput
 from sightline.infra.database import Session
 from sightline.measurements.query import measurements_of_vehicles
 from sightline.measurements.service import revise_with_what_holds_now
@@ -15,13 +16,19 @@ def change_vehicle(
 ) -> None:
     """Change fields; where the driver's side becomes another, a standing eye is computed again by it.
 
-    An eye with an inset of its own stays. Raises Conflict, naming who and when, if `version` is not current.
+    An eye with an inset of its own stays. Raises Conflict, naming who and when, if `version` is not current,
+    BadInput for a target that is measured and said not to be visible.
     """
     before = get_vehicle(session, vehicle_id)
     after = update_vehicle(session, vehicle_id, changes, version=version, actor=actor)
+    of_vehicle = [measurement_series.c.vehicle_id == vehicle_id]
+    if set(after.not_visible) - set(before.not_visible):
+        standing = measurements_of_vehicles(session, of_vehicle).get(vehicle_id, ())
+        measured = {one.values.target for one in standing} & set(after.not_visible)
+        if measured:
+            raise BadInput("measurements-not-visible-but-measured-withdraw", target=min(measured))
     if (before.side, before.side_from) == (after.side, after.side_from):
         return
-    of_vehicle = [measurement_series.c.vehicle_id == vehicle_id]
     for one in measurements_of_vehicles(session, of_vehicle).get(vehicle_id, ()):
         if one.values.target == "driver_eye" and one.values.inset_from == "usual":
             revise_with_what_holds_now(session, one, actor=actor)

@@ -4,11 +4,11 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from sqlalchemy import ColumnElement, Select, and_, case, distinct, func, select
+from sqlalchemy import ColumnElement, Select, and_, case, func, select
 from sqlalchemy.orm import Session
 
 from sightline.cameras.tables import cameras
-from sightline.enums import REQUIRED_TARGETS, StepKey
+from sightline.enums import StepKey
 from sightline.measurements.query import is_current, is_first, verdict, waits, with_verdict
 from sightline.measurements.tables import measurement_series, measurements
 from sightline.recordings.tables import recordings
@@ -18,6 +18,7 @@ from sightline.scans.progress_query import no_scans, scan_progress_of
 from sightline.scans.records import ScanProgress
 from sightline.surveys import store as surveys
 from sightline.surveys.records import Survey
+from sightline.vehicles.records import NOT_VISIBLE
 from sightline.vehicles.tables import vehicles
 
 
@@ -55,11 +56,11 @@ def _overviews(session: Session, of: Sequence[Survey]) -> tuple[SurveyOverview, 
             _camera_facts(survey_ids),
             _recording_facts(survey_ids),
             _grouped(vehicles.c.survey_id, survey_ids, [_ALIVE], vehicles=func.count()),
-            _measured_vehicles(survey_ids),
             _measurement_facts(survey_ids),
             _grouped(exports.c.survey_id, survey_ids, [], exports=func.count()),
         )
     ]
+    tables.append(_answered_vehicles(session, of))
     scanned = scan_progress_of(session, survey_ids)
     overviews = []
     for survey in of:
@@ -124,20 +125,39 @@ def _measurement_facts(survey_ids: Sequence[int]) -> Select[Any]:
     )
 
 
-def _measured_vehicles(survey_ids: Sequence[int]) -> Select[Any]:
-    measured = (
-        select(measurement_series.c.survey_id, measurement_series.c.vehicle_id)
-        .join(measurements, measurements.c.series_id == measurement_series.c.id)
-        .join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
-        .where(measurement_series.c.survey_id.in_(survey_ids), *_STANDING)
-        .where(measurements.c.target.in_(REQUIRED_TARGETS))
-        .group_by(measurement_series.c.survey_id, measurement_series.c.vehicle_id)
-        .having(func.count(distinct(measurements.c.target)) == len(REQUIRED_TARGETS))
+def _answered_vehicles(session: Session, of: Sequence[Survey]) -> dict[int, dict[str, int]]:
+    """By survey: vehicles of which all that is asked for is answered, and targets said not to be visible.
+
+    Vehicles are counted by what they have, a few dozen ways, and judged by what their survey asks for.
+    """
+    targets = list(NOT_VISIBLE)
+    seen = [vehicles.c[NOT_VISIBLE[target]].is_(None) for target in targets]
+    has = [func.max(case((measurements.c.target == target, 1), else_=0)).label(target) for target in targets]
+    light = func.coalesce(vehicles.c.lighting, recordings.c.lighting).label("light")
+    unseen = [
+        case((one, 0), else_=1).label(name) for one, name in zip(seen, NOT_VISIBLE.values(), strict=True)
+    ]
+    standing = and_(
+        measurements.c.series_id == measurement_series.c.id, is_current, ~measurements.c.withdrawn
+    )
+    each = (
+        select(vehicles.c.survey_id, light, *unseen, *has)
+        .join(recordings, recordings.c.id == vehicles.c.recording_id)
+        .outerjoin(measurement_series, and_(measurement_series.c.vehicle_id == vehicles.c.id, is_first))
+        .outerjoin(measurements, standing)
+        .where(vehicles.c.survey_id.in_([survey.id for survey in of]), _ALIVE)
+        .group_by(vehicles.c.id, vehicles.c.survey_id, light, *unseen)
         .subquery()
     )
-    return select(measured.c.survey_id, func.count().label("vehicles_measured")).group_by(
-        measured.c.survey_id
-    )
+    asked = {survey.id: survey.asked for survey in of}
+    found: dict[int, dict[str, int]] = {}
+    for row in session.execute(select(*each.c, func.count().label("count")).group_by(*each.c)).mappings():
+        counts = found.setdefault(row["survey_id"], {"vehicles_measured": 0, "not_visible": 0})
+        answered = {t for t in targets if row[t] or row[NOT_VISIBLE[t]]}
+        if answered >= set(asked[row["survey_id"]].of(row["light"])):
+            counts["vehicles_measured"] += row["count"]
+        counts["not_visible"] += row["count"] * sum(row[name] for name in NOT_VISIBLE.values())
+    return found
 
 
 def _by_survey(session: Session, query: Select[Any]) -> dict[int, dict[str, int]]:
@@ -196,10 +216,12 @@ def _pose_words(facts: _Facts) -> str:
 
 def _vehicle_words(counts: SurveyCounts) -> str:
     if counts.vehicles == 0:
-        return "Add the vehicles that pass and measure roof, driver's eye and taillight of each."
+        return "Add the vehicles that pass and measure of each what the survey asks for."
+    unseen = f" {_number(counts.not_visible, 'target')} not visible." if counts.not_visible else ""
     if counts.vehicles == counts.vehicles_measured:
-        return f"All {_number(counts.vehicles, 'vehicle')} measured."
-    return f"Measure {counts.vehicles - counts.vehicles_measured} of {_number(counts.vehicles, 'vehicle')}."
+        return f"All {_number(counts.vehicles, 'vehicle')} measured.{unseen}"
+    left = counts.vehicles - counts.vehicles_measured
+    return f"Measure {left} of {_number(counts.vehicles, 'vehicle')}.{unseen}"
 
 
 def _review_words(counts: SurveyCounts) -> str:

@@ -14,6 +14,7 @@ class SurveyCounts:
     recordings: int = 0
     vehicles: int = 0
     vehicles_measured: int = 0
+    not_visible: int = 0
     measurements: int = 0
     to_review: int = 0
     accepted: int = 0

@@ -9,7 +9,7 @@ from sightline.results.overview.records import Step, SurveyCounts, SurveyOvervie
 from sightline.scans.records import ScanProgress
 from sightline.surveys import store
 from sightline.surveys.bodies import InsetChanges, NewSurvey, SurveyChange, SurveyFacts
-from sightline.surveys.records import Inset
+from sightline.surveys.records import Asked, Inset
 
 router = APIRouter()
 
@@ -31,6 +31,10 @@ def _traffic(body: NewSurvey, before: TrafficFacts) -> TrafficFacts:
     return before if body.traffic is None else TrafficFacts(**body.traffic.model_dump())
 
 
+def _asked(body: NewSurvey, before: Asked) -> Asked:
+    return before if body.asked is None else Asked(**body.asked.model_dump())
+
+
 @router.get("/surveys")
 def list_surveys(who: Viewer, session: Reading) -> list[SurveyBody]:
     """Every survey, newest first."""
@@ -46,6 +50,7 @@ def add_survey(body: NewSurvey, who: Operator, session: Writing) -> SurveyBody:
         site=body.site,
         description=body.description,
         traffic=_traffic(body, TrafficFacts()),
+        asked=_asked(body, Asked()),
         actor=who.id,
     )
     return survey_body(survey_overview(session, made.id))
@@ -59,7 +64,7 @@ def get_survey(survey_id: PathId, who: Viewer, session: Reading) -> SurveyBody:
 
 @router.put("/surveys/{survey_id}")
 def change_survey(survey_id: PathId, body: SurveyChange, who: Operator, session: Writing) -> SurveyBody:
-    """Change words, traffic or insets; they count for measurements made from now on."""
+    """Change words, traffic, targets or insets; they count for measurements made from now on."""
     before = store.get_survey(session, survey_id)
     insets = dict(before.insets)
     for target, inset in (body.insets or InsetChanges()).model_dump(exclude_none=True).items():
@@ -71,6 +76,7 @@ def change_survey(survey_id: PathId, body: SurveyChange, who: Operator, session:
         site=body.site,
         description=body.description,
         traffic=_traffic(body, before.traffic),
+        asked=_asked(body, before.asked),
         insets=insets,
         version=body.version,
         actor=who.id,

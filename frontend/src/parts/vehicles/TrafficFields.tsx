@@ -2,6 +2,7 @@
 import { SelectField } from "../../components";
 import { say, wordsOf } from "../../core/messages";
 import type { Traffic } from "../../core/types";
+import "./surveyFields.css";
 
 const HANDS = wordsOf({ right: "traffic-right", left: "traffic-left" });
 const WHEELS = wordsOf({ left: "wheel-left", right: "wheel-right" });
@@ -14,7 +15,7 @@ interface Props {
 
 export function TrafficFields({ traffic, onChange }: Props) {
   return (
-    <fieldset class="traffic" data-testid="traffic">
+    <fieldset class="survey-fields" data-testid="traffic">
       <legend>{say("traffic-title")}</legend>
       <p class="field__hint">{say("traffic-help")}</p>
       <div class="row row--wrap">

@@ -25,7 +25,8 @@ const RANK: Record<Vehicle["state"], number> = {
   partial: 1,
   to_do: 2,
   measured: 3,
-  accepted: 4,
+  not_visible: 4,
+  accepted: 5,
 };
 
 /** True if the operator has something to do here. */

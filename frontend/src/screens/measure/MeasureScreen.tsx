@@ -85,6 +85,7 @@ function measureCommands(model: MeasureModel): ButtonCommand[] {
     { id: "bestFrame", run: () => model.toBestFrame() },
     { id: "passBegin", run: () => model.markPass("first") },
     { id: "passEnd", run: () => model.markPass("last") },
+    { id: "notVisible", run: () => model.askWhyUnseen(), enabled: mayWork },
     { id: "newContact", run: () => void model.dispatch({ type: "new-contact" }) },
     { id: "selectNext", run: () => model.points.selectNext() },
     { id: "secondFrame", run: () => void model.second.start(), enabled: mayWork },

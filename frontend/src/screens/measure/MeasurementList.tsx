@@ -7,13 +7,14 @@ import { outbox } from "../../core/outbox";
 import { canWork } from "../../core/session";
 import type { Target } from "../../core/types";
 import { formatLength, inUnits } from "../../core/units";
-import { REQUIRED, TARGET_NOUNS, TARGET_WORDS, TARGETS } from "../../core/words";
+import { TARGET_NOUNS, TARGET_WORDS, TARGETS } from "../../core/words";
 import { MeasurementConflict } from "./Conflicts";
 import { InsetChoice } from "./InsetChoice";
 import { MeasurementDetail } from "./MeasurementDetail";
 import type { MeasureModel } from "./model";
 import type { Entry } from "./records";
 import { FramesSaid } from "./SecondFrameParts";
+import { Unseen } from "./Unseen";
 import { heightWords } from "./words";
 
 export function MeasurementList({ model }: { model: MeasureModel }) {
@@ -27,7 +28,7 @@ export function MeasurementList({ model }: { model: MeasureModel }) {
         {TARGETS.map((target, i) => {
           const own = entries.filter((entry) => entry.values.target === target);
           return (
-            <li key={target} class={REQUIRED.includes(target) ? "" : "heights__optional"}>
+            <li key={target} class={isAsked(model, target) ? "" : "heights__optional"}>
               {own.length === 0 ? (
                 <Row model={model} target={target} index={i} entry={null} open={false} />
               ) : (
@@ -49,6 +50,7 @@ export function MeasurementList({ model }: { model: MeasureModel }) {
                   </div>
                 ))
               )}
+              {own.length === 0 && <Unseen model={model} target={target} />}
               <InsetChoice model={model} target={target} entry={own.at(-1) ?? null} />
             </li>
           );
@@ -56,6 +58,10 @@ export function MeasurementList({ model }: { model: MeasureModel }) {
       </ul>
     </section>
   );
+}
+
+function isAsked(model: MeasureModel, target: Target): boolean {
+  return (model.vehicle.value?.asked as readonly Target[] | undefined)?.includes(target) ?? false;
 }
 
 interface RowProps {

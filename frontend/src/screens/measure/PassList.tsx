@@ -7,7 +7,7 @@ import { hint } from "../../core/commands";
 import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import type { Vehicle } from "../../core/types";
-import { LIGHTING_NOUNS, LIGHTING_WORDS, REQUIRED, STATE_WORDS, vehicleName } from "../../core/words";
+import { LIGHTING_NOUNS, LIGHTING_WORDS, STATE_WORDS, vehicleName } from "../../core/words";
 import { FindPasses } from "../../parts/vehicles/FindPasses";
 import {
   FILTER_WORDS,
@@ -144,9 +144,10 @@ function progress(model: MeasureModel, vehicle: Vehicle): string | undefined {
       .filter((entry) => !entry.values.withdrawn)
       .map((entry) => entry.values.target),
   );
-  const count = REQUIRED.filter((target) => have.has(target)).length;
-  return count > 0 && count < REQUIRED.length
-    ? say("measure-progress", { count, all: REQUIRED.length })
+  const { asked } = vehicle;
+  const count = asked.filter((target) => have.has(target) || vehicle[`${target}_not_visible`]).length;
+  return count > 0 && count < asked.length
+    ? say("measure-progress", { count, all: asked.length })
     : undefined;
 }
 

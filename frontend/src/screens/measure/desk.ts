@@ -28,6 +28,8 @@ export interface Desk {
   /** What a click comes to is carried out by the tool that dispatched it. */
   dispatch(event: FlowEvent): Effect | null;
   insetOf(target: Target): Inset | null;
+  /** What is asked for of the open vehicle and was not said to be unseen. */
+  asked(): readonly Target[];
   stepName(step: string): string;
 }
 

@@ -16,6 +16,10 @@ const FIELDS = [
   "lighting",
   "direction",
   "driver_side",
+  "roof_not_visible",
+  "driver_eye_not_visible",
+  "taillight_not_visible",
+  "headlight_not_visible",
   "notes",
 ] as const satisfies readonly (keyof VehicleFields)[];
 export type Field = (typeof FIELDS)[number];
@@ -35,6 +39,10 @@ export const FIELD_WORDS: Readonly<Record<Field, string>> = wordsOf({
   lighting: "measure-field-lighting",
   direction: "measure-field-direction",
   driver_side: "measure-field-driver_side",
+  roof_not_visible: "measure-field-roof_not_visible",
+  driver_eye_not_visible: "measure-field-driver_eye_not_visible",
+  taillight_not_visible: "measure-field-taillight_not_visible",
+  headlight_not_visible: "measure-field-headlight_not_visible",
   notes: "field-notes",
 });
 

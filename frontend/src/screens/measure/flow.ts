@@ -4,7 +4,6 @@
  */
 
 import type { Target } from "../../core/types";
-import { REQUIRED } from "../../core/words";
 import type { ImagePoint } from "../../viewer/points";
 
 export type Role = "contact" | "point";
@@ -71,9 +70,9 @@ export function awaiting(flow: Flow, frame: number): Role | null {
   return flow.renew || !flow.contacts.has(frame) ? "contact" : "point";
 }
 
-/** The first required target not in `have`, in the order in which operators click. */
-export function firstMissing(have: ReadonlySet<Target>): Target | null {
-  return REQUIRED.find((target) => !have.has(target)) ?? null;
+/** The first target that is asked for and not in `have`, in the order in which operators click. */
+export function firstMissing(have: ReadonlySet<Target>, asked: readonly Target[]): Target | null {
+  return asked.find((target) => !have.has(target)) ?? null;
 }
 
 export function step(flow: Flow, event: FlowEvent): Outcome {

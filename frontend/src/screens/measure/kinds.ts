@@ -2,9 +2,24 @@
 import { type ApiError, api } from "../../core/api";
 import { allOf, say } from "../../core/messages";
 import { type Kind, outbox } from "../../core/outbox";
-import type { Category, Direction, DriverSide, Lighting, Measurement, Vehicle } from "../../core/types";
+import type {
+  Category,
+  Direction,
+  DriverSide,
+  Lighting,
+  Measurement,
+  NotVisible,
+  Vehicle,
+} from "../../core/types";
 import { formatHeight, formatLength } from "../../core/units";
-import { CATEGORY_WORDS, DIRECTION_WORDS, LIGHTING_NOUNS, SIDE_WORDS, STATE_WORDS } from "../../core/words";
+import {
+  CATEGORY_WORDS,
+  DIRECTION_WORDS,
+  LIGHTING_NOUNS,
+  NOT_VISIBLE_WORDS,
+  SIDE_WORDS,
+  STATE_WORDS,
+} from "../../core/words";
 import { clickBody, sameValues, type Values, valuesOf } from "../../viewer/values";
 import { type Changes, disputedFields, FIELD_WORDS, type Field } from "./fields";
 
@@ -74,6 +89,7 @@ export function showFact(field: Field, value: unknown): string {
   if (field === "lighting") return LIGHTING_NOUNS[value as Lighting];
   if (field === "direction") return DIRECTION_WORDS[value as Direction];
   if (field === "driver_side") return SIDE_WORDS[value as DriverSide];
+  if (field.endsWith("_not_visible")) return NOT_VISIBLE_WORDS[value as NotVisible];
   return field.endsWith("_m") ? formatLength(Number(value)) : String(value);
 }
 

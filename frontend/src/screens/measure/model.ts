@@ -13,7 +13,7 @@ import { canWork } from "../../core/session";
 import { stored } from "../../core/stored";
 import { survey } from "../../core/survey";
 import { toast, toastProblem } from "../../core/toasts";
-import type { DriverSide, Recording, Target, Vehicle } from "../../core/types";
+import type { AskedTarget, DriverSide, NotVisible, Recording, Target, Vehicle } from "../../core/types";
 import { vehicleName } from "../../core/words";
 import {
   bestFrame,
@@ -76,6 +76,9 @@ export class MeasureModel implements Desk {
   readonly passFrom = signal<number | null>(null);
   /** Insets chosen for this vehicle's targets before they are measured. */
   readonly chosenInsets = signal<ReadonlyMap<string, Inset>>(new Map());
+
+  /** The target of which is asked why it is not visible. */
+  readonly whyUnseen = signal<AskedTarget | null>(null);
 
   readonly list = computed(() => listed(this.vehicles.list.value, filter.value, order.value));
   readonly vehicle = computed(() => this.vehicles.shown(this.vehicleId.value));
@@ -192,10 +195,11 @@ export class MeasureModel implements Desk {
   open(vehicle: Vehicle, frame = bestFrame(vehicle)): void {
     this.leave();
     const contacts = this.points.contactsOf(vehicle.id);
-    const target = canWork.value ? firstMissing(this.points.targetsOf(vehicle.id)) : null;
+    const target = canWork.value ? firstMissing(this.points.targetsOf(vehicle.id), askedOf(vehicle)) : null;
     batch(() => {
       this.step({ type: "open", vehicleId: vehicle.id, target, contacts });
       this.chosenInsets.value = new Map();
+      this.whyUnseen.value = null;
       this.reel.show(vehicle.recording_id, frame);
     });
   }
@@ -280,6 +284,29 @@ export class MeasureModel implements Desk {
     );
     this.edit({ driver_side: side });
     void this.vehicles.flush(vehicle.id);
+  }
+
+  asked(): readonly Target[] {
+    const vehicle = this.vehicle.value;
+    return vehicle ? askedOf(vehicle) : [];
+  }
+
+  /** The target that is not visible: asks why, beside its row. */
+  askWhyUnseen(): void {
+    const target = this.flow.value.target;
+    if (target && target !== "other" && !this.points.targetsOf(this.vehicleId.value).has(target))
+      this.whyUnseen.value = target;
+  }
+
+  /** Why a target cannot be measured of this vehicle; null: it can. Saved at once, and on to the next target. */
+  setUnseen(target: AskedTarget, why: NotVisible | null): void {
+    const vehicle = this.vehicle.value;
+    this.whyUnseen.value = null;
+    if (!vehicle) return;
+    this.edit({ [`${target}_not_visible`]: why });
+    void this.vehicles.flush(vehicle.id);
+    if (why) this.step({ type: "stored", missing: this.points.missing() });
+    else this.step({ type: "choose", target });
   }
 
   /** Edits vehicle facts, as a step that can be undone. */
@@ -558,4 +585,9 @@ function missedBy(
   if (vehicle) return null;
   if (recordingId !== null && recording?.state !== "ready") return "recording";
   return vehicleId === null ? null : "vehicle";
+}
+
+/** What is asked for of a vehicle and was not said to be unseen. */
+function askedOf(vehicle: Vehicle): readonly AskedTarget[] {
+  return vehicle.asked.filter((target) => vehicle[`${target}_not_visible`] === null);
 }

@@ -42,6 +42,25 @@ describe("measuring with clicks", () => {
     expect([...server.stored.values()].every((m) => m.contact[0] === 100 && m.contact[1] === 400)).toBe(true);
   });
 
+  it("goes on to the next target when one is not visible, and comes back to it when it is", async () => {
+    let facts = vehicle([]);
+    server.on("PUT", /^\/vehicles\/7$/, (_match, body) => {
+      facts = { ...facts, ...body, version: facts.version + 1 };
+      return facts;
+    });
+    server.on("GET", /^\/vehicles\/7$/, () => facts);
+    model.askWhyUnseen();
+    expect(model.whyUnseen.value).toBe("roof");
+    model.setUnseen("roof", "glare");
+    await quiet();
+    expect(model.vehicle.value?.roof_not_visible).toBe("glare");
+    expect([model.flow.value.target, model.whyUnseen.value]).toEqual(["driver_eye", null]);
+    model.setUnseen("roof", null);
+    expect([model.vehicle.value?.roof_not_visible, model.flow.value.target]).toEqual([null, "roof"]);
+    await model.history.undo();
+    expect(model.vehicle.value?.roof_not_visible).toBe("glare");
+  });
+
   it("undoes a target, then the contact, and does both again", async () => {
     model.points.place(at(100, 400));
     model.points.place(at(101, 250));

@@ -6,7 +6,7 @@ import { newKey } from "../../core/random";
 import { canWork } from "../../core/session";
 import { toast } from "../../core/toasts";
 import type { Target } from "../../core/types";
-import { REQUIRED, TARGET_NOUNS } from "../../core/words";
+import { TARGET_NOUNS } from "../../core/words";
 import { type ImagePoint, imagePoint, samePoint } from "../../viewer/points";
 import type { DragPhase, Handle } from "../../viewer/tool";
 import { type FramePoints, type Inset, movedOn, pointsOn } from "../../viewer/values";
@@ -258,7 +258,7 @@ export class Points implements ClickTool {
 
   missing(): Target[] {
     const have = this.targetsOf(this.desk.vehicleId.value);
-    return REQUIRED.filter((target) => !have.has(target));
+    return this.desk.asked().filter((target) => !have.has(target));
   }
 
   private standingOf(vehicleId: number | null): Entry[] {

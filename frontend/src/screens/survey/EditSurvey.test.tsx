@@ -13,6 +13,7 @@ const survey = {
   description: "",
   version: 1,
   traffic: { traffic_side: null, steering_side: null, camera_place: null },
+  asked: { daytime: ["roof", "driver_eye"], low_light: ["roof", "taillight"] },
   insets: {
     roof: inset,
     driver_eye_near: inset,

@@ -6,6 +6,7 @@ import { refreshSurvey } from "../../core/survey";
 import type { Inset, InsetName, Survey } from "../../core/types";
 import { lengthText, lengthUnit, parseLength } from "../../core/units";
 import { INSET_NAMES, INSET_WORDS } from "../../core/words";
+import { AskedFields } from "../../parts/vehicles/AskedFields";
 import { TrafficFields } from "../../parts/vehicles/TrafficFields";
 
 type Typed = Record<InsetName, { inset: string; u: string }>;
@@ -15,6 +16,7 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
   const [name, setName] = useState(survey.name);
   const [site, setSite] = useState(survey.site);
   const [description, setDescription] = useState(survey.description);
+  const [asked, setAsked] = useState(survey.asked);
   const [traffic, setTraffic] = useState(survey.traffic);
   const [insets, setInsets] = useState<Typed>(() => typedInsets(survey));
   const [wrong, setWrong] = useState<string | null>(null);
@@ -33,6 +35,7 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
           site,
           description,
           traffic,
+          asked,
           insets: read,
           version: survey.version,
         },
@@ -55,6 +58,7 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
       <TextField label={say("survey-site")} value={site} onInput={setSite} />
       <TextField label={say("survey-description")} value={description} onInput={setDescription} rows={3} />
       <TrafficFields traffic={traffic} onChange={setTraffic} />
+      <AskedFields asked={asked} onChange={setAsked} />
       <fieldset class="insets">
         <legend>{say("survey-insets")}</legend>
         <p class="field__hint">{say("survey-insets-help")}</p>

@@ -3,14 +3,14 @@ import { Button, Icon, JobProgress, Loading, Notice, Shape } from "../../compone
 import { Said } from "../../components/Said";
 import { api } from "../../core/api";
 import { isOver } from "../../core/jobs";
-import { say, wordsOf } from "../../core/messages";
+import { allOf, say, wordsOf } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useEvery, useResource } from "../../core/resource";
 import { may } from "../../core/session";
 import { survey as openSurvey, refreshSurvey } from "../../core/survey";
-import type { Step, Survey } from "../../core/types";
+import type { Step, Survey, Target } from "../../core/types";
 import { formatCount } from "../../core/units";
-import { STATE_WORDS } from "../../core/words";
+import { STATE_WORDS, TARGET_NOUNS } from "../../core/words";
 import { entryOfStep } from "../../core/work";
 import { EditSurvey } from "./EditSurvey";
 import { Photographs } from "./Photographs";
@@ -67,7 +67,11 @@ function TrafficOf({ survey, edit }: { survey: Survey; edit(): void }) {
   if (traffic_side && steering_side && camera_place)
     return (
       <p class="muted" data-testid="traffic-said">
-        {say("survey-traffic", { traffic: traffic_side, steering: steering_side, camera: camera_place })}
+        {say("survey-traffic", { traffic: traffic_side, steering: steering_side, camera: camera_place })}{" "}
+        {say("survey-asked", {
+          daytime: named(survey.asked.daytime),
+          low_light: named(survey.asked.low_light),
+        })}
       </p>
     );
   return (
@@ -80,6 +84,10 @@ function TrafficOf({ survey, edit }: { survey: Survey; edit(): void }) {
       )}
     </Notice>
   );
+}
+
+function named(targets: readonly Target[]): string {
+  return allOf(targets.map((target) => TARGET_NOUNS[target]));
 }
 
 /** Line scans are a way of their own, beside the steps that lead to heights; a survey without any says so quietly. */

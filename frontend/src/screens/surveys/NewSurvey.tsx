@@ -4,6 +4,7 @@ import { navigate } from "../../core/address";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import type { Traffic } from "../../core/types";
+import { AskedFields, USUALLY_ASKED } from "../../parts/vehicles/AskedFields";
 import { TrafficFields } from "../../parts/vehicles/TrafficFields";
 
 const UNSAID: Traffic = { traffic_side: null, steering_side: null, camera_place: null };
@@ -13,6 +14,7 @@ export function NewSurvey({ close }: { close: () => void }) {
   const [site, setSite] = useState("");
   const [description, setDescription] = useState("");
   const [traffic, setTraffic] = useState<Traffic>(UNSAID);
+  const [asked, setAsked] = useState(USUALLY_ASKED);
   const [missing, setMissing] = useState(false);
   const submit = () => {
     setMissing(!name.trim());
@@ -22,7 +24,7 @@ export function NewSurvey({ close }: { close: () => void }) {
     const made = await api.write(
       "POST /surveys",
       {},
-      { body: { name: name.trim(), site: site.trim(), description, traffic } },
+      { body: { name: name.trim(), site: site.trim(), description, traffic, asked } },
     );
     navigate(`/surveys/${made.id}`);
   };
@@ -49,6 +51,7 @@ export function NewSurvey({ close }: { close: () => void }) {
         hint={say("surveys-new-description-hint")}
       />
       <TrafficFields traffic={traffic} onChange={setTraffic} />
+      <AskedFields asked={asked} onChange={setAsked} />
     </FormDialog>
   );
 }

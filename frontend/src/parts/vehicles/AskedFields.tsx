@@ -1,0 +1,44 @@
+/** Which targets a survey asks for, by day and in low light. */
+import { say } from "../../core/messages";
+import type { Asked, AskedTarget, Lighting } from "../../core/types";
+import { ASKABLE, LIGHTING_WORDS, TARGET_WORDS } from "../../core/words";
+import "./surveyFields.css";
+
+export const USUALLY_ASKED: Asked = { daytime: ["roof", "driver_eye"], low_light: ["roof", "taillight"] };
+
+interface Props {
+  asked: Asked;
+  onChange(asked: Asked): void;
+}
+
+export function AskedFields({ asked, onChange }: Props) {
+  const change = (lighting: Lighting, target: AskedTarget, wanted: boolean): void => {
+    const now = asked[lighting];
+    const next = ASKABLE.filter((one) => (one === target ? wanted : now.includes(one)));
+    onChange({ ...asked, [lighting]: next });
+  };
+  return (
+    <fieldset class="survey-fields" data-testid="asked">
+      <legend>{say("asked-title")}</legend>
+      <p class="field__hint">{say("asked-help")}</p>
+      {(Object.keys(LIGHTING_WORDS) as Lighting[]).map((lighting) => (
+        <div class="row row--wrap" key={lighting}>
+          <span class="survey-fields__lighting">{LIGHTING_WORDS[lighting]}</span>
+          {ASKABLE.map((target) => (
+            <label key={target}>
+              <input
+                type="checkbox"
+                checked={asked[lighting].includes(target)}
+                onChange={(event) => change(lighting, target, event.currentTarget.checked)}
+              />{" "}
+              {TARGET_WORDS[target]}
+            </label>
+          ))}
+        </div>
+      ))}
+      {(asked.daytime.length === 0 || asked.low_light.length === 0) && (
+        <p class="field__problem">{say("asked-none")}</p>
+      )}
+    </fieldset>
+  );
+}
