@@ -51,7 +51,7 @@ def test_figures_are_filtered_downloaded_and_linked(page: Page) -> None:
     name, drawn = saved(page, "Driver’s eye, cumulative as SVG")
     assert name.endswith(".svg") and "AASHTO" in drawn and "var(--" not in drawn
 
-    page.get_by_label("Draw AASHTO (USA), driver’s eye").uncheck()
+    page.get_by_label("Draw AASHTO (USA), eye, passenger cars").uncheck()
     expect(figure.locator("svg")).not_to_contain_text("AASHTO")
     page.get_by_label("Own value for").select_option("driver_eye")
     height = page.get_by_label("Height", exact=True)

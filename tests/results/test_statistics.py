@@ -17,6 +17,7 @@ from sightline.measurements import store
 from sightline.results.csv import STANDARDS, standards_in
 from sightline.results.standards_store import get_standards
 from sightline.reviews.store import add_review
+from sightline.statistics.standards import STANDARDS as USUAL
 from sightline.surveys.store import create_survey
 from sightline.vehicles.store import create_vehicle, update_vehicle
 from tests.support import samples
@@ -240,7 +241,7 @@ def test_statistics_are_a_recount(viewer: Client, services: Services, ground: Gr
 
 def test_empty_one_and_few_have_reasons(viewer: Client, services: Services) -> None:
     empty = viewer.seen("/statistics")
-    assert empty["counted"]["measurements"] == 0 and len(empty["standards"]) == 7
+    assert empty["counted"]["measurements"] == 0 and len(empty["standards"]) == len(USUAL)
     assert "no vehicle" in empty["errors"]["groups"][0]["reason"]
     assert "at least 4" in empty["errors"]["trend"]["reason"]
     assert "reason" in empty["targets"][0]["corrected"]["ecdf"]
@@ -270,13 +271,23 @@ def test_empty_one_and_few_have_reasons(viewer: Client, services: Services) -> N
     assert "at least 10" in found["targets"][3]["density"]["reason"]
 
 
+REST = {
+    "edition": "",
+    "year": None,
+    "percent": None,
+    "vehicle_class": "",
+    "cited_by": "",
+    "drawn": True,
+}
+
+
 def test_a_survey_has_its_own_standards(
     viewer: Client, operator: Client, services: Services, ground: Ground
 ) -> None:
     one = ground.one.survey.id
     usual = viewer.seen(f"/surveys/{one}/standards")
     assert usual["version"] == 0 and usual["standards"] == viewer.seen("/statistics")["standards"]
-    table = [{"name": "House rule", "what": "driver_eye", "height_m": 1.15, "source": "By-law 7"}]
+    table = [{**REST, "name": "House rule", "what": "eye_car", "height_m": 1.15, "source": "By-law 7"}]
     told = operator.put(f"/surveys/{one}/standards", json={"version": 0, "standards": table}).json()
     assert told["standards"] == table and told["version"] > 0
     assert viewer.seen(f"/surveys/{one}/standards") == told
@@ -298,7 +309,8 @@ def test_a_surveys_standards_go_into_its_package(
     operator: Client, services: Services, ground: Ground, tmp_path: Path
 ) -> None:
     one = ground.one.survey.id
-    table = [{"name": "=House, rule", "what": "driver_eye", "height_m": 1.15, "source": '"By-law" 7'}]
+    given = {"name": "=House, rule", "what": "eye_truck", "height_m": 1.15, "source": '"By-law" 7'}
+    table = [{**REST, **given, "year": 2020, "percent": 2.5, "drawn": False}, {**REST, **given, "name": "B"}]
     assert operator.put(f"/surveys/{one}/standards", json={"version": 0, "standards": table}).is_success
     staging = Staging(tmp_path)
     with services.reading() as session:
@@ -308,11 +320,12 @@ def test_a_surveys_standards_go_into_its_package(
 
 def test_a_table_of_standards_that_cannot_be_is_refused(operator: Client, ground: Ground) -> None:
     path = f"/surveys/{ground.one.survey.id}/standards"
-    row = {"name": "A", "what": "object", "height_m": 0.6, "source": ""}
+    row = {"name": "A", "what": "object_stopping", "height_m": 0.6, "source": ""}
     bad: list[tuple[list[dict[str, Any]], str]] = [
         ([row, row], "twice"),
         ([{**row, "name": "  "}], "needs a name"),
         ([{**row, "height_m": 0}], "between 0 and 10 m"),
+        ([{**row, "percent": 100}], "percentile"),
         ([{**row, "name": f"A{n}"} for n in range(41)], "40 are the most"),
     ]
     for table, word in bad:
@@ -362,3 +375,27 @@ def test_sample_size(viewer: Client) -> None:
         answer = viewer.get(f"/statistics/sample-size?{query}")
         assert answer.status_code == 422
         error_of(answer)
+
+
+def test_targets_are_read_against_the_standards_of_their_kind(viewer: Client, ground: Ground) -> None:
+    """Trucks' eyes, headlights of sags, superseded values and upper ends of ranges are no one's to fall
+    below.
+    """
+    found = viewer.seen(f"/statistics?state=all&survey={ground.one.survey.id}")
+    against = {
+        one["target"]: {(s["standard"]["what"], s["standard"]["name"]) for s in one["corrected"]["shares"]}
+        for one in found["targets"]
+    }
+    assert {what for what, _ in against["driver_eye"]} == {"eye_car"}
+    assert {what for what, _ in against["taillight"]} == {"object_stopping"}
+    assert against["roof"] == set()
+    named = {name for _, name in against["driver_eye"] | against["taillight"]}
+    assert not {"AASHTO (USA), 1965", "United Kingdom, high"} & named
+
+
+def test_no_standard_claims_more_than_its_source() -> None:
+    """A value that nobody was seen to cite states no percentile, and each kind and name stands there once."""
+    assert len({(one.what, one.name) for one in USUAL}) == len(USUAL)
+    for one in USUAL:
+        assert one.source and (one.cited_by or "Austroads" in one.source), one.name
+        assert not ("nobody" in one.cited_by and one.percent is not None), one.name

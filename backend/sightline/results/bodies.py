@@ -75,6 +75,12 @@ class StandardIn(In):
     what: StandardHeight
     height_m: Finite
     source: Annotated[str, Field(max_length=500)] = ""
+    edition: Annotated[str, Field(max_length=100)] = ""
+    year: Annotated[int | None, Field(ge=1850, le=2100)] = None
+    percent: Annotated[Finite | None, Field(description="Of its class, where known.")] = None
+    vehicle_class: Annotated[str, Field(max_length=200)] = ""
+    cited_by: Annotated[str, Field(max_length=500, description="Empty: the source itself was read.")] = ""
+    drawn: Annotated[bool, Field(description="Whether distributions are read against it.")] = True
 
 
 class StandardsIn(In):

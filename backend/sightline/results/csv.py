@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from typing import get_args
 
 from sightline.enums import StandardHeight
 from sightline.errors import Damaged
-from sightline.infra.csv_package.columns import metres, text
-from sightline.infra.csv_package.files import Files, number, read_columns, unsafe
+from sightline.infra.csv_package.columns import flag, integer, metres, number, text
+from sightline.infra.csv_package.files import Files, read_columns, unsafe, whole
+from sightline.infra.csv_package.files import number as cell_number
 from sightline.infra.csv_package.schema import Table
 from sightline.statistics.standards import Standard
 
@@ -24,24 +26,45 @@ STANDARDS: Table[Standard] = Table(
         ),
         text("name", "the standard", lambda s: s.name, required=True),
         metres("height_m", "its height above the road", lambda s: s.height_m, required=True),
+        text("edition", "edition of the standard", lambda s: s.edition),
+        integer("year", "year of that edition, or of the study", lambda s: s.year),
+        number("percent", "which percentile of its class it stands for", "%", lambda s: s.percent),
+        text("vehicle_class", "the class that the percentile is of", lambda s: s.vehicle_class),
         text("source", "where the figure comes from", lambda s: s.source),
+        text("cited_by", "who cites it; empty where the source itself was read", lambda s: s.cited_by),
+        flag("drawn", "whether distributions are read against it", lambda s: s.drawn, required=True),
     ),
     primary=("what", "name"),
 )
 
 
+_COLUMNS = tuple(column.name for column in STANDARDS.columns)
+
+
 def standards_in(files: Files) -> tuple[Standard, ...]:
     """The table of a package. Raises Damaged."""
-    found = []
-    for what, name, height, source in read_columns(
-        files, STANDARDS.path, ("what", "name", "height_m", "source")
-    ):
-        height_m = number(height)
-        if what not in get_args(StandardHeight) or height_m is None:
-            raise Damaged("results-cannot-read-take-whole-export-again", path=STANDARDS.path, name=name)
-        found.append(
-            Standard(
-                unsafe(name), "driver_eye" if what == "driver_eye" else "object", height_m, unsafe(source)
-            )
-        )
-    return tuple(found)
+    return tuple(_standard(dict(zip(_COLUMNS, cells, strict=True))) for cells in _cells(files))
+
+
+def _cells(files: Files) -> Iterator[Sequence[str]]:
+    return iter(read_columns(files, STANDARDS.path, _COLUMNS))
+
+
+def _standard(row: dict[str, str]) -> Standard:
+    height_m = cell_number(row["height_m"])
+    kinds: dict[str, StandardHeight] = {word: word for word in get_args(StandardHeight)}
+    what = kinds.get(row["what"])
+    if what is None or height_m is None or row["drawn"] not in ("true", "false"):
+        raise Damaged("results-cannot-read-take-whole-export-again", path=STANDARDS.path, name=row["name"])
+    return Standard(
+        name=unsafe(row["name"]),
+        what=what,
+        height_m=height_m,
+        source=unsafe(row["source"]),
+        edition=unsafe(row["edition"]),
+        year=whole(row["year"]),
+        percent=cell_number(row["percent"]),
+        vehicle_class=unsafe(row["vehicle_class"]),
+        cited_by=unsafe(row["cited_by"]),
+        drawn=row["drawn"] == "true",
+    )

@@ -71,7 +71,7 @@ def statistics_of_measurements(
     """Error table, figures and distributions of the measurements that a filter leaves."""
     if not 0.0 <= u_reference_m < 1.0:
         raise BadInput("results-reference-heights-u-must-least-0")
-    own = _own("driver_eye", eye_limit_m) + _own("object", object_limit_m)
+    own = _own("eye_car", eye_limit_m) + _own("object_stopping", object_limit_m)
     chosen = Filter(
         survey_ids=tuple(sorted(set(survey))),
         lighting=lighting,

@@ -6,7 +6,7 @@ figures that nothing refers to, seldom changed, and who changed them when is as 
 
 import json
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from typing import Annotated
 
 from pydantic import Field
@@ -57,11 +57,16 @@ def choose_standards(
     before = get_standards(session, survey_id)
     if version != before.version:
         raise Conflict("results-somebody-changed-standards-meanwhile-load-them")
-    table = tuple(Standard(one.name.strip(), one.what, one.height_m, one.source.strip()) for one in standards)
+    table = tuple(_stripped(one) for one in standards)
     _refuse(table)
     then, now = ({"standards": [asdict(one) for one in listed]} for listed in (before.standards, table))
     made = trail.record(session, actor, "choose", _ENTITY, survey_id, survey_id, then, now)
     return StandardsOfSurvey(table, made)
+
+
+def _stripped(one: Standard) -> Standard:
+    words = ("name", "source", "edition", "vehicle_class", "cited_by")
+    return replace(one, **{word: getattr(one, word).strip() for word in words})
 
 
 def _refuse(table: Sequence[Standard]) -> None:
@@ -72,6 +77,8 @@ def _refuse(table: Sequence[Standard]) -> None:
             raise BadInput("results-standard-needs-name-such-aashto-usa")
         if not 0.0 < one.height_m < 10.0:
             raise BadInput("results-height-must-lie-between-0-10", name=one.name)
+        if one.percent is not None and not 0.0 < one.percent < 100.0:
+            raise BadInput("results-standard-percent", name=one.name)
     named = [(one.what, one.name) for one in table]
     twice = next((name for what, name in named if named.count((what, name)) > 1), None)
     if twice is not None:

@@ -50,9 +50,9 @@ _STATES: dict[StatisticsState, tuple[str, ...]] = {
     "all": VERDICTS,
 }
 _WHAT: dict[StatisticsTarget, str] = {
-    "driver_eye": "driver_eye",
-    "taillight": "object",
-    "headlight": "object",
+    "driver_eye": "eye_car",
+    "taillight": "object_stopping",
+    "headlight": "headlight",
 }
 _EPOCH = date(1970, 1, 1)
 
@@ -227,8 +227,8 @@ def made_of(
 
 
 def standards_of(table: Sequence[Standard], target: StatisticsTarget) -> list[Standard]:
-    """The standards that speak of a target, in the order of its shares."""
-    return [one for one in table if one.what == _WHAT.get(target)]
+    """The standards that a target is read against, in the order of its shares."""
+    return [one for one in table if one.drawn and one.what == _WHAT.get(target)]
 
 
 def _roofs(measured: Measured, u_reference_m: float) -> Roofs:

@@ -86,7 +86,7 @@ def test_few_vehicles_are_drawn_and_what_cannot_be_is_a_sentence(n: int, said: s
 
 def test_names_with_signs_are_drawn_as_they_are() -> None:
     names = ("A $x^2$ & <b>", "A x^2 & <b>")
-    own = (Standard("Own $limit$", "driver_eye", 1.1, "me"),)
+    own = (Standard("Own $limit$", "eye_car", 1.1, "me"),)
     group = Grouping(np.arange(40) % 2, names)
     found = drawings(statistics(40, choices=StatisticsOptions(own_standards=own), site=group, absent=EYES))
     by_site = found["driver_eye-by-site"]

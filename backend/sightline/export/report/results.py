@@ -235,6 +235,24 @@ def _standards(facts: ReportFacts, name: StatisticsTarget, target: Target) -> li
     return [_standard(standard, share, facts.unit) for standard, share in both]
 
 
+def _source(standard: Standard) -> str:
+    """Where a value comes from, by what rule, and who cites it."""
+    edition = standard.edition or (str(standard.year) if standard.year else "")
+    rule = standard.vehicle_class
+    if standard.percent is not None:
+        rule = f"P{standard.percent:g}{f' of {rule}' if rule else ''}"
+    cited = f"as cited by {standard.cited_by}" if standard.cited_by else ""
+    return "; ".join(
+        one
+        for one in (
+            f"{standard.source}{f', {edition}' if edition and edition not in standard.source else ''}",
+            rule,
+            cited,
+        )
+        if one
+    )
+
+
 def _standard(standard: Standard, share: Share, unit: LengthUnit) -> Values:
     return {
         "name": standard.name,
@@ -243,5 +261,5 @@ def _standard(standard: Standard, share: Share, unit: LengthUnit) -> Values:
         "n": share.n,
         "share": percent(share.share),
         "ci95": {"low": fixed(100 * share.low, 1), "high": fixed(100 * share.high, 1)},
-        "source": standard.source,
+        "source": _source(standard),
     }

@@ -12,7 +12,7 @@ from sightline.export.report.canvas import FULL, INK, MUTED, Drawing, svg
 from sightline.export.report.facts import ReportFacts
 from sightline.export.report.pictures import Pictures
 from sightline.export.report.settable import Json, Values
-from sightline.export.report.units import HEIGHT, SPEED, Scale, count, fixed, limit, percent
+from sightline.export.report.units import HEIGHT, SPEED, Scale, count, limit, percent
 from sightline.export.report.words import TARGETS
 from sightline.messages import say
 from sightline.results.sightdistance.records import CaseOfHeights, SightQuestion
@@ -20,10 +20,11 @@ from sightline.results.sightdistance.service import bounded_of, case_of, design_
 from sightline.results.survey_statistics import Filter, Statistics, standards_of
 from sightline.sightdistance.distances import GREEN_BOOK
 from sightline.sightdistance.workbench import Bounded
-from sightline.statistics.distributions import Percentile
+from sightline.statistics.distributions import PERCENTILES, Percentile
 from sightline.statistics.standards import Standard
 
 FIGURE = "crest-k"
+# Where the standard states no rule that the survey has a percentile of: that of AASHTO's heights.
 _EYE_PERCENT, _OBJECT_PERCENT = 10.0, 5.0
 _SPEED_MPS: dict[LengthUnit, float] = {"m": 100 / 3.6, "ft": 60 * 0.44704}
 _SENTENCES: dict[CrestVerdict, str] = {
@@ -45,8 +46,9 @@ def sight(facts: ReportFacts, pictures: Pictures) -> Values | None:
         "standard": eye.name if eye.name == thing.name else f"{eye.name}, {thing.name}",
         "eye": limit(eye.height_m, facts.unit),
         "object": limit(thing.height_m, facts.unit),
-        "eye_percent": fixed(_EYE_PERCENT, 0),
-        "object_percent": fixed(_OBJECT_PERCENT, 0),
+        "eye_percent": f"{question.eye_percent:g}",
+        "object_percent": f"{question.object_percent:g}",
+        "own_rule": None not in (eye.percent, thing.percent),
         "source": GREEN_BOOK,
         "missing": [TARGETS[target] for target in survey.missing],
         "sentence": _sentence(question, standard, survey),
@@ -105,8 +107,8 @@ def _cases(result: Statistics, unit: LengthUnit) -> _Cases | None:
         chosen=Filter(),
         eye_m=eye.height_m,
         object_m=thing.height_m,
-        eye_percent=_EYE_PERCENT,
-        object_percent=_OBJECT_PERCENT,
+        eye_percent=_rule(eye, _EYE_PERCENT),
+        object_percent=_rule(thing, _OBJECT_PERCENT),
         object_target="taillight",
         kind="stopping",
         speed_mps=_SPEED_MPS[unit],
@@ -120,8 +122,8 @@ def _cases(result: Statistics, unit: LengthUnit) -> _Cases | None:
     survey = case_of(
         question,
         "survey",
-        bounded_of(_percentile(result, "driver_eye", _EYE_PERCENT)),
-        bounded_of(_percentile(result, "taillight", _OBJECT_PERCENT)),
+        bounded_of(_percentile(result, "driver_eye", question.eye_percent)),
+        bounded_of(_percentile(result, "taillight", question.object_percent)),
     )
     return eye, thing, question, standard, survey
 
@@ -133,6 +135,11 @@ def _pair(result: Statistics) -> tuple[Standard, Standard] | None:
         return None
     same = ((eye, thing) for eye in eyes for thing in objects if eye.name == thing.name)
     return next(same, (eyes[0], objects[0]))
+
+
+def _rule(standard: Standard, usual: float) -> float:
+    """The percentile that a standard's value stands for, where statistics hold it."""
+    return standard.percent if standard.percent in PERCENTILES else usual
 
 
 def _percentile(result: Statistics, target: StatisticsTarget, at: float) -> Percentile | None:

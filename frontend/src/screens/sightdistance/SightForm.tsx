@@ -4,6 +4,7 @@ import { navigate, query, setQuery } from "../../core/address";
 import { say } from "../../core/messages";
 import { formatLength, lengthText, lengthUnit, parseLength, parseNumber, speedScale } from "../../core/units";
 import { CATEGORY_WORDS, LIGHTING_WORDS, STATE_WORDS, TARGET_WORDS } from "../../core/words";
+import { STANDARD_OF, standardKey } from "../../parts/figures/standards";
 import type { Standard } from "../../parts/figures/types";
 import { KIND_WORDS, type Kind, type Sight, STANDARDS_OBJECT, sharesOf, usualObject } from "./model";
 
@@ -21,13 +22,13 @@ export function SightForm({ standards, found }: { standards: readonly Standard[]
           name="eye_m"
           usual={1.08}
           label={say("sight-eye")}
-          options={standards.filter((one) => one.what === "driver_eye")}
+          options={standards.filter((one) => one.what.startsWith("eye"))}
         />
         <StandardChoice
           name="object_m"
           usual={0.6}
           label={say("sight-object")}
-          options={standards.filter((one) => one.what === "object")}
+          options={standards.filter((one) => one.what.startsWith("object"))}
         />
       </fieldset>
       <SurveyRule />
@@ -52,20 +53,24 @@ function StandardChoice({ name, usual, label, options }: StandardChoiceProps) {
     <>
       <SelectField
         label={label}
-        value={chosen ? chosen.name : ""}
+        value={chosen ? standardKey(chosen) : ""}
         options={[
           ...options.map((one) => ({
-            value: one.name,
+            value: standardKey(one),
             label: say("sight-standard-option", {
               standard: one.name,
+              what: STANDARD_OF[one.what],
               height: formatLength(one.height_m, 2),
             }),
           })),
           { value: "", label: say("sight-standard-any") },
         ]}
         onChange={(value) => {
-          const one = options.find((option) => option.name === value);
-          if (one) setQuery({ [name]: one.height_m });
+          const one = options.find((option) => standardKey(option) === value);
+          const rule = name === "eye_m" ? "eye_percent" : "object_percent";
+          // the survey is read by the rule of the standard, where one is known
+          if (one)
+            setQuery({ [name]: one.height_m, ...(one.percent === null ? {} : { [rule]: one.percent }) });
         }}
       />
       <Length name={name} label={say("sight-standard-height")} usual={usual} />

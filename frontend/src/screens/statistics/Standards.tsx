@@ -4,14 +4,16 @@ import { query } from "../../core/address";
 import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import { formatLength, lengthUnit, parseLength } from "../../core/units";
+import { standardKey, STANDARD_OF as WHAT } from "../../parts/figures/standards";
 import type { Standard } from "../../parts/figures/types";
 import { setFilter } from "./filters";
-import { standardKey, STANDARD_OF as WHAT } from "./model";
+
+import { STANDARD_FOR } from "./model";
 import { StandardsEditor } from "./StandardsEditor";
 
 /** The standards that are switched on in this address. */
 export function switchedOn(standards: readonly Standard[], off: readonly string[]): Standard[] {
-  return standards.filter((one) => !off.includes(standardKey(one)));
+  return standards.filter((one) => one.drawn && !off.includes(standardKey(one)));
 }
 
 interface Props {
@@ -76,6 +78,7 @@ function Drawn({ standards, off, toggle }: DrawnProps) {
             <th>{say("statistics-standards-standard")}</th>
             <th>{say("statistics-standards-for")}</th>
             <th class="num">{say("statistics-standards-height")}</th>
+            <th>{say("statistics-standards-rule")}</th>
             <th>{say("statistics-standards-source")}</th>
             <th>
               <span class="visually-hidden">{say("statistics-standards-remove")}</span>
@@ -88,21 +91,29 @@ function Drawn({ standards, off, toggle }: DrawnProps) {
             return (
               <tr key={key}>
                 <td>
-                  <input
-                    type="checkbox"
-                    aria-label={say("statistics-standard-draw", {
-                      standard: one.name,
-                      what: WHAT[one.what],
-                      height: formatLength(one.height_m, 2),
-                    })}
-                    checked={!off.includes(key)}
-                    onChange={(event) => toggle(key, event.currentTarget.checked)}
-                  />
+                  {one.drawn && COMPARED.includes(one.what) && (
+                    <input
+                      type="checkbox"
+                      aria-label={say("statistics-standard-draw", {
+                        standard: one.name,
+                        what: WHAT[one.what],
+                        height: formatLength(one.height_m, 2),
+                      })}
+                      checked={!off.includes(key)}
+                      onChange={(event) => toggle(key, event.currentTarget.checked)}
+                    />
+                  )}
                 </td>
                 <td>{one.name}</td>
                 <td>{WHAT[one.what]}</td>
                 <td class="num">{formatLength(one.height_m, 2)}</td>
-                <td>{one.source}</td>
+                <td>{ruleOf(one)}</td>
+                <td>
+                  {sourceOf(one)}
+                  {one.cited_by && (
+                    <div class="muted small">{say("statistics-standard-cited", { by: one.cited_by })}</div>
+                  )}
+                </td>
                 <td class="num">
                   {one.name === "own value" && (
                     <Button
@@ -122,7 +133,25 @@ function Drawn({ standards, off, toggle }: DrawnProps) {
   );
 }
 
-const nameOf = (what: Standard["what"]) => (what === "driver_eye" ? "eye_limit_m" : "object_limit_m");
+/** What distributions are read against; the others are for sight distances. */
+const COMPARED: readonly string[] = Object.values(STANDARD_FOR);
+
+/** "P10 of passenger cars" */
+function ruleOf(one: Standard): string {
+  if (one.percent === null) return one.vehicle_class;
+  const percent = String(one.percent);
+  if (!one.vehicle_class) return say("statistics-standard-percentile", { percent });
+  return say("statistics-standard-rule", { percent, group: one.vehicle_class });
+}
+
+function sourceOf(one: Standard): string {
+  const edition = one.edition || (one.year === null ? "" : String(one.year));
+  return edition && !one.source.includes(edition)
+    ? say("statistics-standard-edition", { source: one.source, edition })
+    : one.source;
+}
+
+const nameOf = (what: Standard["what"]) => (what === "eye_car" ? "eye_limit_m" : "object_limit_m");
 
 function remove(one: Standard): void {
   const name = nameOf(one.what);
@@ -130,7 +159,7 @@ function remove(one: Standard): void {
 }
 
 function AddOwn() {
-  const [what, setWhat] = useState<Standard["what"]>("driver_eye");
+  const [what, setWhat] = useState<Standard["what"]>("eye_car");
   const [text, setText] = useState("");
   const [problem, setProblem] = useState<string | null>(null);
   const add = () => {
@@ -156,7 +185,7 @@ function AddOwn() {
       <SelectField
         label={say("statistics-standard-own")}
         value={what}
-        options={(["driver_eye", "object"] as const).map((value) => ({ value, label: WHAT[value] }))}
+        options={(["eye_car", "object_stopping"] as const).map((value) => ({ value, label: WHAT[value] }))}
         onChange={setWhat}
       />
       <TextField

@@ -3,18 +3,29 @@ import { Button, Loading, Problem, SelectField, TextField } from "../../componen
 import { ApiError, api } from "../../core/api";
 import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
-import { formatLength, lengthText, lengthUnit, parseLength } from "../../core/units";
+import { formatLength, lengthText, lengthUnit, parseLength, parseNumber } from "../../core/units";
+import { STANDARD_OF } from "../../parts/figures/standards";
 import type { Standard } from "../../parts/figures/types";
-import { STANDARD_OF } from "./model";
 
-interface Row {
-  name: string;
-  what: Standard["what"];
+/** A standard with its numbers as they are typed. */
+type Row = Omit<Standard, "height_m" | "year" | "percent"> & {
   height: string;
-  source: string;
-}
+  year: string;
+  percent: string;
+};
 
-const EMPTY: Row = { name: "", what: "driver_eye", height: "", source: "" };
+const EMPTY: Row = {
+  name: "",
+  what: "eye_car",
+  height: "",
+  source: "",
+  edition: "",
+  year: "",
+  percent: "",
+  vehicle_class: "",
+  cited_by: "",
+  drawn: true,
+};
 
 /** A survey's own table of standards: rows to change, add and remove, saved as a whole. */
 export function StandardsEditor({ surveyId, done }: { surveyId: string; done: (saved: boolean) => void }) {
@@ -44,7 +55,12 @@ export function StandardsEditor({ surveyId, done }: { surveyId: string; done: (s
     }
     setBusy(true);
     try {
-      const table = rows.map(({ height, ...row }) => ({ ...row, height_m: parseLength(height) ?? 0 }));
+      const table = rows.map(({ height, ...row }) => ({
+        ...row,
+        height_m: parseLength(height) ?? 0,
+        year: row.year.trim() ? Number(row.year) : null,
+        percent: row.percent.trim() ? parseNumber(row.percent) : null,
+      }));
       const body = { version, standards: table };
       await api.write("PUT /surveys/{survey_id}/standards", { survey_id }, { body });
       done(true);
@@ -66,7 +82,6 @@ export function StandardsEditor({ surveyId, done }: { surveyId: string; done: (s
           // rows have no name of their own while they are typed
           key={at}
           row={row}
-          at={at}
           change={(changes) => change(at, changes)}
           remove={() => setTyped(rows.filter((_, i) => i !== at))}
         />
@@ -96,42 +111,40 @@ function heightProblem({ name }: Row): string {
     : say("statistics-standard-new-problem", { example });
 }
 
-const rowOf = ({ name, what, height_m, source }: Standard): Row => ({
-  name,
-  what,
+const rowOf = ({ height_m, year, percent, ...one }: Standard): Row => ({
+  ...one,
   height: shown(height_m),
-  source,
+  year: year === null ? "" : String(year),
+  percent: percent === null ? "" : String(percent),
 });
 
 interface RowProps {
   row: Row;
-  at: number;
   change: (changes: Partial<Row>) => void;
   remove: () => void;
 }
 
-function RowFields({ row, at, change, remove }: RowProps) {
-  const hide = at > 0;
+function RowFields({ row, change, remove }: RowProps) {
   return (
     <fieldset class="stat-editor__row">
       <legend class="visually-hidden">{row.name || say("statistics-standard-new")}</legend>
       <TextField
         label={say("statistics-standard-name")}
-        hideLabel={hide}
         value={row.name}
         required
         onInput={(name) => change({ name })}
       />
       <SelectField
         label={say("statistics-standard-for")}
-        hideLabel={hide}
         value={row.what}
-        options={(["driver_eye", "object"] as const).map((value) => ({ value, label: STANDARD_OF[value] }))}
+        options={Object.entries(STANDARD_OF).map(([value, label]) => ({
+          value: value as Standard["what"],
+          label,
+        }))}
         onChange={(what) => change({ what })}
       />
       <TextField
         label={say("statistics-standard-height")}
-        hideLabel={hide}
         numeric
         unit={lengthUnit.value}
         value={row.height}
@@ -139,9 +152,47 @@ function RowFields({ row, at, change, remove }: RowProps) {
       />
       <TextField
         label={say("statistics-standard-source")}
-        hideLabel={hide}
         value={row.source}
         onInput={(source) => change({ source })}
+      />
+      <TextField
+        label={say("statistics-standard-edition-field")}
+        value={row.edition}
+        onInput={(edition) => change({ edition })}
+      />
+      <TextField
+        label={say("statistics-standard-year")}
+        value={row.year}
+        problem={/^(\d{4})?$/.test(row.year.trim()) ? null : say("catalogue-year-problem")}
+        onInput={(year) => change({ year })}
+      />
+      <TextField
+        label={say("statistics-percentile")}
+        numeric
+        value={row.percent}
+        problem={
+          row.percent.trim() && parseNumber(row.percent) === null ? say("catalogue-number-problem") : null
+        }
+        onInput={(percent) => change({ percent })}
+      />
+      <TextField
+        label={say("statistics-standard-class")}
+        value={row.vehicle_class}
+        onInput={(vehicle_class) => change({ vehicle_class })}
+      />
+      <TextField
+        label={say("statistics-standard-cited-by")}
+        value={row.cited_by}
+        onInput={(cited_by) => change({ cited_by })}
+      />
+      <SelectField
+        label={say("statistics-standards-drawn")}
+        value={row.drawn ? "yes" : "no"}
+        options={[
+          { value: "yes", label: say("statistics-standard-drawn-yes") },
+          { value: "no", label: say("statistics-standard-drawn-no") },
+        ]}
+        onChange={(drawn) => change({ drawn: drawn === "yes" })}
       />
       <Button
         icon="close"

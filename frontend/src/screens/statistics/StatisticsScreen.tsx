@@ -11,7 +11,7 @@ import { ErrorTable } from "./ErrorTable";
 import { FilterBar } from "./FilterBar";
 import { narrowed, setFilter, statisticsQuery, WIDE } from "./filters";
 import { GroupSection } from "./GroupSection";
-import type { Statistics } from "./model";
+import { STANDARD_FOR, type Statistics } from "./model";
 import { SamplePlan } from "./SamplePlan";
 import { Standards, switchedOn } from "./Standards";
 import { TargetSection } from "./TargetSection";
@@ -80,7 +80,7 @@ function Figures({ found, surveyId, reload }: FiguresProps) {
         <TargetSection
           key={one.target}
           target={one}
-          standards={standards.filter((standard) => standard.what === WHAT[one.target])}
+          standards={standards.filter((standard) => standard.what === STANDARD_FOR[one.target])}
         />
       ))}
       <GroupSection targets={found.targets} />
@@ -92,7 +92,6 @@ function Figures({ found, surveyId, reload }: FiguresProps) {
 
 /** Shown even where nothing was measured; other targets only where something was. */
 const ALWAYS: readonly string[] = ["driver_eye", "taillight"];
-const WHAT: Record<string, string> = { driver_eye: "driver_eye", taillight: "object", headlight: "object" };
 
 type LeftOut = "to_review" | "reopened" | "rejected" | "accepted" | "fixed";
 

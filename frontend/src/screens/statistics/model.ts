@@ -4,7 +4,6 @@ import type { components } from "#schema";
 import { wordsOf } from "../../core/messages";
 import type { Category, Lighting } from "../../core/types";
 import { CATEGORY_WORDS, LIGHTING_WORDS } from "../../core/words";
-import type { Standard } from "../../parts/figures/types";
 
 type Schemas = components["schemas"];
 export type Statistics = Schemas["StatisticsBody"];
@@ -42,13 +41,9 @@ export function groupWord(grouping: string, word: string): string {
   return word;
 }
 
-/** What a standard speaks of. */
-export const STANDARD_OF = wordsOf({
-  driver_eye: "statistics-standard-of-eye",
-  object: "statistics-standard-of-object",
-});
-
-/** A standard's own address in the link: what and name. */
-export function standardKey(one: Standard): string {
-  return `${one.what}:${one.name}:${one.height_m}`;
-}
+/** The kind of standard that a target is read against. */
+export const STANDARD_FOR: Readonly<Record<string, string>> = {
+  driver_eye: "eye_car",
+  taillight: "object_stopping",
+  headlight: "headlight",
+};

@@ -1,0 +1,18 @@
+/** The words of standards: what each is a height of. */
+import { wordsOf } from "../../core/messages";
+import type { Standard } from "./types";
+
+/** What a standard speaks of. */
+export const STANDARD_OF = wordsOf({
+  eye_car: "statistics-standard-of-eye_car",
+  eye_truck: "statistics-standard-of-eye_truck",
+  object_stopping: "statistics-standard-of-object_stopping",
+  object_passing: "statistics-standard-of-object_passing",
+  headlight: "statistics-standard-of-headlight",
+  vehicle: "statistics-standard-of-vehicle",
+});
+
+/** A standard's own address in the link: what and name. */
+export function standardKey(one: Standard): string {
+  return `${one.what}:${one.name}:${one.height_m}`;
+}
