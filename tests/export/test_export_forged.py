@@ -1,14 +1,15 @@
 """Ways to forge a package, each by somebody who makes all sums fit, and what gives it away.
 
 Who also runs the program over the forged rows (`rederive`) has statistics, figures and report that agree with
-them. What is left to a forger, the last two tests say: it takes the chain's head, or the ZIP's SHA-256, kept
-elsewhere.
+them; who also writes the chain's last event anew (`reseal`), has a seal that agrees. What is left to that
+forger, some tests say: it takes the chain's head, kept elsewhere.
 """
 
 import json
 import math
 from collections.abc import Callable
 from pathlib import Path
+from random import Random
 
 import cv2
 import pytest
@@ -18,7 +19,19 @@ from sightline.export.verify.package import PackageCheck, verify_package
 from sightline.infra.csv_package.files import FolderFiles
 from sightline.infra.csv_package.schema import sha256_hex
 from tests.support.forgeries import WAYS, a_makers_height, roof
-from tests.support.packages import edit, ground, package, rederive, rehash, reseal, rewrite, rows, worked
+from tests.support.mutations import checked, load, mutated, with_sums
+from tests.support.packages import (
+    drop,
+    edit,
+    ground,
+    package,
+    rederive,
+    rehash,
+    reseal,
+    rewrite,
+    rows,
+    worked,
+)
 
 __all__ = ["ground", "package", "worked"]
 
@@ -87,8 +100,9 @@ def test_a_chain_written_anew_takes_the_head_that_was_kept_elsewhere(package: Pa
 
 
 @pytest.mark.once
-def test_a_crop_repainted_with_its_hash_takes_the_sum_of_the_zip(package: Path) -> None:
-    """Only the video could tell; the SHA-256 of the ZIP, on the export page, tells that it was touched."""
+def test_a_crop_repainted_with_its_hash_takes_the_head(package: Path) -> None:
+    """Only the video could tell what it showed; the seal tells that it is another."""
+    kept = rows(package, "audit.csv")[-1]["hash"]
     row = rows(package, "crops.csv")[0]
     picture = cv2.imread(str(package / row["file"]))
     picture[:] = 0
@@ -96,16 +110,105 @@ def test_a_crop_repainted_with_its_hash_takes_the_sum_of_the_zip(package: Path) 
     edit(
         package, "crops.csv", lambda one: one == row, sha256=sha256_hex((package / row["file"]).read_bytes())
     )
-    rederive(package, drawings=True)
+    rederive(package, drawings=True, seal=False)
+    assert "is not what the package's seal" in str(check(package).problem)
+    reseal(package)
     assert check(package).ok
+    assert "not with the head that was kept" in str(check(package, kept).problem)
 
 
 @pytest.mark.once
-def test_a_name_takes_the_sum_of_the_zip(package: Path) -> None:
-    """No event of the package holds people's names: its description says so."""
+def test_a_name_takes_the_head(package: Path) -> None:
+    """No event of the package holds people's names: the seal alone binds them."""
+    kept = rows(package, "audit.csv")[-1]["hash"]
     changed = [{**row, "name": f"Not {row['name']}"} for row in rows(package, "people.csv")]
     rewrite(package, "people.csv", changed)
-    rederive(package, drawings=True)
+    rederive(package, drawings=True, seal=False)
+    assert str(check(package).problem).startswith("people.csv is not what the package's seal")
+    reseal(package)
     assert check(package).ok
-    described = json.loads((package / "datapackage.json").read_text())
-    assert "names of people" in described["description"] and "SHA-256 of the ZIP" in described["description"]
+    assert "not with the head that was kept" in str(check(package, kept).problem)
+
+
+@pytest.mark.once
+def test_the_head_of_the_report_vouches_for_the_rows_and_says_so(package: Path) -> None:
+    events = rows(package, "audit.csv")
+    last = [one for one in events if one["withheld"] == "false"][-2]["hash"]
+    found = check(package, last)
+    assert found.ok and "not for the seal" in " ".join(found.notes)
+
+
+@pytest.mark.once
+def test_a_package_without_its_seal_is_none(package: Path) -> None:
+    lines = (package / "audit.csv").read_bytes().splitlines(keepends=True)
+    (package / "audit.csv").write_bytes(b"".join(lines[:-1]))
+    reseal(package, seal=False)
+    assert "does not end with the event that seals" in str(check(package).problem)
+
+
+@pytest.mark.once
+def test_an_event_of_this_survey_cannot_be_withheld(package: Path) -> None:
+    """Its link still holds; the seal has the text of the chain as it was told."""
+    events = rows(package, "audit.csv")
+    rejected = next(one for one in events if '"verdict":"rejected"' in one["after"])
+    for name in ("at", "actor_id", "action", "entity", "entity_id", "survey_id", "before", "after"):
+        rejected[name] = ""
+    rejected["withheld"] = "true"
+    rewrite(package, "audit.csv", events)
+    drop(package, "reviews.csv", lambda row: row["verdict"] == "rejected")
+    rederive(package, seal=False)
+    assert str(check(package).problem).startswith("audit.csv is not what the package's seal")
+
+
+FORMS: dict[str, tuple[str, Callable[[bytes], bytes], str]] = {
+    "ends of lines": ("vehicles.csv", lambda b: b.replace(b"\n", b"\r\n"), "is not written as"),
+    "quotes": ("insets.csv", lambda b: b.replace(b"roof", b'"roof"', 1), "is not written as"),
+    "a byte order mark": ("frames.csv", lambda b: b"\xef\xbb\xbf" + b, "has other columns"),
+    "an empty line": ("frames.csv", lambda b: b + b"\n", "too long or too short"),
+    "no last end": ("frames.csv", lambda b: b[:-1], "is not written as"),
+    "a column twice": (
+        "people.csv",
+        lambda b: b"".join(b"id," + line for line in b.splitlines(keepends=True)),
+        "has other columns than datapackage.json describes (id)",
+    ),
+    "a column of another pose": (
+        "clicks/pose-1.csv",
+        lambda b: b.replace(b"lighting", b"Lighting", 1),
+        "has other columns than datapackage.json describes (Lighting)",
+    ),
+    "a key twice": (
+        "poses/pose-1.json",
+        lambda b: b.replace(b"{", b'{\n  "format": "x",', 1),
+        "is not written as",
+    ),
+    "a number's text": (
+        "records/pose-1.json",
+        lambda b: b.replace(b"0.0,", b"0.00,", 1),
+        "is not written as",
+    ),
+    "no text": ("insets.csv", lambda b: b.replace(b"roof", b"\xff", 1), "cannot be read as CSV"),
+}
+
+
+@pytest.mark.once
+@pytest.mark.parametrize("form", FORMS)
+def test_another_form_of_the_same_is_refused(package: Path, form: str) -> None:
+    """Two programs might read two things in it."""
+    name, change, said = FORMS[form]
+    place = package / name
+    before = place.read_bytes()
+    place.write_bytes(change(before))
+    assert place.read_bytes() != before
+    reseal(package)
+    found = check(package)
+    assert not found.ok and name in str(found.problem) and said in str(found.problem), found.problem
+
+
+@pytest.mark.once
+def test_any_single_change_is_found(package: Path) -> None:
+    """A few of the ten thousand of `tests/bench/bench_forgery.py`, all sums made to fit."""
+    whole, random = load(package), Random(15)
+    assert checked(whole).ok
+    for _ in range(30):
+        words, changed = mutated(whole, random)
+        assert not checked(with_sums(changed, whole)).ok, words

@@ -369,6 +369,7 @@ NO_EVENT = {
     "append_measurement_revision": "writes an event; part of revise, withdraw, restore and reviews.add",
     "record": "is the event",
     "record_many": "is the events",
+    "seal_package": "is the event that a package ends with",
 }
 WRITING = re.compile(
     r"(?<![.\w])(insert|update|sql_update|delete|add_rows?|change_row|_append|_appended|create_scan_vehicles|append_scan_measurements|_end|_back|_state|_drift_decision)\("

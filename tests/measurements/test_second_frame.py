@@ -3,41 +3,24 @@
 import csv
 import io
 import json
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import Any
 from uuid import uuid4
 
 import pytest
 
 from sightline.commands.clicks import heights_csv
 from sightline.export.build import build
-from sightline.export.verify.package import verify_package
 from sightline.geometry.documents import pose_from_dict
-from sightline.infra.csv_package.files import Staging, missing
-from sightline.infra.csv_package.schema import CHECKSUMS, sha256_hex
+from sightline.infra.csv_package.files import Staging
 from sightline.infra.services import Services
 from tests.support.app import Client, error_of
 from tests.support.ground import Ground, add_vehicle, lay_ground, pixel
+from tests.support.mutations import Package, checked, load, with_sums
 
 pytestmark = pytest.mark.once
 
 HEIGHT_M, INSET_M = 1.16, 0.42
-
-
-class MemoryFiles(dict[str, bytes]):
-    """A package in memory, by path."""
-
-    @property
-    def paths(self) -> frozenset[str]:
-        return frozenset(self)
-
-    @contextmanager
-    def open(self, path: str) -> Iterator[BinaryIO]:
-        if path not in self:
-            raise missing(path)
-        yield io.BytesIO(self[path])
 
 
 @pytest.fixture
@@ -171,26 +154,22 @@ def test_why_no_second_frame_would_help(operator: Client, ground: Ground, vehicl
     assert not sky["ok"] and "horizon" in sky["reason"] and sky["spots"] == []
 
 
-def exported(services: Services, survey_id: int, place: Path) -> MemoryFiles:
+def exported(services: Services, survey_id: int, place: Path) -> Package:
     place.mkdir()
     with services.reading() as session:
         build(Staging(place), session, survey_id, services, crops=False)
-    found = (path for path in place.rglob("*") if path.is_file())
-    return MemoryFiles({path.relative_to(place).as_posix(): path.read_bytes() for path in found})
+    return load(place)
 
 
-def rewritten(files: MemoryFiles, path: str, column: str, text: str) -> MemoryFiles:
-    """The package with one cell of the first row changed and the checksums made to fit, as a forger would."""
+def rewritten(files: Package, path: str, column: str, text: str) -> Package:
+    """The package with one cell of the first row changed and all sums made to fit, as a forger would."""
     rows = list(csv.DictReader(io.StringIO(files[path].decode())))
     rows[0][column] = text
     out = io.StringIO()
     writer = csv.DictWriter(out, list(rows[0]), lineterminator="\n")
     writer.writeheader()
     writer.writerows(rows)
-    changed = {**files, path: out.getvalue().encode()}
-    lines = [line.split("  ", 1)[1] for line in changed[CHECKSUMS].decode().splitlines()]
-    sums = "".join(f"{sha256_hex(changed[name])}  {name}\n" for name in lines)
-    return MemoryFiles({**changed, CHECKSUMS: sums.encode()})
+    return with_sums({**files, path: out.getvalue().encode()}, files, seal=True)
 
 
 def test_an_export_holds_all_frames_and_a_changed_one_is_found(
@@ -198,7 +177,7 @@ def test_an_export_holds_all_frames_and_a_changed_one_is_found(
 ) -> None:
     stored = stored_on_two(operator, vehicle_id, more_frames=[on_frame(7, 1.8), on_frame(5, 1.0)])
     files = exported(services, ground.survey_id, tmp_path / "export")
-    assert verify_package(files).ok, verify_package(files).problem
+    assert checked(files).ok, checked(files).problem
     (row,) = csv.DictReader(io.StringIO(files["measurements.csv"].decode()))
     assert (row["frames"], row["frame2"], row["frame3"]) == ("3", "7", "5")
     assert float(row["solved_inset_m"]) == pytest.approx(INSET_M, abs=2e-6)
@@ -224,9 +203,9 @@ def test_an_export_holds_all_frames_and_a_changed_one_is_found(
         ("measurements.csv", "solved_inset_m", "another solved_inset_m"),
         ("measurements.csv", "frame2", "another frame2"),
     ):
-        forged = verify_package(rewritten(files, path, column, "4"))
+        forged = checked(rewritten(files, path, column, "4"))
         assert not forged.ok and words in str(forged.problem), (column, forged.problem)
     both = rewritten(
         rewritten(files, "clicks.csv", "contact2_x_px", "210"), "measurements.csv", "contact2_x_px", "210"
     )
-    assert not verify_package(both).ok
+    assert not checked(both).ok

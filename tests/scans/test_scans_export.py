@@ -7,6 +7,7 @@ import pytest
 
 from sightline.errors import Damaged
 from sightline.export.build import build
+from sightline.export.seal import read_seal
 from sightline.export.verify.chain import walk
 from sightline.export.verify.derived import check_statistics
 from sightline.export.verify.package import verify_place
@@ -105,12 +106,12 @@ TAMPERED = {
 def test_tampering_is_found(package: Path) -> None:
     """By the audit events alone: whoever tampers can write new sums."""
     files = FolderFiles(package)
-    assert check_scans(files, walk(files)) == 8
+    assert check_scans(files, walk(files, read_seal(files))) == 8
     for name, old, new, problem in TAMPERED.values():
         path = package / name
         text = path.read_text(encoding="utf-8")
         assert old in text
         path.write_text(text.replace(old, new), encoding="utf-8")
         with pytest.raises(Damaged, match=problem):
-            check_scans(files, walk(files))
+            check_scans(files, walk(files, read_seal(files)))
         path.write_text(text, encoding="utf-8")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import io
 import json
 import shutil
 from collections.abc import Callable
@@ -14,10 +15,11 @@ import pytest
 
 from sightline.export.build import build
 from sightline.export.derived import derive_tables, drawn
-from sightline.infra.audit.hashing import event_hash, link_hash
+from sightline.export.seal import sealed
+from sightline.infra.audit.hashing import canonical_json, event_hash, link_hash
 from sightline.infra.csv_package.chain import hashed
 from sightline.infra.csv_package.files import FolderFiles, Staging, fresh_folder, sum_of
-from sightline.infra.csv_package.schema import CHECKSUMS, DESCRIPTION, Written, json_bytes
+from sightline.infra.csv_package.schema import CHECKSUMS, DESCRIPTION, Written, json_bytes, sha256_hex
 from sightline.infra.services import Services
 from sightline.media.images import jpeg
 from sightline.recordings.store import get_recording, store_drift
@@ -137,20 +139,38 @@ def drop(place: Path, name: str, where: Callable[[dict[str, str]], bool]) -> Non
     rewrite(place, name, kept)
 
 
-def reseal(place: Path) -> None:
-    """Make all sums fit, in the description and in the list, as a forger would."""
+def reseal(place: Path, *, seal: bool = True) -> None:
+    """Make all sums fit, in the description and in the list, as a forger would; and, with `seal`, write the
+    chain's last event anew, so that what is found is found without it.
+    """
     described = json.loads((place / DESCRIPTION).read_text())
     files = FolderFiles(place)
     for resource in described["resources"]:
-        found = sum_of(files, resource["path"])
-        resource["bytes"], resource["hash"] = found.size, f"sha256:{found.sha256}"
+        if "hash" in resource and resource["path"] in files.paths:
+            found = sum_of(files, resource["path"])
+            resource["bytes"], resource["hash"] = found.size, f"sha256:{found.sha256}"
     (place / DESCRIPTION).write_bytes(json_bytes(described))
+    if seal:
+        seal_anew(place)
     staging = Staging(place)
     staging.written = _sums(place)
-    staging.seal()
+    staging.add_checksums()
 
 
-def rederive(place: Path, drawings: bool = False) -> None:
+def seal_anew(place: Path) -> None:
+    """The chain's last event written anew, with its hashes: what only the kept head of the chain tells."""
+    events = rows(place, "audit.csv")
+    lines = (place / "audit.csv").read_bytes().splitlines(keepends=True)
+    after = json.loads(events[-1]["after"])
+    after["files"] = sealed(_sums(place), sha256_hex(b"".join(lines[:-1])))
+    events[-1]["after"] = canonical_json(after)
+    text = io.StringIO()
+    out = csv.DictWriter(text, list(events[-1]), lineterminator="\n", extrasaction="ignore")
+    out.writerow(rehash(events, len(events) - 1)[-1])
+    (place / "audit.csv").write_bytes(b"".join(lines[:-1]) + text.getvalue().encode())
+
+
+def rederive(place: Path, drawings: bool = False, *, seal: bool = True) -> None:
     """Compute statistics (and draw figures and report) anew from forged rows, with the program itself; then
     reseal. A forgery that is found before drawings are looked at need not draw them.
     """
@@ -160,7 +180,7 @@ def rederive(place: Path, drawings: bool = False) -> None:
     if drawings:
         for path, content in drawn(staging.files(), found, staging.written):
             staging.add(path, content)
-    reseal(place)
+    reseal(place, seal=seal)
 
 
 def _sums(place: Path) -> dict[str, Written]:

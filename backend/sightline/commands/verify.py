@@ -22,8 +22,8 @@ DATABASE = "sightline.db"
 def verify(place: str, head: str | None, as_json: bool) -> None:
     """Check the audit chain of a database (file, data folder or postgresql:// address) or a whole export.
 
-    Of an export also the sums of its files, every height and every statistic, computed again, and every row
-    against the audit chain. Only --head finds a chain that was written anew from end to end.
+    Of an export also its seal, by which the chain names every file, every height and every statistic,
+    computed again, and every row against the audit chain. Only --head finds a chain that was written anew.
     """
     found = check(place, head)
     if as_json:

@@ -17,7 +17,7 @@ import numpy as np
 from sightline.cameras.calibrations.csv import CALIBRATIONS, NamedCalibration, calibration_path
 from sightline.cameras.calibrations.store import list_calibrations
 from sightline.cameras.store import list_cameras
-from sightline.export.contents import about_of, others_of, tables_of
+from sightline.export.contents import about_of, described, tables_of
 from sightline.export.crops import CROPS, Spots, spots_of, take_crops
 from sightline.export.derived import derive
 from sightline.export.query import (
@@ -30,11 +30,15 @@ from sightline.export.query import (
     revision_pages,
     vehicle_pages,
 )
+from sightline.export.seal import ENTITY, sealed
+from sightline.export.store import seal_package
 from sightline.infra.audit.records import AuditHead, Who
 from sightline.infra.csv_package.audit import AUDIT, Link
+from sightline.infra.csv_package.chain import stamp
 from sightline.infra.csv_package.files import Staging, TableWriter
-from sightline.infra.csv_package.schema import DESCRIPTION, Table, description_of, json_bytes, record_path
+from sightline.infra.csv_package.schema import DESCRIPTION, Table, json_bytes, record_path
 from sightline.infra.database import Session
+from sightline.infra.database.engine import lock_chain
 from sightline.infra.services import Services
 from sightline.measurements.csv import (
     BUDGET,
@@ -56,7 +60,8 @@ from sightline.poses.store import list_whole_poses
 from sightline.quality.checks.csv import WHEEL_PAIRS
 from sightline.quality.checks.store import list_wheel_pairs
 from sightline.quality.repeats.csv import REPEATS
-from sightline.recordings.csv import RECORDINGS, described
+from sightline.recordings.csv import RECORDINGS
+from sightline.recordings.csv import described as described_recording
 from sightline.recordings.frames.csv import FRAMES, ClickedFrame, clicked_frames
 from sightline.recordings.frames.store import get_frame_table
 from sightline.recordings.store import list_recordings
@@ -125,8 +130,9 @@ def build(
     tell: Tell = silent,
     *,
     crops: bool = True,
+    actor: int | None = None,
 ) -> Built:
-    """Write the whole package of a survey, as one transaction sees it.
+    """Write the whole package of a survey, as one transaction sees it, and seal it in the audit chain.
 
     `services` give photographs and, with `crops`, the pictures that were clicked on. Raises NotFound, NoRoom,
     Damaged for a photograph that is gone, and whatever `tell` raises to stop.
@@ -143,16 +149,17 @@ def build(
     tell(0.35, "Writing vehicles, reviews and the audit chain.")
     _small_tables(staging, session, survey, seen)
     _photographs(staging, session, survey_id, services, seen)
-    head, moment = _audit(staging, session, survey_id, seen)
+    audit = _audit(staging, session, survey_id, seen)
     staging.fill(PEOPLE, (Who(id_, name) for id_, name in sorted(seen.people.items())))
     taken = _crops(
         staging, services, seen, _part(tell, 0.45, 0.75, "Cutting out the pictures of each click.")
     )
     derive(staging, _part(tell, 0.75, 1.0, "Computing statistics, drawing figures and the report."))
-    about = about_of(survey.name, survey.site, survey.description, moment)
-    described = description_of(about, tables_of(most), others_of(staging.written), staging.written)
-    staging.add(DESCRIPTION, json_bytes(described))
-    staging.seal()
+    about = about_of(survey.name, survey.site, survey.description, audit.moment)
+    staging.add(DESCRIPTION, json_bytes(described(about, tables_of(most), staging.written)))
+    with services.writing() as writing:
+        head = _seal(staging, writing, survey_id, audit, actor)
+    staging.add_checksums()
     return Built(head, seen.measurements, seen.vehicles, taken)
 
 
@@ -244,7 +251,7 @@ def _small_tables(staging: Staging, session: Session, survey: Survey, seen: _See
             for review in reviews:
                 seen.name(review.reviewer)
                 table_of_reviews.add(review)
-    staging.fill(RECORDINGS, map(described, list_recordings(session, survey.id)))
+    staging.fill(RECORDINGS, map(described_recording, list_recordings(session, survey.id)))
     staging.fill(FRAMES, _frames(session, seen))
     staging.fill(INSETS, insets_in_force(survey))
     staging.fill(STANDARDS, get_standards(session, survey.id).standards)
@@ -292,20 +299,45 @@ def _frames(session: Session, seen: _Seen) -> Iterator[ClickedFrame]:
         yield from clicked_frames(recording_id, get_frame_table(session, recording_id), marked)
 
 
-def _audit(staging: Staging, session: Session, survey_id: int, seen: _Seen) -> tuple[AuditHead, str | None]:
-    """The chain from the survey's first event on; its end, and when this survey's last event happened."""
-    head, moment = AuditHead(0, ""), None
+@dataclass(eq=False)
+class _Audit:
+    """The chain as it was written so far: its last event, and when this survey's last one happened."""
+
+    table: TableWriter[Link]
+    as_of: int = 0
+    moment: str | None = None
+
+
+def _audit(staging: Staging, session: Session, survey_id: int, seen: _Seen) -> _Audit:
+    """The chain from the survey's first event on, without the seal."""
     with staging.table(AUDIT) as table:
+        written = _Audit(table)
         for page in audit_pages(session, survey_id):
             for event in page:
                 withheld = event["survey_id"] != survey_id
                 table.add(Link(event, withheld))
-                head = AuditHead(event["id"], event["hash"])
-                if not withheld:
-                    moment = str(event["at"]).replace("+00:00", "Z")
-                    if event["actor_id"] is not None:
-                        seen.people[event["actor_id"]] = event["actor_name"] or ""
-    return head, moment
+                written.as_of = event["id"]
+                if withheld:
+                    continue
+                if event["entity"] != ENTITY:
+                    written.moment = stamp(event["at"])
+                if event["actor_id"] is not None:
+                    seen.people[event["actor_id"]] = event["actor_name"] or ""
+    return written
+
+
+def _seal(staging: Staging, session: Session, survey_id: int, audit: _Audit, actor: int | None) -> AuditHead:
+    """Links for what came into the chain meanwhile, then the event that names every file; the chain's end."""
+    lock_chain(session)
+    with staging.continued(AUDIT, audit.table) as table:
+        for page in audit_pages(session, survey_id, audit.as_of):
+            for event in page:
+                table.add(Link(event, withheld=True))
+        files = sealed(staging.written, table.written().sha256)
+        number = seal_package(session, survey_id, {"as_of": audit.as_of, "files": files}, actor=actor)
+        ((event,),) = audit_pages(session, survey_id, number - 1)
+        table.add(Link(event, withheld=False))
+    return AuditHead(number, str(event["hash"]))
 
 
 def _crops(staging: Staging, services: Services, seen: _Seen, tick: Callable[[float], None]) -> int:

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Collection
+from collections.abc import Collection, Mapping, Sequence
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
+from typing import Any
 
 from sightline.cameras.calibrations.csv import CALIBRATIONS
 from sightline.export.crops import CROPS
 from sightline.export.exclusions import EXCLUSIONS
 from sightline.export.statistics_csv import TABLES
 from sightline.infra.csv_package.audit import AUDIT
-from sightline.infra.csv_package.schema import About, AnyTable, Other
+from sightline.infra.csv_package.schema import About, AnyTable, Other, Written, description_of
 from sightline.infra.version import code_version
 from sightline.measurements.csv import BUDGET, MEASUREMENTS, REVISIONS, clicks_with_frames, with_frames
 from sightline.measurements.sheets.csv import VEHICLES
@@ -75,11 +76,17 @@ _ABOUT = (
     "(0, 0) at the centre of the top-left pixel. `sightline verify` checks this folder; `sightline height "
     "--pose poses/pose-N.json --clicks clicks/pose-N.csv` computes its heights again. statistics/ is made of "
     "the accepted measurements in these tables, heights to the micrometre. An apostrophe stands before any "
-    "text that a spreadsheet would run as a formula. The audit chain does not vouch for the names of "
-    "people, texts of flags and models of catalogue.csv: keep the SHA-256 of the ZIP elsewhere, which "
-    "covers them. An event's hash is sha256(previous_hash + content_sha256), its content_sha256 that of the "
-    "event as JSON by RFC 8785."
+    "text that a spreadsheet would run as a formula. The last event of audit.csv seals the package: it "
+    "names every other file by its SHA-256. Keep its hash elsewhere: who writes the chain anew, from that "
+    "event or an earlier one on, makes a package that only a kept hash tells from this one. An event's hash "
+    "is sha256(previous_hash + content_sha256), its content_sha256 that of the event as JSON by RFC 8785."
 )
+
+
+def described(about: About, tables: Sequence[AnyTable], written: Mapping[str, Written]) -> dict[str, Any]:
+    """`datapackage.json`. It comes before the seal, and so names no hash of the table that ends with it."""
+    without = {path: one for path, one in written.items() if path != AUDIT.path}
+    return description_of(about, tables, others_of(without), without)
 
 
 def tables_of(most_frames: int) -> tuple[AnyTable, ...]:

@@ -51,7 +51,7 @@ def export(context: registry.JobContext) -> registry.Outcome:
     crops = bool(context.payload.get("crops", True))
     context.progress(0.0, "Reading the survey.")
     with _scratch(services, context.job.id) as folder:
-        built, package = _package(services, survey_id, crops, folder, _within(context.progress, _BUILT))
+        built, package = _package(context, survey_id, crops, folder)
         context.progress(_ZIPPED, "Storing the package.")
         size, sha256 = package.stat().st_size, sha256_of(package)
         key = key_of(sha256, ".zip")
@@ -73,17 +73,18 @@ def export(context: registry.JobContext) -> registry.Outcome:
     return store
 
 
-def _package(services: Services, survey_id: int, crops: bool, folder: Path, tell: Tell) -> tuple[Built, Path]:
+def _package(context: registry.JobContext, survey_id: int, crops: bool, folder: Path) -> tuple[Built, Path]:
     """Build and pack; the ZIP is written beside the files and takes their place.
 
     Here the figures' and the report's libraries are loaded: a server that starts has no use for them.
     """
     from sightline.export.build import build
 
+    services, tell = context.services, _within(context.progress, _BUILT)
     staging = Staging(folder / "package")
     staging.folder.mkdir()
     with services.reading() as session:
-        built = build(staging, session, survey_id, services, tell, crops=crops)
+        built = build(staging, session, survey_id, services, tell, crops=crops, actor=context.actor)
     check_room(folder, 2 * sum(one.size for one in staging.written.values()), "this export")
     package = folder / "package.zip"
     zip_folder(

@@ -85,12 +85,12 @@ def review_pages(session: Session, survey_id: int) -> Iterator[tuple[Review, ...
         yield reviews_of_series(session, review_rows.c.id.in_(ids))
 
 
-def audit_pages(session: Session, survey_id: int) -> Iterator[list[dict[str, Any]]]:
-    """The chain from a survey's first event on, oldest first: rows as they were hashed, with the hash of
-    their content and the actor's name.
+def audit_pages(session: Session, survey_id: int, after: int = 0) -> Iterator[list[dict[str, Any]]]:
+    """The chain from a survey's first event on, or from the one after `after`, oldest first: rows as they
+    were hashed, with the hash of their content and the actor's name.
     """
     first = select(func.min(audit_events.c.id)).where(audit_events.c.survey_id == survey_id)
-    at: int | None = session.execute(first).scalar_one()
+    at: int | None = after + 1 if after else session.execute(first).scalar_one()
     names = [column.name for column in audit_events.c]
     query = (
         select(audit_events, people.c.name.label("actor_name"))

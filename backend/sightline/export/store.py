@@ -1,11 +1,13 @@
 """Exports: the packages that were made, each with the audit chain's head at that moment."""
 
+from collections.abc import Mapping
 from typing import Any
 
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from sightline.export.records import Export
+from sightline.export.seal import ACTION, ENTITY
 from sightline.infra.audit import trail
 from sightline.infra.audit.records import AuditHead
 from sightline.infra.database.people import people
@@ -32,6 +34,13 @@ def add_export(
     export_id = add_row(session, exports, {**content, "created_at": now(), "created_by": actor})
     trail.record(session, actor, "create", "export", export_id, survey_id, None, content)
     return get_export(session, export_id)
+
+
+def seal_package(session: Session, survey_id: int, after: Mapping[str, Any], *, actor: int | None) -> int:
+    """Append a package's seal to the chain, which no event can come into before the transaction ends; its
+    number.
+    """
+    return trail.record(session, actor, ACTION, ENTITY, None, survey_id, None, after)
 
 
 def get_export(session: Session, export_id: int) -> Export:

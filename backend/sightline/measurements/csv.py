@@ -38,6 +38,7 @@ from sightline.poses.csv import pose_path
 
 TARGETS: tuple[str, ...] = get_args(Target)
 Record = TypeVar("Record")
+CLICKS_FOLDER = "clicks/"
 Columns = tuple[Column[Measurement], ...]
 
 
@@ -76,7 +77,7 @@ def budget_entries(measurement: Measurement) -> Iterator[BudgetEntry]:
 
 def clicks_path(pose_id: int) -> str:
     """Where the clicks of one road pose alone are."""
-    return f"clicks/pose-{pose_id}.csv"
+    return f"{CLICKS_FOLDER}pose-{pose_id}.csv"
 
 
 PASS: Columns = (

@@ -2733,6 +2733,7 @@ audit-action-retire = retire
 audit-action-review = review
 audit-action-revise = revise
 audit-action-run = run
+audit-action-seal = seal
 audit-action-set_password = set password
 audit-action-sign_out = sign out
 audit-action-swap_cameras = swap cameras
@@ -2763,6 +2764,7 @@ audit-entity-scan_review = scan review
 audit-entity-line_pose = line pose
 audit-entity-line_height = line height
 audit-entity-export = export
+audit-entity-package = package
 audit-entity-person = person
 audit-entity-sign_in_link = sign in link
 audit-entity-job = job
@@ -2919,6 +2921,9 @@ export-audit-csv-ends-not-head-kept = audit.csv ends with { $head }, not with th
 export-no-no-whole-export-export-survey = There is no { $checksums }, so this is no whole export; export the survey again.
 export-not-belong-export-take-out-check = { $strange } does not belong to the export; take it out and check again.
 export-changed-after-export-take-whole-export = { $path } was changed after the export; take the whole export again.
+export-no-seal = audit.csv does not end with the event that seals the package: it was cut off or changed; take the whole export again.
+export-not-the-file-that-the-seal-names = { $path } is not what the package's seal, the last event of audit.csv, says: it was changed, taken out or put in after the export, and the sums with it.
+export-event-of-another-survey-or-time = audit.csv: event { $number } is told or withheld where the package's seal says otherwise, or the chain does not begin with the survey; audit.csv was changed after the export.
 
 ## Errors: geometry
 
@@ -2982,6 +2987,10 @@ csv_package-file-name-folder-export-not-exist = { $target } is a file; name a fo
 csv_package-holds-other-files-name-folder-empty = { $target } holds other files; name a folder that is empty or does not exist yet.
 csv_package-holds-file-twice-no-export-take = { $place } holds a file twice, so it is no export; take the export again.
 csv_package-cannot-read-export-name-folder-zip = { $place } cannot be read as an export; name its folder or ZIP.
+csv_package-csv-of-another-form = { $path } is not written as Sightline writes a table (near line { $at }: another end of line, another quote): programs might read different things in it; take the whole export again.
+csv_package-link = { $path } is a link, not a file: an export has none; take the whole export again.
+csv_package-json-of-another-form = { $path } is not written as Sightline writes JSON (a key twice, other blanks or numbers): programs might read different things in it; take the whole export again.
+csv_package-other-columns-than-described = { $path } has other columns than datapackage.json describes ({ $column }): it was changed after the export.
 csv_package-cannot-read-csv-take-whole-export = { $path } cannot be read as CSV; take the whole export again.
 csv_package-cannot-unpacked-take-whole-export-again = { $path } cannot be unpacked; take the whole export again.
 csv_package-cannot-read-described-take-whole-export = { $path } cannot be read as it was described; take the whole export again.

@@ -22,6 +22,7 @@ from sightline.export.report.facts import (
     ReportFacts,
 )
 from sightline.export.report.scan_facts import scan_facts
+from sightline.export.seal import ENTITY
 from sightline.geometry.documents import pose_from_dict
 from sightline.infra.csv_package.files import (
     Files,
@@ -120,14 +121,15 @@ def survey_words(files: Files) -> dict[str, Any]:
 
 
 class _Head:
-    """The end of the chain that a package carries."""
+    """The survey's last event in the chain that a package carries; its seals are not about the survey."""
 
     def __init__(self, files: Files) -> None:
         self.count, self.hash = 0, ""
         self.moment: datetime | None = None
-        for id_, hash_, at in read_columns(files, "audit.csv", ("id", "hash", "at")):
-            self.count, self.hash = int(id_), hash_
-            if at:
+        names = ("id", "hash", "at", "entity")
+        for id_, hash_, at, entity in read_columns(files, "audit.csv", names):
+            if at and entity != ENTITY:
+                self.count, self.hash = int(id_), hash_
                 self.moment = datetime.fromisoformat(at)
 
 

@@ -6,6 +6,8 @@ import json
 from dataclasses import dataclass, field
 from typing import Any
 
+from sightline.errors import Damaged
+from sightline.export.seal import ENTITY, Seal
 from sightline.infra.csv_package.chain import Event, chain, stamp
 from sightline.infra.csv_package.files import Files
 from sightline.measurements.verify import MeasurementEvents
@@ -22,6 +24,7 @@ class ReplayedState:
     count: int = 0
     head: str = ""
     moment: str | None = None
+    survey_head: str = ""
     survey: dict[str, Any] = field(default_factory=dict)
     standards: list[dict[str, Any]] | None = None
     vehicles: dict[int, dict[str, Any]] = field(default_factory=dict)
@@ -38,17 +41,36 @@ class ReplayedState:
         return bool(self.vehicles.get(vehicle_id, {}).get("deleted", False))
 
 
-def walk(files: Files) -> ReplayedState:
-    """Check every link of audit.csv and gather what its events say. Raises Damaged."""
+def walk(files: Files, seal: Seal) -> ReplayedState:
+    """Check every link of audit.csv and gather what its events say. Raises Damaged.
+
+    What came into the chain while the package was made is a link only, for no table tells of it.
+    """
     told = ReplayedState()
     for event in chain(files):
+        first = told.count == 0
         told.count, told.head = int(event["id"]), event["hash"]
-        if event["withheld"] == "true":
+        is_told = event["withheld"] != "true"
+        if (is_told and not _belongs(event, seal)) or (first and not _begins(event, seal)):
+            raise Damaged("export-event-of-another-survey-or-time", number=told.count)
+        if not is_told or event["entity"] == ENTITY:
             continue
-        told.moment = stamp(event["at"])
+        told.moment, told.survey_head = stamp(event["at"]), event["hash"]
         if event["after"]:
             _gather(told, event, json.loads(event["after"]))
     return told
+
+
+def _begins(event: Event, seal: Seal) -> bool:
+    """A chain begins with the event that made the survey."""
+    made = event["entity"], event["action"], event["entity_id"]
+    return made == ("survey", "create", str(seal.survey_id))
+
+
+def _belongs(event: Event, seal: Seal) -> bool:
+    """Told are events of this survey, up to what the tables tell of, and the seal itself."""
+    number = int(event["id"])
+    return event["survey_id"] == str(seal.survey_id) and (number <= seal.as_of or number == seal.number)
 
 
 def _gather(told: ReplayedState, event: Event, after: dict[str, Any]) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Iterable, Mapping
 from itertools import zip_longest
@@ -11,7 +10,7 @@ import cv2
 import numpy as np
 
 from sightline.errors import Damaged
-from sightline.export.contents import about_of, others_of, tables_of
+from sightline.export.contents import about_of, described, tables_of
 from sightline.export.crops import expected_overlay
 from sightline.export.derived import drawn
 from sightline.export.exclusions import EXCLUSIONS, exclusion_rows
@@ -19,6 +18,7 @@ from sightline.export.measured import PackageStatistics, statistics_of
 from sightline.export.statistics_csv import TABLES, same_cell, statistics_rows
 from sightline.export.verify.chain import ReplayedState
 from sightline.infra.csv_package.files import Files, read_columns, read_header, read_rows, read_whole
+from sightline.infra.csv_package.forms import read_json
 from sightline.infra.csv_package.schema import (
     DESCRIPTION,
     AnyTable,
@@ -26,7 +26,7 @@ from sightline.infra.csv_package.schema import (
     Table,
     Written,
     cell_text,
-    description_of,
+    json_bytes,
 )
 
 _FRAME = re.compile(r"frame(\d+)")
@@ -46,24 +46,29 @@ def check_description(
     what drew the figures and the report, and what could not be compared for being of another version.
     """
     try:
-        found = json.loads(read_whole(files, DESCRIPTION))
+        found = read_json(files, DESCRIPTION)
         made_with = dict(found["made_with"])
-    except (ValueError, KeyError, TypeError) as error:
+    except (KeyError, TypeError) as error:
         raise Damaged("export-cannot-read-take-whole-export-again", description=DESCRIPTION) from error
     words = {name: str(told.survey.get(name, "")) for name in ("name", "site", "description")}
     about = about_of(**words, created=told.moment)
-    expected = description_of(about, described_tables(files), others_of(written), written)
+    expected = described(about, described_tables(files), written)
     other = {
         name for name in {*made_with, *about.made_with} if made_with.get(name) != about.made_with.get(name)
     }
     expected["made_with"] = found["made_with"]
-    notes = []
+    notes: list[str] = []
+    if list(found) != list(expected):
+        raise Damaged("export-another-files-chain-changed", description=DESCRIPTION, name="order")
     for name in sorted({*found, *expected} - {"resources"}):
-        if found.get(name) != expected.get(name):
+        if json_bytes(found[name]) == json_bytes(expected[name]):
+            continue
+        if "sightline" not in other:
             raise Damaged("export-another-files-chain-changed", description=DESCRIPTION, name=name)
+        notes.append(f"This version has another {name} for a package.")
     none: dict[str, object] = {}
     for mine, theirs in zip_longest(expected["resources"], found["resources"], fillvalue=none):
-        if mine == theirs:
+        if json_bytes(mine) == json_bytes(theirs):
             continue
         if "sightline" not in other or _sums(mine) != _sums(theirs):
             named = (theirs or mine).get("path", "a file")
@@ -71,7 +76,7 @@ def check_description(
         notes.append(f"{mine['path']} is described otherwise by this version.")
     drawn_alike = not other - {"sightline"}
     if not drawn_alike:
-        notes.append("Figures and report were made by another version: not drawn again, only summed.")
+        notes.append("Figures and report were made by another version: not drawn again, but sealed.")
     if notes:
         notes.append(f"The package was made with {made_with.get('sightline')}; verify it with that for more.")
     return drawn_alike, notes

@@ -1,14 +1,13 @@
 """Checking an export without the database: nothing in it is believed that something else does not vouch for.
 
-In order: the sums of all files; the audit chain, link by link; every height from clicks, pose and camera, and
-every row against its audit event; keys; poses, calibrations and photographs against the chain; verdicts;
-exclusions and statistics computed again from the rows; crops; figures and report drawn again; the
-description.
+In order: the sums of all files and their one form; the audit chain, link by link; its seal, which names
+every file; then, as though there were no seal: every height from clicks, pose and camera, and every row
+against its audit event; keys; poses, calibrations and photographs against the chain; verdicts; the
+description; exclusions and statistics computed again from the rows; crops; figures and report drawn again.
 
-What is left: somebody who changes rows and writes the whole chain anew makes a package that is sound in
-itself, and a crop exchanged together with its hash shows another picture. Both are found by what was kept
-elsewhere: the head of the chain (`--head`), the SHA-256 of the ZIP, which the program that made it lists. The
-latter alone covers names of people and texts of flags; the package's description says so.
+What is left: somebody who writes the chain anew, from the seal or an earlier event on, makes a package that
+is sound in itself. It is found by what was kept elsewhere: the head of the chain (`--head`), or the SHA-256
+of the ZIP, which the program that made it lists.
 """
 
 from __future__ import annotations
@@ -18,6 +17,7 @@ from pathlib import Path
 
 from sightline.cameras.calibrations.verify import check_calibrations
 from sightline.errors import BadInput, Damaged
+from sightline.export.seal import check_seal, read_seal
 from sightline.export.verify.chain import ReplayedState, walk
 from sightline.export.verify.derived import (
     check_crops,
@@ -26,9 +26,20 @@ from sightline.export.verify.derived import (
     check_statistics,
     described_tables,
 )
-from sightline.infra.csv_package.files import Files, Tick, no_tick, open_package, read_whole, sum_of
+from sightline.infra.csv_package.files import (
+    Files,
+    Tick,
+    checksum_lines,
+    missing,
+    no_tick,
+    open_package,
+    read_whole,
+    sum_of,
+)
+from sightline.infra.csv_package.forms import check_forms
 from sightline.infra.csv_package.schema import CHECKSUMS, Written
 from sightline.infra.csv_package.verify import check_keys
+from sightline.measurements.csv import CLICKS, CLICKS_FOLDER
 from sightline.measurements.sheets.verify import check_vehicles
 from sightline.measurements.verify import Recomputed, check_frames, check_measurements
 from sightline.poses.verify import check_poses
@@ -112,9 +123,12 @@ def verify_package(files: Files, head: str | None = None, tick: Tick = no_tick) 
 def _check(files: Files, head: str | None, found: _Found, tick: Tick) -> None:
     written = checksums(files)
     tick(0.1)
-    told = walk(files)
+    check_forms(files, {CLICKS_FOLDER: CLICKS.path})
+    seal = read_seal(files)
+    told = walk(files, seal)
     found.checked, found.head = told.count, told.head
-    _same_head(told, head)
+    found.notes += _same_head(told, head)
+    check_seal(seal, written)
     tick(0.2)
     check_poses(files, told.contents["pose"])
     check_calibrations(files, told.contents["calibration"])
@@ -143,15 +157,19 @@ def _check(files: Files, head: str | None, found: _Found, tick: Tick) -> None:
         found.drawings = check_drawn(files, statistics, written)
 
 
-def _same_head(told: ReplayedState, head: str | None) -> None:
+def _same_head(told: ReplayedState, head: str | None) -> list[str]:
+    """The chain ends, or this survey's part of it, as was kept; what the kept hash does not vouch for."""
     if head is None:
-        return
+        return []
     if len(head) < _LEAST_OF_HEAD:
         raise BadInput(
             "export-first-characters-head-prove-little-give", count=len(head), least_of_head=_LEAST_OF_HEAD
         )
-    if not told.head.startswith(head.lower()):
-        raise Damaged("export-audit-csv-ends-not-head-kept", head=told.head[:16])
+    if told.head.startswith(head.lower()):
+        return []
+    if told.survey_head.startswith(head.lower()):
+        return ["The head is that of the survey's last event: it vouches for the rows, not for the seal."]
+    raise Damaged("export-audit-csv-ends-not-head-kept", head=told.head[:16])
 
 
 def checksums(files: Files) -> dict[str, Written]:
@@ -159,16 +177,20 @@ def checksums(files: Files) -> dict[str, Written]:
     there = files.paths
     if CHECKSUMS not in there:
         raise BadInput("export-no-no-whole-export-export-survey", checksums=CHECKSUMS)
-    listed = {}
+    listed: dict[str, str] = {}
     for line in read_whole(files, CHECKSUMS).decode("utf-8", "replace").splitlines():
         sum_, _, path = line.partition("  ")
         listed[path] = sum_
     strange = sorted(there - set(listed) - {CHECKSUMS})
     if strange:
         raise Damaged("export-not-belong-export-take-out-check", strange=strange[0])
-    written = {}
+    written: dict[str, Written] = {}
     for path, sum_ in listed.items():
+        if path not in there:
+            raise missing(path)
         written[path] = sum_of(files, path)
         if written[path].sha256 != sum_:
             raise Damaged("export-changed-after-export-take-whole-export", path=path)
+    if read_whole(files, CHECKSUMS) != checksum_lines(written):
+        raise Damaged("export-changed-after-export-take-whole-export", path=CHECKSUMS)
     return written

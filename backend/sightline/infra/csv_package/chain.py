@@ -34,7 +34,9 @@ def _content_holds(row: Mapping[str, str]) -> bool:
     """What a row tells is what was hashed; a withheld row tells nothing, for nothing would vouch for it."""
     if row["withheld"] == "true":
         return not any(row[name] for name in (*_TOLD, *_CHAINED))
-    return event_hash(hashed(row)) == row["content_sha256"]
+    values = hashed(row)
+    as_written = all(row[name] == str(values[name]) for name in ("id", *_CHAINED) if row[name])
+    return as_written and event_hash(values) == row["content_sha256"]
 
 
 def hashed(row: Mapping[str, str]) -> dict[str, Any]:

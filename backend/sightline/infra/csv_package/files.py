@@ -46,11 +46,16 @@ def no_tick(_fraction: float) -> None:
 class TableWriter(Generic[Record]):
     """Rows into one CSV file (UTF-8, comma, line feed, RFC 4180), hashed and counted on the way."""
 
-    def __init__(self, file: BinaryIO, table: Table[Record]) -> None:
+    def __init__(
+        self, file: BinaryIO, table: Table[Record], before: TableWriter[Record] | None = None
+    ) -> None:
         self._file, self._columns = file, [(column, _getter(column)) for column in table.columns]
         self._hash, self._size, self.rows = hashlib.sha256(), 0, 0
         self._csv = csv.writer(self, lineterminator="\n")
-        self._csv.writerow(table.header)
+        if before is None:
+            self._csv.writerow(table.header)
+        else:
+            self._hash, self._size, self.rows = before._hash.copy(), before._size, before.rows
 
     def write(self, text: str) -> int:
         """What csv hands over."""
@@ -101,6 +106,14 @@ class Staging:
             yield writer
         self.written[where] = writer.written()
 
+    @contextmanager
+    def continued(self, table: Table[Made], before: TableWriter[Made]) -> Iterator[TableWriter[Made]]:
+        """More rows at the end of a table that `before` has written. Raises NoRoom."""
+        with no_room_told("this export"), self._place(table.path).open("ab", CHUNK_BYTES) as file:
+            writer = TableWriter(file, table, before)
+            yield writer
+        self.written[table.path] = writer.written()
+
     def fill(self, table: Table[Made], records: Iterable[Made]) -> int:
         """A whole table; how many rows it has."""
         with self.table(table) as writer:
@@ -108,7 +121,7 @@ class Staging:
                 writer.add(record)
         return writer.rows
 
-    def seal(self) -> None:
+    def add_checksums(self) -> None:
         """Write the list of all files' sums (the format of sha256sum): the last file of the package."""
         self.add(CHECKSUMS, checksum_lines(self.written))
 
@@ -200,12 +213,14 @@ class FolderFiles:
 
     @property
     def paths(self) -> frozenset[str]:
-        found = (path for path in self._folder.rglob("*") if path.is_file() and not path.is_symlink())
+        found = (path for path in self._folder.rglob("*") if path.is_symlink() or path.is_file())
         return frozenset(path.relative_to(self._folder).as_posix() for path in found)
 
     @contextmanager
     def open(self, path: str) -> Iterator[BinaryIO]:
         try:
+            if (self._folder / path).is_symlink():
+                raise Damaged("csv_package-link", path=path)
             file = (self._folder / path).open("rb")
         except OSError as error:
             raise missing(path) from error

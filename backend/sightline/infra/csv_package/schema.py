@@ -187,7 +187,7 @@ def description_of(
         "description": about.description,
         "made_with": dict(about.made_with),
         "resources": [
-            *(_table_resource(table, written[table.path]) for table in tables),
+            *(_table_resource(table, written.get(table.path)) for table in tables),
             *(_other_resource(other, written[other.path]) for other in others),
         ],
     }
@@ -196,7 +196,7 @@ def description_of(
     return package
 
 
-def _table_resource(table: AnyTable, written: Written) -> dict[str, Any]:
+def _table_resource(table: AnyTable, written: Written | None) -> dict[str, Any]:
     return {
         "name": table.name,
         "path": table.path,
@@ -207,8 +207,7 @@ def _table_resource(table: AnyTable, written: Written) -> dict[str, Any]:
         "mediatype": "text/csv",
         "encoding": "utf-8",
         "dialect": {"delimiter": ",", "lineTerminator": "\n", "header": True},
-        "bytes": written.size,
-        "hash": f"sha256:{written.sha256}",
+        **({} if written is None else {"bytes": written.size, "hash": f"sha256:{written.sha256}"}),
         "schema": table.schema(),
     }
 

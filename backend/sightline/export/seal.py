@@ -1,0 +1,78 @@
+"""The seal of a package: the last event of its audit chain, which names every other file by its SHA-256.
+
+What no row's own event vouches for (names of people, texts of flags, pictures, figures, the description) is
+bound by it too, so that nothing in a package can be changed without writing the chain anew.
+"""
+
+from __future__ import annotations
+
+import csv
+import hashlib
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from sightline.errors import Damaged
+from sightline.infra.csv_package.audit import AUDIT
+from sightline.infra.csv_package.files import Files, checksum_lines
+from sightline.infra.csv_package.schema import CHECKSUMS, DESCRIPTION, Written, sha256_hex
+
+ENTITY, ACTION = "package", "seal"
+_CROPS = "crops/"  # one hash for all of them: there may be a million
+
+
+@dataclass(frozen=True)
+class Seal:
+    """What the last event says. `as_of`: the last event that the tables tell of; those between it and the
+    seal came while the package was made. `before_sha256`: audit.csv without the seal's own line.
+    """
+
+    number: int
+    survey_id: int
+    as_of: int
+    files: Mapping[str, str]
+    before_sha256: str
+
+
+def sealed(written: Mapping[str, Written], before_sha256: str) -> dict[str, str]:
+    """The SHA-256 of every file by path; of audit.csv that of all lines but the seal's, of the crops that of
+    their lines in SHA256SUMS.
+    """
+    own = {CHECKSUMS, AUDIT.path}
+    crops = {path: one for path, one in written.items() if path.startswith(_CROPS)}
+    named = {path: one.sha256 for path, one in written.items() if path not in own and path not in crops}
+    return {**named, _CROPS: sha256_hex(checksum_lines(crops)), AUDIT.path: before_sha256}
+
+
+def read_seal(files: Files) -> Seal:
+    """The seal of a package: the last line of its audit.csv. Raises Damaged where that is none."""
+    digest, last = hashlib.sha256(), b""
+    with files.open(AUDIT.path) as file:
+        for line in file:
+            digest.update(last)
+            last = line
+    try:
+        (cells,) = csv.reader([last.decode("utf-8")], strict=True)
+        row = dict(zip(AUDIT.header, cells, strict=True))
+        after: dict[str, Any] = json.loads(row["after"])
+        if (row["entity"], row["action"], row["withheld"]) != (ENTITY, ACTION, "false"):
+            raise ValueError(row["entity"])
+        return Seal(
+            number=int(row["id"]),
+            survey_id=int(row["survey_id"]),
+            as_of=int(after["as_of"]),
+            files=dict(after["files"]),
+            before_sha256=digest.hexdigest(),
+        )
+    except (csv.Error, KeyError, TypeError, ValueError) as error:
+        raise Damaged("export-no-seal") from error
+
+
+def check_seal(seal: Seal, written: Mapping[str, Written]) -> None:
+    """Every file is the one that the seal names, and there is no other. Raises Damaged."""
+    found = sealed(written, seal.before_sha256)
+    # the description last: it says of others what they were
+    for path in sorted({*found, *seal.files}, key=lambda path: (path == DESCRIPTION, path)):
+        if found.get(path) != seal.files.get(path):
+            raise Damaged("export-not-the-file-that-the-seal-names", path=path)
