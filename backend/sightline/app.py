@@ -31,6 +31,7 @@ import sightline.recordings.calibrating.routes
 import sightline.recordings.frames.routes
 import sightline.recordings.routes
 import sightline.recordings.uploads.routes
+import sightline.results.audited.routes
 import sightline.results.overview.routes
 import sightline.results.routes
 import sightline.results.sightdistance.routes
@@ -94,6 +95,7 @@ ROUTERS: tuple[tuple[str, APIRouter], ...] = (
     ("statistics", sightline.results.routes.router),
     ("sightdistance", sightline.results.sightdistance.routes.router),
     ("exports", sightline.export.routes.router),
+    ("audit", sightline.results.audited.routes.router),
     ("audit", sightline.infra.audit.routes.router),
     ("jobs", sightline.infra.jobs.routes.router),
 )

@@ -19,6 +19,7 @@ MATRIX = {
     "POST /session/link": "",
     "DELETE /session": "",
     "GET /session": "viewer",
+    "PUT /session/name": "viewer",
     "PUT /session/password": "viewer",
     "GET /people": "admin",
     "POST /people": "admin",
@@ -154,10 +155,13 @@ MATRIX = {
     "POST /surveys/{survey_id}/exports": "viewer",
     "GET /surveys/{survey_id}/exports": "viewer",
     "GET /exports/{export_id}.zip": "viewer",
+    "GET /audit/events": "viewer",
+    "GET /audit/people": "viewer",
     "GET /audit": "viewer",
     "POST /audit/verify": "viewer",
     "GET /jobs": "viewer",
     "GET /jobs/{job_id}": "viewer",
+    "POST /jobs/{job_id}/again": "operator",
     "POST /jobs/{job_id}/cancel": "viewer",
 }
 

@@ -125,6 +125,7 @@ page-sight-distance = Sight distance
 page-catalogue = Catalogue
 page-audit = Audit
 page-people = People
+page-jobs = Jobs
 page-account = Account
 
 ## Commands: buttons, menus and the list of keys
@@ -264,6 +265,43 @@ redo-nothing = Nothing to redo
 undo-done = Undone: { $step }.
 redo-done = Redone: { $step }.
 
+## Jobs of the server, done once more
+
+jobs-only-failed-again = This job is { $state }; only one that failed or was stopped is done again.
+jobs-again-on-its-page = Work of this kind ({ $kind }) begins again on the page of its recording, where its files are looked at too.
+
+## Jobs: the page
+
+own-name-title = What is your name?
+own-name-why = It stands beside everything that you measure, judge and change.
+own-name = Your name
+jobs-lead = Long work of the server: what waits, what is under way, what came of it.
+jobs-loading = the jobs
+jobs-show = Show
+jobs-all = All
+jobs-none-title = No jobs here
+jobs-none = Reading videos, finding passes, poses, calibrations and packages appear here.
+jobs-kind = { $kind ->
+    [ingest] Reading a video
+    [passes] Finding passes
+    [pose] Road pose
+    [calibrate] Calibration
+    [drift] Looking for camera drift
+    [export] Package
+    [scan_read] Reading strips
+    [scan_find] Finding vehicles in strips
+    [scan_tidy] Tidying up after strips
+    [demonstration] Demonstration survey
+   *[other] Other work
+}
+jobs-column-what = What
+jobs-column-for = For
+jobs-column-state = State
+jobs-column-said = What it says
+jobs-column-begun = Begun
+jobs-again = Once more
+jobs-begun-again = It begins once more.
+
 ## App: titles, the bar above, the rail, addresses that lead nowhere
 
 app-name = Sightline
@@ -297,6 +335,7 @@ app-loading-page = { $page ->
     [catalogue] catalogue
     [audit] audit
     [people] people
+    [jobs] jobs
    *[account] account
 }
 app-where = Where you are
@@ -2649,6 +2688,9 @@ people-never = never
 people-new-link = New link
 people-switch-off = Switch off
 people-switch-on = Switch on
+people-role-title = Make { $person } { $role }?
+people-role-body = { $person } may then: { $does }
+people-role-change = Change the role
 people-switch-off-title = Switch off { $person }?
 people-switch-off-body = They are signed out and cannot sign in again; what they measured and reviewed stays under their name.
 people-does-viewer = sees everything, exports packages
@@ -2704,43 +2746,43 @@ audit-broken-title = The chain is broken
 
 ## Audit: what was done, and to what
 
-audit-action-calibrate = calibrate
-audit-action-cancel = cancel
-audit-action-cancelled = cancelled
-audit-action-check_drift = check drift
-audit-action-choose = choose
-audit-action-choose_calibration = choose calibration
-audit-action-create = create
-audit-action-decide_drift = decide drift
-audit-action-delete = delete
-audit-action-detect = detect
-audit-action-done = done
-audit-action-failed = failed
-audit-action-finish = finish
-audit-action-fix = fix
-audit-action-import = import
-audit-action-ingest = ingest
-audit-action-ingest_failed = ingest failed
-audit-action-order = order
+audit-action-calibrate = calibrated
+audit-action-cancel = cancelled
+audit-action-cancelled = stopped
+audit-action-check_drift = looked for drift in
+audit-action-choose = chose
+audit-action-choose_calibration = chose the calibration of
+audit-action-create = made
+audit-action-decide_drift = decided on the drift of
+audit-action-delete = took out
+audit-action-detect = found the board in
+audit-action-done = finished
+audit-action-failed = failed at
+audit-action-finish = finished
+audit-action-fix = fixed
+audit-action-import = imported
+audit-action-ingest = read in
+audit-action-ingest_failed = could not read
+audit-action-order = put in order
 audit-action-read = read
-audit-action-reading_failed = reading failed
-audit-action-release = release
-audit-action-requeue = requeue
-audit-action-restart_ingest = restart ingest
-audit-action-restart_reading = restart reading
-audit-action-restore = restore
+audit-action-reading_failed = could not read
+audit-action-release = put back
+audit-action-requeue = put back
+audit-action-restart_ingest = began again to read
+audit-action-restart_reading = began again to read
+audit-action-restore = brought back
 audit-action-retire = retire
-audit-action-review = review
-audit-action-revise = revise
-audit-action-run = run
-audit-action-seal = seal
-audit-action-set_password = set password
-audit-action-sign_out = sign out
-audit-action-swap_cameras = swap cameras
-audit-action-take_back_drift_decision = take back drift decision
-audit-action-update = update
-audit-action-use = use
-audit-action-withdraw = withdraw
+audit-action-review = judged
+audit-action-revise = changed
+audit-action-run = ran
+audit-action-seal = sealed
+audit-action-set_password = set the password of
+audit-action-sign_out = signed out
+audit-action-swap_cameras = exchanged the cameras of
+audit-action-take_back_drift_decision = took back the decision on the drift of
+audit-action-update = changed
+audit-action-use = used
+audit-action-withdraw = withdrew
 audit-entity-survey = survey
 audit-entity-camera = camera
 audit-entity-calibration_image = calibration image
@@ -2752,7 +2794,8 @@ audit-entity-photograph = photograph
 audit-entity-catalogue = catalogue
 audit-entity-vehicle = vehicle
 audit-entity-measurement = measurement
-audit-entity-review = review
+audit-entity-review = verdict
+audit-entity-review_plan = review plan
 audit-entity-wheel_pair = wheel pair
 audit-entity-click_sigma = click sigma
 audit-entity-standards = standards
@@ -2768,7 +2811,22 @@ audit-entity-package = package
 audit-entity-person = person
 audit-entity-sign_in_link = sign in link
 audit-entity-job = job
-audit-entity-id = { $entity } { $id }
+audit-subject-vehicle = vehicle { $vehicle }
+audit-subject-target = vehicle { $vehicle }, { $target ->
+    [roof] roof
+    [driver_eye] driver's eye
+    [taillight] taillight
+    [headlight] headlight
+   *[other] other
+}
+audit-subject-verdict = { $verdict }: { $subject }
+audit-subject-named = { $entity } “{ $name }”
+audit-person = Person
+audit-person-all = Everybody
+audit-day = Day (UTC)
+audit-vehicle = Vehicle’s number
+audit-vehicle-problem = A vehicle’s number is a whole number.
+audit-row = row { $id } of the database
 
 ## Export: the page
 

@@ -20,6 +20,7 @@ from sightline.people.store import (
     person_by_email,
     rehash_password,
     set_password,
+    update_person,
     use_sign_in_link,
 )
 
@@ -139,6 +140,14 @@ def change_password(
     hashed = _hasher.hash(new)
     with services.writing() as session:
         return set_password(session, person.id, hashed, actor=person.id)
+
+
+def change_name(services: Services, person: Person, name: str) -> Person:
+    """Another name of one's own."""
+    with services.writing() as session:
+        return update_person(
+            session, person.id, name=name, role=person.role, active=person.active, actor=person.id
+        )
 
 
 def link_path(token: str) -> str:

@@ -9,7 +9,7 @@ from pydantic import Field
 from sightline.infra.database import Session
 from sightline.infra.services import Services
 from sightline.infra.version import code_version
-from sightline.infra.web.bodies import In, Out
+from sightline.infra.web.bodies import In, Name, Out
 from sightline.infra.web.cookie import SignIn
 from sightline.infra.web.deps import OPEN, Viewer, Wired
 from sightline.infra.web.person import Person
@@ -41,7 +41,12 @@ class Me(Out):
     needs_password: bool = Field(
         description="No password yet, or here by a one-time link: the current one is not asked."
     )
+    needs_name: bool = Field(description="The first administrator, who was not asked for a name yet.")
     demo_survey_id: int | None
+
+
+class OwnName(In):
+    name: Name
 
 
 @router.post("/session", dependencies=[OPEN])
@@ -88,6 +93,13 @@ def change_password(
     return _welcome(request, response, services, person, by_link=False)
 
 
+@router.put("/session/name")
+def change_name(body: OwnName, who: Viewer, request: Request, services: Wired) -> Me:
+    """Say what one is called: the name stands beside everything that one does."""
+    person = service.change_name(services, who, body.name)
+    return _me(request, services, person, _cookies(request).by_link(request))
+
+
 def _cookies(request: Request) -> SignIn:
     cookies: SignIn = request.app.state.sign_in
     return cookies
@@ -110,5 +122,6 @@ def _me(request: Request, services: Services, person: Person, by_link: bool) -> 
         person=PersonBody.model_validate(person),
         version=code_version(),
         needs_password=by_link or not person.has_password,
+        needs_name=(person.name, person.email) == service.FIRST_ADMIN,
         demo_survey_id=demonstration,
     )

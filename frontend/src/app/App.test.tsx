@@ -22,6 +22,7 @@ const person = (role: Role): Me => ({
   },
   version: "0.1.0",
   needs_password: false,
+  needs_name: false,
   demo_survey_id: null,
 });
 

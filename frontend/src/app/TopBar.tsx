@@ -155,6 +155,9 @@ function PersonMenu() {
       <a class="menu__item" href="/catalogue">
         {titleOf("catalogue")}
       </a>
+      <a class="menu__item" href="/jobs">
+        {titleOf("jobs")}
+      </a>
       <a class="menu__item" href="/audit">
         {say("app-audit")}
       </a>

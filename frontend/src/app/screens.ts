@@ -26,6 +26,7 @@ const LOADERS: Record<PlaceName, () => Promise<{ default: Screen }>> = {
   "sight-distance": () => import("../screens/sightdistance/SightScreen"),
   catalogue: () => import("../screens/catalogue/CatalogueScreen"),
   audit: () => import("../screens/audit/AuditScreen"),
+  jobs: () => import("../screens/jobs/JobsScreen"),
   people: () => import("../screens/people/PeopleScreen"),
   account: () => import("../screens/account/AccountScreen"),
 };

@@ -26,6 +26,7 @@ export type PlaceName =
   | "sight-distance"
   | "catalogue"
   | "audit"
+  | "jobs"
   | "people"
   | "account";
 
@@ -136,6 +137,11 @@ export const PLACES: readonly Place[] = [
   {
     name: "audit",
     pattern: "/audit",
+    layout: "alone",
+  },
+  {
+    name: "jobs",
+    pattern: "/jobs",
     layout: "alone",
   },
   {

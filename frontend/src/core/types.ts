@@ -89,6 +89,7 @@ export type VehicleFields = Pick<
 export type CatalogueRow = Schemas["CatalogueEntry"];
 export type History = Schemas["HistoryBody"];
 export type ReviewItem = Schemas["QueueItemBody"];
+export type NamedEvent = Schemas["NamedEvent"];
 export type StillSpan = Schemas["StillSpan"];
 export type ReviewPlan = Schemas["ReviewPlan"];
 export type ReviewWork = Schemas["ReviewWork"];

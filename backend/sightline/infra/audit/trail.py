@@ -7,10 +7,10 @@ missing and cut-off events are all found (`verify`).
 
 import json
 from collections.abc import Iterable, Mapping, Sequence
-from datetime import datetime
+from datetime import date, datetime
 from typing import Any
 
-from sqlalchemy import Row, insert, select, update
+from sqlalchemy import ColumnElement, Row, insert, select, update
 from sqlalchemy.orm import Session
 
 from sightline.enums import JsonObject
@@ -85,15 +85,24 @@ def listing(
     *,
     survey_id: int | None = None,
     entity: str | None = None,
+    actor_id: int | None = None,
+    day: date | None = None,
+    among: ColumnElement[bool] | None = None,
     before_id: int | None = None,
     limit: int = 100,
 ) -> tuple[AuditEvent, ...]:
-    """Events, newest first; `before_id` turns the page."""
+    """Events, newest first, of a person, of a day (UTC), or `among` some; `before_id` turns the page."""
     query = _events().order_by(audit_events.c.id.desc()).limit(min(max(limit, 1), 1000))
     if survey_id is not None:
         query = query.where(audit_events.c.survey_id == survey_id)
     if entity is not None:
         query = query.where(audit_events.c.entity == entity)
+    if actor_id is not None:
+        query = query.where(audit_events.c.actor_id == actor_id)
+    if day is not None:
+        query = query.where(audit_events.c.at.startswith(day.isoformat()))
+    if among is not None:
+        query = query.where(among)
     if before_id is not None:
         query = query.where(audit_events.c.id < before_id)
     return tuple(_event(row) for row in session.execute(query))

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 from sqlalchemy.orm import Session
 
 from sightline.enums import JsonObject
-from sightline.errors import SightlineError
+from sightline.errors import BadInput, Conflict, SightlineError
 from sightline.infra.jobs.engine import engine_of_session
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.store import create_job, request_job_cancel
@@ -109,6 +109,21 @@ def cancel(session: Session, job: Job, actor: int) -> Job:
     if asked.state == "cancelled" and kind is not None and kind.on_cancel is not None:
         kind.on_cancel(session, asked)
     return asked
+
+
+def again(session: Session, job: Job, actor: int) -> Job:
+    """The same work once more, for a job that failed or was stopped.
+
+    Raises Conflict for one that is not over or did its work, and BadInput for a kind whose work begins on a
+    page of its own (there more than the job has to be put right).
+    """
+    if job.state not in ("failed", "cancelled"):
+        raise Conflict("jobs-only-failed-again", state=job.state)
+    kind = registered(job.kind)
+    if kind is None or kind.failed is not None:
+        raise BadInput("jobs-again-on-its-page", kind=job.kind)
+    place = {"survey_id": job.survey_id, "recording_id": job.recording_id, "scan_id": job.scan_id}
+    return enqueue(session, job.kind, job.payload, **place, actor=actor)
 
 
 def enqueue(

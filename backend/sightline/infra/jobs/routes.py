@@ -8,7 +8,7 @@ from sightline.enums import JobState
 from sightline.errors import NotAllowed
 from sightline.infra.jobs import registry, store
 from sightline.infra.web.bodies import Id, JobBody
-from sightline.infra.web.deps import RANK, PathId, Reading, Viewer, Wired
+from sightline.infra.web.deps import RANK, Operator, PathId, Reading, Viewer, Wired
 
 router = APIRouter()
 
@@ -28,6 +28,13 @@ def list_jobs(
 def get_job(job_id: PathId, who: Viewer, session: Reading) -> JobBody:
     """One job."""
     return JobBody.model_validate(store.get_job(session, job_id))
+
+
+@router.post("/jobs/{job_id}/again", status_code=202)
+def again(job_id: PathId, who: Operator, services: Wired) -> JobBody:
+    """The same work once more, after it failed or was stopped."""
+    with services.writing() as session:
+        return JobBody.model_validate(registry.again(session, store.get_job(session, job_id), who.id))
 
 
 @router.post("/jobs/{job_id}/cancel")

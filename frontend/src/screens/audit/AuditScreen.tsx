@@ -1,39 +1,38 @@
 import { useState } from "preact/hooks";
-import { Button, Empty, Loading, Notice, Problem, SelectField, TableScroll } from "../../components";
+import { Button, Empty, Field, Loading, Notice, Problem, SelectField, TableScroll } from "../../components";
+import { CommitField } from "../../components/CommitField";
 import { Said } from "../../components/Said";
 import { query, setQuery } from "../../core/address";
 import { api, explain, fromAddress } from "../../core/api";
 import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
 import { formatClock, formatDay } from "../../core/times";
-import type { AuditCheck, AuditEvent } from "../../core/types";
+import type { AuditCheck, AuditEvent, NamedEvent } from "../../core/types";
 import { changesOf } from "./changes";
-import { actionWords, ENTITY_WORDS, entityWords } from "./words";
+import { actionWords, ENTITY_WORDS, pageOf, rowWords, subjectWords } from "./words";
 import "./audit.css";
 
 const PAGE = 100;
 
 /** Who did what, when, from what to what; newest first. The chain of hashes can be checked here. */
 export default function AuditScreen() {
-  const surveyId = query.value.get("survey_id") ?? "";
-  const entity = query.value.get("entity") ?? "";
-  const [older, setOlder] = useState<AuditEvent[]>([]);
+  const filters = filtersOf();
+  const [older, setOlder] = useState<NamedEvent[]>([]);
   const [atEnd, setAtEnd] = useState(false);
   const [problem, setProblem] = useState<unknown>(null);
   const [busy, setBusy] = useState(false);
-  const surveys = useResource((signal) => api.ask("GET /surveys", {}, { signal }), []);
   const filter = {
     limit: PAGE,
-    ...fromAddress<"GET /audit">({ survey_id: surveyId || undefined, entity: entity || undefined }),
+    ...fromAddress<"GET /audit/events">(filters),
   };
   const first = useResource(
     async (signal) => {
-      const page = await api.ask("GET /audit", filter, { signal });
+      const page = await api.ask("GET /audit/events", filter, { signal });
       setOlder([]);
       setAtEnd(page.length < PAGE);
       return page;
     },
-    [surveyId, entity],
+    [query.value.toString()],
   );
   const events = [...(first.data ?? []), ...older];
   const more = async () => {
@@ -42,7 +41,7 @@ export default function AuditScreen() {
     setBusy(true);
     setProblem(null);
     try {
-      const page = await api.ask("GET /audit", { ...filter, before_id: last.id });
+      const page = await api.ask("GET /audit/events", { ...filter, before_id: last.event.id });
       setOlder([...older, ...page]);
       setAtEnd(page.length < PAGE);
     } catch (error) {
@@ -59,32 +58,13 @@ export default function AuditScreen() {
         </div>
         <Verify />
       </header>
-      <div class="audit__filters">
-        <SelectField
-          label={say("audit-survey")}
-          value={surveyId}
-          options={[
-            { value: "", label: say("audit-survey-all") },
-            ...(surveys.data ?? []).map((survey) => ({ value: String(survey.id), label: survey.name })),
-          ]}
-          onChange={(value) => setQuery({ survey_id: value || null })}
-        />
-        <SelectField
-          label={say("audit-what")}
-          value={entity}
-          options={[
-            { value: "", label: say("audit-what-all") },
-            ...Object.entries(ENTITY_WORDS).map(([value, label]) => ({ value, label })),
-          ]}
-          onChange={(value) => setQuery({ entity: value || null })}
-        />
-      </div>
+      <Filters />
       <Problem error={first.error} again={first.reload} />
       {!first.data && first.loading && <Loading what={say("audit-loading")} />}
       {first.data && events.length === 0 && (
         <div class="panel">
           <Empty title={say("audit-none-title")}>
-            <p>{say(surveyId || entity ? "audit-none-filtered" : "audit-none")}</p>
+            <p>{say(Object.keys(filters).length > 0 ? "audit-none-filtered" : "audit-none")}</p>
           </Empty>
         </div>
       )}
@@ -102,8 +82,8 @@ export default function AuditScreen() {
               </tr>
             </thead>
             <tbody>
-              {events.map((event) => (
-                <EventRow key={event.id} event={event} />
+              {events.map((one) => (
+                <EventRow key={one.event.id} named={one} />
               ))}
             </tbody>
           </table>
@@ -121,7 +101,73 @@ export default function AuditScreen() {
   );
 }
 
-function EventRow({ event }: { event: AuditEvent }) {
+const FILTERS = ["survey_id", "entity", "person_id", "day", "vehicle"] as const;
+
+/** What the address asks for. */
+function filtersOf(): Record<string, string> {
+  const chosen = FILTERS.map((name) => [name, query.value.get(name) ?? ""] as const);
+  return Object.fromEntries(chosen.filter(([, value]) => value !== ""));
+}
+
+function Filters() {
+  const surveys = useResource((signal) => api.ask("GET /surveys", {}, { signal }), []);
+  const people = useResource((signal) => api.ask("GET /audit/people", {}, { signal }), []);
+  const at = (name: (typeof FILTERS)[number]): string => query.value.get(name) ?? "";
+  return (
+    <div class="audit__filters">
+      <SelectField
+        label={say("audit-survey")}
+        value={at("survey_id")}
+        options={[
+          { value: "", label: say("audit-survey-all") },
+          ...(surveys.data ?? []).map((survey) => ({ value: String(survey.id), label: survey.name })),
+        ]}
+        onChange={(value) => setQuery({ survey_id: value || null })}
+      />
+      <SelectField
+        label={say("audit-what")}
+        value={at("entity")}
+        options={[
+          { value: "", label: say("audit-what-all") },
+          ...Object.entries(ENTITY_WORDS).map(([value, label]) => ({ value, label })),
+        ]}
+        onChange={(value) => setQuery({ entity: value || null })}
+      />
+      <SelectField
+        label={say("audit-person")}
+        value={at("person_id")}
+        options={[
+          { value: "", label: say("audit-person-all") },
+          ...(people.data ?? []).map((one) => ({ value: String(one.id), label: one.name })),
+        ]}
+        onChange={(value) => setQuery({ person_id: value || null })}
+      />
+      <Field label={say("audit-day")}>
+        {(wiring) => (
+          <input
+            {...wiring}
+            class="input"
+            type="date"
+            value={at("day")}
+            onChange={(event) => setQuery({ day: event.currentTarget.value || null })}
+          />
+        )}
+      </Field>
+      <CommitField
+        label={say("audit-vehicle")}
+        numeric
+        value={at("vehicle")}
+        check={(text) => (/^\d{0,9}$/.test(text) ? null : say("audit-vehicle-problem"))}
+        onCommit={(text) => setQuery({ vehicle: Number(text) > 0 ? Number(text) : null })}
+      />
+    </div>
+  );
+}
+
+function EventRow({ named }: { named: NamedEvent }) {
+  const { event } = named;
+  const page = pageOf(named);
+  const words = subjectWords(named);
   const changes = changesOf(event.before, event.after);
   const at = new Date(event.at);
   return (
@@ -132,7 +178,9 @@ function EventRow({ event }: { event: AuditEvent }) {
       </td>
       <td class="nowrap">{event.actor?.name ?? <span class="muted">{say("person-system")}</span>}</td>
       <td>
-        {actionWords(event)} <span class="muted nowrap">{entityWords(event)}</span>
+        {actionWords(event)}{" "}
+        <span title={rowWords(event)}>{page ? <a href={page}>{words}</a> : <strong>{words}</strong>}</span>
+        {!surveyShown() && named.subject.survey && <div class="small muted">{named.subject.survey}</div>}
       </td>
       <td class="audit__changes">
         {changes.length > 0 && (
@@ -165,6 +213,11 @@ function EventRow({ event }: { event: AuditEvent }) {
       </td>
     </tr>
   );
+}
+
+/** Whether one survey was chosen: then its name need not stand in each row. */
+function surveyShown(): boolean {
+  return query.value.has("survey_id");
 }
 
 function hashWords({ hash, previous_hash: previous }: AuditEvent): string {

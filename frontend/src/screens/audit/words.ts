@@ -1,6 +1,7 @@
 /** What was done and to what, as the audit trail says it; what has no word here yet is shown by its name. */
 import { say, wordsOf } from "../../core/messages";
-import type { AuditEvent } from "../../core/types";
+import type { AuditEvent, NamedEvent, Verdict } from "../../core/types";
+import { STATE_WORDS, vehicleName } from "../../core/words";
 
 export const ENTITY_WORDS = wordsOf({
   survey: "audit-entity-survey",
@@ -15,6 +16,7 @@ export const ENTITY_WORDS = wordsOf({
   vehicle: "audit-entity-vehicle",
   measurement: "audit-entity-measurement",
   review: "audit-entity-review",
+  review_plan: "audit-entity-review_plan",
   wheel_pair: "audit-entity-wheel_pair",
   click_sigma: "audit-entity-click_sigma",
   standards: "audit-entity-standards",
@@ -76,8 +78,44 @@ export function actionWords({ action }: AuditEvent): string {
   return (ACTION_WORDS as Readonly<Record<string, string>>)[action] ?? action.replaceAll("_", " ");
 }
 
-/** "scan vehicle 12" */
-export function entityWords({ entity, entity_id }: AuditEvent): string {
-  const words = (ENTITY_WORDS as Readonly<Record<string, string>>)[entity] ?? entity.replaceAll("_", " ");
-  return entity_id === null ? words : say("audit-entity-id", { entity: words, id: String(entity_id) });
+/** "vehicle 09, roof", "rejected: vehicle 09, roof", "camera “left”": as people call it. */
+export function subjectWords({ event, subject }: NamedEvent): string {
+  const kind =
+    (ENTITY_WORDS as Readonly<Record<string, string>>)[event.entity] ?? event.entity.replaceAll("_", " ");
+  const { vehicle, target, name } = subject;
+  if (vehicle !== null) {
+    const named = { vehicle: vehicleName(vehicle) };
+    const words = target
+      ? say("audit-subject-target", { ...named, target })
+      : say("audit-subject-vehicle", named);
+    const verdict =
+      event.entity === "review" ? (event.after as { verdict?: Verdict } | null)?.verdict : undefined;
+    return verdict ? say("audit-subject-verdict", { verdict: STATE_WORDS[verdict], subject: words }) : words;
+  }
+  return name ? say("audit-subject-named", { entity: kind, name }) : kind;
+}
+
+/** The row of the database, for who looks into it. */
+export function rowWords({ entity, entity_id }: AuditEvent): string | undefined {
+  return entity_id === null ? undefined : `${entity}: ${say("audit-row", { id: String(entity_id) })}`;
+}
+
+/** Where it can be looked at; null where there is no page for it. */
+export function pageOf({ event, subject }: NamedEvent): string | null {
+  const { entity, entity_id, survey_id } = event;
+  if (survey_id === null || entity_id === null) return null;
+  const survey = `/surveys/${survey_id}`;
+  if (entity === "review" || entity === "measurement")
+    return subject.measurement_id ? `${survey}/review?measurement=${subject.measurement_id}` : null;
+  const pages: Readonly<Record<string, string>> = {
+    survey,
+    vehicle: `${survey}/measure?vehicle=${entity_id}`,
+    wheel_pair: `${survey}/checks?tab=traffic&vehicle=${subject.vehicle_id}`,
+    camera: `${survey}/camera?camera=${entity_id}`,
+    recording: `${survey}/measure?recording=${entity_id}`,
+    scan: `${survey}/scan?scan=${entity_id}`,
+    review_plan: `${survey}/review`,
+    export: `${survey}/export`,
+  };
+  return pages[entity] ?? null;
 }

@@ -6,7 +6,7 @@ import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
 import { may, me } from "../../core/session";
 import { formatAgo } from "../../core/times";
-import { type Person, ROLE_NAMES } from "../../core/types";
+import { type Person, ROLE_NAMES, type Role } from "../../core/types";
 import { STATE_WORDS } from "../../core/words";
 import { AddPerson } from "./AddPerson";
 import "./people.css";
@@ -48,6 +48,15 @@ export default function PeopleScreen() {
       const { link } = await api.write("POST /people/{person_id}/link", { person_id: person.id });
       setInvitation({ name: person.name, link });
     });
+  const changeRole = async (person: Person, role: Role) => {
+    const yes = await ask({
+      title: say("people-role-title", { person: person.name, role: ROLE_NAMES[role] }),
+      body: say("people-role-body", { person: person.name, does: DOES[role] }),
+      action: say("people-role-change"),
+    });
+    // the list shows the role that stands, also where it was chosen and not confirmed
+    await (yes ? put(person, { role }) : people.reload());
+  };
   const switchOff = async (person: Person) => {
     const yes = await ask({
       title: say("people-switch-off-title", { person: person.name }),
@@ -93,6 +102,7 @@ export default function PeopleScreen() {
                   put={put}
                   newLink={newLink}
                   switchOff={switchOff}
+                  changeRole={changeRole}
                 />
               ))}
             </tbody>
@@ -127,9 +137,10 @@ interface RowProps {
   put: (person: Person, part: Partial<Person>) => Promise<void>;
   newLink: (person: Person) => Promise<void>;
   switchOff: (person: Person) => Promise<void>;
+  changeRole: (person: Person, role: Role) => Promise<void>;
 }
 
-function PersonRow({ person, put, newLink, switchOff }: RowProps) {
+function PersonRow({ person, put, newLink, switchOff, changeRole }: RowProps) {
   const isMe = me.value?.person.id === person.id;
   const state = person.active ? "active" : "inactive";
   return (
@@ -145,7 +156,7 @@ function PersonRow({ person, put, newLink, switchOff }: RowProps) {
           label={say("people-role-of", { person: person.name })}
           value={person.role}
           options={roleOptions()}
-          onChange={(role) => void put(person, { role })}
+          onChange={(role) => void changeRole(person, role)}
         />
       </td>
       <td>

@@ -10,6 +10,7 @@ import { may, me } from "../../core/session";
 import { formatDay } from "../../core/times";
 import type { Job, Survey } from "../../core/types";
 import { NewSurvey } from "./NewSurvey";
+import { OwnName } from "./OwnName";
 import "./surveys.css";
 
 /** Home: every survey with its progress. While the demonstration survey is being made, its card shows how far it is. */
@@ -63,6 +64,7 @@ function SurveyList({ surveys, lastDemo, children }: SurveyListProps) {
         </div>
         {!nothing && may("operator") && <AddSurvey primary={!onlyDemo} make={make} />}
       </header>
+      <OwnName />
       {me.value?.needs_password && <ChoosePassword />}
       {children}
       {lastDemo?.state === "failed" && !demo && (

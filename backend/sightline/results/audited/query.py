@@ -1,0 +1,160 @@
+"""Reading the audit trail with the names of what its events are about."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from datetime import date
+from typing import Any
+
+from sqlalchemy import ColumnElement, and_, or_, select
+from sqlalchemy.orm import Session
+
+from sightline.cameras.tables import cameras
+from sightline.infra.audit import trail
+from sightline.infra.audit.records import AuditEvent, Who
+from sightline.infra.audit.tables import audit_events
+from sightline.infra.database.people import people
+from sightline.measurements.tables import measurement_series, measurements, reviews, wheel_pairs
+from sightline.recordings.tables import recordings
+from sightline.results.audited.records import NamedEvent, Subject
+from sightline.scans.tables import scan_vehicles, scans
+from sightline.surveys.tables import surveys
+from sightline.vehicles.tables import vehicles
+
+#: Kinds of things that have a name of their own, and the column that holds it.
+_NAMED = {
+    "survey": surveys.c.name,
+    "camera": cameras.c.name,
+    "recording": recordings.c.name,
+    "scan": scans.c.name,
+    "person": people.c.name,
+}
+_e = audit_events.c
+
+
+def named_events(
+    session: Session,
+    *,
+    survey_id: int | None = None,
+    entity: str | None = None,
+    person_id: int | None = None,
+    day: date | None = None,
+    vehicle: int | None = None,
+    before_id: int | None = None,
+    limit: int = 100,
+) -> tuple[NamedEvent, ...]:
+    """Events, newest first; `vehicle` is a number in its survey, `day` one in UTC."""
+    found = trail.listing(
+        session,
+        survey_id=survey_id,
+        entity=entity,
+        actor_id=person_id,
+        day=day,
+        among=None if vehicle is None else _of_vehicle(vehicle, survey_id),
+        before_id=before_id,
+        limit=limit,
+    )
+    names = _names(session, found)
+    of_surveys = _by_id(session, surveys.c.name, (one.survey_id for one in found))
+    subjects = _subjects(session, found)
+    return tuple(
+        NamedEvent(
+            one,
+            Subject(
+                survey=of_surveys.get(one.survey_id),
+                name=names.get((one.entity, one.entity_id)),
+                **subjects.get(one.id, {}),
+            ),
+        )
+        for one in found
+    )
+
+
+def acting_people(session: Session) -> tuple[Who, ...]:
+    """Those who did something, by name."""
+    query = select(people.c.id, people.c.name).where(people.c.id.in_(select(_e.actor_id)))
+    return tuple(Who(row.id, row.name) for row in session.execute(query.order_by(people.c.name)))
+
+
+def _of_vehicle(number: int, survey_id: int | None) -> ColumnElement[bool]:
+    """Events of the vehicles with this number: their records, measurements, verdicts and tyres."""
+    mine = select(vehicles.c.id).where(vehicles.c.number == number)
+    if survey_id is not None:
+        mine = mine.where(vehicles.c.survey_id == survey_id)
+    series = select(measurement_series.c.id).where(measurement_series.c.vehicle_id.in_(mine))
+    judged = select(reviews.c.id).where(reviews.c.series_id.in_(series))
+    pairs = select(wheel_pairs.c.id).where(wheel_pairs.c.vehicle_id.in_(mine))
+    kinds = (("vehicle", mine), ("measurement", series), ("review", judged), ("wheel_pair", pairs))
+    return or_(*(and_(_e.entity == kind, _e.entity_id.in_(ids)) for kind, ids in kinds))
+
+
+def _names(session: Session, found: Sequence[AuditEvent]) -> dict[tuple[str, int | None], str]:
+    names: dict[tuple[str, int | None], str] = {}
+    for kind, column in _NAMED.items():
+        ids = [one.entity_id for one in found if one.entity == kind]
+        names |= {(kind, id_): name for id_, name in _by_id(session, column, ids).items()}
+    return names
+
+
+def _by_id(session: Session, column: Any, ids: Iterable[int | None]) -> dict[int | None, str]:
+    wanted = {id_ for id_ in ids if id_ is not None}
+    if not wanted:
+        return {}
+    key = column.table.c.id
+    return {row[0]: row[1] for row in session.execute(select(key, column).where(key.in_(wanted)))}
+
+
+def _subjects(session: Session, found: Sequence[AuditEvent]) -> dict[int, dict[str, Any]]:
+    """Vehicle and target of each event that has them, by event."""
+    of_series = _series(session, found)
+    vehicle_of = {
+        **{one.id: one.entity_id for one in found if one.entity == "vehicle"},
+        **{one.id: _told(one, "vehicle_id") for one in found if one.entity in ("wheel_pair", "measurement")},
+        **{id_: of["vehicle_id"] for id_, of in of_series.items()},
+    }
+    numbers = _numbers(session, vehicles, (id_ for id_ in vehicle_of.values() if id_ is not None))
+    subjects: dict[int, dict[str, Any]] = {
+        id_: {"vehicle_id": vehicle, "vehicle": numbers[vehicle], **_target(of_series.get(id_))}
+        for id_, vehicle in vehicle_of.items()
+        if vehicle in numbers
+    }
+    scanned = {one.id: one.entity_id for one in found if one.entity == "scan_vehicle"}
+    of_scans = _numbers(session, scan_vehicles, (id_ for id_ in scanned.values() if id_ is not None))
+    for id_, one in scanned.items():
+        if one in of_scans:
+            subjects[id_] = {"vehicle_id": one, "vehicle": of_scans[one]}
+    return subjects
+
+
+def _target(series: Mapping[str, Any] | None) -> dict[str, Any]:
+    return {} if series is None else {"target": series["target"], "measurement_id": series["id"]}
+
+
+def _told(event: AuditEvent, name: str) -> int | None:
+    for state in (event.after, event.before):
+        if state and isinstance(state.get(name), int):
+            return int(state[name])
+    return None
+
+
+def _series(session: Session, found: Sequence[AuditEvent]) -> dict[int, dict[str, Any]]:
+    """The measurement of each event on one, or on a verdict: its vehicle and target."""
+    judged = {one.id: one.entity_id for one in found if one.entity == "review"}
+    rows = session.execute(select(reviews.c.id, reviews.c.series_id).where(reviews.c.id.in_(judged.values())))
+    of_review = {row.id: row.series_id for row in rows} if judged else {}
+    series_of = {one.id: one.entity_id for one in found if one.entity == "measurement"}
+    series_of |= {id_: of_review.get(review) for id_, review in judged.items()}
+    wanted = {one for one in series_of.values() if one is not None}
+    query = (
+        select(measurement_series.c.id, measurement_series.c.vehicle_id, measurements.c.target)
+        .join(measurements, measurements.c.series_id == measurement_series.c.id)
+        .where(measurement_series.c.id.in_(wanted), measurements.c.revision == 1)
+    )
+    known = {row.id: dict(row._mapping) for row in session.execute(query)} if wanted else {}
+    return {id_: known[series] for id_, series in series_of.items() if series in known}
+
+
+def _numbers(session: Session, table: Any, ids: Iterable[int]) -> dict[int, int]:
+    wanted = set(ids)
+    if not wanted:
+        return {}
+    query = select(table.c.id, table.c.number).where(table.c.id.in_(wanted))
+    return {row.id: row.number for row in session.execute(query)}

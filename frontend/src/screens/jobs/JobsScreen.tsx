@@ -1,0 +1,176 @@
+/** Long work of the server: what waits, what is under way, what came of it; stopped and done once more here. */
+import { useState } from "preact/hooks";
+import {
+  Button,
+  Empty,
+  Loading,
+  Problem,
+  Progress,
+  SelectField,
+  StateMark,
+  TableScroll,
+} from "../../components";
+import { query, setQuery } from "../../core/address";
+import { api, fromAddress } from "../../core/api";
+import { cancelJob, isOver } from "../../core/jobs";
+import { say } from "../../core/messages";
+import { useEvery, useResource } from "../../core/resource";
+import { may } from "../../core/session";
+import { formatAgo, formatMoment } from "../../core/times";
+import { toast } from "../../core/toasts";
+import type { Job } from "../../core/types";
+import { STATE_WORDS } from "../../core/words";
+
+const KINDS = [
+  "ingest",
+  "passes",
+  "pose",
+  "calibrate",
+  "drift",
+  "export",
+  "scan_read",
+  "scan_find",
+  "scan_tidy",
+  "demonstration",
+] as const;
+const STATES = ["queued", "running", "failed", "cancelled", "done"] as const;
+/** How often the list is read again. */
+const EVERY_MS = 2000;
+
+export default function JobsScreen() {
+  const state = query.value.get("state") ?? "";
+  const jobs = useResource(
+    (signal) => api.ask("GET /jobs", fromAddress<"GET /jobs">({ state: state || undefined }), { signal }),
+    [state],
+    { keep: true },
+  );
+  const surveys = useResource((signal) => api.ask("GET /surveys", {}, { signal }), []);
+  const [problem, setProblem] = useState<unknown>(null);
+  useEvery(EVERY_MS, jobs.reload);
+  const run = async (work: () => Promise<unknown>) => {
+    setProblem(null);
+    try {
+      await work();
+    } catch (error) {
+      setProblem(error);
+    }
+    await jobs.reload();
+  };
+  const nameOf = (id: number | null): string => surveys.data?.find((survey) => survey.id === id)?.name ?? "–";
+  return (
+    <div class="page page--alone">
+      <header class="page__head">
+        <div>
+          <h1>{say("page-jobs")}</h1>
+          <p class="page__lead">{say("jobs-lead")}</p>
+        </div>
+        <SelectField
+          label={say("jobs-show")}
+          value={state}
+          options={[
+            { value: "", label: say("jobs-all") },
+            ...STATES.map((value) => ({ value, label: STATE_WORDS[value] })),
+          ]}
+          onChange={(value) => setQuery({ state: value || null })}
+        />
+      </header>
+      <Problem error={problem} />
+      <Problem error={jobs.error} again={jobs.reload} />
+      {!jobs.data && jobs.loading && <Loading what={say("jobs-loading")} />}
+      {jobs.data?.length === 0 && (
+        <div class="panel">
+          <Empty title={say("jobs-none-title")}>
+            <p>{say("jobs-none")}</p>
+          </Empty>
+        </div>
+      )}
+      {jobs.data && jobs.data.length > 0 && (
+        <TableScroll label={say("page-jobs")} class="panel">
+          <table class="table">
+            <thead>
+              <tr>
+                <th>{say("jobs-column-what")}</th>
+                <th>{say("jobs-column-for")}</th>
+                <th>{say("jobs-column-state")}</th>
+                <th>{say("jobs-column-said")}</th>
+                <th>{say("jobs-column-begun")}</th>
+                <th>
+                  <span class="visually-hidden">{say("people-actions")}</span>
+                </th>
+              </tr>
+            </thead>
+            <tbody>
+              {jobs.data.map((job) => (
+                <Row key={job.id} job={job} survey={nameOf(job.survey_id)} run={run} />
+              ))}
+            </tbody>
+          </table>
+        </TableScroll>
+      )}
+    </div>
+  );
+}
+
+interface RowProps {
+  job: Job;
+  survey: string;
+  run(work: () => Promise<unknown>): Promise<void>;
+}
+
+function Row({ job, survey, run }: RowProps) {
+  const page = pageOf(job);
+  return (
+    <tr data-testid={`job-${job.id}`}>
+      <td>{say("jobs-kind", { kind: KINDS.find((one) => one === job.kind) ?? "other" })}</td>
+      <td>{page ? <a href={page}>{survey}</a> : survey}</td>
+      <td>
+        <StateMark state={job.state} />
+      </td>
+      <td>{isOver(job) ? toldOf(job) : <Progress value={job.progress} label={job.message || "…"} />}</td>
+      <td class="muted nowrap" title={formatMoment(job.created_at)}>
+        {formatAgo(job.created_at)}
+      </td>
+      <td class="num">
+        <Actions job={job} run={run} />
+      </td>
+    </tr>
+  );
+}
+
+function Actions({ job, run }: Omit<RowProps, "survey">) {
+  if (!may("operator")) return null;
+  if (!isOver(job)) {
+    return (
+      <Button small kind="quiet" onClick={() => void run(() => cancelJob(job.id))}>
+        {say("action-cancel")}
+      </Button>
+    );
+  }
+  if (job.state === "done") return null;
+  const again = async () => {
+    await api.write("POST /jobs/{job_id}/again", { job_id: job.id });
+    toast(say("jobs-begun-again"));
+  };
+  return (
+    <Button small kind="quiet" icon="retry" onClick={() => void run(again)}>
+      {say("jobs-again")}
+    </Button>
+  );
+}
+
+/** The sentence that it ended with. */
+function toldOf({ error, message, result }: Job): string {
+  const told = result?.["message"];
+  return error ?? (typeof told === "string" ? told : message);
+}
+
+/** Where its work is looked at. */
+function pageOf({ kind, survey_id, recording_id, scan_id }: Job): string | null {
+  if (survey_id === null) return null;
+  const survey = `/surveys/${survey_id}`;
+  if (scan_id) return `${survey}/scan?scan=${scan_id}`;
+  if (kind === "pose" && recording_id) return `${survey}/pose?recording=${recording_id}`;
+  if (kind === "passes" && recording_id) return `${survey}/measure?recording=${recording_id}`;
+  if (recording_id) return `${survey}/recordings`;
+  return kind === "export" ? `${survey}/export` : survey;
+}
