@@ -878,6 +878,8 @@ def create_tables() -> None:
         sa.Column("more_frames", sa.Text(), server_default="[]", nullable=False),
         sa.Column("solved_inset_m", sa.Float(), nullable=True),
         sa.Column("u_solved_inset_m", sa.Float(), nullable=True),
+        sa.Column("u_clicks_m", sa.Float(), nullable=True),
+        sa.Column("u_by_inset_m", sa.Float(), nullable=True),
         sa.Column("withdrawn", sa.Boolean(), nullable=False),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
         sa.Column("created_by", sa.Integer(), nullable=True),

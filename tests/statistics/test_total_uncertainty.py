@@ -11,7 +11,12 @@ from scipy import stats
 from sightline.statistics.deconvolution import noise_of, smooth_density
 from sightline.statistics.shared_errors import SharedErrors
 from sightline.statistics.sites import pooled_variance, sites_of
-from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty, difference
+from sightline.statistics.total_uncertainty import (
+    HeightSample,
+    TotalUncertainty,
+    difference,
+    sample_of_measurements,
+)
 
 P10 = 10.0
 
@@ -187,3 +192,34 @@ def test_figures_move_with_the_heights_and_do_not_know_their_order(
             assert getattr(other, name) - shift == pytest.approx(getattr(one, name), abs=2e-4)
     assert after.sd().value == pytest.approx(before.sd().value, abs=1e-9)
     assert after.mean().value - shift == pytest.approx(before.mean().value, abs=1e-9)
+
+
+def test_a_budget_is_divided_into_random_and_shared_parts() -> None:
+    n = 90
+    rng = np.random.default_rng(11)
+    clicks, by_inset, by_pose = 0.007, 0.010, 0.005
+    pose, inset = np.arange(n) % 2, np.arange(n) % 3
+    found = sample_of_measurements(
+        height_m=rng.normal(1.16, 0.06, n),
+        u_height_m=np.full(n, np.sqrt(clicks**2 + by_inset**2 + by_pose**2)),
+        u_clicks_m=np.full(n, clicks),
+        u_by_inset_m=np.full(n, by_inset),
+        pose=pose,
+        inset=inset,
+    )
+    assert found.u_random_m == pytest.approx(np.full(n, np.sqrt(clicks**2 + by_inset**2 / 2)))
+    of_pose, of_inset = found.shared
+    assert of_pose.u_m == pytest.approx(np.full(n, by_pose))
+    assert of_inset.u_m == pytest.approx(np.full(n, by_inset / np.sqrt(2)))
+    # two poses and three insets of equal number: a half and a third of their variances are left in a mean
+    assert of_pose.variance_of_mean_m2() == pytest.approx(by_pose**2 / 2, rel=0.03)
+    assert of_inset.variance_of_mean_m2() == pytest.approx(by_inset**2 / 2 / 3, rel=0.06)
+    unknown = sample_of_measurements(
+        height_m=found.height_m,
+        u_height_m=np.full(n, 0.012),
+        u_clicks_m=np.full(n, np.nan),
+        u_by_inset_m=np.full(n, np.nan),
+        pose=pose,
+        inset=inset,
+    )
+    assert [one.u_m[0] for one in unknown.shared] == [0.012] and not unknown.u_random_m.any()

@@ -18,7 +18,15 @@ from sightline.enums import Correction, Rounding
 from sightline.export.scans import scans_in
 from sightline.infra.csv_package.files import Files, read_columns, unsafe
 from sightline.results.csv import standards_in
-from sightline.results.measured_columns_query import CATEGORIES, LIGHTING, NONE, TARGETS, VERDICTS, Measured
+from sightline.results.measured_columns_query import (
+    CATEGORIES,
+    LIGHTING,
+    NONE,
+    TARGETS,
+    UNCERTAINTY,
+    VERDICTS,
+    Measured,
+)
 from sightline.results.survey_statistics import Filter, Statistics, StatisticsOptions, filtered, made_of
 from sightline.scans.statistics.service import ScanStatistics
 from sightline.statistics.corrections import CORRECTIONS
@@ -35,6 +43,8 @@ _READ = (
     "verdict",
     "created_by_id",
     "created_at",
+    "pose_id",
+    *UNCERTAINTY,
 )
 
 
@@ -77,10 +87,10 @@ def statistics_of(files: Files, choices: StatisticsOptions = StatisticsOptions()
 def measured_of(files: Files) -> Measured:
     """The standing measurements with a height, from measurements.csv, vehicles.csv and recordings.csv."""
     cars = _cars(files)
-    whole = {name: array("q") for name in ("id", "vehicle", "operator", "day", "target", "verdict")}
+    whole = {name: array("q") for name in ("id", "vehicle", "operator", "day", "target", "verdict", "pose")}
     of_car = {name: array("q") for name in ("lighting", "category")}
-    lengths = {name: array("d") for name in ("height", "paper", "known", "u_known")}
-    for id_, car, target, height, paper, withdrawn, verdict, maker, at in read_columns(
+    lengths = {name: array("d") for name in ("height", "paper", "known", "u_known", *UNCERTAINTY)}
+    for id_, car, target, height, paper, withdrawn, verdict, maker, at, pose, *parts in read_columns(
         files, "measurements.csv", _READ
     ):
         if withdrawn == "true" or not height or car not in cars.lighting:
@@ -97,6 +107,9 @@ def measured_of(files: Files) -> Measured:
         lengths["paper"].append(float(paper) if paper else np.nan)
         lengths["known"].append(cars.height_m[car])
         lengths["u_known"].append(cars.u_height_m[car])
+        whole["pose"].append(int(pose))
+        for name, cell in zip(UNCERTAINTY, parts, strict=True):
+            lengths[name].append(float(cell) if cell else np.nan)
     return Measured(
         measurement_id=_ints(whole["id"]),
         vehicle_id=_ints(whole["vehicle"]),
@@ -111,6 +124,8 @@ def measured_of(files: Files) -> Measured:
         uncorrected_height_m=np.frombuffer(lengths["paper"], np.float64),
         manufacturer_height_m=np.frombuffer(lengths["known"], np.float64),
         u_manufacturer_height_m=np.frombuffer(lengths["u_known"], np.float64),
+        pose_id=_ints(whole["pose"]),
+        **{name: np.frombuffer(lengths[name], np.float64) for name in UNCERTAINTY},
     )
 
 

@@ -14,6 +14,7 @@ from sightline.infra.csv_package.schema import Cell, Column, Row, Table
 from sightline.results.survey_statistics import Statistics, standards_of
 from sightline.statistics.distributions import Ecdf
 from sightline.statistics.summary import Distribution, Errors
+from sightline.statistics.total_uncertainty import TotalFigure
 
 Cells = dict[str, Cell]
 FOLDER = "statistics/"
@@ -162,6 +163,24 @@ PERCENTILE_TABLE = Table(
     primary=("target", "correction", "grouping", "group", "percent"),
     folder=FOLDER,
 )
+TOTAL_TABLE = Table(
+    "total_uncertainty",
+    "Figures of the true heights of each target, each corrected by its inset, random error taken out of "
+    "their spread; 95 % intervals hold what `holds` says.",
+    (
+        _TARGET,
+        Column("figure", "string", "which", required=True, enum=("percentile", "mean", "sd", "share_below")),
+        number("percent", "of a percentile: which", "%"),
+        metres("limit_m", "of a share: below which height"),
+        _N,
+        number("value", "the figure: a height or SD in metres, a share from 0 to 1"),
+        *_INTERVAL,
+        metres("raw_m", "of a percentile: the plain one of the measured heights"),
+        Column("holds", "string", "what the interval holds, separated by spaces", required=True),
+        _REASON,
+    ),
+    folder=FOLDER,
+)
 HEIGHT_ECDF = Table(
     "height_ecdf",
     "Cumulative distributions of the heights of each target with 95 % bands; at most 600 points of each.",
@@ -215,6 +234,7 @@ TABLES = (
     ERROR_DENSITY,
     CORRECTION_TABLE,
     PERCENTILE_TABLE,
+    TOTAL_TABLE,
     HEIGHT_ECDF,
     HEIGHT_DENSITY,
     SHARES,
@@ -238,6 +258,7 @@ def statistics_rows(found: PackageStatistics) -> dict[str, Iterator[Cells]]:
         ERROR_DENSITY.path: chain.from_iterable(_error_density_rows(key, one) for key, one in errors),
         CORRECTION_TABLE.path: chain.from_iterable(_correction_rows(*one) for one in heights),
         PERCENTILE_TABLE.path: chain.from_iterable(_percentile_rows(*one) for one in heights),
+        TOTAL_TABLE.path: chain.from_iterable(_total_rows(one) for _, one in heights),
         HEIGHT_ECDF.path: chain.from_iterable(_height_ecdf_rows(*one) for one in heights),
         HEIGHT_DENSITY.path: chain.from_iterable(_height_density_rows(*one) for one in heights),
         SHARES.path: chain.from_iterable(_share_rows(*one) for one in heights),
@@ -333,6 +354,25 @@ def _percentile_rows(correction: Correction, found: Statistics) -> Iterator[Cell
         for each in one.percentiles:
             row = {**key, "n": one.n, "percent": each.percent, "height_m": each.value}
             yield {**row, "low_m": each.low, "high_m": each.high, "reason": each.reason}
+
+
+def _total_rows(found: Statistics) -> Iterator[Cells]:
+    for target, one in found.targets.items():
+        total = one.total
+        if total is None:
+            continue
+        key: Cells = {"target": target, "n": total.n, "holds": " ".join(total.holds)}
+        for each in total.percentiles:
+            of: Cells = {"figure": "percentile", "percent": each.percent, "raw_m": each.raw}
+            yield {**key, **of, **_total_cells(each)}
+        yield {**key, "figure": "mean", **_total_cells(total.mean)}
+        yield {**key, "figure": "sd", **_total_cells(total.sd)}
+        for standard, share in zip(standards_of(found.standards, target), total.shares, strict=True):
+            yield {**key, "figure": "share_below", "limit_m": standard.height_m, **_total_cells(share)}
+
+
+def _total_cells(one: TotalFigure) -> Cells:
+    return {"value": one.value, "low": one.U95_low, "high": one.U95_high, "reason": one.reason}
 
 
 def _height_ecdf_rows(correction: Correction, found: Statistics) -> Iterator[Cells]:

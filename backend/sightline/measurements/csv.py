@@ -233,6 +233,16 @@ _HEIGHT: Columns = (
     metres("U95_height_m", "half-width of the 95 % interval of height_m", lambda m: m.values.U95_height_m),
     metres("x_m", "contact point along the road, from the pose's origin (X)", lambda m: m.values.x_m),
     metres("y_m", "contact point across the road, away from the camera (Y)", lambda m: m.values.y_m),
+    metres(
+        "u_clicks_m",
+        "part of u_height_m that comes from the clicks, which no other height shares",
+        lambda m: m.values.u_clicks_m,
+    ),
+    metres(
+        "u_by_inset_m",
+        "part of u_height_m that comes from the assumed inset; what is left is the road pose's",
+        lambda m: m.values.u_by_inset_m,
+    ),
     metres("distance_m", "from the camera's centre to the contact point", lambda m: m.values.distance_m),
     text(
         "status",

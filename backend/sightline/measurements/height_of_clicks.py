@@ -6,8 +6,9 @@ all come from `answer`, so they cannot differ. Nothing here reads or writes.
 
 from __future__ import annotations
 
+import math
 import threading
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Annotated, Any
 
@@ -16,7 +17,7 @@ from pydantic import Field
 
 from sightline.enums import DriverSide, Target
 from sightline.geometry.documents import pose_from_dict
-from sightline.geometry.height import Height, height_both, measure_height, not_measurable
+from sightline.geometry.height import BudgetEntry, Height, height_both, measure_height, not_measurable
 from sightline.geometry.insets import SIDE_UNKNOWN, inset_name
 from sightline.geometry.multiframe import MultiHeight, measure_frames
 from sightline.geometry.road_pose import RoadPose
@@ -154,6 +155,16 @@ def measured_frames(pose: RoadPose, clicks: Clicks) -> MultiHeight:
     return measure_frames(pose, clicks.contacts, clicks.target_points, clicks.known_sigma_px)
 
 
+# Sources of a height's budget that no other height shares, and the assumed inset's.
+_OF_CLICKS = ("click, target", "click, contact", "clicks", "heading")
+_OF_INSET = ("inset",)
+
+
+def part_of_budget(budget: Sequence[BudgetEntry], sources: Sequence[str]) -> float:
+    """The root of the sum of squares of some sources, metres."""
+    return math.sqrt(sum(entry.u_m**2 for entry in budget if entry.source in sources))
+
+
 def _answered(clicks: Clicks, height: Height, uncorrected: Height) -> Answer:
     return Answer(
         status=height.status,
@@ -172,4 +183,6 @@ def _answered(clicks: Clicks, height: Height, uncorrected: Height) -> Answer:
         distance_m=height.distance_m,
         budget=[{"source": entry.source, "u_m": entry.u_m} for entry in height.budget],
         flags=list(height.flags),
+        u_clicks_m=None if height.height_m is None else part_of_budget(height.budget, _OF_CLICKS),
+        u_by_inset_m=None if height.height_m is None else part_of_budget(height.budget, _OF_INSET),
     )

@@ -93,7 +93,8 @@ class HeightOfClicks:
 
     `inset_m` is the inset assumed for one frame, None for an eye whose side is unknown; `solved_inset_m` the
     one found from several. `uncorrected_height_m` is the first frame's with an inset of 0. `x_m`, `y_m`: the
-    contact on the road, along it and across.
+    contact on the road, along it and across. `u_clicks_m` and `u_by_inset_m`: the parts of `u_height_m`
+    that come from clicks and heading, and from the assumed inset; what is left is the road pose's.
     """
 
     status: MeasurementStatus
@@ -116,6 +117,8 @@ class HeightOfClicks:
     flags: list[str]
     solved_inset_m: float | None = None
     u_solved_inset_m: float | None = None
+    u_clicks_m: float | None = None
+    u_by_inset_m: float | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -76,6 +76,9 @@ measurements = Table(
     Column("more_frames", CanonicalJson, nullable=False, server_default="[]"),
     Column("solved_inset_m", Float),
     Column("u_solved_inset_m", Float),
+    # parts of u_height_m: clicks (no other height shares them), assumed inset; the rest is the pose's
+    Column("u_clicks_m", Float),
+    Column("u_by_inset_m", Float),
     Column("withdrawn", Boolean, nullable=False),
     Column("created_at", UtcDateTime, nullable=False),
     Column("created_by", ForeignKey("people.id")),

@@ -33,7 +33,8 @@ _FURTHER = re.compile(r"(?:contact|target)(\d+)_[xy]_px")
 _RECOMPUTED = tuple(
     one.name
     for one in fields(HeightOfClicks)
-    if one.name.endswith("_m") and not one.name.startswith(("u_", "U95_", "inset"))
+    if (one.name.endswith("_m") and not one.name.startswith(("u_", "U95_", "inset")))
+    or one.name in ("u_clicks_m", "u_by_inset_m")
 )
 _ONLY_CURRENT = ("id", "verdict", "review_reason", "reviewer_id", "reviewed_at")
 

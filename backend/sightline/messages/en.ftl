@@ -2295,7 +2295,9 @@ statistics-percentiles-save = Percentiles as CSV
 statistics-percentile = Percentile
 statistics-percentiles-corrected = corrected ({ $unit })
 statistics-percentiles-raw = as the paper ({ $unit })
-statistics-percentiles-note = 95 % intervals below each value.
+statistics-percentiles-true = true heights ({ $unit })
+statistics-percentiles-total = True heights: random error is taken out of the spread. Their 95 % intervals hold { $words }.
+statistics-percentiles-note = The other 95 % intervals hold sampling alone.
 statistics-percentiles-without = { $count ->
     [one] Why { $count } percentile has none
    *[other] Why { $count } percentiles have none

@@ -4,7 +4,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from sightline.enums import LightingGroup, Rounding, StandardHeight, StatisticsTarget
+from sightline.enums import IntervalPart, LightingGroup, Rounding, StandardHeight, StatisticsTarget
 from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import Finite, In, Out
 from sightline.infra.web.figures import (
@@ -19,6 +19,7 @@ from sightline.statistics.distributions import Percentile
 from sightline.statistics.errors import Interval
 from sightline.statistics.paper import PaperColumn
 from sightline.statistics.standards import Standard
+from sightline.statistics.total_uncertainty import TotalFigure, TotalPercentile
 
 
 class ErrorGroupBody(Out):
@@ -123,8 +124,22 @@ class GroupingBody(Out):
     left_out: int = Field(description="Smaller groups that are not listed.")
 
 
+class TotalBody(Out):
+    """Figures of the true heights; their intervals hold what `holds` says."""
+
+    n: int
+    sites: int | None = Field(description="Sites as clusters; null: heights speak of one place.")
+    holds: list[IntervalPart]
+    words: str = Field(description="What the intervals hold, and for which roads.")
+    mean: TotalFigure
+    sd: TotalFigure
+    percentiles: list[TotalPercentile]
+    shares: list[TotalFigure] = Field(description="Below the standards' heights, in their order.")
+
+
 class TargetBody(Out):
     target: StatisticsTarget
+    total: TotalBody | None = Field(description="Null where heights are not corrected by their insets.")
     raw: DistributionBody
     corrected: CorrectedBody
     density: DensityBody | ReasonBody

@@ -32,6 +32,8 @@ TARGETS: tuple[str, ...] = get_args(Target)
 LIGHTING: tuple[str, ...] = get_args(Lighting)
 CATEGORIES: tuple[str, ...] = get_args(Category)
 VERDICTS: tuple[str, ...] = get_args(Verdict)
+# What a height's total uncertainty is made of, beside its pose.
+UNCERTAINTY = ("inset_m", "u_inset_m", "u_height_m", "u_clicks_m", "u_by_inset_m")
 NONE = -1
 _SPARSE = 2**20
 _FEW = 20_000  # series: so many are read sooner through the session than another connection is opened
@@ -59,6 +61,12 @@ class Measured:
     uncorrected_height_m: Floats
     manufacturer_height_m: Floats
     u_manufacturer_height_m: Floats
+    pose_id: Ints
+    inset_m: Floats
+    u_inset_m: Floats
+    u_height_m: Floats
+    u_clicks_m: Floats
+    u_by_inset_m: Floats
 
     def __len__(self) -> int:
         return len(self.measurement_id)
@@ -100,6 +108,8 @@ def load_measured_columns(
         uncorrected_height_m=_floats(revisions, "uncorrected_height_m")[row],
         manufacturer_height_m=_floats(cars, "manufacturer_height_m")[car],
         u_manufacturer_height_m=_floats(cars, "u_manufacturer_height_m")[car],
+        pose_id=_ints(revisions, "pose_id")[row],
+        **{name: _floats(revisions, name)[row] for name in UNCERTAINTY},
     )
 
 
@@ -139,7 +149,8 @@ def _revisions(survey_ids: Sequence[int] | None, days: bool) -> Select[Any]:
     """All of them; a withdrawn one has no height."""
     m = measurements.c
     height = case((m.withdrawn, null()), else_=m.height_m).label("height_m")
-    query = select(m.series_id, m.revision, m.created_by, m.target, height, m.uncorrected_height_m)
+    query = select(m.series_id, m.revision, m.created_by, m.target, height, m.uncorrected_height_m, m.pose_id)
+    query = query.add_columns(*(m[name] for name in UNCERTAINTY))
     if days:
         query = query.add_columns(m.created_at)
     return query.where(*_series_of(m.series_id, survey_ids))

@@ -189,6 +189,7 @@ def _target(name: StatisticsTarget, one: Target, table: list[Standard]) -> dict[
         "raw": _distribution(one.raw, table),
         "corrected": corrected,
         "density": _part(one.density),
+        "total": one.total,
         "groups": {key: _grouping(groups, table) for key, groups in one.groups.items()},
     }
 

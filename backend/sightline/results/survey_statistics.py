@@ -39,6 +39,7 @@ from sightline.results.standards_store import standards_of_surveys
 from sightline.statistics.agreement import U_MANUFACTURER_M
 from sightline.statistics.standards import STANDARDS, Standard
 from sightline.statistics.summary import Errors, Grouping, Roofs, Target, errors_of, target_of
+from sightline.statistics.total_uncertainty import HeightSample, sample_of_measurements
 from sightline.surveys.store import survey_names
 
 SHOWN: tuple[StatisticsTarget, ...] = get_args(StatisticsTarget)
@@ -203,6 +204,7 @@ def made_of(
     table = STANDARDS if choices.standards is None else choices.standards
     against = (*table, *choices.own_standards)
     targets: dict[StatisticsTarget, Target] = {}
+    sites = groupings.get("site")
     for name in SHOWN if only is None else (only,):
         rows = _of_target(measured, name)
         targets[name] = target_of(
@@ -212,6 +214,7 @@ def made_of(
             choices.correction,
             [one.height_m for one in standards_of(against, name)],
             {grouping: one.where(rows) for grouping, one in groupings.items()},
+            height_sample(measured.where(rows), sites.where(rows) if sites else None),
         )
     vehicles = measured.vehicle_id[_of_target(measured, only)]
     counted = SampleCounts(len(vehicles), len(_distinct(vehicles)), len(roofs.reference_m), left_out)
@@ -224,6 +227,27 @@ def made_of(
         surveys=named_surveys,
         operators=operators,
     )
+
+
+def height_sample(measured: Measured, sites: Grouping | None = None) -> HeightSample:
+    """Heights of one target with the parts of their uncertainty: which pose and which inset each one used.
+
+    An inset is known by its value and its u: heights that assume the same have the same error of its mean.
+    """
+    return sample_of_measurements(
+        height_m=measured.height_m,
+        u_height_m=measured.u_height_m,
+        u_clicks_m=measured.u_clicks_m,
+        u_by_inset_m=measured.u_by_inset_m,
+        pose=_compact(measured.pose_id),
+        inset=_compact(np.rint(measured.inset_m * 1e4) * 100_000 + np.rint(measured.u_inset_m * 1e4)),
+        site=None if sites is None else sites.code,
+    )
+
+
+def _compact(values: NDArray[Any]) -> NDArray[np.int64]:
+    """Codes from 0 for values (N,)."""
+    return np.unique(values, return_inverse=True)[1].astype(np.int64)
 
 
 def standards_of(table: Sequence[Standard], target: StatisticsTarget) -> list[Standard]:

@@ -13,8 +13,8 @@ Ints = NDArray[np.int64]
 class SharedErrors:
     """One error for each group of heights, independent between groups and of mean 0.
 
-    group: (N,) codes, -1 for none; u_m: (N,), the error's standard uncertainty as it acts on each height. Its
-    sign is taken to be the same on all heights of a group.
+    group: (N,) codes from 0 without many gaps, -1 for none; u_m: (N,), the error's standard uncertainty as it
+    acts on each height. Its sign is taken to be the same on all heights of a group.
     """
 
     group: Ints
@@ -53,14 +53,13 @@ class SharedErrors:
         codes.
         """
         known = self.group >= 0
-        code = np.unique(self.group[known], return_inverse=True)[1]
-        moved = np.zeros((sites, int(code.max(initial=-1)) + 1))
-        np.add.at(moved, (site[known], code), self.u_m[known])
+        groups = int(self.group.max(initial=-1)) + 1
+        at = site[known] * groups + self.group[known]
+        moved = np.bincount(at, self.u_m[known], sites * groups).reshape(sites, groups)
         return np.asarray(moved / np.bincount(site, minlength=sites)[:, None], dtype=np.float64)
 
     def _by_group(self) -> tuple[Floats, Floats]:
         """Sums of u and of its squares by group, (G,) each."""
         known = self.group >= 0
-        code = np.unique(self.group[known], return_inverse=True)[1]
-        u = self.u_m[known]
-        return np.bincount(code, u).astype(np.float64), np.bincount(code, u * u).astype(np.float64)
+        group, u = self.group[known], self.u_m[known]
+        return np.bincount(group, u).astype(np.float64), np.bincount(group, u * u).astype(np.float64)

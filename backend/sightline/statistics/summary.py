@@ -18,6 +18,7 @@ from sightline.statistics.agreement import (
 )
 from sightline.statistics.corrections import Corrected, Known, corrected
 from sightline.statistics.distributions import (
+    PERCENTILES,
     Density,
     Ecdf,
     Percentile,
@@ -29,6 +30,7 @@ from sightline.statistics.distributions import (
     sorted_values,
 )
 from sightline.statistics.errors import WHOLE_CM, ErrorGroup, error_table, signed_errors
+from sightline.statistics.total_uncertainty import HeightSample, TotalFigures, total_figures
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -108,13 +110,18 @@ class Groups:
 
 @dataclass(frozen=True, eq=False)
 class Target:
-    """A target's heights as the paper measures them and corrected, and the corrected ones by group."""
+    """A target's heights as the paper measures them and corrected, and the corrected ones by group.
+
+    total: figures of the true heights with their total uncertainty, where each height is corrected by its
+    inset.
+    """
 
     raw: Distribution
     corrected: Distribution
     correction: Corrected | str
     density: Density | str
     groups: dict[str, Groups]
+    total: TotalFigures | None = None
 
 
 def errors_of(roofs: Roofs, correction: Correction, rounding: Rounding) -> Errors:
@@ -151,9 +158,11 @@ def target_of(
     correction: Correction,
     limits_m: Sequence[float],
     groupings: Mapping[str, Grouping],
+    sample: HeightSample | None = None,
 ) -> Target:
     """One target: heights `inset_m` (N,) corrected by inset, and `paper_m` (N,), the paper's (NaN where it
-    has none), metres; limits_m: heights whose share below is wanted.
+    has none), metres; limits_m: heights whose share below is wanted; sample: the heights with the parts of
+    their uncertainty.
 
     Raw and corrected distribution as in Dupuis et al. 2019, sections 3.5 and 3.6; the correction is
     `corrected`'s.
@@ -171,7 +180,15 @@ def target_of(
         return Target(raw, distribution(np.empty(0)), done, done, {})
     heights = done.height_m
     by = {name: _groups(heights, one, limits_m) for name, one in groupings.items()}
-    return Target(raw, distribution(heights, limits_m), done, density(sorted_values(heights)), by)
+    total = None if correction != "inset" or sample is None else total_figures(sample, PERCENTILES, limits_m)
+    return Target(
+        raw=raw,
+        corrected=distribution(heights, limits_m),
+        correction=done,
+        density=density(sorted_values(heights)),
+        groups=by,
+        total=total,
+    )
 
 
 def _groups(heights_m: Floats, grouping: Grouping, limits_m: Sequence[float]) -> Groups:

@@ -6,6 +6,7 @@ taken out of the value (`deconvolution`). Their distributions are propagated by 
 One site, or no word of sites, gives intervals for that place and those days alone.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -31,6 +32,7 @@ _SHAPE = 0.1  # of a correction for random error: what a density of another shap
 _SMOOTHED = 0.5  # spreads, on either side of a percentile: heights by which sites are compared there
 _WINDOW = 0.10  # of all heights, on either side of a percentile: those that say which groups it rests on
 _LEAST_IN_WINDOW = 25
+_MEAN_OF_INSET = 0.5  # of an assumed inset's variance: its mean's, the rest is the vehicles' own
 _LARGEST = 30.0  # of the logarithm of a variance's ratio, beyond which numbers end
 _LEAST_BEYOND = 1.0  # heights that must be expected beyond a percentile for it to have an interval
 
@@ -52,6 +54,31 @@ class HeightSample:
         shared = tuple(one.where(chosen) for one in self.shared)
         site = None if self.site is None else self.site[chosen]
         return HeightSample(self.height_m[chosen], self.u_random_m[chosen], shared, site)
+
+
+def sample_of_measurements(
+    height_m: Floats,
+    u_height_m: Floats,
+    u_clicks_m: Floats,
+    u_by_inset_m: Floats,
+    pose: Ints,
+    inset: Ints,
+    site: Ints | None = None,
+) -> HeightSample:
+    """Heights height_m (N,) with budgets of u_height_m (N,), of which u_clicks_m (N,) comes from clicks and
+    u_by_inset_m (N,) from an assumed inset; pose (N,), inset (N,), site (N,): codes from 0, which of each a
+    height used.
+
+    Own reading of the budget: clicks are random; what neither clicks nor inset explain (lens, pose, board) is
+    shared by all heights of a pose; of an assumed inset half the variance is the vehicles' own and half that
+    of its mean, which all heights with that inset share, for no inset's source says how much. Where the parts
+    are not known (NaN) all of it is taken as the pose's.
+    """
+    clicks, by_inset = np.nan_to_num(u_clicks_m), np.nan_to_num(u_by_inset_m)
+    by_pose = np.sqrt(np.maximum(np.nan_to_num(u_height_m) ** 2 - clicks**2 - by_inset**2, 0.0))
+    shared = (SharedErrors(pose, by_pose), SharedErrors(inset, by_inset * np.sqrt(_MEAN_OF_INSET)))
+    random = np.sqrt(clicks**2 + (1.0 - _MEAN_OF_INSET) * by_inset**2)
+    return HeightSample(height_m, random, tuple(one for one in shared if np.any(one.u_m > 0.0)), site)
 
 
 @dataclass(frozen=True)
@@ -138,10 +165,12 @@ class TotalUncertainty:
             "sampling": "sampling",
             "sites": f"differences between {self.sites} sites",
             "shared_errors": "errors that heights share",
-            "random_error": "random error, taken out of the values",
+            "random_error": "random error (taken out of the values)",
         }
         where = "roads like these sites'" if self._sites is not None else "the place of the survey alone"
-        return f"{', '.join(words[part] for part in self.holds)}; they speak of {where}"
+        *most, last = (words[part] for part in self.holds)
+        listed = f"{', '.join(most)} and {last}" if most else f"{last} alone"
+        return f"{listed}; they speak of {where}"
 
     def percentile(self, percent: float) -> TotalPercentile:
         """A percentile, 0 < percent < 100, metres.
@@ -311,6 +340,42 @@ class TotalUncertainty:
         half = max(int(_WINDOW * self.n), _LEAST_IN_WINDOW)
         middle = int(p * self.n)
         return np.arange(max(middle - half, 0), min(middle + half + 1, self.n))
+
+
+@dataclass(frozen=True)
+class TotalFigures:
+    """The figures of one sample with their total uncertainty; shares: in the order of their limits.
+
+    words: what the intervals hold, and for which roads, as the end of a sentence.
+    """
+
+    n: int
+    sites: int | None
+    holds: tuple[IntervalPart, ...]
+    words: str
+    mean: TotalFigure
+    sd: TotalFigure
+    percentiles: list[TotalPercentile]
+    shares: list[TotalFigure]
+
+
+def total_figures(
+    sample: HeightSample, percents: Sequence[float], limits_m: Sequence[float] = ()
+) -> TotalFigures | None:
+    """All figures of a sample; None of an empty one."""
+    if not len(sample.height_m):
+        return None
+    found = TotalUncertainty(sample)
+    return TotalFigures(
+        n=found.n,
+        sites=found.sites,
+        holds=found.holds,
+        words=found.holds_in_words,
+        mean=found.mean(),
+        sd=found.sd(),
+        percentiles=[found.percentile(percent) for percent in percents],
+        shares=[found.share_below(limit) for limit in limits_m],
+    )
 
 
 def difference(one: TotalUncertainty, other: TotalUncertainty, percent: float) -> TotalFigure | str:

@@ -11,8 +11,10 @@ from sightline.results.survey_statistics import (
     StatisticsOptions,
     standards_of,
 )
+from sightline.statistics.shared_errors import SharedErrors
 from sightline.statistics.standards import STANDARDS
 from sightline.statistics.summary import Grouping, Roofs, errors_of, target_of
+from sightline.statistics.total_uncertainty import HeightSample
 
 MEAN_SD = {
     "driver_eye": (1.24, 0.075),
@@ -50,7 +52,9 @@ def statistics(
             groupings["site"] = site
         limits = [one.height_m for one in standards_of(standards, name)]
         raw = height + (1.5 - height) * 0.13
-        targets[name] = target_of(height, raw, roofs, choices.correction, limits, groupings)
+        one_pose = SharedErrors(np.zeros(size, np.int64), np.full(size, 0.007))
+        sample = HeightSample(height, np.full(size, 0.012), (one_pose,))
+        targets[name] = target_of(height, raw, roofs, choices.correction, limits, groupings, sample)
     errors = errors_of(roofs, choices.correction, choices.rounding)
     counted = SampleCounts(3 * n, n, n, {"rejected": 7, "to_review": 21} if n else {})
     return Statistics(counted, standards, errors, targets, {1: "A survey"}, {1: "An operator"})

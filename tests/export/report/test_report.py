@@ -63,12 +63,17 @@ def test_the_report_says_what_was_found(example: ReportFacts, pdf: bytes) -> Non
     mae = result.errors.groups["low_light"].figures["mae_m"]
     median = next(one for one in result.targets["driver_eye"].corrected.percentiles if one.percent == 50.0)
     assert mae is not None and median.low is not None and median.high is not None
+    total = result.targets["driver_eye"].total
+    assert total is not None
+    half = next(one for one in total.percentiles if one.percent == 50.0)
+    true = f"{half.value:.3f} {half.U95_low:.3f} to {half.U95_high:.3f} {half.value / 0.3048:.3f}"
     for expected in (
         example.survey,
         example.site,
         "2026-04-20 to 2026-05-03",
         f"{1000 * mae:.1f} (",
-        f"50 % {median.value:.3f} {median.low:.3f} to {median.high:.3f} {median.value / 0.3048:.3f}",
+        f"50 % {true} {median.value:.3f} {median.low:.3f} to {median.high:.3f}",
+        total.words,
         "fx px",
         "lane-1-dusk.mkv",
         "The driver leans forward.",

@@ -27,8 +27,10 @@ from sightline.statistics.errors import FIGURES, GROUPS, ErrorGroup, Interval
 from sightline.statistics.paper import PAPER
 from sightline.statistics.standards import Standard
 from sightline.statistics.summary import Distribution, Target
+from sightline.statistics.total_uncertainty import TotalFigure, TotalFigures, TotalPercentile
 
 _GLANCE = (5.0, 15.0, 50.0, 85.0, 95.0)
+_SURE = (10.0, 50.0)
 _PLAIN = Scale(1.0, "", 2)
 _ERROR_FIGURES = (
     "absolute-error-ecdf",
@@ -51,6 +53,11 @@ def glance(facts: ReportFacts) -> Values:
             for name, target in result.targets.items()
             if target.corrected.n and name != "roof"
         ],
+        "sure": [
+            _sure(name, target.total, HEIGHT[facts.unit])
+            for name, target in result.targets.items()
+            if target.total is not None and name != "roof"
+        ],
         "errors": _errors_in_short(result.errors.groups["overall"], SMALL[facts.unit]),
         "consequence": consequence(facts),
         "standards": [] if eyes is None else _standards(facts, "driver_eye", eyes),
@@ -65,6 +72,23 @@ def _glance(name: StatisticsTarget, heights: Distribution, scale: Scale) -> Valu
         "mean": scale.number(heights.mean_m),
         "sd": scale.number(heights.sd_m),
         "percentiles": [scale.number(values.get(at)) for at in _GLANCE],
+    }
+
+
+def _sure(name: StatisticsTarget, total: TotalFigures, scale: Scale) -> Values:
+    """How sure the 10th percentile and the median of a target are."""
+    at = {one.percent: one for one in total.percentiles}
+    return {
+        "name": words.TARGETS[name],
+        "holds": total.words,
+        "percentiles": [
+            {
+                "percent": f"{percent:g}",
+                "value": scale.number(at[percent].value),
+                "ci95": total_interval(at[percent], scale),
+            }
+            for percent in _SURE
+        ],
     }
 
 
@@ -175,6 +199,7 @@ def _target(facts: ReportFacts, name: StatisticsTarget, target: Target, pictures
     mine, other = HEIGHT[facts.unit], HEIGHT[OTHER[facts.unit]]
     raw = {one.percent: one for one in target.raw.percentiles}
     corrected = {one.percent: one for one in target.corrected.percentiles}
+    total = {} if target.total is None else {one.percent: one for one in target.total.percentiles}
     done = target.correction
     (ecdf,) = pictures.figures([f"{name}-ecdf"])
     return {
@@ -187,8 +212,10 @@ def _target(facts: ReportFacts, name: StatisticsTarget, target: Target, pictures
         "n_corrected": target.corrected.n,
         "n_raw": target.raw.n,
         "percentiles": [
-            _percentile(at, corrected.get(at), raw.get(at), mine, other) for at in raw | corrected
+            _percentile(at, total.get(at), corrected.get(at), raw.get(at), mine, other)
+            for at in raw | corrected
         ],
+        "holds": None if target.total is None else target.total.words,
         "without_interval": without_interval(list((raw | corrected).values())),
         "standards": _standards(facts, name, target),
         "groupings": [] if name == "roof" else pictures.figures(f"{name}-by-{word}" for word in _GROUPINGS),
@@ -196,15 +223,21 @@ def _target(facts: ReportFacts, name: StatisticsTarget, target: Target, pictures
 
 
 def _percentile(
-    at: float, corrected: Percentile | None, raw: Percentile | None, mine: Scale, other: Scale
+    at: float,
+    total: TotalPercentile | None,
+    corrected: Percentile | None,
+    raw: Percentile | None,
+    mine: Scale,
+    other: Scale,
 ) -> Values:
     return {
         "percent": f"{at:g}",
+        "total": None if total is None else mine.number(total.value),
+        "total_ci95": total_interval(total, mine),
+        "total_other": None if total is None else other.number(total.value),
         "corrected": None if corrected is None else mine.number(corrected.value),
         "corrected_ci95": percentile_interval(corrected, mine),
-        "corrected_other": None if corrected is None else other.number(corrected.value),
         "raw": None if raw is None else mine.number(raw.value),
-        "raw_ci95": percentile_interval(raw, mine),
     }
 
 
@@ -213,6 +246,13 @@ def percentile_interval(found: Percentile | None, scale: Scale) -> Values | None
     if found is None or found.low is None or found.high is None:
         return None
     return {"low": scale.number(found.low), "high": scale.number(found.high)}
+
+
+def total_interval(found: TotalFigure | None, scale: Scale) -> Values | None:
+    """The total interval of a figure, where it has one."""
+    if found is None or found.U95_low is None or found.U95_high is None:
+        return None
+    return {"low": scale.number(found.U95_low), "high": scale.number(found.U95_high)}
 
 
 def without_interval(found: Sequence[Percentile]) -> list[Json]:
@@ -231,8 +271,9 @@ def _standards(facts: ReportFacts, name: StatisticsTarget, target: Target) -> li
     if not target.corrected.shares:
         return []
     standards = standards_of(facts.statistics.standards, name)
-    both = zip(standards, target.corrected.shares, strict=True)
-    return [_standard(standard, share, facts.unit) for standard, share in both]
+    totals = [None] * len(standards) if target.total is None else target.total.shares
+    each = zip(standards, target.corrected.shares, totals, strict=True)
+    return [_standard(standard, share, total, facts.unit) for standard, share, total in each]
 
 
 def _source(standard: Standard) -> str:
@@ -253,13 +294,17 @@ def _source(standard: Standard) -> str:
     )
 
 
-def _standard(standard: Standard, share: Share, unit: LengthUnit) -> Values:
+def _standard(standard: Standard, share: Share, total: TotalFigure | None, unit: LengthUnit) -> Values:
+    """A share of the true heights with its total interval; of the corrected ones where that has none."""
+    value, low, high = share.share, share.low, share.high
+    if total is not None and total.U95_low is not None and total.U95_high is not None:
+        value, low, high = total.value, total.U95_low, total.U95_high
     return {
         "name": standard.name,
         "height": limit(standard.height_m, unit),
         "below": share.below,
         "n": share.n,
-        "share": percent(share.share),
-        "ci95": {"low": fixed(100 * share.low, 1), "high": fixed(100 * share.high, 1)},
+        "share": percent(value),
+        "ci95": {"low": fixed(100 * low, 1), "high": fixed(100 * high, 1)},
         "source": _source(standard),
     }

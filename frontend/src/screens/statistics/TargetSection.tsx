@@ -172,13 +172,22 @@ function HeightDensity({ target, title }: { target: OfTarget; title: string }) {
   );
 }
 
+type TotalFigure = NonNullable<OfTarget["total"]>["shares"][number];
+
+/** The share of true heights in place of that of the corrected ones, where it has an interval. */
+function inTotal(one: TotalFigure | undefined) {
+  if (!one || one.U95_low === null || one.U95_high === null) return {};
+  return { share: one.value, low: one.U95_low, high: one.U95_high };
+}
+
 /** "Which share of drivers sits below it", with its interval. */
 function Shares({ target, standards }: Props) {
   const of = target.target;
   const names = new Set(standards.map((one) => `${one.name}|${one.height_m}`));
-  const shares = target.corrected.shares.filter((one) =>
-    names.has(`${one.standard.name}|${one.standard.height_m}`),
-  );
+  const { shares: total } = target.total ?? { shares: [] };
+  const shares = target.corrected.shares
+    .map((one, i) => ({ ...one, ...inTotal(total[i]) }))
+    .filter((one) => names.has(`${one.standard.name}|${one.standard.height_m}`));
   if (of === "roof" || shares.length === 0) return null; // no standard speaks of roofs
   return (
     <ul class="stat-shares" data-testid={`shares-${target.target}`}>
@@ -210,6 +219,7 @@ function Percentiles({ target }: { target: OfTarget }) {
   if (raw.size === 0) return null;
   const [factor, unit] = lengthScale();
   const shown = rows.length > 0 ? rows : target.raw.percentiles;
+  const { total } = target;
   return (
     <div class="stat-percentiles">
       <div class="table-scroll">
@@ -228,12 +238,20 @@ function Percentiles({ target }: { target: OfTarget }) {
             </tr>
           </thead>
           <tbody>
+            {total && (
+              <PercentileRow
+                head={say("statistics-percentiles-true", { unit })}
+                rows={total.percentiles.map(ofTotal)}
+                factor={factor}
+                strong
+              />
+            )}
             {rows.length > 0 && (
               <PercentileRow
                 head={say("statistics-percentiles-corrected", { unit })}
                 rows={rows}
                 factor={factor}
-                strong
+                strong={!total}
               />
             )}
             <PercentileRow
@@ -246,6 +264,11 @@ function Percentiles({ target }: { target: OfTarget }) {
       </div>
       <div class="row row--apart stat-notes small">
         <div class="grow">
+          {total && (
+            <span data-testid={`holds-${target.target}`}>
+              {say("statistics-percentiles-total", { words: total.words })}{" "}
+            </span>
+          )}
           {say("statistics-percentiles-note")}
           <NoIntervals rows={shown} />
         </div>
@@ -261,6 +284,13 @@ function Percentiles({ target }: { target: OfTarget }) {
       </div>
     </div>
   );
+}
+
+type TotalPercentile = NonNullable<OfTarget["total"]>["percentiles"][number];
+
+/** A percentile of the true heights with its total interval. */
+function ofTotal({ percent, value, U95_low, U95_high, reason }: TotalPercentile): Percentile {
+  return { percent, value, low: U95_low, high: U95_high, reason: reason ?? null };
 }
 
 /** Why some percentiles have no interval, each reason once. */
@@ -315,16 +345,14 @@ function PercentileRow({
 }
 
 function save(target: OfTarget): void {
-  const rows = (["raw", "corrected"] as const).flatMap((which) =>
-    target[which].percentiles.map((one) => [
-      which,
-      one.percent,
-      one.value,
-      one.low,
-      one.high,
-      target[which].n,
-      one.reason,
-    ]),
+  const { raw, corrected, total } = target;
+  const distributions = [
+    ...(total ? [{ which: "true", n: total.n, percentiles: total.percentiles.map(ofTotal) }] : []),
+    { which: "corrected", n: corrected.n, percentiles: corrected.percentiles },
+    { which: "raw", n: raw.n, percentiles: raw.percentiles },
+  ];
+  const rows = distributions.flatMap(({ which, n, percentiles }) =>
+    percentiles.map((one) => [which, one.percent, one.value, one.low, one.high, n, one.reason]),
   );
   const columns = [
     "distribution",
