@@ -11,10 +11,19 @@ from click.testing import CliRunner
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy import stats
+from scipy.optimize import linprog
 
 from sightline.commands.errors import errors
 from sightline.errors import BadInput
-from sightline.statistics.errors import FIGURES, MOST_FOR_BOOTSTRAP, error_group, error_table, round_to_cm
+from sightline.statistics.errors import (
+    ALL_FIGURES,
+    FIGURES,
+    MOST_FOR_BOOTSTRAP,
+    error_group,
+    error_table,
+    round_to_cm,
+)
+from sightline.statistics.paper import PAPER
 
 
 def rows(n: int, seed: int = 1) -> tuple[np.ndarray, np.ndarray]:
@@ -42,6 +51,48 @@ def test_figures_agree_with_other_implementations() -> None:
     assert figures["pearson_abs_error_vs_height"] == pytest.approx(
         stats.pearsonr(np.abs(e), reference).statistic
     )
+
+
+def test_skewness_and_shares_agree_with_other_implementations() -> None:
+    rng = np.random.default_rng(3)
+    error = np.round(rng.gamma(2.0, 0.01, 400) - 0.01, 3)
+    group = error_group(error, rng.normal(1.5, 0.1, 400))
+    assert group.figures["skewness"] == pytest.approx(stats.skew(error), rel=1e-9)
+    for mm in (10, 15, 20, 30, 40):
+        name = f"share_within_{mm}_mm"
+        within = sum(abs(round(1000 * e)) <= mm for e in error.tolist())
+        interval = group.ci95[name]
+        assert group.figures[name] == within / 400 and interval is not None
+        # of Clopper and Pearson, by quantiles of the beta distribution
+        assert interval.low == pytest.approx(stats.beta.ppf(0.025, within, 401 - within), rel=1e-6)
+        assert interval.high == pytest.approx(stats.beta.ppf(0.975, within + 1, 400 - within), rel=1e-6)
+
+
+def least_share_below_2_cm(mae_cm: float, rmse_cm: float, mse_cm2: float, most_cm: int) -> float:
+    """By linear programming over whole centimetres; each figure as printed, to half of its last digit."""
+    size = np.arange(most_cm + 1.0)
+    last = {0.023: 0.05, 0.0147: 0.005, 0.0203: 0.005}[round(mae_cm / 100, 4)]
+    squares = (
+        max(mse_cm2 - (0.5 if mse_cm2 == 8 else 0.05), (rmse_cm - 0.05) ** 2),
+        min(mse_cm2 + (0.5 if mse_cm2 == 8 else 0.05), (rmse_cm + 0.05) ** 2),
+    )
+    found = linprog(
+        (size < 2).astype(float),
+        A_ub=np.array([size, -size, size**2, -(size**2)]),
+        b_ub=[mae_cm + last, last - mae_cm, squares[1], -squares[0]],
+        A_eq=[np.ones(most_cm + 1)],
+        b_eq=[1.0],
+    )
+    assert found.status == 0
+    return float(found.fun)
+
+
+def test_what_is_said_of_the_papers_shares_follows_from_its_table() -> None:
+    day, low, both = ((100 * one.mae_m, 100 * one.rmse_m, round(1e4 * one.mse_m2, 3)) for one in PAPER)
+    assert least_share_below_2_cm(*day, 7) < 0.03 and least_share_below_2_cm(*day, 9) == pytest.approx(0)
+    assert least_share_below_2_cm(*low, 300) == pytest.approx(0.265, abs=0.002)
+    assert least_share_below_2_cm(*both, 10) > 0.1 > least_share_below_2_cm(*both, 11)
+    assert "is possible" in PAPER[0].note and "26.5 %" in PAPER[1].note and "more than 10 cm" in PAPER[2].note
 
 
 def test_overall_is_the_pool_of_rows_and_not_of_figures() -> None:
@@ -115,7 +166,7 @@ def test_command_prints_the_contract(tmp_path: Path) -> None:
     said = json.loads(done.output)
     assert said["rounding"] == "cm" and list(said["groups"]) == ["daytime", "low_light", "overall"]
     day = said["groups"]["daytime"]
-    assert day["n"] == 12 and day["mae_m"] == pytest.approx(0.01) and set(day["ci95"]) == set(FIGURES)
+    assert day["n"] == 12 and day["mae_m"] == pytest.approx(0.01) and set(day["ci95"]) == set(ALL_FIGURES)
     assert said["groups"]["low_light"]["n"] == 0
     assert said["groups"]["overall"]["n"] == 13
 

@@ -77,6 +77,8 @@ def group_json(group: ErrorGroup) -> dict[str, object]:
 
 
 def as_text(table: dict[str, ErrorGroup], rounding: str) -> str:
+    from sightline.statistics.errors import SHARES_WITHIN_M
+
     heads = {"daytime": "Daytime", "low_light": "Low light", "overall": "Overall"}
     lines = [f"{'':32}" + "".join(f"{heads[name]:>36}" for name in table)]
     lines.append(f"{'n':32}" + "".join(f"{group.n:>36}" for group in table.values()))
@@ -88,6 +90,8 @@ def as_text(table: dict[str, ErrorGroup], rounding: str) -> str:
         "sd_m": "SD",
         "pearson_error_vs_height": "Pearson, error and height",
         "pearson_abs_error_vs_height": "Pearson, |error| and height",
+        "skewness": "skewness of the error",
+        **{name: f"share within {1000 * limit:g} mm" for name, limit in SHARES_WITHIN_M.items()},
     }
     for name, label in labels.items():
         lines.append(f"{label:32}" + "".join(f"{cell(group, name):>36}" for group in table.values()))

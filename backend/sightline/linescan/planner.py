@@ -2,7 +2,8 @@
 
 The paper lets each of two crossings be off by a line, so that n lines become n + 2. As printed, its middle
 term is 2 / n = 2 s / (b f), while its right side, 2 s / (b f + 2 s), is 2 / (n + 2): between them a division
-by b f / (n + 2) stands where b f / n belongs. The paper's own 6600 Hz and 1.3 % come from the right side.
+by b f / (n + 2) stands where b f / n belongs. The paper's own 6600 Hz comes from the right side; its 1.3 %
+fits both forms.
 Both are worst cases of whole lines; what the default chain reaches is far better, and measured, not planned.
 """
 

@@ -26,7 +26,18 @@ FIGURES = (
     "sd_m",
     "pearson_error_vs_height",
     "pearson_abs_error_vs_height",
+    "skewness",
 )
+#: The share of errors of at most so many metres, either way.
+SHARES_WITHIN_M = {
+    "share_within_10_mm": 0.010,
+    "share_within_15_mm": 0.015,
+    "share_within_20_mm": 0.020,
+    "share_within_30_mm": 0.030,
+    "share_within_40_mm": 0.040,
+}
+ALL_FIGURES = (*FIGURES, *SHARES_WITHIN_M)
+_ROUNDING_M = 1e-9  # 0.02 m written as a difference of two heights is not 0.02 in binary
 GROUPS = (*get_args(Lighting), "overall")
 _RESAMPLES = 4999
 _BATCH_NUMBERS = 2_000_000  # resampled values held at once: bounds the memory whatever n is
@@ -85,7 +96,7 @@ def _pearson(a: Floats, b: Floats) -> Floats:
 
 
 def _figures(error: Floats, height: Floats, axis: int = -1) -> Floats:
-    """(7, ...) the figures in the order of FIGURES, along the last axis. SD: signed error, n - 1."""
+    """(8, ...) the figures in the order of FIGURES, along the last axis. SD: signed error, n - 1."""
     assert axis in (-1, error.ndim - 1)
     absolute, square = np.abs(error), np.square(error)
     mse = square.mean(axis=-1)
@@ -101,19 +112,44 @@ def _figures(error: Floats, height: Floats, axis: int = -1) -> Floats:
             sd,
             _pearson(error, height),
             _pearson(absolute, height),
+            _skewness(error),
         ]
     )
 
 
+def _skewness(error: Floats) -> Floats:
+    """Of the signed error, along the last axis: third central moment over the 3/2 power of the second.
+
+    Positive where the large errors are those that are too high; NaN where all are equal.
+    """
+    apart = error - error.mean(axis=-1, keepdims=True)
+    second = np.square(apart).mean(axis=-1)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        third = (apart**3).mean(axis=-1)
+        return np.asarray(np.where(second > 1e-30, third / second**1.5, np.nan))
+
+
+def _shares(error: Floats) -> tuple[dict[str, float | None], dict[str, Interval | None]]:
+    """The shares of errors within SHARES_WITHIN_M, with exact 95 % intervals (Clopper and Pearson 1934)."""
+    values: dict[str, float | None] = {}
+    ci95: dict[str, Interval | None] = {}
+    for name, limit_m in SHARES_WITHIN_M.items():
+        within = int(np.count_nonzero(np.abs(error) <= limit_m + _ROUNDING_M))
+        values[name] = within / len(error)
+        found = stats.binomtest(within, len(error)).proportion_ci(0.95, "exact")
+        ci95[name] = Interval(float(found.low), float(found.high))
+    return values, ci95
+
+
 def _intervals(error: Floats, height: Floats) -> Floats:
-    """(7, 2) intervals at 95 %: BCa bootstrap, and for many rows, where it costs minutes and changes nothing,
+    """(8, 2) intervals at 95 %: BCa bootstrap, and for many rows, where it costs minutes and changes nothing,
     the normal ones of the figures' influence values.
     """
     return _bootstrap(error, height) if len(error) <= MOST_FOR_BOOTSTRAP else _of_many(error, height)
 
 
 def _of_many(error: Floats, height: Floats) -> Floats:
-    """(7, 2) normal intervals, variances by the infinitesimal jackknife (Efron 1982, chapter 6)."""
+    """(8, 2) normal intervals, variances by the infinitesimal jackknife (Efron 1982, chapter 6)."""
     values = _figures(error, height)
     n, absolute = len(error), np.abs(error)
     mean, mae, rmse, mse, sd = (float(v) for v in values[:5])
@@ -126,6 +162,7 @@ def _of_many(error: Floats, height: Floats) -> Floats:
             ((error - mean) ** 2 - sd * sd) / (2.0 * sd),
             _pearson_influence(error, height, float(values[5])),
             _pearson_influence(absolute, height, float(values[6])),
+            _skewness_influence(error, float(values[7])),
         ]
     half = COVERAGE_95 * np.array([np.sqrt(np.mean(np.square(v)) / n) for v in influence])
     return np.stack([values - half, values + half], axis=1)
@@ -136,8 +173,13 @@ def _pearson_influence(a: Floats, b: Floats, r: float) -> Floats:
     return np.asarray(x * y - 0.5 * r * (x * x + y * y), dtype=np.float64)
 
 
+def _skewness_influence(error: Floats, skewness: float) -> Floats:
+    z = (error - error.mean()) / error.std()
+    return np.asarray(z**3 - skewness - 3.0 * z - 1.5 * skewness * (z * z - 1.0), dtype=np.float64)
+
+
 def _bootstrap(error: Floats, height: Floats) -> Floats:
-    """(7, 2) BCa bootstrap intervals at 95 % (Efron 1987), rows resampled together."""
+    """(8, 2) BCa bootstrap intervals at 95 % (Efron 1987), rows resampled together."""
     batch = max(1, min(_RESAMPLES, _BATCH_NUMBERS // len(error)))
     with np.errstate(all="ignore"), warnings.catch_warnings():
         # Equal errors have no interval; the caller sees that in its NaN.
@@ -159,25 +201,30 @@ def error_group(error_m: ArrayLike, reference_m: ArrayLike) -> ErrorGroup:
     """One column of the table from `error_m`, `reference_m` (N,), metres, with its 95 % intervals.
 
     The figures of Dupuis et al. 2019, Table 1 (its MSE is in m^2, printed as m), and of section 3.4
-    (correlations), each from the raw errors; SD is that of the signed error, with n - 1. Intervals: BCa
+    (correlations), with skewness and shares that it leaves out, each from the raw errors; SD is that of the
+    signed error, with n - 1. Intervals: exact for shares; for the others BCa
     bootstrap (Efron 1987), for many rows the infinitesimal jackknife's (Efron 1982, ch. 6).
     """
     error = np.asarray(error_m, dtype=np.float64)
     height = np.asarray(reference_m, dtype=np.float64)
     n = len(error)
     if n == 0:
-        none: dict[str, float | None] = dict.fromkeys(FIGURES)
-        return ErrorGroup(0, none, dict.fromkeys(FIGURES), "no vehicle in this group has a reference height")
+        none: dict[str, float | None] = dict.fromkeys(ALL_FIGURES)
+        return ErrorGroup(
+            0, none, dict.fromkeys(ALL_FIGURES), "no vehicle in this group has a reference height"
+        )
     values = _figures(error, height)
     figures = {name: float(v) if np.isfinite(v) else None for name, v in zip(FIGURES, values, strict=True)}
+    shares, shares_ci95 = _shares(error)
+    figures |= shares
     if n < _LEAST_FOR_INTERVALS:
         why = f"{are_too_few(n)} for an interval; {_LEAST_FOR_INTERVALS} are needed"
-        return ErrorGroup(n, figures, dict.fromkeys(FIGURES), why)
+        return ErrorGroup(n, figures, dict.fromkeys(ALL_FIGURES), why)
     ci95 = {
         name: Interval(float(low), float(high)) if np.isfinite([low, high]).all() else None
         for name, (low, high) in zip(FIGURES, _intervals(error, height), strict=True)
     }
-    return ErrorGroup(n, figures, ci95)
+    return ErrorGroup(n, figures, ci95 | shares_ci95)
 
 
 def error_table(

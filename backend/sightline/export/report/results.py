@@ -23,7 +23,7 @@ from sightline.export.report.units import (
 from sightline.results.survey_statistics import standards_of
 from sightline.statistics.agreement import BlandAltman, ReferencePart
 from sightline.statistics.distributions import Percentile, Share
-from sightline.statistics.errors import FIGURES, GROUPS, ErrorGroup, Interval
+from sightline.statistics.errors import ALL_FIGURES, GROUPS, ErrorGroup, Interval
 from sightline.statistics.paper import PAPER
 from sightline.statistics.standards import Standard
 from sightline.statistics.summary import Distribution, Target
@@ -127,7 +127,7 @@ def errors(facts: ReportFacts, pictures: Pictures) -> Values | None:
 
 
 def _error_group(name: str, group: ErrorGroup, unit: LengthUnit) -> Values:
-    figures: Values = {key: _error_figure(group, key, unit) for key in FIGURES}
+    figures: Values = {key: _error_figure(group, key, unit) for key in ALL_FIGURES}
     return {"name": words.GROUPS[name], "n": group.n, "figures": figures}
 
 
@@ -136,7 +136,7 @@ def _error_figure(group: ErrorGroup, key: str, unit: LengthUnit) -> Values | Non
     value, interval = group.figures[key], group.ci95[key]
     if value is None:
         return None
-    if key.startswith("pearson"):
+    if not key.endswith(("_m", "_m2")):
         return {"mine": _with_interval(value, interval, _PLAIN), "other": None}
     scales = SQUARE if key == "mse_m2" else SMALL
     mine, other = scales[unit], scales[OTHER[unit]]

@@ -1,7 +1,7 @@
 import { Button } from "../../components";
 import { Said } from "../../components/Said";
 import { say, wordsOf } from "../../core/messages";
-import { formatCount, formatSmall, smallScale } from "../../core/units";
+import { formatCount, formatLength, formatSmall, smallScale } from "../../core/units";
 import { csvOf, download } from "../../parts/figures/csv";
 import { NONE, range, scaled, squareScale } from "../../parts/figures/numbers";
 import { type ErrorGroup, type Errors, GROUP_WORDS, isThere } from "./model";
@@ -86,6 +86,7 @@ export function ErrorTable({ errors }: { errors: Errors }) {
           {errors.words} {say("statistics-errors-note")}
         </p>
         <Agreement errors={errors} />
+        <Shares errors={errors} />
         <details>
           <summary>{say("statistics-paper-inconsistent")}</summary>
           <ul>
@@ -154,6 +155,56 @@ function NoIntervals({ group }: { group: ErrorGroup }) {
         reason,
       })}
     </div>
+  );
+}
+
+/** What the paper leaves out: how lopsided the errors are, and how many lie within so many centimetres. */
+function Shares({ errors }: { errors: Errors }) {
+  return (
+    <div class="table-scroll">
+      <table class="table stat-errors" data-testid="error-shares">
+        <caption class="small">{say("statistics-shares-title")}</caption>
+        <thead>
+          <tr>
+            <th>{say("statistics-errors-head")}</th>
+            <th class="num">{say("statistics-skewness")}</th>
+            {WITHIN_MM.map((within_mm) => (
+              <th key={within_mm} class="num">
+                {say("statistics-within", { within: formatLength(within_mm / 1000, 3) })}
+              </th>
+            ))}
+          </tr>
+        </thead>
+        <tbody>
+          {errors.groups.map(({ group, figures }) => (
+            <tr key={group}>
+              <th scope="row">{GROUP_WORDS[group] ?? group}</th>
+              <Figure figure={figures["skewness"]} factor={1} digits={2} />
+              {WITHIN_MM.map((mm) => (
+                <Figure key={mm} figure={figures[`share_within_${mm}_mm`]} factor={100} digits={0} />
+              ))}
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}
+
+const WITHIN_MM = [10, 15, 20, 30, 40] as const;
+
+interface FigureProps {
+  figure: ErrorGroup["figures"][string] | undefined;
+  factor: number;
+  digits: number;
+}
+
+function Figure({ figure, factor, digits }: FigureProps) {
+  return (
+    <td class="num">
+      <strong>{scaled(figure?.value ?? null, factor, digits)}</strong>
+      <div class="stat-ci">{range(figure?.ci95 ?? null, factor, digits) ?? NONE}</div>
+    </td>
   );
 }
 
