@@ -1172,6 +1172,8 @@ measure-clicked-on = clicked on frame { $frame }
 measure-contact = Contact
 measure-point = Target
 measure-distance = Distance
+measure-lateral = Tyre across the road, from the board
+measure-along = Tyre along the road, from the board
 measure-without-inset = Without inset
 measure-withdraw = Withdraw
 measure-px = { $across_px }, { $down_px } px
@@ -2540,7 +2542,7 @@ survey-traffic = Traffic keeps { $traffic ->
    *[median] in the median
 }.
 survey-asked = Asked for: by day { $daytime }; in low light { $low_light }.
-survey-traffic-unsaid = Nobody has said yet how traffic goes here and where the camera stands. Until then no driver’s eye has a height.
+survey-traffic-unsaid = Nobody has said yet how traffic goes here and where the camera stands. Until then no driver’s eye has a height; those that are clicked get theirs when it is said.
 survey-traffic-say = Say it
 survey-scans-none = <link>Line scans</link>: { $summary }
 survey-scans-label = Line scans, a way of their own beside these steps

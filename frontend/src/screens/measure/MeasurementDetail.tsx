@@ -28,6 +28,10 @@ export function MeasurementDetail({ model, entry }: { model: MeasureModel; entry
           <>
             <dt>{say("measure-distance")}</dt>
             <dd>{formatLength(entry.saved.distance_m, 2)}</dd>
+            <dt>{say("measure-lateral")}</dt>
+            <dd>{formatLength(entry.saved.y_m, 2)}</dd>
+            <dt>{say("measure-along")}</dt>
+            <dd>{formatLength(entry.saved.x_m, 2)}</dd>
             <dt>{say("measure-without-inset")}</dt>
             <dd>{formatLength(entry.saved.uncorrected_height_m)}</dd>
           </>
