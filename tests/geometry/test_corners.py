@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from sightline.errors import BadInput
+from sightline.geometry import corners
 from sightline.geometry.board import Board
 from sightline.geometry.corners import detect
 from sightline.geometry.tracking import track
@@ -53,6 +54,32 @@ def test_a_board_in_a_large_picture_is_found_reduced_and_measured_in_full() -> N
     truth = large.look(large.board(6, 4, 0.1, 1.5).reshape(-1, 3)).reshape(4, 6, 2)
     assert found.found and found.detector == "classic, reduced"
     assert np.sqrt(np.square(found.points_px - truth).mean()) < 0.06
+
+
+def test_a_soft_board_in_five_megapixels_is_fitted_as_soft_as_it_is() -> None:
+    lens = Lens(1934.0, 1279.5, 959.5, width=2560, height=1920)
+    large = Scene(lens, (-0.7, -3.0, 1.4), 18.0, 4.0, 3.0)
+    drawn = picture(large, 6, 4, 0.1, 1.5, samples=3, blur=0.0, noise=0.0)
+    soft = cv2.GaussianBlur(drawn, (0, 0), 8.0).astype(float)
+    found = detect(
+        np.clip(soft + np.random.default_rng(1).normal(0, 3, soft.shape), 0, 255).astype(np.uint8), BOARD
+    )
+    truth = large.look(large.board(6, 4, 0.1, 1.5).reshape(-1, 3)).reshape(4, 6, 2)
+    assert found.found
+    assert np.sqrt(np.square(found.points_px - truth).mean()) < 0.06
+
+
+def test_a_corner_that_the_detector_puts_beside_itself_is_brought_home(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    drawn = picture(scene(), 6, 4, 0.1, 1.5)
+    truth = scene().look(scene().board(6, 4, 0.1, 1.5).reshape(-1, 3))
+    astray = truth.copy()
+    astray[23] += 0.25 * (truth[23] - truth[22])
+    monkeypatch.setattr(corners, "_classic", lambda gray, board, flags: astray)
+    found = detect(drawn, BOARD)
+    assert found.found
+    assert np.abs(found.points_px.reshape(-1, 2) - truth).max() < 0.3
 
 
 def test_a_board_cut_by_the_border_is_refused() -> None:

@@ -9,7 +9,7 @@ import pytest
 from sightline.coverage import COVERAGE_95
 from sightline.errors import BadInput
 from sightline.geometry.arrays import frozen
-from sightline.geometry.board import Board
+from sightline.geometry.board import Board, canonical_order
 from sightline.geometry.corners import Corners, not_found
 from sightline.geometry.height import measure_height
 from sightline.geometry.pose import expected_u, pose_from_corners
@@ -177,6 +177,25 @@ def test_edge_on_board_is_refused() -> None:
     scene = Scene(Lens(), tuple(eye), 86.0, 2.0)
     with pytest.raises(BadInput, match=r"edge-on|No pose|do not fit"):
         pose_from_corners(camera_of(Lens()), [corners(scene)], BOARD, REFERENCE)
+
+
+@pytest.mark.parametrize("height", [1.2, 2.5, 4.0])
+@pytest.mark.parametrize("yaw", [-20.0, 0.0, 20.0])
+def test_a_board_that_lies_on_the_road_is_recognised(height: float, yaw: float) -> None:
+    for distance in (2.0, 5.0):
+        pitch = 0.7 * np.degrees(np.arctan2(height, distance))
+        scene = Scene(Lens(), (0.25 - distance * np.sin(np.radians(yaw)), -distance, height), yaw, pitch, 1.0)
+        lying = scene.look([(0.1 * j, -0.1 * i, 0.0) for i in range(4) for j in range(6)])
+        with pytest.raises(BadInput, match="lie on the road"):
+            pose_from_corners(camera_of(scene.lens), [seen_as(lying)], BOARD, Reference("top", 0.9))
+        standing = scene.look(scene.board(6, 4, 0.1, 0.9).reshape(-1, 3))
+        found = pose_from_corners(camera_of(scene.lens), [seen_as(standing)], BOARD, Reference("top", 0.9))
+        assert found.centre_m[2] == pytest.approx(height, abs=1e-6)
+
+
+def seen_as(points: np.ndarray) -> Corners:
+    ordered, board = canonical_order(points.reshape(4, 6, 2), BOARD)
+    return Corners(True, ordered, board, None, 1.0, "exact")
 
 
 def test_a_few_moving_frames_are_left_out() -> None:

@@ -13,7 +13,7 @@ from sightline.geometry.arrays import Floats, frozen
 from sightline.geometry.board import Board, canonical_order, numbered_as_seen, require_board
 from sightline.geometry.charuco import Charuco, find_charuco
 from sightline.geometry.extent import goes_on
-from sightline.geometry.saddle import refine_saddles, refine_saddles_at
+from sightline.geometry.saddle import Saddles, refine_saddles, refine_saddles_at
 
 Gray = NDArray[np.uint8]
 
@@ -22,15 +22,26 @@ _FAST = _CLASSIC | cv2.CALIB_CB_FAST_CHECK
 _SB = cv2.CALIB_CB_NORMALIZE_IMAGE
 _CLASSIC_PIXELS = 0.5e6
 _STOP = (cv2.TERM_CRITERIA_EPS + cv2.TERM_CRITERIA_MAX_ITER, 60, 1e-4)
-# seconds per megapixel that an attempt may take where there is no board (measured, doubled)
-_COST = {
-    "classic": 0.1,
-    "sector": 0.25,
-    "classic, full": 1.2,
-    "classic, enlarged": 0.5,
-    "classic, reduced and full": 0.5,
-    "sector, enlarged": 1.2,
-}
+_SECTOR_PIXELS = 1.5e6
+_SOFT_PX = 2.5  # blur up to which the saddle's disc holds a corner
+_LEAST_ROOM_PX = 12.0
+_LEAST_FITTED = 0.5
+_MOST_MENDED = 0.2  # of the corners
+_NEIGHBOURS = 15
+_ASTRAY_SHARE = 0.08  # of a square
+_DOUBT = 10.0  # times how far the neighbours themselves miss the quadratic
+# seconds per megapixel searched that an attempt may take where there is no board (measured, doubled)
+_CLASSIC_COST, _FULL_COST, _SECTOR_COST = 0.1, 1.2, 0.25
+
+
+@dataclass(frozen=True)
+class _Attempt:
+    """A search of the picture enlarged by `scale`, and what it may cost, seconds."""
+
+    name: str
+    scale: float
+    search: Callable[[Gray], Floats | None]
+    cost_s: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,51 +88,63 @@ def _sector(gray: Gray, board: Board) -> Floats | None:
     return np.asarray(points, dtype=np.float64).reshape(-1, 2) if found else None
 
 
-def _scaled(gray: Gray, scale: float, search: Callable[[Gray], Floats | None]) -> Floats | None:
+def _scaled(gray: Gray, scale: float, search: Callable[[Gray], Floats | None], board: Board) -> Floats | None:
+    """What a search finds in a copy; found in a smaller one, the corners are first refined there, for the
+    window in the picture itself may be too small to bring them home.
+    """
     how = cv2.INTER_CUBIC if scale > 1.0 else cv2.INTER_AREA
     size: Any = (round(gray.shape[1] * scale), round(gray.shape[0] * scale))
     by = np.array(size) / (gray.shape[1], gray.shape[0])
     resized: Any = cv2.resize(gray, size, interpolation=how)
     points = search(resized)
+    if points is not None and scale < 1.0:
+        points = refine_subpixel(resized, points.reshape(board.rows, board.columns, 2)).reshape(-1, 2)
     return None if points is None else np.asarray((points + 0.5) / by - 0.5, dtype=np.float64)
 
 
-def _attempts(board: Board, pixels: int) -> Sequence[tuple[str, Callable[[Gray], Floats | None]]]:
-    """Searches in their order. The classic one takes milliseconds where the board is, but up to twenty
-    seconds for a large picture without one, and cannot be stopped: large pictures it only sees reduced.
+def _attempts(board: Board, pixels: int) -> Sequence[_Attempt]:
+    """Searches in their order, from small copies to large ones. The classic one takes milliseconds where
+    the board is, but up to twenty seconds for a large picture without one, and cannot be stopped: large
+    pictures it only sees reduced. A board is found as well in a copy in which its squares still have 10 px
+    or so.
     """
-    small = float(np.sqrt(_CLASSIC_PIXELS / pixels))
-    sector = ("sector", lambda gray: _sector(gray, board))
-    enlarged = ("sector, enlarged", lambda gray: _scaled(gray, 2.0, lambda big: _sector(big, board)))
-    if small < 0.9:
+
+    def attempt(name: str, scale: float, how: str) -> _Attempt:
+        searches = {
+            "fast": (lambda gray: _classic(gray, board, _FAST), _CLASSIC_COST),
+            "full": (lambda gray: _classic(gray, board, _CLASSIC), _FULL_COST),
+            "sector": (lambda gray: _sector(gray, board), _SECTOR_COST),
+        }
+        search, cost = searches[how]
+        return _Attempt(name, scale, search, cost * scale**2 * pixels / 1e6)
+
+    small, middle = (float(np.sqrt(most / pixels)) for most in (_CLASSIC_PIXELS, _SECTOR_PIXELS))
+    if small >= 0.9:
         return (
-            (
-                "classic, reduced",
-                lambda gray: _scaled(gray, small, lambda less: _classic(less, board, _FAST)),
-            ),
-            sector,
-            (
-                "classic, reduced and full",
-                lambda gray: _scaled(gray, small, lambda less: _classic(less, board, _CLASSIC)),
-            ),
-            enlarged,
+            attempt("classic", 1.0, "fast"),
+            attempt("sector", 1.0, "sector"),
+            attempt("classic, full", 1.0, "full"),
+            attempt("classic, enlarged", 2.0, "fast"),
+            attempt("sector, enlarged", 2.0, "sector"),
         )
+    reduced = [attempt("classic, reduced", small, "fast")]
+    if middle < 0.9:
+        reduced += [attempt("sector, reduced", scale, "sector") for scale in (small, middle)]
     return (
-        ("classic", lambda gray: _classic(gray, board, _FAST)),
-        sector,
-        ("classic, full", lambda gray: _classic(gray, board, _CLASSIC)),
-        ("classic, enlarged", lambda gray: _scaled(gray, 2.0, lambda big: _classic(big, board, _FAST))),
-        enlarged,
+        *reduced,
+        attempt("sector", 1.0, "sector"),
+        attempt("classic, reduced and full", small, "full"),
+        attempt("sector, enlarged", 2.0, "sector"),
     )
 
 
 def detect(gray: Gray, board: Board, time_limit_s: float = 2.0) -> Corners:
     """Find `board` in a grey picture, `gray` (H, W) uint8.
 
-    The classic detector with its quick rejection first, the sector-based one next (Duda and Frese 2018), then
-    the classic one in full (small pictures only) and both on the enlarged picture. No attempt starts that
-    could outlast `time_limit_s`. Raises BadInput for an impossible board; a picture without the board is a
-    result with its reason.
+    The classic detector with its quick rejection first, the sector-based one next (Duda and Frese 2018),
+    then the classic one in full and the enlarged picture; a large picture is searched from small copies on,
+    the corners are fitted in the picture itself. No attempt starts that could outlast `time_limit_s`.
+    Raises BadInput for an impossible board; a picture without the board is a result with its reason.
     """
     require_board(board)
     if gray.ndim != 2 or min(gray.shape) < 32:
@@ -129,16 +152,16 @@ def detect(gray: Gray, board: Board, time_limit_s: float = 2.0) -> Corners:
     if board.charuco is not None:
         return _numbered(gray, board, board.charuco)
     started = perf_counter()
-    megapixels = gray.size / 1e6
     doubt: str | None = None
     skipped = False
-    for index, (name, search) in enumerate(_attempts(board, gray.size)):
-        if index and perf_counter() - started + _COST[name] * megapixels > time_limit_s:
+    for index, attempt in enumerate(_attempts(board, gray.size)):
+        if index and perf_counter() - started + attempt.cost_s > time_limit_s:
             skipped = True
             continue
-        points = search(gray)
+        search, scale = attempt.search, attempt.scale
+        points = search(gray) if scale == 1.0 else _scaled(gray, scale, search, board)
         if points is not None:
-            corners = _accepted(gray, points, board, name)
+            corners = _accepted(gray, points, board, attempt.name)
             if corners.found:
                 return corners
             doubt = doubt or corners.reason
@@ -204,7 +227,7 @@ def _accepted(gray: Gray, points: Floats, board: Board, name: str) -> Corners:
     reason = flaw(gray, grid)
     if reason is not None:
         return not_found(board, reason)
-    grid = refine_saddles(gray, grid).points_px.reshape(grid.shape)
+    grid = _mended(gray, grid, refine_by_blur(gray, grid))
     ordered, as_seen = canonical_order(grid, board)
     side = goes_on(gray, ordered)
     if side is not None:
@@ -221,6 +244,37 @@ def _accepted(gray: Gray, points: Floats, board: Board, name: str) -> Corners:
         sharpness=_sharpness(gray, ordered),
         detector=name,
     )
+
+
+def _mended(gray: Gray, grid: Floats, fitted: Saddles) -> Floats:
+    """The fitted grid. A corner whose fit failed may have had a start that lies beside it, which
+    cornerSubPix does not bring home: it is fitted again from where its neighbours say that it is, and put
+    there if it was far from it.
+    """
+    points = fitted.points_px.reshape(grid.shape)
+    bad = ~fitted.ok.reshape(grid.shape[:2])
+    if not bad.any() or bad.mean() > _MOST_MENDED:
+        return points
+    at = np.argwhere(~bad)
+    start = points.copy()
+    doubt = np.full(bad.shape, _ASTRAY_SHARE * spacing_px(grid))
+    for place in np.argwhere(bad):
+        near = at[np.argsort(np.square(at - place).sum(axis=1), kind="stable")[:_NEIGHBOURS]]
+        terms, seen = _quadratic(near - place), points[near[:, 0], near[:, 1]]
+        bent = np.linalg.lstsq(terms, seen, rcond=None)[0]
+        start[tuple(place)] = bent[0]
+        misfit = float(np.sqrt(np.square(terms @ bent - seen).sum(axis=1).mean()))
+        doubt[tuple(place)] = max(doubt[tuple(place)], _DOUBT * misfit)
+    again = refine_by_blur(gray, start)
+    better = bad & again.ok.reshape(bad.shape)
+    astray = bad & (np.linalg.norm(start - points, axis=2) > doubt)
+    return np.where((better | astray)[..., None], again.points_px.reshape(grid.shape), points)
+
+
+def _quadratic(at: NDArray[np.intp]) -> Floats:
+    """Terms (N, 6) of a quadratic in row and column, the constant first."""
+    i, j = at.T.astype(np.float64)
+    return np.stack([np.ones_like(i), i, j, i * i, i * j, j * j], axis=1)
 
 
 def spacing_px(grid: Floats) -> float:
@@ -250,6 +304,38 @@ def refine_subpixel(
     shift = out - grid
     lost = (shift * shift).sum(axis=-1) > max(2.0, 0.3 * spacing) ** 2
     return np.where(lost[..., None], grid, out) if lost.any() else out
+
+
+def refine_by_blur(gray: Gray, grid: Floats) -> Saddles:
+    """The corners of `grid` (rows, columns, 2), found to within a pixel or two, fitted in `gray` (H, W),
+    which may be soft: in a copy reduced so far that the fit's disc holds the whole of the blur.
+
+    Means of f x f pixels lose nothing of an edge that is blurred over more than f of them, and the disc of
+    9 px becomes one of 9 f. Own method: refine_saddles with f = 1, 2, 4, 8 until the blur is at most
+    _SOFT_PX of the copy's pixels; squares that would become too small keep what there is. `blur_px` is in
+    pixels of `gray`.
+    """
+    best = refine_saddles(gray, grid)
+    for f in (2, 4, 8):
+        if _is_clear(best, f // 2) or spacing_px(grid) < _LEAST_ROOM_PX * f:
+            break
+        rows, columns = (size // f for size in gray.shape)
+        small: Any = cv2.resize(
+            gray[: rows * f, : columns * f], (columns, rows), interpolation=cv2.INTER_AREA
+        )
+        fitted = refine_saddles(small, refine_subpixel(small, (grid + 0.5) / f - 0.5))
+        points = np.where(fitted.ok[:, None], (fitted.points_px + 0.5) * f - 0.5, best.points_px)
+        blur = np.where(fitted.ok, fitted.blur_px * f, best.blur_px)
+        if fitted.ok.mean() >= min(best.ok.mean(), _LEAST_FITTED):
+            best = Saddles(points, blur, fitted.ok | best.ok)
+    return best
+
+
+def _is_clear(fitted: Saddles, f: int) -> bool:
+    """Whether the discs at a reduction by `f` held the blur."""
+    if fitted.ok.mean() < _LEAST_FITTED:
+        return False
+    return bool(np.median(fitted.blur_px[fitted.ok]) <= _SOFT_PX * f)
 
 
 def flaw(gray: Gray, grid: Floats) -> str | None:

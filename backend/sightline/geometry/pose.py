@@ -20,6 +20,7 @@ from sightline.geometry.stillness import STILL_PX, Still, displacements_px, find
 # board frame (x right, y down, z away) from road frame (X right, Y away, Z up), but for the origin's shift
 _BOARD_FROM_ROAD = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
 _HIGHEST_RMS_PX = 3.0
+_LYING = float(np.cos(np.deg2rad(45.0)))
 _EDGE_ON_RAD = np.deg2rad(10.0)
 _AMBIGUOUS = 1.5  # ratio of the costs of the two planar poses below which the choice is doubtful
 
@@ -159,6 +160,8 @@ def _on_road(
     freedom = max(2 * len(points) - 6, 1)
     sigma = mean_sigma_px(float(np.sqrt(at.cost / freedom)), still)
     pose = RoadPose(camera, rotation, translation, joint_covariance(camera, at, sigma))
+    if lies_on_road(pose):
+        raise BadInput("geometry-board-lies-on-road")
     if pose.centre_m[2] <= 0:
         raise BadInput(
             "geometry-reference-height-m-puts-camera-below", height_m=reference.height_m, side=reference.side
@@ -170,6 +173,18 @@ def _on_road(
         rms_px=float(np.sqrt(at.cost / len(points))),
         warnings=warnings,
     )
+
+
+def lies_on_road(pose: RoadPose) -> bool:
+    """Whether the board of `pose`, which is taken to stand, lies on the road instead: the camera would be
+    below the road and look along the board's rows of squares rather than at them, which its upright picture
+    contradicts.
+
+    Own method: a camera that is not tipped by more than 45 degrees sees a board that stands with its normal
+    across the picture's vertical, one that lies with its normal along it.
+    """
+    normal_down = abs(float(pose.rotation[1, 1]))
+    return bool(pose.centre_m[2] <= 0 and normal_down > _LYING)
 
 
 def board_on_road(board: Board, reference: Reference, at: PlanarPose, points: Floats) -> BoardOnRoad:

@@ -3033,6 +3033,7 @@ geometry-reference-row-m-above-road-cannot = A reference row { $height_m } m abo
 geometry-board-camera-moves-during-these-frames = The board or the camera moves during these frames (by up to { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px); pick a span, or a single frame, in which both stand still.
 geometry-corners-not-fit-camera-model-residual = The corners do not fit the camera model (residual { NUMBER($rms, minimumFractionDigits: 1, maximumFractionDigits: 1) } px); the camera file belongs to another camera or zoom, or the board is bent.
 geometry-board-seen-edge-turn-towards-camera = The board is seen edge-on; turn it towards the camera, at least 10 degrees.
+geometry-board-lies-on-road = The board seems to lie on the road; stand it up at right angles to the road, its rows level, or measure the height of the row of corners that you named.
 geometry-reference-height-m-puts-camera-below = The reference height of { $height_m } m puts the camera below the road; give the height of the { $side } row of inner corners above the road, in metres.
 geometry-picture-x-px-cannot-planned-give = A picture of { $width_px } x { $height_px } px cannot be planned with; give a width and a height from 16 to 16384.
 geometry-horizontal-field-view-degrees-cannot-planned = A horizontal field of view of { $degrees } degrees cannot be planned with; give one from 5 to 150.
