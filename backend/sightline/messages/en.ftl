@@ -161,6 +161,7 @@ command-notVisible = Say that the target is not visible, and why
 command-newContact = New contact point
 command-secondFrame = Second frame: click the same two points there
 command-proposeContact = Propose the tyre's contact at the pointer
+command-driverSide = Driver on the other side, near or far
 command-selectNext = Select the next point
 command-bestFrame = Best frame of the pass
 command-passBegin = Mark the first frame of a pass or the board
@@ -1114,6 +1115,12 @@ measure-step-frame-removal = removal of frame { $frame }
 
 ## Measure: the frame
 
+viewer-place-here = Place it here
+measure-driver = { $side ->
+    [near] driver near
+    [far] driver far
+   *[unknown] which side is the driver?
+}
 measure-find-pose = Find the road pose
 measure-no-pose = This recording has no road pose yet, so nothing can be measured on it.
 measure-choose-pass = Choose a pass on the left, or mark a new one with [ and ].

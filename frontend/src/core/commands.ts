@@ -43,6 +43,7 @@ export const ACTIONS = {
   target4: { scope: "measure", keys: ["4"] },
   target5: { scope: "measure", keys: ["5"] },
   newContact: { scope: "measure", keys: ["T"] },
+  driverSide: { scope: "measure", keys: ["E"] },
   notVisible: { scope: "measure", keys: ["X"] },
   secondFrame: { scope: "measure", keys: ["S"] },
   proposeContact: { scope: "measure", keys: ["A"] },

@@ -54,6 +54,11 @@ export function Picture<P, V extends View<P, V>>(props: PictureProps<P, V>) {
   }, [gestures]);
 
   const down = (event: TargetedPointerEvent<HTMLDivElement>): void => {
+    if (event.pointerType === "touch") {
+      event.currentTarget.setPointerCapture(event.pointerId);
+      gestures.fingerDown(event.pointerId, placeOf(event));
+      return;
+    }
     gestures.down(placeOf(event), event.button, space.current);
     if (gestures.pressed) event.currentTarget.setPointerCapture(event.pointerId);
   };
@@ -73,13 +78,24 @@ export function Picture<P, V extends View<P, V>>(props: PictureProps<P, V>) {
       onMouseDown={(event) => event.button === 1 && event.preventDefault()}
       onPointerDown={down}
       onPointerMove={(event) => {
+        if (event.pointerType === "touch") {
+          gestures.fingerMove(event.pointerId, placeOf(event));
+          return;
+        }
         gestures.move(placeOf(event));
         event.currentTarget.classList.toggle(`${props.class}--handle`, gestures.overHandle(placeOf(event)));
       }}
-      onPointerUp={(event) => gestures.up(placeOf(event))}
-      onPointerCancel={() => gestures.cancel()}
+      onPointerUp={(event) =>
+        event.pointerType === "touch"
+          ? gestures.fingerUp(event.pointerId, placeOf(event))
+          : gestures.up(placeOf(event))
+      }
+      onPointerCancel={(event) => {
+        gestures.cancel();
+        gestures.fingerUp(event.pointerId, placeOf(event));
+      }}
       onLostPointerCapture={() => gestures.cancel()}
-      onPointerLeave={() => gestures.leave()}
+      onPointerLeave={(event) => event.pointerType !== "touch" && gestures.leave()}
       onDblClick={() => props.onDblClick?.()}
       onContextMenu={(event) => event.preventDefault()}
     >
@@ -93,6 +109,17 @@ export function Picture<P, V extends View<P, V>>(props: PictureProps<P, V>) {
         )}
       </svg>
       {props.above}
+      {cursor !== null && stage.keyboard.byFinger.value && (
+        <button
+          type="button"
+          class="btn btn--primary place-here"
+          data-testid="place-here"
+          onPointerDown={(event) => event.stopPropagation()}
+          onClick={() => stage.keyboard.confirm()}
+        >
+          {say("viewer-place-here")}
+        </button>
+      )}
     </div>
   );
 }

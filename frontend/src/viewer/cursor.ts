@@ -1,6 +1,6 @@
 /** The keyboard's cursor on a picture: stays on it, is kept in sight, and previews what the pointer would. */
-import { type ReadonlySignal, type Signal, signal } from "@preact/signals";
-import type { Tool } from "./tool";
+import { computed, type ReadonlySignal, type Signal, signal } from "@preact/signals";
+import type { DragPhase, Handle, Tool } from "./tool";
 import type { View } from "./view";
 
 /** As much of a stage as its cursor needs. */
@@ -18,6 +18,11 @@ interface Surface<P, V> {
 export class KeyboardCursor<P, V extends View<P, V>> implements Tool<P> {
   /** Null while it is off. */
   readonly at = signal<P | null>(null);
+  /** A finger put it there: it can be dragged to its place, and a button confirms it. */
+  readonly byFinger = signal(false);
+  readonly handles = computed<readonly Handle<P>[]>(() =>
+    this.at.value !== null && this.byFinger.value ? [{ id: "cursor", at: this.at.value }] : [],
+  );
 
   constructor(private readonly stage: Surface<P, V>) {}
 
@@ -33,8 +38,19 @@ export class KeyboardCursor<P, V extends View<P, V>> implements Tool<P> {
     return true;
   }
 
+  /** A tap: not a click yet, but a place to be adjusted and confirmed. */
+  begin(at: P): void {
+    this.byFinger.value = true;
+    this.moveTo(at);
+  }
+
+  drag(_handle: string, at: P, phase: DragPhase): void {
+    if (phase !== "cancel") this.moveTo(at);
+  }
+
   off(): void {
     this.at.value = null;
+    this.byFinger.value = false;
   }
 
   nudge(dx: number, dy: number): boolean {
@@ -46,7 +62,11 @@ export class KeyboardCursor<P, V extends View<P, V>> implements Tool<P> {
 
   confirm(): boolean {
     const at = this.at.value;
-    return at !== null && this.stage.place(at);
+    const byFinger = this.byFinger.value;
+    if (at === null) return false;
+    // the next tap chooses the next place; by keyboard the cursor stays where it is
+    if (byFinger) this.off();
+    return this.stage.place(at);
   }
 
   cancel(): boolean {

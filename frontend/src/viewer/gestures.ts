@@ -10,6 +10,8 @@ const DRAG_PX = 3;
 /** A hand slides while it clicks: so far the click still counts, at the place where the button was pressed. */
 const SLIDE_PX = 8;
 const PICK_PX = 11;
+/** A finger is that much broader than a pointer. */
+const FINGER_PX = 28;
 const WHEEL_LINE = 0.05;
 const WHEEL_PX = 0.0016;
 
@@ -33,11 +35,17 @@ interface Press<P> {
   readonly grip: readonly [number, number];
   readonly pan: boolean;
   doing: "nothing" | "panning" | "dragging";
+  /** By a finger, which hides what it points at: a tap is adjusted and confirmed. */
+  readonly touch: boolean;
 }
+
+/** Fingers on the picture, by the browser's number of each. */
+type Fingers = Map<number, ScreenPoint>;
 
 /** Places of events are the browser's client pixels: the window of the picture may itself move between two of them. */
 export class Gestures<P, V extends View<P, V>> {
   options: GestureOptions = {};
+  private readonly fingers: Fingers = new Map();
   private press: Press<P> | null = null;
   private lastMove: ScreenPoint | null = null;
 
@@ -54,13 +62,45 @@ export class Gestures<P, V extends View<P, V>> {
     return !stage.placing.value && stage.grab(stage.fromClient(client[0], client[1]), PICK_PX) !== null;
   }
 
-  down(client: ScreenPoint, button: number, space: boolean): void {
+  /** One more finger; two of them zoom and move the picture, and what the first began has not happened. */
+  fingerDown(id: number, client: ScreenPoint): void {
+    this.fingers.set(id, client);
+    if (this.fingers.size === 1) this.down(client, 0, false, true);
+    else this.cancel();
+  }
+
+  fingerMove(id: number, client: ScreenPoint): void {
+    const before = this.fingers.get(id);
+    if (!before) return;
+    const other = [...this.fingers].find(([one]) => one !== id)?.[1];
+    this.fingers.set(id, client);
+    if (!other) {
+      // a finger does not hover: what it put down stays
+      if (this.press) this.follow(this.press, client);
+      return;
+    }
+    const { stage } = this;
+    const middle = (one: ScreenPoint) => screenPoint((one[0] + other[0]) / 2, (one[1] + other[1]) / 2);
+    const [was, is] = [middle(before), middle(client)];
+    const factor = screenDistance(client, other) / Math.max(screenDistance(before, other), 1);
+    const at = stage.fromClient(was[0], was[1]);
+    stage.view.value = stage.view.value.zoom(at, factor).pan(is[0] - was[0], is[1] - was[1]);
+  }
+
+  /** The last finger ends what one finger began; after two, nothing. */
+  fingerUp(id: number, client: ScreenPoint): void {
+    this.fingers.delete(id);
+    this.up(client);
+    if (this.stage.cursor.value === null) this.stage.hover(null);
+  }
+
+  down(client: ScreenPoint, button: number, space: boolean, touch = false): void {
     if (button > 1) return;
     this.cancel();
     const { stage } = this;
     const inside = stage.fromClient(client[0], client[1]);
     const pan = button === 1 || space;
-    const grabbed = pan ? null : stage.grab(inside, PICK_PX);
+    const grabbed = pan ? null : stage.grab(inside, touch ? FINGER_PX : PICK_PX);
     const centre = grabbed ? stage.view.value.toScreen(grabbed.handle.at) : inside;
     this.press = {
       start: client,
@@ -71,6 +111,7 @@ export class Gestures<P, V extends View<P, V>> {
       grip: [centre[0] - inside[0], centre[1] - inside[1]],
       pan,
       doing: "nothing",
+      touch,
     };
     stage.hold(true);
     stage.letGo = () => this.cancel();
@@ -90,6 +131,7 @@ export class Gestures<P, V extends View<P, V>> {
   up(client: ScreenPoint): void {
     const { press, stage } = this;
     if (!press) return;
+    const tapped = press.grabbed && !stage.placing.value;
     if (press.doing === "dragging" && !this.blocked) {
       const at = this.gripped(press, client);
       this.end();
@@ -98,7 +140,7 @@ export class Gestures<P, V extends View<P, V>> {
     else {
       this.end();
       const slid = screenDistance(press.start, client) > SLIDE_PX;
-      if (press.grabbed && !stage.placing.value) press.grabbed.tool.pick?.(press.grabbed.handle.id);
+      if (tapped) press.grabbed?.tool.pick?.(press.grabbed.handle.id);
       else this.click(press, slid);
     }
   }
@@ -155,7 +197,8 @@ export class Gestures<P, V extends View<P, V>> {
     if (press.grabbed?.tool.drag) return this.blocked ? "nothing" : "dragging";
     // while points are placed a short slide is still a click
     const far = this.stage.placing.value ? SLIDE_PX : DRAG_PX;
-    return this.options.panByDrag === true && distance > far ? "panning" : "nothing";
+    const pans = this.options.panByDrag === true || press.touch;
+    return pans && distance > far ? "panning" : "nothing";
   }
 
   private gripped(press: Press<P>, client: ScreenPoint): P {
@@ -170,7 +213,8 @@ export class Gestures<P, V extends View<P, V>> {
       if (stage.placing.value) toast(say(slid ? "viewer-slid" : "viewer-changed"));
       return;
     }
-    stage.place(press.at);
+    if (press.touch && stage.placing.value) stage.keyboard.begin(press.at);
+    else stage.place(press.at);
   }
 
   private end(): void {

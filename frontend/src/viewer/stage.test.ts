@@ -282,3 +282,40 @@ describe("the tools of a stage", () => {
     expect(stage.hint.value).toBe("fix");
   });
 });
+
+describe("fingers on a picture", () => {
+  it("tap a place, which is adjusted and confirmed before anything is stored", () => {
+    const { tool, stage, gestures } = hand();
+    tool.handles.value = [];
+    gestures.fingerDown(1, at(200.5, 150.5));
+    gestures.fingerMove(1, at(201.5, 150.5));
+    gestures.fingerUp(1, at(201.5, 150.5));
+    expect(tool.placed).toEqual([]);
+    expect(stage.cursor.value).toEqual([200, 150]);
+    expect(tool.hovers.at(-1)).toEqual([200, 150]);
+    gestures.fingerDown(1, at(210.5, 150.5));
+    gestures.fingerMove(1, at(230.5, 140.5));
+    gestures.fingerUp(1, at(230.5, 140.5));
+    expect(stage.cursor.value).toEqual([220, 140]);
+    stage.keyboard.confirm();
+    expect(tool.placed).toEqual([[220, 140]]);
+    expect(stage.cursor.value).toBeNull();
+  });
+
+  it("zoom and move the picture when there are two, and place nothing", () => {
+    const { tool, stage, gestures } = hand();
+    tool.handles.value = [];
+    const under = stage.fromWindow(300, 200);
+    gestures.fingerDown(1, at(200, 200));
+    gestures.fingerDown(2, at(400, 200));
+    gestures.fingerMove(1, at(100, 200));
+    gestures.fingerMove(2, at(500, 200));
+    expect(stage.view.value.scale).toBeCloseTo(2);
+    const [x, y] = stage.view.value.toScreen(under);
+    expect([x, y]).toEqual([expect.closeTo(300), expect.closeTo(200)]);
+    gestures.fingerUp(1, at(100, 200));
+    gestures.fingerUp(2, at(500, 200));
+    expect(tool.placed).toEqual([]);
+    expect(stage.cursor.value).toBeNull();
+  });
+});

@@ -88,6 +88,7 @@ function measureCommands(model: MeasureModel): ButtonCommand[] {
     { id: "notVisible", run: () => model.askWhyUnseen(), enabled: mayWork },
     { id: "newContact", run: () => void model.dispatch({ type: "new-contact" }) },
     { id: "selectNext", run: () => model.points.selectNext() },
+    { id: "driverSide", run: () => model.turnSide(), enabled: mayWork },
     { id: "secondFrame", run: () => void model.second.start(), enabled: mayWork },
     { id: "confirmNext", run: () => confirmNext(model) },
     { id: "remove", run: () => model.points.removeSelected() },

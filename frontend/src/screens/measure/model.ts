@@ -286,6 +286,17 @@ export class MeasureModel implements Desk {
     void this.vehicles.flush(vehicle.id);
   }
 
+  /** On which side the driver sits, said or following from the direction; null while neither is known. */
+  readonly side = computed<DriverSide | null>(() => {
+    const vehicle = this.vehicle.value;
+    return vehicle?.driver_side ?? vehicle?.side ?? null;
+  });
+
+  /** By one key: the other side than it is now; near where it is not known. */
+  turnSide(): void {
+    this.chooseSide(this.side.value === "near" ? "far" : "near");
+  }
+
   asked(): readonly Target[] {
     const vehicle = this.vehicle.value;
     return vehicle ? askedOf(vehicle) : [];

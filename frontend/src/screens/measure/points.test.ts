@@ -148,6 +148,24 @@ describe("measuring with clicks", () => {
     ]);
   });
 
+  it("turns the driver to the other side by one key, and keeps it with the vehicle", async () => {
+    let version = 1;
+    server.on("PUT", /^\/vehicles\/7$/, (_match, body) => {
+      version += 1;
+      return vehicle([], { ...body, version });
+    });
+    expect(model.side.value).toBeNull();
+    model.turnSide();
+    expect(model.side.value).toBe("near");
+    model.turnSide();
+    expect(model.side.value).toBe("far");
+    await vi.advanceTimersByTimeAsync(1000);
+    expect(server.writes.filter((one) => one === "PUT /vehicles/7").length).toBeGreaterThan(0);
+    model.open(vehicle([], { id: 9, number: 9 }));
+    model.open(model.vehicles.get(7) ?? vehicle());
+    expect(model.side.value).toBe("far");
+  });
+
   it("says nothing of its own while the server is away, and asks again when it is back", async () => {
     server.down = true;
     model.points.place(at(100, 400));
