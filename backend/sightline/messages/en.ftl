@@ -2254,7 +2254,7 @@ statistics-density-note = Gaussian kernel, bandwidth { $bandwidths }; pointwise 
 statistics-density-note-rounded = Gaussian kernel, bandwidth { $bandwidths }, at least half of the { $rounding } of rounding; pointwise 95 % band. { $groups }.
 statistics-signed-error = signed error ({ $unit })
 statistics-density-y = density (per { $unit })
-statistics-trend-title = Signed error against true height
+statistics-trend-title = Signed error against the manufacturer’s height
 statistics-trend-says = Signed error over the manufacturer's height of { $count ->
     [one] { $count } vehicle
    *[other] { $count } vehicles

@@ -7,6 +7,7 @@ import { type LengthUnit, lengthUnit } from "../../core/units";
 import { type Cell, csvOf, download } from "./csv";
 import { svgFile } from "./svg";
 import "./figures.css";
+import { type Hue, hueOf } from "./hues";
 
 export type Plot = typeof import("./plot");
 /** The library that draws, fetched once. */
@@ -38,6 +39,7 @@ export interface LegendEntry {
   word: string;
   dash?: string;
   faint?: boolean;
+  hue?: Hue;
   dot?: "circle" | "triangle" | "square";
 }
 
@@ -162,12 +164,7 @@ function Legend({ entries }: { entries: readonly LegendEntry[] }) {
             {one.dot ? (
               <path d={DOTS[one.dot]} fill="none" stroke="currentColor" stroke-width="1.5" />
             ) : (
-              <path
-                d="M-15 0H15"
-                stroke={one.faint ? "var(--ink-3)" : "currentColor"}
-                stroke-width="2"
-                stroke-dasharray={one.dash}
-              />
+              <path d="M-15 0H15" stroke={hueOf(one)} stroke-width="2" stroke-dasharray={one.dash} />
             )}
           </svg>
           {one.word}

@@ -1,7 +1,10 @@
-/** Marks of the figures. Dashes, greys and words tell lines apart, never a hue alone: colours belong to the road's axes. */
+/**
+ * Marks of the figures. Three hues that are not the road's axes', dashes and words tell lines apart, never a hue alone.
+ */
 import { say } from "../../core/messages";
 import { fixed } from "../../core/units";
 import type { Cell } from "./csv";
+import { type Hue, hueOf } from "./hues";
 import type { Plot } from "./PlotFigure";
 import type { Density, Ecdf, Standard } from "./types";
 
@@ -9,6 +12,8 @@ export interface Curve {
   word: string;
   dash?: string;
   faint?: boolean;
+  /** Ink, purple or ochre; ink unless said. */
+  hue?: Hue;
   /** Where along the curve its word stands: at this share. */
   wordAt?: number;
   band?: boolean;
@@ -18,7 +23,7 @@ type Mark = ReturnType<Plot["line"]>;
 const HALO = { stroke: "var(--surface)", strokeWidth: 5, fill: "var(--ink)" } as const;
 
 const lineStyle = (curve: Curve) => ({
-  stroke: curve.faint ? "var(--ink-3)" : "var(--ink)",
+  stroke: hueOf(curve),
   strokeWidth: curve.faint ? 1.5 : 2,
   strokeDasharray: curve.dash,
 });
@@ -43,7 +48,7 @@ export function ecdfMarks(plot: Plot, ecdf: Ecdf, curve: Curve, perX: number): M
         y1: "low",
         y2: "high",
         curve: "step-after",
-        fill: "var(--ink)",
+        fill: hueOf(curve),
         fillOpacity: 0.09,
       }),
     );

@@ -7,6 +7,8 @@ const LIGHT: Record<string, string> = {
   "--line": "#d6d6ce",
   "--line-strong": "#84857c",
   "--surface": "#ffffff",
+  "--curve-2": "#7d3f9e",
+  "--curve-3": "#a86200",
   "--accent": "#f5b800",
   "--accent-text": "#7a5300",
   "--font": "sans-serif",

@@ -18,13 +18,18 @@ import { TrendFigure } from "./TrendFigure";
 
 const CURVES: Record<string, Omit<Curve, "word">> = {
   daytime: { wordAt: 0.72, band: true },
-  low_light: { dash: "7 4", wordAt: 0.5, band: true },
+  low_light: { dash: "7 4", hue: 1, wordAt: 0.5, band: true },
   overall: { dash: "2 3", faint: true, wordAt: 0.28 },
 };
 const GROUPS = Object.keys(CURVES);
 
 function legendOf(list: readonly Drawn<unknown>[]): LegendEntry[] {
-  return list.map(({ curve }) => ({ word: curve.word, dash: curve.dash, faint: curve.faint }));
+  return list.map(({ curve }) => ({
+    word: curve.word,
+    dash: curve.dash,
+    faint: curve.faint,
+    hue: curve.hue,
+  }));
 }
 
 interface Drawn<T> {

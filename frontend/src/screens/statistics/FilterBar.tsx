@@ -65,8 +65,8 @@ export function FilterBar({ found }: { found: Statistics | null }) {
         ...CORRECTIONS.map((one) => ({ value: one === "inset" ? "" : one, label: CORRECTION_WORDS[one] })),
       ])}
       {choice("rounding", say("statistics-filter-rounding"), [
-        { value: "", label: say("statistics-rounding-cm") },
-        { value: "none", label: say("statistics-rounding-none") },
+        { value: "", label: say("statistics-rounding-none") },
+        { value: "cm", label: say("statistics-rounding-cm") },
       ])}
       <ReferenceU value={at.get("u_reference_m")} />
       {narrowed(at) && (

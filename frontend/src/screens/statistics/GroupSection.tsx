@@ -3,13 +3,15 @@ import { Segments } from "../../components";
 import { say, wordsOf } from "../../core/messages";
 import { formatCount, lengthScale } from "../../core/units";
 import { type Curve, ECDF_COLUMNS, ecdfMarks, ecdfRows, ecdfWord } from "../../parts/figures/curves";
+import type { Hue } from "../../parts/figures/hues";
 import { NONE, percent, scaled } from "../../parts/figures/numbers";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
 import type { Ecdf } from "../../parts/figures/types";
 import { groupWord, isThere, type OfTarget, TARGET_TITLES } from "./model";
 
-const DASHES = [undefined, "8 4", "2 3", "9 3 2 3", "4 4", "12 3 2 3 2 3"];
-const MOST_DRAWN = DASHES.length;
+/** Neighbours differ in hue, the fourth and on in their dashes too. */
+const HUES = 3;
+const MOST_DRAWN = 6;
 const MOST_BANDS = 3;
 const GROUPINGS = ["category", "lighting", "site", "operator"] as const;
 type GroupingName = (typeof GROUPINGS)[number];
@@ -64,7 +66,7 @@ export function GroupSection({ targets }: { targets: readonly OfTarget[] }) {
                 })
               : undefined
           }
-          legend={curves.map(({ curve }) => ({ word: curve.word, dash: curve.dash, faint: curve.faint }))}
+          legend={curves.map(({ curve: { word, dash, faint, hue } }) => ({ word, dash, faint, hue }))}
           reason={curves.length === 0 ? say("statistics-groups-nothing", { grouping }) : null}
           data={[target, grouping]}
           options={(plot, unit) => {
@@ -100,7 +102,7 @@ export function GroupSection({ targets }: { targets: readonly OfTarget[] }) {
 
 type Group = OfTarget["groups"][string]["groups"][number];
 
-/** The largest groups, one dash each, their words spread along the curves. */
+/** The largest groups, each with a hue and a dash of its own, their words spread along the curves. */
 function drawn(groups: readonly Group[], grouping: string): { ecdf: Ecdf; curve: Curve }[] {
   const largest = [...groups].sort((a, b) => b.n - a.n).slice(0, MOST_DRAWN);
   return groups
@@ -110,7 +112,12 @@ function drawn(groups: readonly Group[], grouping: string): { ecdf: Ecdf; curve:
       const wordAt = (i + 0.7) / (Math.min(groups.length, MOST_DRAWN) + 0.4);
       const band = groups.length <= MOST_BANDS; // more of them hide each other; the CSV has them all
       const word = groupWord(grouping, one.word);
-      return [{ ecdf: one.ecdf, curve: { word, dash: DASHES[i], wordAt, band } }];
+      return [
+        {
+          ecdf: one.ecdf,
+          curve: { word, hue: (i % HUES) as Hue, dash: i < HUES ? undefined : "6 4", wordAt, band },
+        },
+      ];
     });
 }
 

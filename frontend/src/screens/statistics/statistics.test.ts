@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { address } from "../../core/api";
 import { csvOf } from "../../parts/figures/csv";
+import { type Hue, hueOf } from "../../parts/figures/hues";
 import { resolved } from "../../parts/figures/svg";
 import { changed, narrowed, statisticsQuery } from "./filters";
 
@@ -10,8 +11,9 @@ describe("the address", () => {
       "survey=1&survey=3&lighting=daytime&off=driver_eye:France:1&eye_limit_m=1.1&x=2",
     );
     const asked = (query: URLSearchParams) => address("/statistics", statisticsQuery(query));
-    expect(asked(at)).toBe("/statistics?survey=1&survey=3&eye_limit_m=1.1&lighting=daytime");
-    expect(asked(new URLSearchParams())).toBe("/statistics");
+    expect(asked(at)).toBe("/statistics?survey=1&survey=3&eye_limit_m=1.1&lighting=daytime&rounding=none");
+    expect(asked(new URLSearchParams())).toBe("/statistics?rounding=none");
+    expect(asked(new URLSearchParams("rounding=cm"))).toBe("/statistics?rounding=cm");
   });
 
   it("changes one value and keeps the others", () => {
@@ -37,4 +39,11 @@ describe("CSV", () => {
 
 it("an SVG of its own knows none of the page's variables", () => {
   expect(resolved('stroke="var(--ink)" fill="var(--unknown)"')).toBe('stroke="#1a1b18" fill="currentColor"');
+});
+
+it("neighbouring curves differ in hue, and no two of six look the same", () => {
+  const look = (i: number) => `${hueOf({ hue: (i % 3) as Hue })} ${i < 3}`;
+  const six = [0, 1, 2, 3, 4, 5].map(look);
+  expect(new Set(six).size).toBe(6);
+  expect(hueOf({ hue: 1, faint: true })).toBe(hueOf({ faint: true }));
 });
