@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain
 from typing import Any, get_args
 
-from sightline.enums import Correction, Rounding, StatisticsTarget
+from sightline.enums import Correction, Rounding, RuleVerdict, StatisticsTarget
 from sightline.export import scans
 from sightline.export.measured import PackageStatistics
 from sightline.infra.csv_package.columns import metres, number
@@ -181,6 +181,29 @@ TOTAL_TABLE = Table(
     ),
     folder=FOLDER,
 )
+RULE_TABLE = Table(
+    "same_rule",
+    "The rule of each standard that states one (a percentile of a class of vehicles) on the survey's, "
+    "and the verdict: lower or higher where the probability that it is not so is at most 2.5 % (JCGM 106).",
+    (
+        Column("what", "string", "what the standard's height is of", required=True),
+        Column("standard", "string", "whose value", required=True),
+        metres("standard_m", "the standard's height"),
+        number("percent", "the percentile of its rule", "%"),
+        Column("class", "string", "of which vehicles, as the standard says"),
+        Column("by_class", "boolean", "false: no class is known, all vehicles count", required=True),
+        _N,
+        metres("height_m", "the same percentile today, of true heights"),
+        metres("low_m", "lower end of its total 95 % interval"),
+        metres("high_m", "upper end of its total 95 % interval"),
+        metres("difference_m", "today's less the standard's"),
+        number("lower", "probability that today's lies below the standard's"),
+        Column("verdict", "string", "what may be said", required=True, enum=get_args(RuleVerdict)),
+        number("risk", "probability that the verdict is wrong"),
+        _REASON,
+    ),
+    folder=FOLDER,
+)
 HEIGHT_ECDF = Table(
     "height_ecdf",
     "Cumulative distributions of the heights of each target with 95 % bands; at most 600 points of each.",
@@ -235,6 +258,7 @@ TABLES = (
     CORRECTION_TABLE,
     PERCENTILE_TABLE,
     TOTAL_TABLE,
+    RULE_TABLE,
     HEIGHT_ECDF,
     HEIGHT_DENSITY,
     SHARES,
@@ -259,6 +283,7 @@ def statistics_rows(found: PackageStatistics) -> dict[str, Iterator[Cells]]:
         CORRECTION_TABLE.path: chain.from_iterable(_correction_rows(*one) for one in heights),
         PERCENTILE_TABLE.path: chain.from_iterable(_percentile_rows(*one) for one in heights),
         TOTAL_TABLE.path: chain.from_iterable(_total_rows(one) for _, one in heights),
+        RULE_TABLE.path: _rule_rows(found.headline),
         HEIGHT_ECDF.path: chain.from_iterable(_height_ecdf_rows(*one) for one in heights),
         HEIGHT_DENSITY.path: chain.from_iterable(_height_density_rows(*one) for one in heights),
         SHARES.path: chain.from_iterable(_share_rows(*one) for one in heights),
@@ -369,6 +394,28 @@ def _total_rows(found: Statistics) -> Iterator[Cells]:
         yield {**key, "figure": "sd", **_total_cells(total.sd)}
         for standard, share in zip(standards_of(found.standards, target), total.shares, strict=True):
             yield {**key, "figure": "share_below", "limit_m": standard.height_m, **_total_cells(share)}
+
+
+def _rule_rows(found: Statistics) -> Iterator[Cells]:
+    for one in found.rules:
+        standard = one.standard
+        yield {
+            "what": standard.what,
+            "standard": standard.name,
+            "standard_m": standard.height_m,
+            "percent": standard.percent,
+            "class": standard.vehicle_class,
+            "by_class": one.by_class,
+            "n": one.n,
+            "height_m": one.value_m,
+            "low_m": one.U95_low_m,
+            "high_m": one.U95_high_m,
+            "difference_m": one.difference_m,
+            "lower": one.lower,
+            "verdict": one.verdict,
+            "risk": one.risk,
+            "reason": one.reason,
+        }
 
 
 def _total_cells(one: TotalFigure) -> Cells:

@@ -2302,6 +2302,22 @@ statistics-share = Share of { $target ->
     [taillight] taillights
    *[headlight] headlights
 } below { $height } ({ $standard }): <strong>{ $share }</strong> <muted>({ $low } to { $high }; { NUMBER($below) } of { NUMBER($n) })</muted>
+statistics-rule-title = The same rule today
+statistics-rule-standard = Standard
+statistics-rule-rule = Its rule
+statistics-rule-of = P{ $percent } of { $class }
+statistics-rule-all = all vehicles (no class is known)
+statistics-rule-height = standard ({ $unit })
+statistics-rule-today = today ({ $unit })
+statistics-rule-interval = { $low } to { $high }
+statistics-rule-difference = difference
+statistics-rule-verdict = Verdict
+statistics-rule-lower = lower; wrong with a probability of { $risk }
+statistics-rule-higher = higher; wrong with a probability of { $risk }
+statistics-rule-least = less than { $risk }
+statistics-rule-alike = not told apart; lower with a probability of { $lower }
+statistics-rule-unknown = no verdict: { $reason }
+statistics-rule-note = The percentile that a standard is set by, of true heights today with its total 95 % interval. “Lower” and “higher” are said where the probability that it is not so is at most 2.5 % (JCGM 106).
 statistics-percentiles = Percentiles, { $target }
 statistics-percentiles-save = Percentiles as CSV
 statistics-percentile = Percentile

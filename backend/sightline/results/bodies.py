@@ -18,6 +18,7 @@ from sightline.statistics.agreement import BlandAltman, ReferencePart
 from sightline.statistics.distributions import Percentile
 from sightline.statistics.errors import Interval
 from sightline.statistics.paper import PaperColumn
+from sightline.statistics.rules import RuleToday
 from sightline.statistics.standards import Standard
 from sightline.statistics.total_uncertainty import TotalFigure, TotalPercentile
 
@@ -147,6 +148,7 @@ class TargetBody(Out):
 
 
 class StatisticsBody(Out):
+    rules: list[RuleToday] = Field(description="The rules of standards on the heights of their classes.")
     counted: SampleCounts
     errors: ErrorsBody
     targets: list[TargetBody]

@@ -120,6 +120,7 @@ def statistics_body(found: Statistics, correction: Correction) -> StatisticsBody
     return StatisticsBody.model_validate(
         {
             "counted": found.counted,
+            "rules": found.rules,
             "errors": _errors(found.errors, correction),
             "targets": [
                 _target(name, one, standards_of(found.standards, name)) for name, one in found.targets.items()

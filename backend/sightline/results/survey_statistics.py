@@ -21,7 +21,15 @@ from cachetools import LRUCache, cached
 from numpy.typing import NDArray
 from pydantic import Field
 
-from sightline.enums import Category, Correction, Lighting, Rounding, StatisticsState, StatisticsTarget
+from sightline.enums import (
+    Category,
+    Correction,
+    Lighting,
+    Rounding,
+    StandardHeight,
+    StatisticsState,
+    StatisticsTarget,
+)
 from sightline.errors import BadInput, NotFound
 from sightline.infra.audit import trail
 from sightline.infra.database import Session
@@ -37,6 +45,7 @@ from sightline.results.measured_columns_query import (
 )
 from sightline.results.standards_store import standards_of_surveys
 from sightline.statistics.agreement import U_MANUFACTURER_M
+from sightline.statistics.rules import RuleToday, rule_today
 from sightline.statistics.standards import STANDARDS, Standard
 from sightline.statistics.summary import Errors, Grouping, Roofs, Target, errors_of, target_of
 from sightline.statistics.total_uncertainty import HeightSample, sample_of_measurements
@@ -54,6 +63,15 @@ _WHAT: dict[StatisticsTarget, str] = {
     "driver_eye": "eye_car",
     "taillight": "object_stopping",
     "headlight": "headlight",
+}
+# Whose heights a standard's rule is read on: which target of which classes.
+_PASSENGER: tuple[Category, ...] = ("hatchback", "saloon", "estate", "suv")
+_RULE_OF: dict[StandardHeight, tuple[StatisticsTarget, tuple[Category, ...]]] = {
+    "eye_car": ("driver_eye", _PASSENGER),
+    "eye_truck": ("driver_eye", ("lorry",)),
+    "object_stopping": ("taillight", _PASSENGER),
+    "headlight": ("headlight", _PASSENGER),
+    "vehicle": ("roof", _PASSENGER),
 }
 _EPOCH = date(1970, 1, 1)
 
@@ -108,6 +126,7 @@ class Statistics:
     targets: dict[StatisticsTarget, Target]
     surveys: dict[int, str]
     operators: dict[int, str]
+    rules: tuple[RuleToday, ...] = ()
 
 
 def survey_statistics(
@@ -226,7 +245,26 @@ def made_of(
         targets=targets,
         surveys=named_surveys,
         operators=operators,
+        rules=_rules(measured, against, sites) if choices.correction == "inset" and only is None else (),
     )
+
+
+def _rules(measured: Measured, table: Sequence[Standard], sites: Grouping | None) -> tuple[RuleToday, ...]:
+    """The rule of every standard that states one, on the heights of its class; of all, where no class is
+    known.
+    """
+    found = []
+    for standard in table:
+        if standard.percent is None or standard.what not in _RULE_OF:
+            continue
+        target, classes = _RULE_OF[standard.what]
+        rows = _of_target(measured, target)
+        by_class = bool(np.any(measured.category[rows] != NONE))
+        if by_class:
+            rows = rows & np.isin(measured.category, [CATEGORIES.index(one) for one in classes])
+        sample = height_sample(measured.where(rows), sites.where(rows) if sites else None)
+        found.append(rule_today(standard, sample, by_class))
+    return tuple(one for one in found if one is not None)
 
 
 def height_sample(measured: Measured, sites: Grouping | None = None) -> HeightSample:

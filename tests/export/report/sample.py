@@ -11,6 +11,7 @@ from sightline.results.survey_statistics import (
     StatisticsOptions,
     standards_of,
 )
+from sightline.statistics.rules import rule_today
 from sightline.statistics.shared_errors import SharedErrors
 from sightline.statistics.standards import STANDARDS
 from sightline.statistics.summary import Grouping, Roofs, errors_of, target_of
@@ -41,6 +42,7 @@ def statistics(
     standards = (*STANDARDS, *choices.own_standards)
     categories = ("hatchback", "saloon", "estate", "suv", "van", "lorry", "other")
     targets = {}
+    samples = {}
     for name in SHOWN:
         size = 0 if name in absent else n
         height = rng.normal(*MEAN_SD[name], size)
@@ -55,6 +57,16 @@ def statistics(
         one_pose = SharedErrors(np.zeros(size, np.int64), np.full(size, 0.007))
         sample = HeightSample(height, np.full(size, 0.012), (one_pose,))
         targets[name] = target_of(height, raw, roofs, choices.correction, limits, groupings, sample)
+        samples[name] = sample
+    rules = [rule_today(one, samples["driver_eye"], True) for one in standards_of(standards, "driver_eye")]
     errors = errors_of(roofs, choices.correction, choices.rounding)
     counted = SampleCounts(3 * n, n, n, {"rejected": 7, "to_review": 21} if n else {})
-    return Statistics(counted, standards, errors, targets, {1: "A survey"}, {1: "An operator"})
+    return Statistics(
+        counted=counted,
+        standards=standards,
+        errors=errors,
+        targets=targets,
+        surveys={1: "A survey"},
+        operators={1: "An operator"},
+        rules=tuple(one for one in rules if one is not None),
+    )

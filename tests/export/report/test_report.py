@@ -65,6 +65,8 @@ def test_the_report_says_what_was_found(example: ReportFacts, pdf: bytes) -> Non
     assert mae is not None and median.low is not None and median.high is not None
     total = result.targets["driver_eye"].total
     assert total is not None
+    rule = next(one for one in result.rules if one.standard.percent == 10.0)
+    assert rule.verdict == "higher"
     half = next(one for one in total.percentiles if one.percent == 50.0)
     true = f"{half.value:.3f} {half.U95_low:.3f} to {half.U95_high:.3f} {half.value / 0.3048:.3f}"
     for expected in (
@@ -74,6 +76,8 @@ def test_the_report_says_what_was_found(example: ReportFacts, pdf: bytes) -> Non
         f"{1000 * mae:.1f} (",
         f"50 % {true} {median.value:.3f} {median.low:.3f} to {median.high:.3f}",
         total.words,
+        f"P10 of {rule.standard.vehicle_class} {rule.standard.height_m:.3f} {rule.value_m:.3f}",
+        f"{rule.verdict}; wrong with a probability of",
         "fx px",
         "lane-1-dusk.mkv",
         "The driver leans forward.",

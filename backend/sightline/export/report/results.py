@@ -25,6 +25,7 @@ from sightline.statistics.agreement import BlandAltman, ReferencePart
 from sightline.statistics.distributions import Percentile, Share
 from sightline.statistics.errors import ALL_FIGURES, GROUPS, ErrorGroup, Interval
 from sightline.statistics.paper import PAPER
+from sightline.statistics.rules import RuleToday
 from sightline.statistics.standards import Standard
 from sightline.statistics.summary import Distribution, Target
 from sightline.statistics.total_uncertainty import TotalFigure, TotalFigures, TotalPercentile
@@ -58,6 +59,7 @@ def glance(facts: ReportFacts) -> Values:
             for name, target in result.targets.items()
             if target.total is not None and name != "roof"
         ],
+        "rules": [_rule(one, HEIGHT[facts.unit], SMALL[facts.unit]) for one in result.rules if one.n],
         "errors": _errors_in_short(result.errors.groups["overall"], SMALL[facts.unit]),
         "consequence": consequence(facts),
         "standards": [] if eyes is None else _standards(facts, "driver_eye", eyes),
@@ -90,6 +92,35 @@ def _sure(name: StatisticsTarget, total: TotalFigures, scale: Scale) -> Values:
             for percent in _SURE
         ],
     }
+
+
+def _rule(one: RuleToday, scale: Scale, small: Scale) -> Values:
+    """The rule of a standard on the survey's heights, with its verdict."""
+    standard = one.standard
+    ends = [scale.number(end) for end in (one.U95_low_m, one.U95_high_m)]
+    return {
+        "name": standard.name,
+        "of": standard.vehicle_class if one.by_class else "all vehicles (no class is known)",
+        "percent": f"{standard.percent:g}",
+        "standard": scale.number(standard.height_m),
+        "value": scale.number(one.value_m),
+        "ci95": None if one.U95_low_m is None else {"low": ends[0], "high": ends[1]},
+        "difference": small.number(one.difference_m, signed=True),
+        "verdict": _verdict(one),
+    }
+
+
+def _verdict(one: RuleToday) -> str:
+    if one.verdict == "unknown" or one.lower is None:
+        return f"no verdict: {one.reason}"
+    if one.verdict == "alike":
+        return f"not told apart; lower with a probability of {100 * one.lower:.0f} %"
+    return f"{one.verdict}; wrong with a probability of {_risk(one.risk)}"
+
+
+def _risk(risk: float | None) -> str:
+    """A risk in per cent; none is said to be smaller than draws can tell."""
+    return "less than 0.1 %" if risk is None or risk < 0.001 else f"{100 * risk:.1f} %"
 
 
 def _errors_in_short(overall: ErrorGroup, small: Scale) -> Values | None:

@@ -12,6 +12,7 @@ import { FilterBar } from "./FilterBar";
 import { narrowed, setFilter, statisticsQuery, WIDE } from "./filters";
 import { GroupSection } from "./GroupSection";
 import { STANDARD_FOR, type Statistics } from "./model";
+import { SameRule } from "./SameRule";
 import { SamplePlan } from "./SamplePlan";
 import { Standards, switchedOn } from "./Standards";
 import { TargetSection } from "./TargetSection";
@@ -83,6 +84,7 @@ function Figures({ found, surveyId, reload }: FiguresProps) {
           standards={standards.filter((standard) => standard.what === STANDARD_FOR[one.target])}
         />
       ))}
+      <SameRule rules={found.rules} />
       <GroupSection targets={found.targets} />
       <Standards standards={found.standards} surveyId={surveyId} reload={reload} />
       <SamplePlan sdM={eye?.corrected.sd_m ?? null} />

@@ -13,6 +13,7 @@ export type Trend = Schemas["TrendBody"];
 export type Reason = Schemas["ReasonBody"];
 export type OfTarget = Schemas["TargetBody"];
 export type Percentile = Schemas["Percentile"];
+export type RuleToday = Schemas["RuleToday"];
 export type SampleSize = Schemas["SampleSize"];
 
 /** Whether a part was computed, or is only the reason why not. */

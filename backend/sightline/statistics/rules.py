@@ -1,0 +1,93 @@
+"""A standard's own rule on today's heights, and what may be said of the difference.
+
+A standard's height is a percentile of a class of vehicles. The verdict is a decision rule with guard bands as
+wide as the total uncertainty (JCGM 106:2012, 8.3): "lower" or "higher" is said only where the probability
+that it is not so is at most 2.5 %; between them the two are not told apart.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from sightline.enums import RuleVerdict
+from sightline.statistics.standards import Standard
+from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty
+
+MOST_RISK = 0.025
+
+
+@dataclass(frozen=True)
+class RuleToday:
+    """The percentile of a standard's rule in a survey, metres, and the verdict on its difference to the
+    standard.
+
+    n: heights of the class; by_class: whether heights of other classes could be left out; lower: the
+    probability that the true percentile lies below the standard's height; risk: that the verdict is wrong,
+    None where the two are not told apart. Without an interval `verdict` is "unknown" and `reason` says why.
+    """
+
+    standard: Standard
+    n: int
+    by_class: bool
+    value_m: float | None
+    U95_low_m: float | None
+    U95_high_m: float | None
+    difference_m: float | None
+    lower: float | None
+    risk: float | None
+    verdict: RuleVerdict
+    reason: str | None = None
+
+
+def rule_today(standard: Standard, sample: HeightSample, by_class: bool) -> RuleToday | None:
+    """The rule of a standard on the heights of its class; None where it states no percentile.
+
+    JCGM 106:2012, 8.3.
+    """
+    if standard.percent is None:
+        return None
+    if not len(sample.height_m):
+        return _unknown(standard, 0, by_class, None, "no height of its class counts")
+    found = TotalUncertainty(sample)
+    draws = found.percentile_draws(standard.percent)
+    one = found.percentile(standard.percent)
+    if isinstance(draws, str):
+        return _unknown(standard, found.n, by_class, one.value, draws)
+    lower = float(np.mean(draws[0] + draws[1] < standard.height_m))
+    verdict, risk = _verdict(lower)
+    return RuleToday(
+        standard=standard,
+        n=found.n,
+        by_class=by_class,
+        value_m=one.value,
+        U95_low_m=one.U95_low,
+        U95_high_m=one.U95_high,
+        difference_m=one.value - standard.height_m,
+        lower=lower,
+        risk=risk,
+        verdict=verdict,
+    )
+
+
+def _verdict(lower: float) -> tuple[RuleVerdict, float | None]:
+    if lower >= 1.0 - MOST_RISK:
+        return "lower", 1.0 - lower
+    if lower <= MOST_RISK:
+        return "higher", lower
+    return "alike", None
+
+
+def _unknown(standard: Standard, n: int, by_class: bool, value_m: float | None, reason: str) -> RuleToday:
+    return RuleToday(
+        standard=standard,
+        n=n,
+        by_class=by_class,
+        value_m=value_m,
+        U95_low_m=None,
+        U95_high_m=None,
+        difference_m=None if value_m is None else value_m - standard.height_m,
+        lower=None,
+        risk=None,
+        verdict="unknown",
+        reason=reason,
+    )

@@ -1,0 +1,70 @@
+import { say } from "../../core/messages";
+import { formatSmall, lengthScale } from "../../core/units";
+import { NONE, percent, scaled } from "../../parts/figures/numbers";
+import type { RuleToday } from "./model";
+
+const SMALLEST_RISK = 0.001; // draws tell no smaller one
+
+/** The percentile that each standard is set by, in today's heights of its class, and what may be said of it. */
+export function SameRule({ rules }: { rules: readonly RuleToday[] }) {
+  const there = rules.filter((one) => one.n > 0);
+  if (there.length === 0) return null;
+  const [factor, unit] = lengthScale();
+  return (
+    <section class="panel" aria-labelledby="stat-rules" data-testid="same-rule">
+      <header class="panel__head">
+        <h2 id="stat-rules">{say("statistics-rule-title")}</h2>
+      </header>
+      <div class="table-scroll">
+        <table class="table">
+          <thead>
+            <tr>
+              <th>{say("statistics-rule-standard")}</th>
+              <th>{say("statistics-rule-rule")}</th>
+              <th class="num">{say("statistics-rule-height", { unit })}</th>
+              <th class="num">{say("statistics-rule-today", { unit })}</th>
+              <th class="num">{say("statistics-rule-difference")}</th>
+              <th>{say("statistics-rule-verdict")}</th>
+            </tr>
+          </thead>
+          <tbody>
+            {there.map((one) => (
+              <tr key={`${one.standard.name}|${one.standard.what}`}>
+                <th scope="row">{one.standard.name}</th>
+                <td>
+                  {say("statistics-rule-of", {
+                    percent: String(one.standard.percent),
+                    class: one.by_class ? one.standard.vehicle_class : say("statistics-rule-all"),
+                  })}
+                </td>
+                <td class="num">{scaled(one.standard.height_m, factor, 3)}</td>
+                <td class="num">
+                  {one.value_m === null ? NONE : <strong>{scaled(one.value_m, factor, 3)}</strong>}
+                  {one.U95_low_m !== null && one.U95_high_m !== null && (
+                    <div class="stat-ci">
+                      {say("statistics-rule-interval", {
+                        low: scaled(one.U95_low_m, factor, 3),
+                        high: scaled(one.U95_high_m, factor, 3),
+                      })}
+                    </div>
+                  )}
+                </td>
+                <td class="num">{formatSmall(one.difference_m)}</td>
+                <td>{verdict(one)}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+      <p class="stat-notes small">{say("statistics-rule-note")}</p>
+    </section>
+  );
+}
+
+function verdict({ verdict: word, lower, risk, reason }: RuleToday): string {
+  if (word === "unknown" || lower === null) return say("statistics-rule-unknown", { reason: reason ?? "" });
+  if (word === "alike") return say("statistics-rule-alike", { lower: percent(lower) });
+  const small = risk === null || risk < SMALLEST_RISK;
+  const said = small ? say("statistics-rule-least", { risk: percent(SMALLEST_RISK) }) : percent(risk);
+  return say(word === "lower" ? "statistics-rule-lower" : "statistics-rule-higher", { risk: said });
+}
