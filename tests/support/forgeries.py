@@ -41,7 +41,8 @@ def a_click_and_its_height(place: Path) -> str:
     pose = pose_from_dict(json.loads((place / path).read_text()), path)
     found = answer(pose, clicks_of_row({**row, "target_y_px": moved}))
     heights = {name: f"{getattr(found, name):.6f}" for name in ("height_m", "uncorrected_height_m")}
-    u = {name: f"{getattr(found, name):.6f}" for name in ("u_height_m", "U95_height_m")}
+    parts = ("u_height_m", "U95_height_m", "u_clicks_m", "u_by_inset_m")
+    u = {name: f"{getattr(found, name):.6f}" for name in parts}
     cells = {"target_y_px": moved, **heights, **u}
     for name in ("measurements.csv", "revisions.csv"):
         edit(place, name, roof, **cells)
