@@ -61,6 +61,11 @@ setup: .build/python .build/web
 	   $(BIN)/playwright install chromium && echo playwright > $@; \
 	 fi || { rm -f $@; echo "The browser tests need Chromium: install it (sudo apt install chromium) and run make test again." >&2; exit 1; }
 
+# Two workers share two cores: threads of NumPy and OpenCV beside them would wait for each other, spinning.
+test test-postgresql test-browser: export OPENBLAS_NUM_THREADS := 1
+test test-postgresql test-browser: export OMP_NUM_THREADS := 1
+test test-postgresql test-browser: export OPENCV_FOR_THREADS_NUM := 1
+
 test:
 	@$(MAKE) --no-print-directory -j2 setup .build/python-dev
 	@$(MAKE) --no-print-directory -j2 -Oline .build/chromium check
