@@ -11,6 +11,7 @@ from types import SimpleNamespace
 
 import cv2
 import pandas as pd
+import pyarrow.parquet as pq
 import pytest
 from frictionless import Package as Frictionless
 
@@ -132,6 +133,22 @@ def test_pandas_reads_every_table_as_it_is_described(package: Path) -> None:
         for field in resource["schema"]["fields"]:
             column = table[field["name"]].dropna()
             assert column.empty or column.dtype.kind in kinds[field["type"]], field
+
+
+@pytest.mark.once
+def test_every_table_stands_as_parquet_too_typed_and_with_its_units(package: Path) -> None:
+    described = json.loads((package / "datapackage.json").read_text())
+    tables = [one for one in described["resources"] if "schema" in one and one["path"] != "audit.csv"]
+    assert {f"parquet/{one['path'][:-4]}.parquet" for one in tables} == {
+        str(path.relative_to(package)) for path in package.rglob("*.parquet")
+    }
+    found = pq.read_table(package / "parquet" / "measurements.parquet")
+    height = found.schema.field("height_m")
+    assert str(height.type) == "double" and height.metadata[b"unit"] == b"m"
+    assert b"height of the target above the road" in height.metadata[b"description"]
+    assert str(found.schema.field("created_at").type) == "timestamp[us, tz=UTC]"
+    told = [float(row["height_m"]) if row["height_m"] else None for row in rows(package, "measurements.csv")]
+    assert found["height_m"].to_pylist() == told and None in told
 
 
 @pytest.mark.once

@@ -4,6 +4,9 @@ import json
 from collections.abc import Callable
 from pathlib import Path
 
+import pyarrow as pa
+import pyarrow.parquet as pq
+
 from sightline.geometry.documents import pose_from_dict
 from sightline.measurements.height_of_clicks import answer
 from sightline.measurements.verify import clicks_of_row
@@ -295,6 +298,29 @@ def a_figure(place: Path) -> str:
     return f"figures/{path.name} is not the one"
 
 
+def a_parquet(place: Path) -> str:
+    """A height in the columns alone: what programs read that do not read CSV."""
+    path = place / "parquet" / "measurements.parquet"
+    table = pq.read_table(path)
+    at = table.schema.get_field_index("height_m")
+    lower = pa.array([None if one is None else one - 0.1 for one in table["height_m"].to_pylist()])
+    changed = table.set_column(at, table.schema.field("height_m"), lower)
+    pq.write_table(changed, path)
+    reseal(place)
+    return "parquet/measurements.parquet is not what measurements.csv holds: column height_m"
+
+
+def a_unit_of_a_parquet(place: Path) -> str:
+    path = place / "parquet" / "measurements.parquet"
+    table = pq.read_table(path)
+    at = table.schema.get_field_index("height_m")
+    in_feet = table.schema.field(at).with_metadata({"description": "height", "unit": "ft"})
+    changed = table.set_column(at, in_feet, table["height_m"])
+    pq.write_table(changed.replace_schema_metadata(table.schema.metadata), path)
+    reseal(place)
+    return "parquet/measurements.parquet has other columns, units or meanings"
+
+
 def the_description(place: Path) -> str:
     path = place / "datapackage.json"
     path.write_text(
@@ -349,6 +375,8 @@ WAYS: tuple[Callable[[Path], str], ...] = (
     a_decision,
     the_report,
     a_figure,
+    a_parquet,
+    a_unit_of_a_parquet,
     the_description,
     a_file_put_in,
     bytes_alone,

@@ -36,6 +36,7 @@ from sightline.infra.audit.records import AuditHead, Who
 from sightline.infra.csv_package.audit import AUDIT, Link
 from sightline.infra.csv_package.chain import stamp
 from sightline.infra.csv_package.files import Staging, TableWriter
+from sightline.infra.csv_package.parquet import write_parquet
 from sightline.infra.csv_package.schema import DESCRIPTION, Table, json_bytes, record_path
 from sightline.infra.database import Session
 from sightline.infra.database.engine import lock_chain
@@ -69,7 +70,7 @@ from sightline.results.csv import STANDARDS
 from sightline.results.standards_store import get_standards
 from sightline.reviews.csv import REVIEWS
 from sightline.scans.csv import fill_scans
-from sightline.surveys.csv import INSETS, insets_in_force
+from sightline.surveys.csv import INSETS, SURVEY, insets_in_force
 from sightline.surveys.photographs.csv import PHOTOGRAPHS, photograph_path
 from sightline.surveys.photographs.service import photograph_content
 from sightline.surveys.photographs.store import list_photographs
@@ -156,7 +157,9 @@ def build(
     )
     derive(staging, _part(tell, 0.75, 1.0, "Computing statistics, drawing figures and the report."))
     about = about_of(survey.name, survey.site, survey.description, audit.moment)
-    staging.add(DESCRIPTION, json_bytes(described(about, tables_of(most), staging.written)))
+    tables = tables_of(most)
+    write_parquet(staging, tables)
+    staging.add(DESCRIPTION, json_bytes(described(about, tables, staging.written)))
     with services.writing() as writing:
         head = _seal(staging, writing, survey_id, audit, actor)
     staging.add_checksums()
@@ -253,6 +256,7 @@ def _small_tables(staging: Staging, session: Session, survey: Survey, seen: _See
                 table_of_reviews.add(review)
     staging.fill(RECORDINGS, map(described_recording, list_recordings(session, survey.id)))
     staging.fill(FRAMES, _frames(session, seen))
+    staging.fill(SURVEY, (survey,))
     staging.fill(INSETS, insets_in_force(survey))
     staging.fill(STANDARDS, get_standards(session, survey.id).standards)
     pairs = list_wheel_pairs(session, survey.id)

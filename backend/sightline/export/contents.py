@@ -14,7 +14,7 @@ from sightline.export.crops import CROPS
 from sightline.export.exclusions import EXCLUSIONS
 from sightline.export.statistics_csv import TABLES
 from sightline.infra.csv_package.audit import AUDIT
-from sightline.infra.csv_package.schema import About, AnyTable, Other, Written, description_of
+from sightline.infra.csv_package.schema import PARQUET, About, AnyTable, Other, Written, description_of
 from sightline.infra.version import code_version
 from sightline.measurements.csv import BUDGET, MEASUREMENTS, REVISIONS, clicks_with_frames, with_frames
 from sightline.measurements.sheets.csv import VEHICLES
@@ -27,7 +27,7 @@ from sightline.recordings.frames.csv import FRAMES
 from sightline.results.csv import STANDARDS
 from sightline.reviews.csv import REVIEWS
 from sightline.scans.csv import TABLES as SCANS
-from sightline.surveys.csv import INSETS
+from sightline.surveys.csv import INSETS, SURVEY
 from sightline.surveys.photographs.csv import FOLDER as PHOTOGRAPHS_FOLDER
 from sightline.surveys.photographs.csv import PHOTOGRAPHS
 from sightline.vehicles.catalogue.csv import CATALOGUE
@@ -37,6 +37,7 @@ FIGURES = "figures/"
 
 #: After those of measurements; the last ones are derived from the others.
 _OTHER_TABLES: tuple[AnyTable, ...] = (
+    SURVEY,
     VEHICLES,
     CATALOGUE,
     RECORDINGS,
@@ -68,6 +69,7 @@ _OTHERS = (
         "application/json",
         "A pose or calibration whole, as the audit chain vouches for it.",
     ),
+    (PARQUET, "application/vnd.apache.parquet", "A table as Parquet: what its CSV holds, typed."),
     ("clicks/", "text/csv", "The clicks of one road pose, as `sightline height --clicks` reads them."),
 )
 _ABOUT = (

@@ -16,7 +16,7 @@ from typing import Any
 from sightline.errors import Damaged
 from sightline.infra.csv_package.audit import AUDIT
 from sightline.infra.csv_package.files import Files, checksum_lines
-from sightline.infra.csv_package.schema import CHECKSUMS, DESCRIPTION, Written, sha256_hex
+from sightline.infra.csv_package.schema import CHECKSUMS, DESCRIPTION, PARQUET, Written, sha256_hex
 
 ENTITY, ACTION = "package", "seal"
 _CROPS = "crops/"  # one hash for all of them: there may be a million
@@ -72,7 +72,9 @@ def read_seal(files: Files) -> Seal:
 def check_seal(seal: Seal, written: Mapping[str, Written]) -> None:
     """Every file is the one that the seal names, and there is no other. Raises Damaged."""
     found = sealed(written, seal.before_sha256)
-    # the description last: it says of others what they were
-    for path in sorted({*found, *seal.files}, key=lambda path: (path == DESCRIPTION, path)):
+    # what tells of others after them: a table's Parquet, and last the description
+    for path in sorted(
+        {*found, *seal.files}, key=lambda path: (path == DESCRIPTION, path.startswith(PARQUET), path)
+    ):
         if found.get(path) != seal.files.get(path):
             raise Damaged("export-not-the-file-that-the-seal-names", path=path)

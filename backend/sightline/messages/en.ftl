@@ -3076,6 +3076,12 @@ csv_package-file-name-folder-export-not-exist = { $target } is a file; name a fo
 csv_package-holds-other-files-name-folder-empty = { $target } holds other files; name a folder that is empty or does not exist yet.
 csv_package-holds-file-twice-no-export-take = { $place } holds a file twice, so it is no export; take the export again.
 csv_package-cannot-read-export-name-folder-zip = { $place } cannot be read as an export; name its folder or ZIP.
+csv_package-parquet-and-csv-not-pairs = { $path } stands without its other form: every table of a package is there as CSV and as Parquet; take the whole export again.
+csv_package-parquet-described-otherwise = { $path } has other columns, units or meanings than datapackage.json describes; it was changed.
+csv_package-parquet-not-csv = { $path } is not what { $csv_path } holds: column { $name } differs at row { $at }; one was changed.
+csv_package-parquet-other-rows = { $path } does not have the rows of { $csv_path }; one was changed.
+csv_package-parquet-cannot-be-read = { $path } cannot be read as Parquet; take the whole export again.
+csv_package-cell-not-of-its-type = { $path } has a cell that is not of the type that datapackage.json gives its column; it was changed.
 csv_package-csv-of-another-form = { $path } is not written as Sightline writes a table (near line { $at }: another end of line, another quote): programs might read different things in it; take the whole export again.
 csv_package-link = { $path } is a link, not a file: an export has none; take the whole export again.
 csv_package-json-of-another-form = { $path } is not written as Sightline writes JSON (a key twice, other blanks or numbers): programs might read different things in it; take the whole export again.
@@ -3471,6 +3477,7 @@ surveys-changed-survey-look-again-redo = { $name } changed this survey at { $whe
 surveys-survey-needs-name-fill = A survey needs a name; fill it in.
 surveys-inset-cannot-used-give-known-target = The inset of “{ $target }” cannot be used; give a known target and an uncertainty >= 0.
 surveys-asks-nothing-choose-target = A survey asks for at least one target by day and one in low light; choose them.
+surveys-survey-csv-not-what-audit = survey.csv is not what the survey's audit events say; it was changed.
 surveys-insets-csv-not-what-surveys-audit = insets.csv is not what the survey's audit events say; it was changed.
 
 ## Errors: vehicles

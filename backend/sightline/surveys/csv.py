@@ -5,12 +5,26 @@ from __future__ import annotations
 from typing import get_args
 
 from sightline.enums import InsetName
-from sightline.infra.csv_package.columns import metres, text
+from sightline.infra.csv_package.columns import key, metres, text
 from sightline.infra.csv_package.schema import Table
 from sightline.surveys.records import Inset, Survey
 
 #: A target and the inset that is in force for it.
 InForce = tuple[str, Inset]
+
+SURVEY: Table[Survey] = Table(
+    "survey",
+    "The survey that this package is of: one row.",
+    (
+        key("id", "survey, in the database that it comes from", lambda s: s.id),
+        text("name", "name of the survey", lambda s: s.name, required=True),
+        text(
+            "site", "where it was filmed; a study takes surveys of one site as one cluster", lambda s: s.site
+        ),
+        text("description", "what was said of the survey", lambda s: s.description),
+    ),
+    primary=("id",),
+)
 
 INSETS: Table[InForce] = Table(
     "insets",

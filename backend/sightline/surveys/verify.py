@@ -8,7 +8,15 @@ from typing import Any
 from sightline.errors import Damaged
 from sightline.infra.csv_package.files import Files, read_rows
 from sightline.infra.csv_package.verify import says
-from sightline.surveys.csv import INSETS
+from sightline.surveys.csv import INSETS, SURVEY
+
+
+def check_survey(files: Files, survey_id: int, survey: Mapping[str, Any]) -> None:
+    """The survey's row is what its events say of it. Raises Damaged."""
+    said = {"id": survey_id, **{name: survey.get(name) or None for name in ("name", "site", "description")}}
+    rows = list(read_rows(files, SURVEY.path))
+    if len(rows) != 1 or not says(SURVEY, rows[0], said):
+        raise Damaged("surveys-survey-csv-not-what-audit")
 
 
 def check_insets(files: Files, insets: Mapping[str, Mapping[str, Any]]) -> None:

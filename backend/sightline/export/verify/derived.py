@@ -19,6 +19,7 @@ from sightline.export.statistics_csv import TABLES, same_cell, statistics_rows
 from sightline.export.verify.chain import ReplayedState
 from sightline.infra.csv_package.files import Files, read_columns, read_header, read_rows, read_whole
 from sightline.infra.csv_package.forms import read_json
+from sightline.infra.csv_package.parquet import check_parquet
 from sightline.infra.csv_package.schema import (
     DESCRIPTION,
     AnyTable,
@@ -80,6 +81,12 @@ def check_description(
     if notes:
         notes.append(f"The package was made with {made_with.get('sightline')}; verify it with that for more.")
     return drawn_alike, notes
+
+
+def check_tables_again(files: Files) -> int:
+    """Each table's Parquet holds what its CSV holds, as datapackage.json describes it; how many."""
+    described = read_json(files, DESCRIPTION)["resources"]
+    return check_parquet(files, {one["path"]: one["schema"] for one in described if "schema" in one})
 
 
 def _sums(resource: Mapping[str, object]) -> list[object]:

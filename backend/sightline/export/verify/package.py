@@ -24,6 +24,7 @@ from sightline.export.verify.derived import (
     check_description,
     check_drawn,
     check_statistics,
+    check_tables_again,
     described_tables,
 )
 from sightline.infra.csv_package.files import (
@@ -50,7 +51,7 @@ from sightline.results.verify import check_standards
 from sightline.reviews.verify import check_verdicts
 from sightline.scans.verify import check_scans
 from sightline.surveys.photographs.verify import check_photographs
-from sightline.surveys.verify import check_insets
+from sightline.surveys.verify import check_insets, check_survey
 
 _LEAST_OF_HEAD = 16
 
@@ -132,6 +133,7 @@ def _check(files: Files, head: str | None, found: _Found, tick: Tick) -> None:
     tick(0.2)
     check_poses(files, told.contents["pose"])
     check_calibrations(files, told.contents["calibration"])
+    check_survey(files, seal.survey_id, told.survey)
     check_insets(files, told.survey.get("insets", {}))
     check_standards(files, told.standards)
     heights = Recomputed(files)
@@ -155,6 +157,7 @@ def _check(files: Files, head: str | None, found: _Found, tick: Tick) -> None:
     tick(0.8)
     if drawn_alike:
         found.drawings = check_drawn(files, statistics, written)
+    check_tables_again(files)
 
 
 def _same_head(told: ReplayedState, head: str | None) -> list[str]:

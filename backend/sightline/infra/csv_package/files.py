@@ -98,6 +98,13 @@ class Staging:
         self.written[path] = Written(sha256_hex(content), len(content))
 
     @contextmanager
+    def file(self, path: str) -> Iterator[BinaryIO]:
+        """A file that something else writes. Raises NoRoom."""
+        with no_room_told("this export"), self._place(path).open("wb", CHUNK_BYTES) as file:
+            yield file
+        self.written[path] = sum_of(self.files(), path)
+
+    @contextmanager
     def table(self, table: Table[Made], path: str | None = None) -> Iterator[TableWriter[Made]]:
         """A CSV file to be filled row by row, at the table's path or at another. Raises NoRoom."""
         where = path or table.path

@@ -23,6 +23,7 @@ Record = TypeVar("Record", contravariant=True, default=Row)
 
 CHECKSUMS = "SHA256SUMS"
 DESCRIPTION = "datapackage.json"
+PARQUET = "parquet/"
 _FORMULA_STARTS = ("=", "+", "-", "@", "＝", "＋", "－", "＠")
 _SKIPPED = " \t\r\n\x00\ufeff\xa0"
 _LOOKED_AT = frozenset((*_FORMULA_STARTS, *_SKIPPED))
@@ -112,6 +113,11 @@ def safe_text(text: str) -> str:
     if bare.startswith(_FORMULA_STARTS) or text[:1] in ("\t", "\r", "\n"):
         return "'" + text
     return text
+
+
+def parquet_path(csv_path: str) -> str:
+    """Where the Parquet of a table is."""
+    return f"{PARQUET}{csv_path.removesuffix('.csv')}.parquet"
 
 
 def record_path(kind: str, row_id: int) -> str:
@@ -214,6 +220,10 @@ def _table_resource(table: AnyTable, written: Written | None) -> dict[str, Any]:
 
 def _other_resource(other: Other, written: Written) -> dict[str, Any]:
     stem, _, suffix = other.path.rpartition(".")
+    if (
+        suffix == "parquet"
+    ):  # by its plain name Frictionless takes it for a table to be read, and counts no bytes
+        suffix = other.mediatype.rpartition("/")[2]
     return {
         "name": stem.replace("/", "-").replace("_", "-").lower(),
         "path": other.path,
