@@ -28,7 +28,7 @@ def test_figures_are_filtered_downloaded_and_linked(page: Page) -> None:
     expect(page.get_by_test_id("errors-overall")).to_contain_text("Table 1, “Overall”")
 
     page.get_by_label("Review state").select_option("all")
-    everything = page.request.get(f"/api/statistics?survey={survey_id}&state=all").json()
+    everything = page.request.get(f"/api/statistics?survey={survey_id}&state=all&rounding=none").json()
     expect(counted).to_contain_text(f"{everything['counted']['measurements']} measurements")
     mae_m = everything["errors"]["groups"][2]["figures"]["mae_m"]["value"]
     row = page.get_by_test_id("errors-overall")
@@ -53,7 +53,7 @@ def test_figures_are_filtered_downloaded_and_linked(page: Page) -> None:
 
     page.get_by_label("Draw AASHTO (USA), eye, passenger cars").uncheck()
     expect(figure.locator("svg")).not_to_contain_text("AASHTO")
-    page.get_by_label("Own value for").select_option("driver_eye")
+    page.get_by_label("Own value for").select_option("eye_car")
     height = page.get_by_label("Height", exact=True)
     height.fill("12")
     page.keyboard.press("Enter")

@@ -7,6 +7,7 @@ of the browser's all end the walk.
 
 import difflib
 import re
+import time
 from collections import deque
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -139,7 +140,12 @@ def arrived(page: Page, before: Shown) -> Shown:
     return now
 
 
-def same(now: Shown, then: Shown, step: str) -> None:
+def same(page: Page, now: Shown, then: Shown, step: str) -> None:
+    """What is shown becomes what was shown before; a busy machine may rest in the middle of drawing it."""
+    until = time.monotonic() + 10.0
+    while now != then and time.monotonic() < until:
+        page.wait_for_timeout(200)
+        now = shown(page)
     told = difflib.unified_diff(lines_of(then), lines_of(now), "shown before", step, lineterm="", n=1)
     assert now == then, "\n".join(told)
 
@@ -154,11 +160,11 @@ def there_and_back(page: Page, start: Shown, link: str) -> Shown:
     there = arrived(page, start)
     assert asked_by(link) <= asked_by(there.address), f"{link} leads to {there.address}"
     page.go_back()
-    same(arrived(page, there), start, f"back from {link}")
+    same(page, arrived(page, there), start, f"back from {link}")
     page.go_forward()
-    same(arrived(page, start), there, f"forward to {link}")
+    same(page, arrived(page, start), there, f"forward to {link}")
     page.reload()
-    same(shown(page), there, f"reload of {link}")
+    same(page, shown(page), there, f"reload of {link}")
     return there
 
 
@@ -206,11 +212,11 @@ def test_menus_of_the_bar_lead_where_a_reload_stays(walker: Page, complaints: li
         walker.locator(".menu__item").get_by_text(name, exact=True).click()
         there = arrived(walker, start)
         walker.go_back()
-        same(arrived(walker, there), start, f"back from {name}")
+        same(walker, arrived(walker, there), start, f"back from {name}")
         walker.go_forward()
-        same(arrived(walker, start), there, f"forward to {name}")
+        same(walker, arrived(walker, start), there, f"forward to {name}")
         walker.reload()
-        same(shown(walker), there, f"reload of {name}")
+        same(walker, shown(walker), there, f"reload of {name}")
     assert not complaints, "\n".join(complaints)
 
 
@@ -237,5 +243,5 @@ def test_what_is_chosen_within_a_page_is_in_its_address(walker: Page, complaints
             walker.locator(one).first.click()
             there = shown(walker)
             walker.reload()
-            same(shown(walker), there, f"reload of {one}")
+            same(walker, shown(walker), there, f"reload of {one}")
     assert not complaints, "\n".join(complaints)
