@@ -143,7 +143,53 @@ def an_uncertainty(place: Path) -> str:
             one["u_m"] = f"{float(one['u_m']) / 2:.6f}"
     rewrite(place, "budget.csv", budget)
     rederive(place)
-    return "has a U95 that is not 1.96 u"
+    return "differs from its audit event"
+
+
+def a_share_of_u(place: Path) -> str:
+    """Two contributions exchanged: their root sum of squares stays."""
+    budget = rows(place, "budget.csv")
+    one, other = [row for row in budget if row["measurement_id"] == "1"][:2]
+    assert one["u_m"] != other["u_m"]
+    one["u_m"], other["u_m"] = other["u_m"], one["u_m"]
+    rewrite(place, "budget.csv", budget)
+    rederive(place)
+    return "budget.csv: the contributions to 1 differ from its audit event"
+
+
+def where_an_inset_came_from(place: Path) -> str:
+    for name in ("measurements.csv", "revisions.csv"):
+        edit(place, name, roof, inset_from="usual")
+    rederive(place)
+    return "differs from its audit event"
+
+
+def a_flag_taken_out(place: Path) -> str:
+    for name in ("measurements.csv", "revisions.csv"):
+        edit(place, name, lambda row: row["flags"] != "", flags="")
+    rederive(place)
+    return "differs from its audit event"
+
+
+def a_frame_s_time(place: Path) -> str:
+    """In every table that tells it."""
+    for name in ("measurements.csv", "revisions.csv", "frames.csv"):
+        edit(place, name, lambda row: row["frame"] == "2", time_s="0.5")
+    rederive(place)
+    return "differs from its audit event"
+
+
+def a_recording_s_name(place: Path) -> str:
+    (row,) = rows(place, "recordings.csv")
+    rewrite(place, "recordings.csv", [{**row, "name": "another.mp4"}])
+    rederive(place)
+    return "recordings.csv: 1 is not what its audit events say"
+
+
+def a_recording_s_length(place: Path) -> str:
+    edit(place, "recordings.csv", lambda row: True, duration_s="123.0")
+    rederive(place)
+    return "recordings.csv: 1 is not what its audit events say"
 
 
 def a_verdict(place: Path) -> str:
@@ -211,7 +257,7 @@ def a_foreign_key(place: Path) -> str:
 def a_frame(place: Path) -> str:
     edit(place, "frames.csv", lambda row: row["frame"] == "2", crc32="1")
     rederive(place)
-    return "was clicked on another frame than frames.csv tells"
+    return "frames.csv: frame 2 of recording 1 is not what the audit events of its measurements say"
 
 
 def an_inset(place: Path) -> str:
@@ -353,6 +399,12 @@ WAYS: tuple[Callable[[Path], str], ...] = (
     a_makers_height,
     an_operator,
     an_uncertainty,
+    a_share_of_u,
+    where_an_inset_came_from,
+    a_flag_taken_out,
+    a_frame_s_time,
+    a_recording_s_name,
+    a_recording_s_length,
     a_verdict,
     an_event,
     an_event_and_its_hash,

@@ -12,7 +12,7 @@ from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from sightline.measurements.records import Measurement
-from sightline.recordings.drift import DriftChecks, DriftDecision, MovedSpan, open_spans, sentence
+from sightline.recordings.drift import DriftChecks, DriftDecision, MovedSpan, flag_of_frames, open_spans
 from sightline.recordings.tables import recordings
 
 
@@ -50,8 +50,5 @@ def _spans_by_pose(
 
 
 def _with_flag(one: Measurement, spans: list[MovedSpan]) -> Measurement:
-    frames = one.values.frames
-    on = [span for span in spans if any(span.first_frame <= n <= span.last_frame for n in frames)]
-    if not on:
-        return one
-    return replace(one, drift_flag=sentence(max(on, key=lambda span: span.moved_px)))
+    flag = flag_of_frames(spans, one.values.frames)
+    return one if flag is None else replace(one, drift_flag=flag)

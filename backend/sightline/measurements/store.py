@@ -10,9 +10,9 @@ from sightline.cameras.calibrations.tables import calibrations
 from sightline.enums import JsonObject
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
-from sightline.infra.audit.hashing import plain
+from sightline.infra.audit.hashing import content_hash, plain
 from sightline.infra.audit.records import name_or_somebody
-from sightline.infra.database.rows import add_row, missing, name_of, row_hash
+from sightline.infra.database.rows import add_row, missing, name_of, row_content
 from sightline.infra.database.types import columns_of, now
 from sightline.measurements.drift_query import flagged_by
 from sightline.measurements.query import (
@@ -253,30 +253,29 @@ def _append(
     row["more_frames"] = [plain(one) for one in values.more_frames]
     stamps = {"series_id": series_id, "revision": revision, "withdrawn": withdrawn}
     row_id = add_row(session, measurements, {**row, **stamps, "created_at": now(), "created_by": actor})
-    made, content_sha256 = _as_stored(session, row_id)
+    made, content = _as_stored(session, row_id)
     after = {name: getattr(values, name) for name in _IN_EVENTS} | {
         "revision": revision,
         "revision_id": row_id,
         "vehicle_id": made.vehicle_id,
+        "recording_id": made.recording_id,
         "withdrawn": withdrawn,
-        "code_version": values.code_version,
-        "created_at": made.created_at,
-        "content_sha256": content_sha256,
+        # the whole row, so that every input and every figure can be held against what the chain says
+        "row": content,
+        "content_sha256": content_hash(content),
     }
     if made.repeat_of is not None:
         after["repeat_of"] = made.repeat_of
-    if values.more_frames:
-        after["more_frames"] = [[one.frame, one.contact, one.target_point] for one in values.more_frames]
     trail.record(session, actor, action, "measurement", series_id, made.survey_id, before, after)
     return made
 
 
-def _as_stored(session: Session, revision_id: int) -> tuple[Measurement, str]:
-    """A revision as the database gives it back, and the hash of its row as a verification computes it."""
+def _as_stored(session: Session, revision_id: int) -> tuple[Measurement, JsonObject]:
+    """A revision as the database gives it back, and the content of its row as a verification hashes it."""
     query = _with_place().where(measurements.c.id == revision_id)
     row = session.execute(query).one()
     content = {column.name: row._mapping[column.name] for column in columns_of(measurements, "id")}
-    return _measurement_of(row), row_hash(content)
+    return _measurement_of(row), plain(row_content(content))
 
 
 def _standing(vehicle_id: int, target: str, but: int | None = None) -> Select[Any]:

@@ -6,8 +6,9 @@ import hashlib
 import json
 import math
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
+from datetime import datetime
 from itertools import groupby
 from typing import Any, cast
 
@@ -16,16 +17,27 @@ from sightline.enums import DriverSide, InsetSource, SideBasis, Target
 from sightline.errors import BadInput, Damaged
 from sightline.geometry.documents import pose_from_dict
 from sightline.geometry.road_pose import RoadPose
-from sightline.infra.csv_package.chain import stamp
+from sightline.infra.audit.hashing import canonical_json, content_hash
+from sightline.infra.audit.records import Who
 from sightline.infra.csv_package.files import Files, read_columns, read_rows, read_whole
 from sightline.infra.csv_package.files import number as figure_of
-from sightline.infra.csv_package.schema import metres_text, safe_text
-from sightline.measurements.csv import clicks_path
+from sightline.infra.csv_package.schema import AnyTable, Table, cell_text
+from sightline.measurements.csv import BUDGET, REVISIONS, budget_entries, clicks_path, with_frames
 from sightline.measurements.height_of_clicks import Answer, answer
-from sightline.measurements.records import ClickedFrame, Clicks, HeightOfClicks
+from sightline.measurements.records import (
+    ClickedFrame,
+    Clicks,
+    FurtherFrame,
+    HeightOfClicks,
+    Measurement,
+    MeasurementValues,
+    ReviewState,
+)
 from sightline.poses.csv import pose_path
 
 Row = Mapping[str, str]
+#: The sentence about a camera that had moved, by recording, pose and frames; None where it had not.
+DriftFlag = Callable[[int, int, Sequence[int]], str | None]
 # Half of the last decimal that a CSV carries, and a hair for the rounding of the last binary digit.
 _HEIGHT_TOLERANCE_M = 0.51e-6
 _FURTHER = re.compile(r"(?:contact|target)(\d+)_[xy]_px")
@@ -42,27 +54,94 @@ _ONLY_CURRENT = ("id", "verdict", "review_reason", "reviewer_id", "reviewed_at")
 @dataclass(eq=False)
 class MeasurementEvents:
     """What the events say of measurements, as digests: `revisions` by (measurement, revision), `repeats` by
-    repeat, of its newest revision; `of_vehicle`: whose each measurement is.
+    repeat, of its newest revision (as `table_of_repeats` has it), `budgets` of newest revisions;
+    `of_vehicle`: whose each measurement is; `frames`: pts, time and CRC-32 of each frame clicked on, by
+    (recording, frame).
     """
 
+    table_of_repeats: AnyTable
     revisions: dict[tuple[int, int], bytes] = field(default_factory=dict)
     repeats: dict[int, bytes] = field(default_factory=dict)
+    budgets: dict[int, bytes] = field(default_factory=dict)
     of_vehicle: dict[int, int] = field(default_factory=dict)
+    frames: dict[tuple[int, int], list[str]] = field(default_factory=dict)
 
     def add(self, number: int, after: Mapping[str, Any]) -> None:
-        """An event of a measurement; `after` with the person who did it as `by`."""
-        self.of_vehicle[number] = int(after["vehicle_id"])
-        if after.get("repeat_of") is not None:
-            self.repeats[number] = _digest([*_short_of_event(after), stamp(after["created_at"])])
+        """An event of a measurement; `after` with the person who did it as `by`. Raises Damaged."""
+        if content_hash(after["row"]) != after["content_sha256"]:
+            raise Damaged("measurements-event-another-row", id=number)
+        made = _told(number, after)
+        self.of_vehicle[number] = made.vehicle_id
+        clicked_on: tuple[MeasurementValues | FurtherFrame, ...] = (made.values, *made.values.more_frames)
+        for one in clicked_on:
+            known = [str(one.pts), repr(one.time_s), str(one.frame_crc32)]
+            if self.frames.setdefault((made.recording_id, one.frame), known) != known:
+                raise Damaged("measurements-events-two-frames", recording=made.recording_id, frame=one.frame)
+        if made.repeat_of is not None:
+            self.repeats[number] = _digest(cells_of(self.table_of_repeats, made))
         else:
-            stamps = [stamp(after["created_at"]), safe_text(after["code_version"])]
-            self.revisions[number, int(after["revision"])] = _digest([*_words_of_event(after), *stamps])
+            most = max(2, len(made.values.frames))
+            self.revisions[number, made.revision] = _digest(cells_of(with_frames(REVISIONS, most), made))
+            self.budgets[number] = _digest([cells_of(BUDGET, one) for one in budget_entries(made)])
+
+
+def _told(number: int, after: Mapping[str, Any]) -> Measurement:
+    """The revision as its event tells it."""
+    row = {name: _as_stored(name, value) for name, value in after["row"].items()}
+    points: dict[str, Any] = {
+        "contact": (row["contact_x_px"], row["contact_y_px"]),
+        "target_point": (row["target_x_px"], row["target_y_px"]),
+        "more_frames": tuple(_told_frame(one) for one in row["more_frames"]),
+    }
+    values = {one.name: row[one.name] for one in fields(MeasurementValues) if one.name not in points}
+    by = row["created_by"]
+    return Measurement(
+        id=number,
+        revision=row["revision"],
+        revision_id=after["revision_id"],
+        survey_id=0,
+        vehicle_id=after["vehicle_id"],
+        recording_id=after["recording_id"],
+        repeat_of=after.get("repeat_of"),
+        values=MeasurementValues(**values, **points),
+        created_by=None if by is None else Who(by, ""),
+        created_at=datetime.fromisoformat(row["created_at"]),
+        withdrawn=row["withdrawn"],
+        review=ReviewState("to_review"),
+    )
+
+
+def _told_frame(document: Mapping[str, Any]) -> FurtherFrame:
+    told = {name: _as_stored(name, value) for name, value in document.items()}
+    points: dict[str, Any] = {
+        name: (float(told[name][0]), float(told[name][1])) for name in ("contact", "target_point")
+    }
+    return FurtherFrame(**{**told, **points})
+
+
+def _as_stored(name: str, value: Any) -> Any:
+    """A value of RFC 8785 text, which writes 3.0 as 3 and large whole numbers as text, as it was stored."""
+    if name.endswith(("_px", "_m", "_s")) and value is not None:
+        return float(value)
+    return int(value) if name == "pts" else value
+
+
+def cells_of(table: AnyTable, record: object) -> dict[str, str]:
+    """The cells of a record's row that are not empty, by column."""
+    columns = cast(Table[object], table).columns
+    found = {one.name: cell_text(one, one.of(record)) for one in columns if one.of is not None}
+    return {name: text for name, text in found.items() if text}
 
 
 def check_measurements(
-    files: Files, events: MeasurementEvents, is_gone: Callable[[int], bool], heights: Recomputed
+    files: Files,
+    events: MeasurementEvents,
+    is_gone: Callable[[int], bool],
+    drift_flag: DriftFlag,
+    heights: Recomputed,
 ) -> int:
     """Compute the height of every revision again; how many were. `is_gone`: whether a vehicle was deleted.
+    `drift_flag`: what is added to a row's flags where the camera had moved, by recording, pose and frames.
 
     Raises Damaged.
     """
@@ -70,7 +149,7 @@ def check_measurements(
     revisions = groupby(read_rows(files, "revisions.csv"), key=lambda row: row["measurement_id"])
     clicks = _Lockstep(files, "clicks.csv", "id")
     of_poses: dict[str, _Lockstep] = {}
-    budget = _Budget(files)
+    budget = _Budget(files, events.budgets)
     for current in read_rows(files, "measurements.csv"):
         name, mine = next(revisions, ("", iter(())))
         rows = list(mine)
@@ -78,7 +157,7 @@ def check_measurements(
             raise Damaged("measurements-revisions-csv-measurement-no-revisions-one", id=current["id"])
         for row in rows:
             heights.check(f"revisions.csv: {name}", row)
-            _by_event(events, "revisions.csv", row, (int(name), int(row["revision"])))
+            _by_event(events, drift_flag, "revisions.csv", row, (int(name), int(row["revision"])))
             count += 1
         _is_newest(current, rows[-1])
         budget.check(current)
@@ -223,8 +302,9 @@ class _Lockstep:
 class _Budget:
     """budget.csv along with measurements.csv."""
 
-    def __init__(self, files: Files) -> None:
-        rows = read_rows(files, "budget.csv")
+    def __init__(self, files: Files, told: Mapping[int, bytes]) -> None:
+        self._told = told
+        rows = read_rows(files, BUDGET.path)
         self._groups = groupby(rows, key=lambda row: row["measurement_id"])
         self._next = self._take()
 
@@ -233,7 +313,7 @@ class _Budget:
         return None if found is None else (found[0], list(found[1]))
 
     def check(self, current: Row) -> None:
-        """The root sum of squares of the contributions is the u of the height."""
+        """The contributions are the event's, and their root sum of squares is the u of the height."""
         mine: list[Row] = []
         if self._next is not None and self._next[0] == current["id"]:
             mine = self._next[1]
@@ -249,20 +329,41 @@ class _Budget:
                 total=total,
                 told=told,
             )
+        if self._told.get(int(current["id"])) != _digest(mine):
+            raise Damaged("measurements-budget-csv-not-what-audit-event", id=current["id"])
 
     def end(self) -> None:
         if self._next is not None:
             raise Damaged("measurements-budget-csv-not-measurements-csv-put", next=self._next[0])
 
 
-def _by_event(events: MeasurementEvents, path: str, row: Row, key: tuple[int, int]) -> None:
+def _by_event(
+    events: MeasurementEvents, drift_flag: DriftFlag, path: str, row: Row, key: tuple[int, int]
+) -> None:
     digest = events.revisions.pop(key, None)
     if digest is None:
         raise Damaged(
             "measurements-measurement-no-audit-event-revision-put", path=path, key=key[0], key_2=key[1]
         )
-    if not _same_words(digest, row, further(row)):
+    if digest != _digest(_without_drift(row, drift_flag)):
         raise Damaged("measurements-measurement-differs-audit-event-changed", path=path, key=key[0])
+
+
+def _without_drift(row: Row, drift_flag: DriftFlag) -> dict[str, str]:
+    """The cells of a row that are not empty, its flags as they were stored.
+
+    What is added to them where the camera was found to have moved follows from events of the recording.
+    """
+    told = {name: text for name, text in row.items() if text}
+    numbers = [int(row["frame"]), *(int(row[f"frame{k}"]) for k in further(row))]
+    added = drift_flag(int(row["recording_id"]), int(row["pose_id"]), numbers)
+    if added is not None:
+        flags = told.pop("flags", "")
+        if flags.removesuffix(added) == flags:
+            return {**told, "flags": ""}
+        if stored := flags.removesuffix(added).removesuffix("; "):
+            told["flags"] = stored
+    return told
 
 
 def _nothing_left(events: MeasurementEvents, is_gone: Callable[[int], bool]) -> None:
@@ -276,73 +377,29 @@ def _nothing_left(events: MeasurementEvents, is_gone: Callable[[int], bool]) -> 
             )
 
 
-def check_frames(files: Files) -> None:
-    """What a measurement says of its frame is what frames.csv says of it."""
+def check_frames(files: Files, events: MeasurementEvents) -> None:
+    """What frames.csv says of a frame is what the events of the measurements clicked on it say, and what each
+    of their rows says is what frames.csv says of it.
+    """
     names = ("pts", "time_s", "crc32")
     known = {
         (row["recording_id"], row["frame"]): [row[name] for name in names]
         for row in read_rows(files, "frames.csv")
     }
+    for (recording, frame), said in known.items():
+        if events.frames.get((int(recording), int(frame))) != said:
+            raise Damaged("measurements-frames-csv-not-as-clicked", recording=recording, frame=frame)
     columns = ("id", "recording_id", "frame", "pts", "time_s", "frame_crc32")
     for path in ("measurements.csv", "repeats.csv"):
         for id_, recording, frame, *said in read_columns(files, path, columns):
-            found = known.get((recording, frame))
-            if (
-                found is None
-                or found[0] != said[0]
-                or found[2] != said[2]
-                or figure_of(found[1]) != figure_of(said[1])
-            ):
+            if known.get((recording, frame)) != said:
                 raise Damaged("measurements-clicked-another-frame-frames-csv-tells", path=path, id=id_)
 
 
-def _short_of_event(after: Mapping[str, Any]) -> list[Any]:
-    plain = [after[name] for name in ("vehicle_id", "target", "frame", "pose_id", "status", "withdrawn")]
-    points = [*after["contact"], *after["target_point"]]
-    return [*plain, safe_text(after["reason"] or ""), _length(after["height_m"]), after["by"], points]
+def same_repeat(told: bytes, row: Row) -> bool:
+    """Whether a row of repeats.csv says what its event said."""
+    return told == _digest({name: text for name, text in row.items() if text})
 
 
-def _words_of_event(after: Mapping[str, Any]) -> list[Any]:
-    more = [[n, *contact, *point] for n, contact, point in after.get("more_frames", [])]
-    return [*_short_of_event(after), _length(after["U95_height_m"]), after["side"] or "", more]
-
-
-def _length(value_m: float | None) -> str:
-    return "" if value_m is None else metres_text(value_m)
-
-
-def _short_of_row(row: Mapping[str, str]) -> list[Any]:
-    plain = [int(row["vehicle_id"]), row["target"], int(row["frame"]), int(row["pose_id"])]
-    said = [row["status"], row["withdrawn"] == "true", row["reason"], row["height_m"]]
-    return [*plain, *said, row["created_by_id"], _points_of_row(row, "")]
-
-
-def _words_of_row(row: Mapping[str, str], further: list[int]) -> list[Any]:
-    """What a row says, in the form in which its event says it."""
-    more = [[int(row[f"frame{k}"]), *_points_of_row(row, str(k))] for k in further]
-    return [*_short_of_row(row), row["U95_height_m"], row["side"], more]
-
-
-def _points_of_row(row: Mapping[str, str], k: str) -> list[float]:
-    return [float(row[f"{word}{k}_{axis}_px"]) for word in ("contact", "target") for axis in "xy"]
-
-
-def _same_words(told: bytes, row: Mapping[str, str], further: list[int]) -> bool:
-    """Whether a row says what its event said."""
-    return told == _digest([*_words_of_row(row, further), row["created_at"], row["code_version"]])
-
-
-def same_repeat(told: bytes, row: Mapping[str, str]) -> bool:
-    """The same for a row of repeats.csv."""
-    return told == _digest([*_short_of_row(row), row["created_at"]])
-
-
-def _digest(words: list[Any]) -> bytes:
-    return hashlib.blake2b(_text(words).encode(), digest_size=12).digest()
-
-
-def _text(words: Any) -> str:
-    """One text for numbers that are equal, whether they came as 3 or as 3.0, as 0 or as -0.0."""
-    if isinstance(words, list):
-        return "[" + ",".join(_text(one) for one in words) + "]"
-    return repr(float(words) + 0.0) if isinstance(words, float | int) else repr(words)
+def _digest(words: Any) -> bytes:
+    return hashlib.blake2b(canonical_json(words).encode(), digest_size=12).digest()

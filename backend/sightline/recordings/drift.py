@@ -1,5 +1,6 @@
 """On which frames of a recording the camera was not where its road pose says, as documents and sentences."""
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Annotated, Required
 
@@ -90,6 +91,15 @@ class DriftFigures(TypedDict):
     checked_at: str
 
 
+class SpanTold(TypedDict):
+    """A span on which the camera had moved, as the audit event of the check says it."""
+
+    first_frame: int
+    last_frame: int
+    moved_px: float
+    change_m: float | None
+
+
 class DriftDecision(TypedDict):
     """Why somebody lets a road pose stand, and the moved spans that they saw."""
 
@@ -133,6 +143,26 @@ def drift_figures(check: DriftCheck) -> DriftFigures:
     }
 
 
+def spans_told(check: DriftCheck) -> list[SpanTold]:
+    """The moved spans of a check: measurements on them are flagged."""
+    return [
+        {
+            "first_frame": one["first_frame"],
+            "last_frame": one["last_frame"],
+            "moved_px": one["moved_px"],
+            "change_m": one["change_m"],
+        }
+        for one in check["spans"]
+        if one["moved"]
+    ]
+
+
+def flag_of_frames(spans: Iterable[MovedSpan], frames: Sequence[int]) -> str | None:
+    """The flag of a measurement on these frames: the largest motion's; None where the camera stood."""
+    on = [span for span in spans if any(span.first_frame <= n <= span.last_frame for n in frames)]
+    return sentence(max(on, key=lambda span: span.moved_px)) if on else None
+
+
 def open_spans(
     drift: DriftChecks | None, decision: DriftDecision | None, pose_id: int | None
 ) -> list[MovedSpan]:
@@ -140,17 +170,15 @@ def open_spans(
     check = drift_check_of(drift, pose_id)
     if check is None:
         return []
-    spans = [_moved_span(one) for one in check["spans"] if one["moved"]]
-    return [one for one in spans if not _decided(one, decision, pose_id, check["floor_px"] or 0.0)]
+    return undecided(spans_told(check), decision, pose_id, check["floor_px"])
 
 
-def _moved_span(span: DriftSpan) -> MovedSpan:
-    return MovedSpan(
-        first_frame=span["first_frame"],
-        last_frame=span["last_frame"],
-        moved_px=span["moved_px"],
-        change_m=span["change_m"],
-    )
+def undecided(
+    spans: Iterable[SpanTold], decision: DriftDecision | None, pose_id: int | None, floor_px: float | None
+) -> list[MovedSpan]:
+    """The moved spans against a pose that no decision covers."""
+    moved = [MovedSpan(**one) for one in spans]
+    return [one for one in moved if not _decided(one, decision, pose_id, floor_px or 0.0)]
 
 
 def _decided(span: MovedSpan, decision: DriftDecision | None, pose_id: int | None, floor_px: float) -> bool:

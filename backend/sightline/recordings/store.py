@@ -13,7 +13,14 @@ from sightline.infra.audit import trail
 from sightline.infra.database.rows import add_row, change_row, get_row, is_held, name_of, named_table
 from sightline.infra.database.types import columns_of, now
 from sightline.infra.jobs.store import latest_jobs_of_recordings
-from sightline.recordings.drift import DriftCheck, DriftChecks, DriftDecision, drift_check_of, drift_figures
+from sightline.recordings.drift import (
+    DriftCheck,
+    DriftChecks,
+    DriftDecision,
+    drift_check_of,
+    drift_figures,
+    spans_told,
+)
 from sightline.recordings.frames.records import FrameTable
 from sightline.recordings.frames.store import (
     frame_table_fingerprint,
@@ -25,6 +32,7 @@ from sightline.recordings.records import Facts, Recording, RecordingChanges
 from sightline.recordings.tables import recordings
 from sightline.surveys.tables import surveys
 
+_INGESTED = ("width_px", "height_px", "duration_s", "codec", "container", "vfr", "frame_count")
 _ALIVE: ColumnElement[bool] = recordings.c.deleted_at.is_(None)
 _NAMED = [column.name for column in columns_of(recordings, "created_by", "deleted_at")]
 
@@ -106,7 +114,7 @@ def note_ingested(
         replace_frames(session, recording_id, found)
     values = {**asdict(facts), "frame_count": len(found), "state": "ready", "error": None}
     change_row(session, recordings, recording_id, values)
-    told = {key: values[key] for key in ("width_px", "height_px", "codec", "container", "frame_count")}
+    told = {key: values[key] for key in _INGESTED}
     after = {"state": "ready", **told, "frames_sha256": fingerprint}
     then = {"state": before["state"]}
     trail.record(session, actor, "ingest", "recording", recording_id, before["survey_id"], then, after)
@@ -134,7 +142,8 @@ def remove_recording(session: Session, recording_id: int, *, actor: int | None) 
     remove_frames(session, recording_id)
     change_row(session, recordings, recording_id, {"deleted_at": now()})
     before = {"name": gone.name, "sha256": gone.sha256}
-    trail.record(session, actor, "delete", "recording", recording_id, gone.survey_id, before, None)
+    after = {"deleted": True}
+    trail.record(session, actor, "delete", "recording", recording_id, gone.survey_id, before, after)
     return gone
 
 
@@ -149,7 +158,8 @@ def store_drift(
     change_row(session, recordings, recording_id, {"drift": drift})
     old = drift_check_of(known, pose_id)
     then = {"pose_id": pose_id, "drift": None if old is None else old["words"]}
-    seen = {"drift": check["words"], "bumps": check["bumps"], "found": drift_figures(check)}
+    seen: dict[str, Any] = {"drift": check["words"], "bumps": check["bumps"], "found": drift_figures(check)}
+    seen["spans"] = spans_told(check)
     after = {"pose_id": pose_id, **seen}
     trail.record(session, actor, "check_drift", "recording", recording_id, before["survey_id"], then, after)
     return get_recording(session, recording_id)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -10,25 +11,33 @@ from sightline.infra.csv_package.files import Files, read_rows
 from sightline.infra.csv_package.schema import Cells
 from sightline.infra.csv_package.verify import says
 from sightline.recordings.csv import RECORDINGS, drift_cells, drift_of
-from sightline.recordings.drift import DriftDecision, DriftFigures
+from sightline.recordings.drift import DriftDecision, DriftFigures, SpanTold, flag_of_frames, undecided
 
 _MAKES = ("create", "update", "ingest")
+#: What no event names is in no cell either.
+_NOTHING = dict.fromkeys(RECORDINGS.header)
 
 
 @dataclass(eq=False)
 class RecordingEvents:
-    """What the events say of recordings, by number; `drift`: what was found of the camera, by pose too."""
+    """What the events say of recordings, by number; `drift`, `spans`: what was found of the camera, by pose
+    too.
+    """
 
     facts: dict[int, dict[str, Any]] = field(default_factory=dict)
     drift: dict[int, dict[int, DriftFigures]] = field(default_factory=dict)
+    spans: dict[int, dict[int, list[SpanTold]]] = field(default_factory=dict)
     decisions: dict[int, DriftDecision | None] = field(default_factory=dict)
 
     def add(self, action: str, number: int, after: dict[str, Any]) -> None:
         """An event of a recording."""
         if action in _MAKES:
-            self.facts.setdefault(number, {"pose_id": None}).update(after)
+            self.facts.setdefault(number, {}).update(after)
+        elif action == "delete":
+            self.facts.pop(number, None)
         elif action == "check_drift":
             self.drift.setdefault(number, {})[int(after["pose_id"])] = after["found"]
+            self.spans.setdefault(number, {})[int(after["pose_id"])] = after["spans"]
         elif "drift_decision" in after:
             self.decisions[number] = after["drift_decision"]
 
@@ -36,14 +45,31 @@ class RecordingEvents:
         """A road pose came into force."""
         self.facts.setdefault(number, {})["pose_id"] = pose_id
 
+    def drift_flag(self, number: int, pose_id: int, frames: Sequence[int]) -> str | None:
+        """What is said of a height on these frames where the camera had moved since the pose."""
+        spans = self.spans.get(number, {}).get(pose_id)
+        if not spans:
+            return None
+        floor_px = self.drift[number][pose_id]["floor_px"]
+        return flag_of_frames(undecided(spans, self.decisions.get(number), pose_id, floor_px), frames)
+
 
 def check_recordings(files: Files, events: RecordingEvents) -> None:
-    """Recordings are what their events made of them. Raises Damaged."""
+    """Recordings are what their events made of them, and none is missing. Raises Damaged."""
+    left = set(events.facts)
     for row in read_rows(files, RECORDINGS.path):
         number = int(row["id"])
-        made = events.facts.pop(number, None)
-        if made is None or not says(RECORDINGS, row, {**made, **_drift(events, number, row["pose_id"])}):
+        made = events.facts.get(number)
+        if made is None or not says(RECORDINGS, row, _cells(events, number, made, row["pose_id"])):
             raise Damaged("recordings-recordings-csv-not-what-audit-events", id=row["id"])
+        left.discard(number)
+    if left:
+        raise Damaged("recordings-recordings-csv-not-what-audit-events", id=min(left))
+
+
+def _cells(events: RecordingEvents, number: int, made: Mapping[str, Any], pose: str) -> dict[str, Any]:
+    told = {**_NOTHING, **made, "id": number, "variable_rate": made.get("vfr", False)}
+    return {**told, **_drift(events, number, pose)}
 
 
 def _drift(events: RecordingEvents, number: int, pose: str) -> Cells:

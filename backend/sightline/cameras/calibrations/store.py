@@ -7,7 +7,7 @@ from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from sightline.cameras.calibrations.records import Calibration
-from sightline.cameras.calibrations.tables import calibrations
+from sightline.cameras.calibrations.tables import calibration_images, calibrations
 from sightline.cameras.records import CalibrationSummary
 from sightline.cameras.tables import cameras
 from sightline.enums import CalibrationSource, JsonObject
@@ -55,10 +55,19 @@ def add_calibration(
     after = {
         **told,
         "current": make_current,
+        "images": _images(session, views),
         "content_sha256": digest,
     }
     trail.record(session, actor, "create", "calibration", calibration_id, camera["survey_id"], None, after)
     return get_calibration(session, calibration_id)
+
+
+def _images(session: Session, views: Sequence[JsonObject]) -> dict[str, str]:
+    """The stored file of each image that was looked at, by the image's number; its name holds its hash."""
+    ids = [view["image_id"] for view in views if view.get("image_id") is not None]
+    i = calibration_images.c
+    found = session.execute(select(i.id, i.media_key).where(i.id.in_(ids)).order_by(i.id)) if ids else ()
+    return {str(row.id): row.media_key for row in found}
 
 
 def get_calibration(session: Session, calibration_id: int) -> Calibration:

@@ -6,11 +6,13 @@ import json
 from dataclasses import dataclass, field
 from typing import Any
 
+from sightline.cameras.calibrations.verify import CalibrationEvents
 from sightline.errors import Damaged
 from sightline.export.seal import ENTITY, Seal
 from sightline.infra.csv_package.chain import Event, chain, stamp
 from sightline.infra.csv_package.files import Files
 from sightline.measurements.verify import MeasurementEvents
+from sightline.quality.repeats.csv import REPEATS
 from sightline.recordings.verify import RecordingEvents
 
 
@@ -18,7 +20,7 @@ from sightline.recordings.verify import RecordingEvents
 class ReplayedState:
     """What the events of a chain say of the rows of a package, by number.
 
-    `contents`: hashes of rows that are written once, by kind and number.
+    `poses`: the hash of each one's content.
     """
 
     count: int = 0
@@ -29,9 +31,10 @@ class ReplayedState:
     standards: list[dict[str, Any]] | None = None
     vehicles: dict[int, dict[str, Any]] = field(default_factory=dict)
     recordings: RecordingEvents = field(default_factory=RecordingEvents)
-    measurements: MeasurementEvents = field(default_factory=MeasurementEvents)
+    measurements: MeasurementEvents = field(default_factory=lambda: MeasurementEvents(REPEATS))
     reviews: dict[int, dict[str, Any]] = field(default_factory=dict)
-    contents: dict[str, dict[int, str]] = field(default_factory=lambda: {"pose": {}, "calibration": {}})
+    poses: dict[int, str] = field(default_factory=dict)
+    calibrations: CalibrationEvents = field(default_factory=CalibrationEvents)
     pairs: dict[int, dict[str, Any]] = field(default_factory=dict)
     photographs: dict[int, dict[str, Any]] = field(default_factory=dict)
     scans: int = 0
@@ -93,10 +96,19 @@ def _gather(told: ReplayedState, event: Event, after: dict[str, Any]) -> None:
         told.scans += 1
     elif entity == "standards":
         told.standards = after["standards"]
-    if entity == "pose" and after.get("attached"):
-        told.recordings.attach(int(after["recording_id"]), number)
-    if entity in ("pose", "calibration") and "content_sha256" in after:
-        told.contents[entity][number] = after["content_sha256"]
+    else:
+        _gather_set_up(told, entity, number, after)
+
+
+def _gather_set_up(told: ReplayedState, entity: str, number: int, after: dict[str, Any]) -> None:
+    if entity == "calibration":
+        told.calibrations.add(number, after)
+    elif entity == "calibration_image":
+        told.calibrations.add_image(number, after)
+    elif entity == "pose":
+        told.poses[number] = after["content_sha256"]
+        if after["attached"]:
+            told.recordings.attach(int(after["recording_id"]), number)
 
 
 def _number(text: str) -> int | None:

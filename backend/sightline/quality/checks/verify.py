@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 from sightline.errors import Damaged
@@ -12,12 +12,22 @@ from sightline.infra.csv_package.verify import says
 from sightline.quality.checks.csv import WHEEL_PAIRS
 
 
-def check_wheel_pairs(files: Files, pairs: Mapping[int, Mapping[str, Any]]) -> None:
-    """Tyre contacts are those of their events, by number. Raises Damaged."""
+def check_wheel_pairs(
+    files: Files, pairs: Mapping[int, Mapping[str, Any]], is_gone: Callable[[int], bool]
+) -> None:
+    """Tyre contacts are the newest of each vehicle as its events tell them, and none is missing.
+
+    `is_gone`: whether a vehicle was deleted. Raises Damaged.
+    """
+    newest = {pair["vehicle_id"]: number for number, pair in sorted(pairs.items())}
+    left = {n for vehicle, n in newest.items() if not (is_gone(vehicle) or pairs[n]["withdrawn"])}
     for row in read_rows(files, WHEEL_PAIRS.path):
-        pair = pairs.get(int(row["id"]))
-        if pair is None or not says(WHEEL_PAIRS, row, _values(pair)):
-            raise Damaged("quality-wheel-pairs-csv-not-what-audit", id=row["id"])
+        number = int(row["id"])
+        if number not in left or not says(WHEEL_PAIRS, row, _values(pairs[number])):
+            raise Damaged("quality-wheel-pairs-csv-not-what-audit", id=number)
+        left.discard(number)
+    if left:
+        raise Damaged("quality-wheel-pairs-csv-not-what-audit", id=min(left))
 
 
 def _values(pair: Mapping[str, Any]) -> dict[str, Any]:

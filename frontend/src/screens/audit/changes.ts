@@ -4,12 +4,16 @@ export interface Change {
   after: string | null;
 }
 
+/** The whole stored row, for who verifies a package; the other names tell it in short. */
+const ROW = "row";
+
 type Fields = Record<string, unknown> | null;
 
 /** What differs between the two states of a record, field by field; null stands for "was not there". */
 export function changesOf(before: Fields, after: Fields): Change[] {
   const names = [...new Set([...Object.keys(before ?? {}), ...Object.keys(after ?? {})])];
   return names
+    .filter((name) => name !== ROW)
     .map((name) => ({ name, before: shown(before?.[name]), after: shown(after?.[name]) }))
     .filter((change) => change.before !== change.after);
 }
