@@ -16,7 +16,24 @@ InsetSource = Literal["usual", "own"]
 InsetName = Literal["roof", "driver_eye_near", "driver_eye_far", "taillight", "headlight", "other"]
 Lighting = Literal["daytime", "low_light"]
 LightingGroup = Literal[Lighting, "unknown"]
-Category = Literal["hatchback", "saloon", "estate", "suv", "van", "lorry", "other"]
+Category = Literal[
+    "hatchback",
+    "saloon",
+    "estate",
+    "suv",
+    "multi_purpose",
+    "pickup",
+    "van",
+    "lorry",
+    "tractor_unit",
+    "bus",
+    "recreational_vehicle",
+    "trailer",
+    "motorcycle",
+    "other",
+]
+ClassSet = Literal["passenger_cars", "light_trucks", "heavy"]
+EuClass = Literal["L", "M1", "M2", "M3", "N1", "N2", "N3", "O1", "O2", "O3", "O4", "T"]
 RecordingState = Literal["ingesting", "ready", "failed"]
 UploadPurpose = Literal["video", "strip"]
 BoardKind = Literal["checkerboard", "charuco"]

@@ -130,7 +130,8 @@ def create_tables() -> None:
         sa.Column("version", sa.Integer(), server_default="1", nullable=False),
         sa.Column("retired_at", sa.DateTime(timezone=True), nullable=True),
         sa.CheckConstraint(
-            "category IN ('hatchback', 'saloon', 'estate', 'suv', 'van', 'lorry', 'other')",
+            "category IN ('hatchback', 'saloon', 'estate', 'suv', 'multi_purpose', 'pickup', 'van', 'lorry', "
+            "'tractor_unit', 'bus', 'recreational_vehicle', 'trailer', 'motorcycle', 'other')",
             name=op.f("ck_catalogue_category_known"),
         ),
         sa.CheckConstraint("version >= 1", name=op.f("ck_catalogue_version_counts")),
@@ -180,6 +181,7 @@ def create_tables() -> None:
         sa.Column("steering_side", sa.String(length=20), nullable=True),
         sa.Column("camera_place", sa.String(length=20), nullable=True),
         sa.Column("asked", sa.Text(), nullable=False),
+        sa.Column("classes", sa.Text(), nullable=False),
         sa.Column("insets", sa.Text(), nullable=False),
         sa.Column("version", sa.Integer(), nullable=False),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
@@ -259,6 +261,7 @@ def create_tables() -> None:
         sa.Column("sha256", sa.String(length=64), nullable=False),
         sa.Column("audit_count", sa.Integer(), nullable=False),
         sa.Column("audit_head", sa.String(length=64), nullable=False),
+        sa.Column("selection", sa.Text(), nullable=False),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
         sa.Column("created_by", sa.Integer(), nullable=True),
         sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_exports_created_by")),
@@ -572,7 +575,8 @@ def create_tables() -> None:
         sa.Column("updated_by", sa.Integer(), nullable=True),
         sa.Column("deleted_at", sa.DateTime(timezone=True), nullable=True),
         sa.CheckConstraint(
-            "category IN ('hatchback', 'saloon', 'estate', 'suv', 'van', 'lorry', 'other')",
+            "category IN ('hatchback', 'saloon', 'estate', 'suv', 'multi_purpose', 'pickup', 'van', 'lorry', "
+            "'tractor_unit', 'bus', 'recreational_vehicle', 'trailer', 'motorcycle', 'other')",
             name=op.f("ck_vehicles_category_known"),
         ),
         sa.CheckConstraint("direction IN ('right', 'left')", name=op.f("ck_vehicles_direction_known")),
@@ -746,7 +750,8 @@ def create_tables() -> None:
         sa.Column("updated_by", sa.Integer(), nullable=True),
         sa.Column("deleted_at", sa.DateTime(timezone=True), nullable=True),
         sa.CheckConstraint(
-            "category IN ('hatchback', 'saloon', 'estate', 'suv', 'van', 'lorry', 'other')",
+            "category IN ('hatchback', 'saloon', 'estate', 'suv', 'multi_purpose', 'pickup', 'van', 'lorry', "
+            "'tractor_unit', 'bus', 'recreational_vehicle', 'trailer', 'motorcycle', 'other')",
             name=op.f("ck_scan_vehicles_category_known"),
         ),
         sa.CheckConstraint(

@@ -61,6 +61,7 @@ from sightline.recordings.uploads.store import create_upload, finish_upload, rem
 from sightline.results.standards_store import choose_standards
 from sightline.reviews.plan_store import choose_review_plan
 from sightline.reviews.store import add_review
+from sightline.surveys.classes import USUAL_CLASSES
 from sightline.surveys.photographs.store import (
     change_photograph_caption,
     order_photographs,
@@ -184,6 +185,7 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
             description="",
             traffic=TrafficFacts(),
             asked=Asked(),
+            classes=USUAL_CLASSES,
             insets={},
             version=1,
             actor=o.olga.id,

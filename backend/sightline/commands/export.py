@@ -5,10 +5,12 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from typing import get_args
 
 import click
 
 from sightline.commands.options import data_dir_option, require_database, settings_of
+from sightline.enums import Category, ClassSet, Lighting
 
 
 @click.command()
@@ -21,8 +23,31 @@ from sightline.commands.options import data_dir_option, require_database, settin
     help="Folder to write; an earlier export there is replaced.",
 )
 @click.option("--crops/--no-crops", default=True, help="Cut out the pictures that were clicked on (default).")
+@click.option("--lighting", type=click.Choice(get_args(Lighting)), help="Statistics and report only of this.")
+@click.option(
+    "--set",
+    "class_sets",
+    multiple=True,
+    type=click.Choice(get_args(ClassSet)),
+    help="Statistics and report only of this set of classes; several add up.",
+)
+@click.option(
+    "--category",
+    "categories",
+    multiple=True,
+    type=click.Choice(get_args(Category)),
+    help="Statistics and report only of this class; several add up.",
+)
 @data_dir_option
-def export(survey: str, output: Path, crops: bool, data_dir: Path | None) -> None:
+def export(
+    survey: str,
+    output: Path,
+    crops: bool,
+    lighting: str | None,
+    class_sets: tuple[str, ...],
+    categories: tuple[str, ...],
+    data_dir: Path | None,
+) -> None:
     """Write the package of a survey: tables, poses, crops, audit chain, statistics, figures and report.
 
     Progress goes to standard error.
@@ -32,7 +57,9 @@ def export(survey: str, output: Path, crops: bool, data_dir: Path | None) -> Non
     from sightline.infra.csv_package.files import Staging, fresh_folder
     from sightline.infra.database.engine import migrate
     from sightline.infra.services import open_services
+    from sightline.results.selection import selection_of
 
+    chosen = {"lighting": lighting, "class_sets": class_sets, "categories": categories}
     settings = settings_of(data_dir=data_dir)
     require_database(settings)
     services = open_services(settings)
@@ -41,7 +68,9 @@ def export(survey: str, output: Path, crops: bool, data_dir: Path | None) -> Non
         with services.reading() as session, fresh_folder(output) as folder:
             staging = Staging(folder)
             survey_id = find_survey(session, survey).id
-            built = build(staging, session, survey_id, services, _told(), crops=crops)
+            built = build(
+                staging, session, survey_id, services, _told(), crops=crops, selection=selection_of(chosen)
+            )
     finally:
         services.close()
     click.echo(

@@ -30,6 +30,7 @@ from sightline.export.query import (
     revision_pages,
     vehicle_pages,
 )
+from sightline.export.report.words import selection_words
 from sightline.export.seal import ENTITY, sealed
 from sightline.export.store import seal_package
 from sightline.infra.audit.records import AuditHead, Who
@@ -66,11 +67,12 @@ from sightline.recordings.csv import described as described_recording
 from sightline.recordings.frames.csv import FRAMES, ClickedFrame, clicked_frames
 from sightline.recordings.frames.store import get_frame_table
 from sightline.recordings.store import list_recordings
-from sightline.results.csv import STANDARDS
+from sightline.results.csv import SELECTION, STANDARDS, selection_rows
+from sightline.results.selection import Selection
 from sightline.results.standards_store import get_standards
 from sightline.reviews.csv import REVIEWS
 from sightline.scans.csv import fill_scans
-from sightline.surveys.csv import INSETS, SURVEY, insets_in_force
+from sightline.surveys.csv import CLASSES, INSETS, SURVEY, insets_in_force
 from sightline.surveys.photographs.csv import PHOTOGRAPHS, photograph_path
 from sightline.surveys.photographs.service import photograph_content
 from sightline.surveys.photographs.store import list_photographs
@@ -131,9 +133,12 @@ def build(
     tell: Tell = silent,
     *,
     crops: bool = True,
+    selection: Selection = Selection(),
     actor: int | None = None,
 ) -> Built:
     """Write the whole package of a survey, as one transaction sees it, and seal it in the audit chain.
+
+    Its tables are of the whole survey, statistics, figures and report of `selection`.
 
     `services` give photographs and, with `crops`, the pictures that were clicked on. Raises NotFound, NoRoom,
     Damaged for a photograph that is gone, and whatever `tell` raises to stop.
@@ -155,8 +160,9 @@ def build(
     taken = _crops(
         staging, services, seen, _part(tell, 0.45, 0.75, "Cutting out the pictures of each click.")
     )
+    staging.fill(SELECTION, selection_rows(selection))
     derive(staging, _part(tell, 0.75, 1.0, "Computing statistics, drawing figures and the report."))
-    about = about_of(survey.name, survey.site, survey.description, audit.moment)
+    about = about_of(survey.name, survey.site, survey.description, audit.moment, selection_words(selection))
     tables = tables_of(most)
     write_parquet(staging, tables)
     staging.add(DESCRIPTION, json_bytes(described(about, tables, staging.written)))
@@ -258,6 +264,7 @@ def _small_tables(staging: Staging, session: Session, survey: Survey, seen: _See
     staging.fill(FRAMES, _frames(session, seen))
     staging.fill(SURVEY, (survey,))
     staging.fill(INSETS, insets_in_force(survey))
+    staging.fill(CLASSES, survey.classes)
     staging.fill(STANDARDS, get_standards(session, survey.id).standards)
     pairs = list_wheel_pairs(session, survey.id)
     for pair in pairs:

@@ -24,10 +24,10 @@ from sightline.quality.checks.csv import WHEEL_PAIRS
 from sightline.quality.repeats.csv import REPEATS
 from sightline.recordings.csv import RECORDINGS
 from sightline.recordings.frames.csv import FRAMES
-from sightline.results.csv import STANDARDS
+from sightline.results.csv import SELECTION, STANDARDS
 from sightline.reviews.csv import REVIEWS
 from sightline.scans.csv import TABLES as SCANS
-from sightline.surveys.csv import INSETS, SURVEY
+from sightline.surveys.csv import CLASSES, INSETS, SURVEY
 from sightline.surveys.photographs.csv import FOLDER as PHOTOGRAPHS_FOLDER
 from sightline.surveys.photographs.csv import PHOTOGRAPHS
 from sightline.vehicles.catalogue.csv import CATALOGUE
@@ -46,7 +46,9 @@ _OTHER_TABLES: tuple[AnyTable, ...] = (
     CALIBRATIONS,
     REVIEWS,
     INSETS,
+    CLASSES,
     STANDARDS,
+    SELECTION,
     PHOTOGRAPHS,
     WHEEL_PAIRS,
     REPEATS,
@@ -111,11 +113,18 @@ def others_of(paths: Collection[str]) -> tuple[Other, ...]:
     )
 
 
-def about_of(name: str, site: str, description: str, created: str | None) -> About:
-    """What the package of a survey says of itself; it is dated by its last event, not by the clock."""
-    said = description.strip()
+def about_of(name: str, site: str, description: str, created: str | None, only: str | None = None) -> About:
+    """What the package of a survey says of itself; it is dated by its last event, not by the clock.
+
+    only: the vehicles that its statistics are of, in words; None: all.
+    """
+    parts = [
+        description.strip(),
+        f"Statistics, figures and report are only of: {only}." if only else "",
+        _ABOUT,
+    ]
     title = f"{name}, {site}" if site else name
-    return About(title, f"{said}\n\n{_ABOUT}" if said else _ABOUT, created, made_with())
+    return About(title, "\n\n".join(part for part in parts if part), created, made_with())
 
 
 def made_with() -> dict[str, str]:

@@ -4,16 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from sightline.export.chosen import chosen_vehicles
 from sightline.infra.csv_package.files import Files, read_columns, unsafe
 from sightline.infra.csv_package.schema import Cell, Column, Table
 from sightline.measurements.csv import TARGETS
 
-STATES = ("withdrawn", "not_measurable", "rejected", "to_review")
+STATES = ("withdrawn", "not_measurable", "rejected", "to_review", "not_selected")
 
 EXCLUSIONS = Table(
     "exclusions",
     "The measurements that count for no result in statistics/, and why: withdrawn, without a height, "
-    "rejected, or not accepted yet.",
+    "rejected, not accepted yet, or of a vehicle that the package is not of (selection.csv).",
     (
         Column("measurement_id", "integer", "measurement that is left out", required=True),
         Column("vehicle_id", "integer", "vehicle that was measured", required=True),
@@ -31,9 +32,10 @@ _READ = ("id", "vehicle_id", "target", "withdrawn", "status", "reason", "verdict
 def exclusion_rows(files: Files) -> Iterator[dict[str, Cell]]:
     """Rows by measurement, from measurements.csv and vehicles.csv."""
     numbers = {id_: int(number) for id_, number in read_columns(files, "vehicles.csv", ("id", "number"))}
+    chosen = chosen_vehicles(files)
     for values in read_columns(files, "measurements.csv", _READ):
         row = dict(zip(_READ, values, strict=True))
-        why = _why(row)
+        why = _why(row, row["vehicle_id"] in chosen)
         if why is not None:
             yield {
                 "measurement_id": int(row["id"]),
@@ -45,7 +47,7 @@ def exclusion_rows(files: Files) -> Iterator[dict[str, Cell]]:
             }
 
 
-def _why(row: Mapping[str, str]) -> tuple[str, str] | None:
+def _why(row: Mapping[str, str], is_chosen: bool) -> tuple[str, str] | None:
     if row["withdrawn"] == "true":
         return "withdrawn", "The measurement was taken back."
     if row["status"] != "ok":
@@ -56,4 +58,6 @@ def _why(row: Mapping[str, str]) -> tuple[str, str] | None:
         return "to_review", "Nobody has reviewed it yet."
     if row["verdict"] == "reopened":
         return "to_review", unsafe(row["review_reason"]) or "It was reopened and waits for another review."
+    if not is_chosen:
+        return "not_selected", "This package is of other vehicles."
     return None

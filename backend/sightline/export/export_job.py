@@ -17,6 +17,7 @@ from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.store import get_job
 from sightline.infra.services import Services
 from sightline.media.store.local import check_room, key_of, sha256_of
+from sightline.results.selection import Selection, selection_of
 from sightline.surveys.records import Survey
 from sightline.surveys.store import get_survey, list_surveys, survey_by_name
 
@@ -36,10 +37,17 @@ def find_survey(session: Session, name: str) -> Survey:
     return known[0] if known else survey_by_name(session, name)
 
 
-def request_export(session: Session, survey_id: int, *, crops: bool = True, actor: int | None) -> Job:
-    """Queue an export, with or without pictures of the clicks. Raises NotFound."""
+def request_export(
+    session: Session,
+    survey_id: int,
+    *,
+    crops: bool = True,
+    selection: Selection = Selection(),
+    actor: int | None,
+) -> Job:
+    """Queue an export, with or without pictures of the clicks, of all vehicles or some. Raises NotFound."""
     get_survey(session, survey_id)
-    payload = {"survey_id": survey_id, "crops": crops}
+    payload = {"survey_id": survey_id, "crops": crops, "selection": selection.stored()}
     return registry.enqueue(session, KIND, payload, survey_id=survey_id, actor=actor)
 
 
@@ -49,9 +57,10 @@ def export(context: registry.JobContext) -> registry.Outcome:
     survey_id = int(context.payload["survey_id"])
     services = context.services
     crops = bool(context.payload.get("crops", True))
+    selection = selection_of(context.payload.get("selection", {}))
     context.progress(0.0, "Reading the survey.")
     with _scratch(services, context.job.id) as folder:
-        built, package = _package(context, survey_id, crops, folder)
+        built, package = _package(context, survey_id, crops, selection, folder)
         context.progress(_ZIPPED, "Storing the package.")
         size, sha256 = package.stat().st_size, sha256_of(package)
         key = key_of(sha256, ".zip")
@@ -66,6 +75,7 @@ def export(context: registry.JobContext) -> registry.Outcome:
             size_bytes=size,
             sha256=sha256,
             head=built.head,
+            selection=selection,
             actor=context.actor,
         )
         return {"export_id": made.id, **result}
@@ -73,7 +83,9 @@ def export(context: registry.JobContext) -> registry.Outcome:
     return store
 
 
-def _package(context: registry.JobContext, survey_id: int, crops: bool, folder: Path) -> tuple[Built, Path]:
+def _package(
+    context: registry.JobContext, survey_id: int, crops: bool, selection: Selection, folder: Path
+) -> tuple[Built, Path]:
     """Build and pack; the ZIP is written beside the files and takes their place.
 
     Here the figures' and the report's libraries are loaded: a server that starts has no use for them.
@@ -84,7 +96,9 @@ def _package(context: registry.JobContext, survey_id: int, crops: bool, folder: 
     staging = Staging(folder / "package")
     staging.folder.mkdir()
     with services.reading() as session:
-        built = build(staging, session, survey_id, services, tell, crops=crops, actor=context.actor)
+        built = build(
+            staging, session, survey_id, services, tell, crops=crops, selection=selection, actor=context.actor
+        )
     check_room(folder, 2 * sum(one.size for one in staging.written.values()), "this export")
     package = folder / "package.zip"
     zip_folder(

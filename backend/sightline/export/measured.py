@@ -17,9 +17,10 @@ from numpy.typing import NDArray
 from sightline.enums import Correction, Rounding
 from sightline.export.scans import scans_in
 from sightline.infra.csv_package.files import Files, read_columns, unsafe
-from sightline.results.csv import standards_in
+from sightline.results.csv import selection_in, standards_in
 from sightline.results.measured_columns_query import (
     CATEGORIES,
+    CLASS_SETS,
     LIGHTING,
     NONE,
     TARGETS,
@@ -31,6 +32,7 @@ from sightline.results.survey_statistics import Filter, Statistics, StatisticsOp
 from sightline.scans.statistics.service import ScanStatistics
 from sightline.statistics.corrections import CORRECTIONS
 from sightline.statistics.summary import Grouping
+from sightline.surveys.csv import class_sets_in
 
 _EPOCH = date(1970, 1, 1).toordinal()
 _READ = (
@@ -50,10 +52,11 @@ _READ = (
 
 @dataclass(frozen=True, eq=False)
 class Cars:
-    """What the vehicles of a package are, by id: lighting and category as indices, lengths in metres."""
+    """What the vehicles of a package are, by id: lighting, category and set as indices, lengths in metres."""
 
     lighting: dict[str, int]
     category: dict[str, int]
+    class_set: dict[str, int]
     height_m: dict[str, float]
     u_height_m: dict[str, float]
 
@@ -71,8 +74,14 @@ class PackageStatistics:
 
 
 def statistics_of(files: Files, choices: StatisticsOptions = StatisticsOptions()) -> PackageStatistics:
-    """The statistics of all accepted measurements of a package, from its tables, under every correction."""
-    measured, left_out = filtered(measured_of(files), Filter())
+    """The statistics of the accepted measurements of a package that it is of, from its tables, under every
+    correction.
+    """
+    chosen_of = selection_in(files)
+    filter_ = Filter(
+        lighting=chosen_of.lighting, categories=chosen_of.categories, class_sets=chosen_of.class_sets
+    )
+    measured, left_out = filtered(measured_of(files), filter_)
     groupings = _groupings(files, measured)
     wanted: list[tuple[Correction, Rounding]] = [(one, "cm") for one in CORRECTIONS]
     wanted += [("inset", "none"), ("none", "none")]
@@ -88,7 +97,7 @@ def measured_of(files: Files) -> Measured:
     """The standing measurements with a height, from measurements.csv, vehicles.csv and recordings.csv."""
     cars = _cars(files)
     whole = {name: array("q") for name in ("id", "vehicle", "operator", "day", "target", "verdict", "pose")}
-    of_car = {name: array("q") for name in ("lighting", "category")}
+    of_car = {name: array("q") for name in ("lighting", "category", "class_set")}
     lengths = {name: array("d") for name in ("height", "paper", "known", "u_known", *UNCERTAINTY)}
     for id_, car, target, height, paper, withdrawn, verdict, maker, at, pose, *parts in read_columns(
         files, "measurements.csv", _READ
@@ -103,6 +112,7 @@ def measured_of(files: Files) -> Measured:
         whole["verdict"].append(VERDICTS.index(verdict))
         of_car["lighting"].append(cars.lighting[car])
         of_car["category"].append(cars.category[car])
+        of_car["class_set"].append(cars.class_set[car])
         lengths["height"].append(float(height))
         lengths["paper"].append(float(paper) if paper else np.nan)
         lengths["known"].append(cars.height_m[car])
@@ -119,6 +129,7 @@ def measured_of(files: Files) -> Measured:
         target=_ints(whole["target"]),
         lighting=_ints(of_car["lighting"]),
         category=_ints(of_car["category"]),
+        class_set=_ints(of_car["class_set"]),
         verdict=_ints(whole["verdict"]),
         height_m=np.frombuffer(lengths["height"], np.float64),
         uncorrected_height_m=np.frombuffer(lengths["paper"], np.float64),
@@ -137,10 +148,11 @@ def _cars(files: Files) -> Cars:
     """A vehicle without lighting has its recording's, as on the statistics page."""
     of_recording = dict(read_columns(files, "recordings.csv", ("id", "lighting")))
     names = ("id", "recording_id", "lighting", "category", "manufacturer_height_m", "u_manufacturer_height_m")
-    cars = Cars({}, {}, {}, {})
+    cars, sets = Cars({}, {}, {}, {}, {}), class_sets_in(files)
     for id_, recording, lighting, category, height, u_height in read_columns(files, "vehicles.csv", names):
         cars.lighting[id_] = _code(lighting or of_recording.get(recording, ""), LIGHTING)
         cars.category[id_] = _code(category, CATEGORIES)
+        cars.class_set[id_] = _code(sets[category] if category else "", CLASS_SETS)
         cars.height_m[id_] = float(height) if height else np.nan
         cars.u_height_m[id_] = float(u_height) if u_height else np.nan
     return cars
@@ -151,7 +163,7 @@ def _code(word: str, words: tuple[str, ...]) -> int:
 
 
 def _groupings(files: Files, measured: Measured) -> dict[str, Grouping]:
-    """By lighting, category and operator; a package is of one site."""
+    """By lighting, category, set and operator; a package is of one site."""
     people = {int(id_): unsafe(name) for id_, name in read_columns(files, "people.csv", ("id", "name"))}
     ids, at = np.unique(measured.operator_id, return_inverse=True)
     named = [f"{people[int(one)]} ({one})" if int(one) in people else "" for one in ids]
@@ -160,5 +172,6 @@ def _groupings(files: Files, measured: Measured) -> dict[str, Grouping]:
     return {
         "lighting": Grouping(measured.lighting, LIGHTING),
         "category": Grouping(measured.category, CATEGORIES),
+        "class_set": Grouping(measured.class_set, CLASS_SETS),
         "operator": Grouping(code[at], words),
     }

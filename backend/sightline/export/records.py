@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from datetime import datetime
 
 from sightline.infra.audit.records import Who
+from sightline.results.selection import Selection
 
 
 @dataclass(frozen=True, slots=True)
@@ -17,3 +18,4 @@ class Export:
     sha256: str
     audit_count: int
     audit_head: str
+    selection: Selection

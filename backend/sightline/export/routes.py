@@ -2,25 +2,33 @@
 
 import re
 from datetime import datetime
+from typing import Annotated, get_args
 from urllib.parse import quote
 
 from fastapi import APIRouter
 from fastapi.responses import FileResponse
 from pydantic import Field
 
+from sightline.enums import Category, ClassSet, Lighting
 from sightline.export import store
 from sightline.export.export_job import request_export
 from sightline.export.records import Export
 from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import In, JobBody, Out
 from sightline.infra.web.deps import PathId, Reading, Viewer, Wired, Writing
+from sightline.results.selection import Selection, selection_of
 from sightline.surveys.store import get_survey
 
 router = APIRouter()
 
 
 class WantedBody(In):
+    """Statistics, figures and report are of the vehicles chosen; all where nothing is."""
+
     crops: bool = Field(True, description="With the pictures that were clicked on.")
+    lighting: Lighting | None = None
+    class_sets: Annotated[tuple[ClassSet, ...], Field(max_length=len(get_args(ClassSet)))] = ()
+    categories: Annotated[tuple[Category, ...], Field(max_length=len(get_args(Category)))] = ()
 
 
 class ExportBody(Out):
@@ -31,6 +39,7 @@ class ExportBody(Out):
     sha256: str
     audit_count: int = Field(description="How many events the audit chain in it has.")
     audit_head: str = Field(description="The last hash of that chain; keep it elsewhere.")
+    selection: Annotated[Selection, Field(description="The vehicles that its statistics are of.")]
     url: str
     filename: str = Field(description="What the downloaded file is called.")
 
@@ -45,6 +54,7 @@ def body_of(made: Export, survey: str) -> ExportBody:
         sha256=made.sha256,
         audit_count=made.audit_count,
         audit_head=made.audit_head,
+        selection=made.selection,
         url=f"/api/exports/{made.id}.zip",
         filename=filename_of(made, survey),
     )
@@ -61,8 +71,10 @@ def make_export(
     survey_id: PathId, who: Viewer, session: Writing, wanted: WantedBody | None = None
 ) -> JobBody:
     """Build the package in the background."""
-    crops = wanted is None or wanted.crops
-    return JobBody.model_validate(request_export(session, survey_id, crops=crops, actor=who.id))
+    wanted = wanted or WantedBody(crops=True)
+    selection = selection_of(wanted.model_dump(exclude={"crops"}))
+    job = request_export(session, survey_id, crops=wanted.crops, selection=selection, actor=who.id)
+    return JobBody.model_validate(job)
 
 
 @router.get("/surveys/{survey_id}/exports")

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import get_args
 
 from sightline.enums import KnownLength
+from sightline.export.chosen import chosen_scanned
 from sightline.infra.csv_package.columns import number
 from sightline.infra.csv_package.files import Files, read_columns, read_rows
 from sightline.infra.csv_package.files import number as figure_of
@@ -109,7 +110,7 @@ TABLES = (ERRORS, BASELINES, QUANTITIES, PERCENTILES, ECDF)
 
 
 def scans_in(files: Files) -> ScanStatistics:
-    """Statistics of the accepted vehicles of all line scans of a package, from its tables."""
+    """Statistics of the accepted vehicles of all line scans that a package is of, from its tables."""
     return statistics_of_seen(list(_seen(files)), accepted_only=True)
 
 
@@ -121,7 +122,10 @@ def _seen(files: Files) -> Iterator[VehicleMotion]:
             files, "scan_measurements.csv", ("id", "baseline_m", "u_baseline_m")
         )
     }
+    chosen = chosen_scanned(files)
     for row in read_rows(files, "scan_vehicles.csv"):
+        if row["id"] not in chosen:
+            continue
         baseline, u_baseline = rigs.get(row["measurement_id"], (1.0, 0.0))
         yield VehicleMotion(
             vehicle_id=int(row["id"]),

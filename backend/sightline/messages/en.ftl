@@ -91,9 +91,41 @@ category-hatchback = Hatchback
 category-saloon = Saloon
 category-estate = Estate
 category-suv = SUV
+category-multi_purpose = Multi-purpose vehicle
+category-pickup = Pick-up
 category-van = Van
 category-lorry = Lorry
+category-tractor_unit = Tractor unit
+category-bus = Bus
+category-recreational_vehicle = Recreational vehicle
+category-trailer = Trailer or caravan
+category-motorcycle = Motorcycle
 category-other = Other
+
+## Sets of classes of vehicles
+
+class-set-passenger_cars = Passenger cars
+class-set-light_trucks = Light trucks and multi-purpose
+class-set-heavy = Heavy vehicles
+class-set-none = no set
+class-choice = Classes
+class-choice-any = all classes
+class-choice-help = Sets and classes of vehicles that count; none chosen: all
+class-choice-sets = Sets
+class-choice-classes = Classes
+checklist-all = All of them
+classes-open = Classes
+classes-title = Classes of vehicles
+classes-help = The sets by which statistics, quotas and packages can be limited, and the legal classes that the package names. A change holds for everything measured already too: the set of a vehicle follows from its class.
+classes-class = Class
+classes-set = Set
+classes-set-of = Set of { $category }
+classes-eu = EU
+classes-eu-of = EU classes of { $category }
+classes-eu-problem = Classes of the EU: L, M1 to M3, N1 to N3, O1 to O4 or T.
+classes-fhwa = FHWA
+classes-fhwa-of = FHWA classes of { $category }
+classes-fhwa-problem = Numbers from 1 to 13, such as “5 6 7” or “8-13”.
 
 ## Roles of people
 
@@ -2179,7 +2211,6 @@ statistics-filter-state-all = all
 statistics-filter-target = Target
 statistics-filter-target-all = all
 statistics-filter-lighting = Lighting
-statistics-filter-category = Category
 statistics-filter-any = any
 statistics-filter-operator = Operator
 statistics-filter-anybody = anybody
@@ -2201,7 +2232,6 @@ statistics-filter-surveys-some = { $count ->
 }
 statistics-filter-surveys-none = all surveys
 statistics-filter-surveys-help = Surveys that count; none chosen: all
-statistics-filter-surveys-clear = All surveys
 statistics-reference-u = u of a reference height
 statistics-reference-u-hint = as if within ±{ $limit }, all alike
 statistics-reference-u-inches = Give a number of inches.
@@ -2338,23 +2368,27 @@ statistics-groups-title = Corrected heights by group
 statistics-groups-target = Target
 statistics-groups-by = Grouped by
 statistics-grouping-category = Category
+statistics-grouping-class_set = Set
 statistics-grouping-lighting = Lighting
 statistics-grouping-site = Site
 statistics-grouping-operator = Operator
 statistics-groups-head = { $grouping ->
     [category] category
+    [class_set] set of classes
     [lighting] lighting
     [site] site
    *[operator] operator
 }
 statistics-groups-figure = { $grouping ->
     [category] { $target } by category
+    [class_set] { $target } by set of classes
     [lighting] { $target } by lighting
     [site] { $target } by site
    *[operator] { $target } by operator
 }
 statistics-groups-says = Cumulative distributions of { $target } heights by { $grouping ->
     [category] category
+    [class_set] set of classes
     [lighting] lighting
     [site] site
    *[operator] operator
@@ -2365,6 +2399,7 @@ statistics-groups-says = Cumulative distributions of { $target } heights by { $g
 statistics-groups-note = The { NUMBER($count) } largest groups of { NUMBER($all) }; the table lists more.
 statistics-groups-nothing = { $grouping ->
     [category] Nothing to draw: no vehicle has a category.
+    [class_set] Nothing to draw: no vehicle is of a set.
     [lighting] Nothing to draw: no vehicle has a lighting.
     [site] Nothing to draw: no vehicle has a site.
    *[operator] Nothing to draw: no vehicle has an operator.
@@ -2862,6 +2897,11 @@ audit-row = row { $id } of the database
 
 export-lead = A zip file with everything needed to check each height, and to compute it again.
 export-crops = with pictures of the clicks
+export-of-title = Vehicles in statistics and report
+export-of-lighting = Lighting
+export-of-help = Statistics, figures and report are of these vehicles, and the report’s first page says so. The tables are whole, so that the audit trail can vouch for them; exclusions.csv names what is left out.
+export-of = of
+export-of-all = all vehicles
 export-build = Build the package
 export-ready = The package is ready.
 export-failed = The package could not be built; try again.
@@ -2914,6 +2954,7 @@ export-contents-clicks = the clicks alone: “sightline height” computes the s
 export-contents-vehicles = make, model, year, manufacturer height and its source, lighting
 export-contents-recordings = file hashes, and the time stamp and checksum of each frame measured on
 export-contents-poses = where the camera stood and what its lens does, as tables and as JSON
+export-contents-classes = classes of vehicles with their sets; the vehicles that statistics and report are of
 export-contents-insets = insets in force; both tyres of a vehicle, for its direction of travel
 export-contents-reviews = who accepted, fixed or rejected what, and why; what was clicked again
 export-contents-audit = each change with its hash; the chain can be checked
@@ -3483,6 +3524,9 @@ surveys-inset-cannot-used-give-known-target = The inset of “{ $target }” can
 surveys-asks-nothing-choose-target = A survey asks for at least one target by day and one in low light; choose them.
 surveys-survey-csv-not-what-audit = survey.csv is not what the survey's audit events say; it was changed.
 surveys-insets-csv-not-what-surveys-audit = insets.csv is not what the survey's audit events say; it was changed.
+surveys-classes-csv-not-what-surveys-audit = classes.csv is not what the survey's audit events say; it was changed.
+surveys-class-twice = The class { $category } is in the table twice; give each class once.
+surveys-class-fhwa = A class of FHWA of { $category } is none of 1 to 13; correct it.
 
 ## Errors: vehicles
 

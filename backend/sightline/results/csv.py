@@ -1,16 +1,17 @@
-"""The heights of standards that a survey is read against, as a table of its package, and back."""
+"""What a package is of, and the heights of standards that it is read against, as tables, and back."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from typing import get_args
 
-from sightline.enums import StandardHeight
+from sightline.enums import Category, ClassSet, Lighting, StandardHeight
 from sightline.errors import Damaged
 from sightline.infra.csv_package.columns import flag, integer, metres, number, text
 from sightline.infra.csv_package.files import Files, read_columns, unsafe, whole
 from sightline.infra.csv_package.files import number as cell_number
 from sightline.infra.csv_package.schema import Table
+from sightline.results.selection import Selection, selection_of
 from sightline.statistics.standards import Standard
 
 STANDARDS: Table[Standard] = Table(
@@ -68,3 +69,48 @@ def _standard(row: dict[str, str]) -> Standard:
         cited_by=unsafe(row["cited_by"]),
         drawn=row["drawn"] == "true",
     )
+
+
+#: What is chosen by, and one word of it.
+Chosen = tuple[str, str]
+_WORDS: dict[str, tuple[str, ...]] = {
+    "lighting": get_args(Lighting),
+    "class_set": get_args(ClassSet),
+    "category": get_args(Category),
+}
+SELECTION: Table[Chosen] = Table(
+    "selection",
+    "The vehicles that statistics, figures and report of this package are of: of the lighting named, and of "
+    "any set or class named; what is not named is not limited. The other tables are of the whole survey.",
+    (
+        text("by", "what is chosen by", lambda c: c[0], required=True, enum=tuple(_WORDS)),
+        text("word", "the lighting, set of classes or class", lambda c: c[1], required=True),
+    ),
+    primary=("by", "word"),
+)
+
+
+def selection_rows(selection: Selection) -> list[Chosen]:
+    """A selection as rows; none for the whole survey."""
+    lighting = [] if selection.lighting is None else [selection.lighting]
+    return [
+        *(("lighting", one) for one in lighting),
+        *(("class_set", one) for one in selection.class_sets),
+        *(("category", one) for one in selection.categories),
+    ]
+
+
+def selection_in(files: Files) -> Selection:
+    """What a package is of. Raises Damaged."""
+    rows = [(by, word) for by, word in read_columns(files, SELECTION.path, ("by", "word"))]
+    chosen: dict[str, list[str]] = {name: [word for by, word in rows if by == name] for name in _WORDS}
+    selection = selection_of(
+        {
+            "lighting": chosen["lighting"][0] if chosen["lighting"] else None,
+            "class_sets": chosen["class_set"],
+            "categories": chosen["category"],
+        }
+    )
+    if selection_rows(selection) != rows or any(word not in _WORDS[by] for by, word in rows):
+        raise Damaged("results-cannot-read-take-whole-export-again", path=SELECTION.path, name="word")
+    return selection

@@ -15,11 +15,13 @@ from numpy.typing import NDArray
 from sqlalchemy import ColumnElement, Select, case, func, null, select
 from sqlalchemy.orm import Session
 
-from sightline.enums import Category, Lighting, Target, Verdict
+from sightline.enums import Category, ClassSet, Lighting, Target, Verdict
 from sightline.errors import Damaged
 from sightline.infra.audit.tables import audit_anchor
 from sightline.measurements.tables import measurement_series, measurements, reviews
 from sightline.recordings.tables import recordings
+from sightline.surveys.classes import sets_of
+from sightline.surveys.store import classes_of_surveys
 from sightline.vehicles.tables import vehicles
 
 if TYPE_CHECKING:
@@ -31,6 +33,7 @@ Ints = NDArray[np.int64]
 TARGETS: tuple[str, ...] = get_args(Target)
 LIGHTING: tuple[str, ...] = get_args(Lighting)
 CATEGORIES: tuple[str, ...] = get_args(Category)
+CLASS_SETS: tuple[str, ...] = get_args(ClassSet)
 VERDICTS: tuple[str, ...] = get_args(Verdict)
 # What a height's total uncertainty is made of, beside its pose.
 UNCERTAINTY = ("inset_m", "u_inset_m", "u_height_m", "u_clicks_m", "u_by_inset_m")
@@ -43,9 +46,9 @@ _FEW = 20_000  # series: so many are read sooner through the session than anothe
 class Measured:
     """Standing measurements with a height, (N,) each: current, not withdrawn, no repeats, of living vehicles.
 
-    In the order of `measurement_id`. Words are indices into TARGETS, LIGHTING, CATEGORIES, VERDICTS, -1 for
-    none; `day` counts days since 1970-01-01 (UTC) of the revision's making, 0 unless asked for; lengths in
-    metres, NaN where unknown.
+    In the order of `measurement_id`. Words are indices into TARGETS, LIGHTING, CATEGORIES, CLASS_SETS,
+    VERDICTS, -1 for none; `class_set` is what the survey makes of the category; `day` counts days since
+    1970-01-01 (UTC) of the revision's making, 0 unless asked for; lengths in metres, NaN where unknown.
     """
 
     measurement_id: Ints
@@ -56,6 +59,7 @@ class Measured:
     target: Ints
     lighting: Ints
     category: Ints
+    class_set: Ints
     verdict: Ints
     height_m: Floats
     uncorrected_height_m: Floats
@@ -94,15 +98,17 @@ def load_measured_columns(
     car = _Places(car_id)(vehicle)
     keep = (row != NONE) & ~np.isnan(height) & (car != NONE)
     row, car = row[keep], car[keep]
+    survey, category = _ints(cars, "survey_id")[car], _codes(cars, "category", CATEGORIES)[car]
     return Measured(
         measurement_id=id_[keep],
         vehicle_id=vehicle[keep],
-        survey_id=_ints(cars, "survey_id")[car],
+        survey_id=survey,
         operator_id=_ints(revisions, "created_by")[row],
         day=_days(revisions)[row] if days else np.zeros(len(row), np.int64),
         target=_codes(revisions, "target", TARGETS)[row],
         lighting=_codes(cars, "lighting", LIGHTING)[car],
-        category=_codes(cars, "category", CATEGORIES)[car],
+        category=category,
+        class_set=_class_sets(session, survey, category),
         verdict=verdict[keep],
         height_m=height[keep],
         uncorrected_height_m=_floats(revisions, "uncorrected_height_m")[row],
@@ -203,6 +209,16 @@ def _days(table: pa.Table) -> Ints:
     if str(column.type) == "string":
         column = column.cast("timestamp[us]")
     return np.asarray(column).astype("datetime64[D]").astype(np.int64)
+
+
+def _class_sets(session: Session, survey: Ints, category: Ints) -> Ints:
+    """The set of each class (N,) in its survey (N,), NONE for none."""
+    found = np.full(len(survey), NONE, dtype=np.int64)
+    of = {id_: np.array([*sets_of(table), NONE]) for id_, table in classes_of_surveys(session).items()}
+    for id_ in np.unique(survey):
+        rows = survey == id_
+        found[rows] = of[int(id_)][category[rows]]  # the last place is for no class
+    return found
 
 
 class _Places:

@@ -9,6 +9,7 @@ from fastapi import APIRouter, Query
 
 from sightline.enums import (
     Category,
+    ClassSet,
     Correction,
     Lighting,
     LightingGroup,
@@ -51,7 +52,11 @@ def statistics_of_measurements(
     session: Reading,
     survey: Annotated[list[Id], Query(max_length=200)] = [],  # noqa: B006 (FastAPI copies it)
     lighting: Lighting | None = None,
-    category: Category | None = None,
+    category: Annotated[list[Category], Query(max_length=len(get_args(Category)))] = [],  # noqa: B006
+    class_set: Annotated[
+        list[ClassSet],
+        Query(max_length=len(get_args(ClassSet)), description="Beside `category`: what is of either counts."),
+    ] = [],  # noqa: B006
     operator: Id | None = None,
     first_day: date | None = None,
     last_day: date | None = None,
@@ -75,7 +80,8 @@ def statistics_of_measurements(
     chosen = Filter(
         survey_ids=tuple(sorted(set(survey))),
         lighting=lighting,
-        category=category,
+        categories=tuple(one for one in get_args(Category) if one in category),
+        class_sets=tuple(one for one in get_args(ClassSet) if one in class_set),
         operator_id=operator,
         first_day=first_day,
         last_day=last_day,

@@ -23,6 +23,7 @@ from pydantic import Field
 
 from sightline.enums import (
     Category,
+    ClassSet,
     Correction,
     Lighting,
     Rounding,
@@ -36,6 +37,7 @@ from sightline.infra.database import Session
 from sightline.people.store import list_people
 from sightline.results.measured_columns_query import (
     CATEGORIES,
+    CLASS_SETS,
     LIGHTING,
     NONE,
     TARGETS,
@@ -52,7 +54,7 @@ from sightline.statistics.total_uncertainty import HeightSample, sample_of_measu
 from sightline.surveys.store import survey_names
 
 SHOWN: tuple[StatisticsTarget, ...] = get_args(StatisticsTarget)
-GROUPINGS = ("lighting", "category", "site", "operator")
+GROUPINGS = ("lighting", "category", "class_set", "site", "operator")
 _STATES: dict[StatisticsState, tuple[str, ...]] = {
     "accepted": ("accepted", "fixed"),
     "to_review": ("to_review", "reopened"),
@@ -64,14 +66,15 @@ _WHAT: dict[StatisticsTarget, str] = {
     "taillight": "object_stopping",
     "headlight": "headlight",
 }
-# Whose heights a standard's rule is read on: which target of which classes.
-_PASSENGER: tuple[Category, ...] = ("hatchback", "saloon", "estate", "suv")
-_RULE_OF: dict[StandardHeight, tuple[StatisticsTarget, tuple[Category, ...]]] = {
-    "eye_car": ("driver_eye", _PASSENGER),
-    "eye_truck": ("driver_eye", ("lorry",)),
-    "object_stopping": ("taillight", _PASSENGER),
-    "headlight": ("headlight", _PASSENGER),
-    "vehicle": ("roof", _PASSENGER),
+# Whose heights a standard's rule is read on: a target of some classes, or of what the survey counts in a set.
+_CARS: tuple[tuple[Category, ...], tuple[ClassSet, ...]] = ((), ("passenger_cars",))
+_TRUCKS: tuple[tuple[Category, ...], tuple[ClassSet, ...]] = (("lorry", "tractor_unit"), ())
+_RULE_OF: dict[StandardHeight, tuple[StatisticsTarget, tuple[tuple[Category, ...], tuple[ClassSet, ...]]]] = {
+    "eye_car": ("driver_eye", _CARS),
+    "eye_truck": ("driver_eye", _TRUCKS),
+    "object_stopping": ("taillight", _CARS),
+    "headlight": ("headlight", _CARS),
+    "vehicle": ("roof", _CARS),
 }
 _EPOCH = date(1970, 1, 1)
 
@@ -80,12 +83,15 @@ _EPOCH = date(1970, 1, 1)
 class Filter:
     """Which measurements count; None or empty: no limit. Days are of a measurement's making (UTC).
 
+    A vehicle counts if its class is one of `categories` or counts in one of `class_sets`.
+
     `target` limits what is counted and shown, not the errors: they are of roofs, and corrections need them.
     """
 
     survey_ids: tuple[int, ...] = ()
     lighting: Lighting | None = None
-    category: Category | None = None
+    categories: tuple[Category, ...] = ()
+    class_sets: tuple[ClassSet, ...] = ()
     operator_id: int | None = None
     first_day: date | None = None
     last_day: date | None = None
@@ -161,6 +167,7 @@ def _made(session: Session, last_hash: str, chosen: Filter, choices: StatisticsO
     groupings = {
         "lighting": Grouping(measured.lighting, LIGHTING),
         "category": Grouping(measured.category, CATEGORIES),
+        "class_set": Grouping(measured.class_set, CLASS_SETS),
         "site": _named(measured.survey_id, {id_: site or name for id_, (name, site) in places.items()}),
         "operator": _named(measured.operator_id, named),
     }
@@ -188,8 +195,8 @@ def filtered(found: Measured, chosen: Filter) -> tuple[Measured, dict[str, int]]
     keep = np.ones(len(found), dtype=np.bool_)
     if chosen.lighting is not None:
         keep &= found.lighting == LIGHTING.index(chosen.lighting)
-    if chosen.category is not None:
-        keep &= found.category == CATEGORIES.index(chosen.category)
+    if chosen.categories or chosen.class_sets:
+        keep &= of_classes(found, chosen.categories, chosen.class_sets)
     if chosen.operator_id is not None:
         keep &= found.operator_id == chosen.operator_id
     if chosen.first_day is not None:
@@ -201,6 +208,14 @@ def filtered(found: Measured, chosen: Filter) -> tuple[Measured, dict[str, int]]
     others = np.bincount(found.verdict[keep & ~wanted & of_target], minlength=len(VERDICTS))
     left_out = {word: int(count) for word, count in zip(VERDICTS, others, strict=True) if count}
     return found.where(keep & wanted), left_out
+
+
+def of_classes(
+    measured: Measured, categories: Sequence[Category], class_sets: Sequence[ClassSet] = ()
+) -> NDArray[np.bool_]:
+    """Whose vehicles (N,) are of one of the classes, or count in one of the sets."""
+    of_set = np.isin(measured.class_set, [CLASS_SETS.index(one) for one in class_sets])
+    return of_set | np.isin(measured.category, [CATEGORIES.index(one) for one in categories])
 
 
 def _of_target(measured: Measured, target: StatisticsTarget | None) -> NDArray[np.bool_]:
@@ -261,7 +276,7 @@ def _rules(measured: Measured, table: Sequence[Standard], sites: Grouping | None
         rows = _of_target(measured, target)
         by_class = bool(np.any(measured.category[rows] != NONE))
         if by_class:
-            rows = rows & np.isin(measured.category, [CATEGORIES.index(one) for one in classes])
+            rows = rows & of_classes(measured, *classes)
         sample = height_sample(measured.where(rows), sites.where(rows) if sites else None)
         found.append(rule_today(standard, sample, by_class))
     return tuple(one for one in found if one is not None)

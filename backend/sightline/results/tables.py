@@ -10,7 +10,7 @@ from sqlalchemy import (
 )
 
 from sightline.infra.audit.vouched import CarriesHead, vouched
-from sightline.infra.database.types import UtcDateTime, identity, metadata
+from sightline.infra.database.types import CanonicalJson, UtcDateTime, identity, metadata
 
 exports = Table(
     "exports",
@@ -23,6 +23,8 @@ exports = Table(
     # the chain as it stood when the package was made: proof against a cut tail
     Column("audit_count", Integer, nullable=False),
     Column("audit_head", String(64), nullable=False),
+    # the vehicles that its statistics and report are of
+    Column("selection", CanonicalJson, nullable=False),
     Column("created_at", UtcDateTime, nullable=False),
     Column("created_by", ForeignKey("people.id")),
     info=vouched(CarriesHead("export")),

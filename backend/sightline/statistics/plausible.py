@@ -22,8 +22,15 @@ _OF_CLASS: dict[Category, dict[Target, tuple[float, float]]] = {
     "saloon": _CAR,
     "estate": _CAR,
     "suv": {"roof": (1.4, 2.15), "driver_eye": (1.1, 1.75)},
+    "multi_purpose": {"roof": (1.45, 2.1), "driver_eye": (1.1, 1.75)},
+    "pickup": {"roof": (1.5, 2.2), "driver_eye": (1.2, 1.9)},
     "van": {"roof": (1.6, 3.2), "driver_eye": (1.3, 2.3)},
     "lorry": {"roof": (2.0, 4.6), "driver_eye": (1.6, 3.2)},
+    "tractor_unit": {"roof": (2.4, 4.6), "driver_eye": (1.9, 3.2)},
+    "bus": {"roof": (2.4, 4.6), "driver_eye": (1.3, 3.0)},
+    "recreational_vehicle": {"roof": (1.9, 4.2), "driver_eye": (1.3, 2.8)},
+    "trailer": {"roof": (0.5, 4.6)},
+    "motorcycle": {"roof": (0.7, 2.0), "driver_eye": (1.1, 1.9)},
 }
 #: A roof this much beside the maker's height is asked about, if its uncertainty does not explain it.
 _FAR_M = 0.08

@@ -5,7 +5,7 @@ from typing import Annotated, get_args
 
 from pydantic import Field, computed_field
 
-from sightline.enums import AskedTarget, CameraPlace, Hand
+from sightline.enums import AskedTarget, CameraPlace, Category, ClassSet, EuClass, Hand
 from sightline.geometry.insets import INSET_CHOICES
 from sightline.infra.web.bodies import In, Name, Out, Text
 
@@ -93,6 +93,22 @@ class AskedIn(In):
     low_light: AskedTargets
 
 
+class VehicleClassBody(Out):
+    """What a survey makes of one class of vehicles."""
+
+    category: Category
+    class_set: Annotated[ClassSet | None, Field(description="The set that it counts in; null: in none.")]
+    eu: Annotated[tuple[EuClass, ...], Field(description="Its classes in the EU.")]
+    fhwa: Annotated[tuple[int, ...], Field(description="Its classes among FHWA's 13.")]
+
+
+class VehicleClassIn(In):
+    category: Category
+    class_set: ClassSet | None = None
+    eu: Annotated[tuple[EuClass, ...], Field(max_length=len(get_args(EuClass)))] = ()
+    fhwa: Annotated[tuple[Annotated[int, Field(ge=1, le=13)], ...], Field(max_length=13)] = ()
+
+
 class SurveyFacts(Out):
     id: int
     name: str
@@ -103,6 +119,7 @@ class SurveyFacts(Out):
     created_at: datetime
     traffic: TrafficBody
     asked: AskedBody
+    classes: tuple[VehicleClassBody, ...]
     insets: Insets
 
     @computed_field  # type: ignore[prop-decorator]
@@ -125,3 +142,7 @@ class SurveyChange(NewSurvey):
         description="The version that was changed; another's change in between is a conflict."
     )
     insets: InsetChanges | None = None
+    classes: Annotated[
+        tuple[VehicleClassIn, ...] | None,
+        Field(max_length=len(get_args(Category)), description="Classes left out stay as they are."),
+    ] = None

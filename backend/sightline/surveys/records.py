@@ -7,6 +7,7 @@ from typing import get_args
 
 from sightline.enums import USUALLY_ASKED, AskedTarget, Lighting
 from sightline.geometry.sides import TrafficFacts
+from sightline.surveys.classes import VehicleClass
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +36,7 @@ class Asked:
 
 @dataclass(frozen=True, slots=True)
 class Survey:
-    """Its words, traffic, what it asks for, and insets by `InsetName`; its progress: see `results`."""
+    """Words, traffic, what it asks for, classes, and insets by `InsetName`; its progress: see `results`."""
 
     id: int
     name: str
@@ -46,4 +47,5 @@ class Survey:
     created_at: datetime
     traffic: TrafficFacts
     asked: Asked
+    classes: tuple[VehicleClass, ...]
     insets: Mapping[str, Inset]

@@ -14,11 +14,12 @@ from sightline.geometry.sides import TrafficFacts
 from sightline.infra.audit import trail
 from sightline.infra.database.rows import add_row, change_row, get_row, last_change
 from sightline.infra.database.types import now
+from sightline.surveys.classes import USUAL_CLASSES, VehicleClass, classes_of, stored_classes
 from sightline.surveys.records import Asked, Inset, Survey
 from sightline.surveys.tables import surveys
 
 TRAFFIC = ("traffic_side", "steering_side", "camera_place")
-EDITABLE = ("name", "site", "description", *TRAFFIC, "asked", "insets")
+EDITABLE = ("name", "site", "description", *TRAFFIC, "asked", "classes", "insets")
 
 
 def default_insets() -> dict[str, Inset]:
@@ -34,13 +35,14 @@ def create_survey(
     description: str = "",
     traffic: TrafficFacts = TrafficFacts(),
     asked: Asked = Asked(),
+    classes: tuple[VehicleClass, ...] = USUAL_CLASSES,
     insets: Mapping[str, Inset] | None = None,
     is_demo: bool = False,
     actor: int | None,
 ) -> Survey:
     """A new, empty survey. Raises BadInput without a name."""
     moment = now()
-    content = _content(name, site, description, traffic, asked, insets or default_insets())
+    content = _content(name, site, description, traffic, asked, classes, insets or default_insets())
     stamps = {"created_at": moment, "created_by": actor, "updated_at": moment, "updated_by": actor}
     survey_id = add_row(session, surveys, {**content, **stamps, "is_demo": is_demo, "version": 1})
     trail.record(session, actor, "create", "survey", survey_id, survey_id, None, content)
@@ -62,6 +64,12 @@ def survey_names(session: Session) -> dict[int, tuple[str, str]]:
     """(name, site) of every survey by id, newest first."""
     query = select(surveys.c.id, surveys.c.name, surveys.c.site).order_by(surveys.c.id.desc())
     return {row.id: (row.name, row.site) for row in session.execute(query)}
+
+
+def classes_of_surveys(session: Session) -> dict[int, tuple[VehicleClass, ...]]:
+    """The classes of vehicles of every survey by id."""
+    rows = session.execute(select(surveys.c.id, surveys.c.classes))
+    return {row.id: classes_of(row.classes) for row in rows}
 
 
 def survey_by_name(session: Session, name: str) -> Survey:
@@ -88,6 +96,7 @@ def update_survey(
     description: str,
     traffic: TrafficFacts,
     asked: Asked,
+    classes: tuple[VehicleClass, ...],
     insets: Mapping[str, Inset],
     version: int,
     actor: int | None,
@@ -97,7 +106,7 @@ def update_survey(
     if before["version"] != version:
         who, when = last_change(session, before)
         raise Conflict("surveys-changed-survey-look-again-redo", name=who, when=when)
-    content = _content(name, site, description, traffic, asked, insets)
+    content = _content(name, site, description, traffic, asked, classes, insets)
     stamps = {"version": version + 1, "updated_at": now(), "updated_by": actor}
     change_row(session, surveys, survey_id, {**content, **stamps})
     what = trail.changed(before, content, EDITABLE)
@@ -111,6 +120,7 @@ def _content(
     description: str,
     traffic: TrafficFacts,
     asked: Asked,
+    classes: tuple[VehicleClass, ...],
     insets: Mapping[str, Inset],
 ) -> dict[str, Any]:
     if not name.strip():
@@ -127,6 +137,7 @@ def _content(
         "description": description.strip(),
         **asdict(traffic),
         "asked": {lighting: list(targets) for lighting, targets in asdict(asked).items()},
+        "classes": stored_classes(classes),
         "insets": {target: asdict(inset) for target, inset in whole.items()},
     }
 
@@ -142,6 +153,7 @@ def _survey(row: Mapping[str, Any]) -> Survey:
         created_at=row["created_at"],
         traffic=traffic_of_row(row),
         asked=asked_of(row["asked"]),
+        classes=classes_of(row["classes"]),
         insets={target: Inset(**values) for target, values in row["insets"].items()},
     )
 

@@ -28,6 +28,8 @@ surveys = Table(
     Column("camera_place", String(20)),
     # the targets asked for by lighting
     Column("asked", CanonicalJson, nullable=False),
+    # by class of vehicle its set and what the EU and FHWA call it
+    Column("classes", CanonicalJson, nullable=False),
     Column("insets", CanonicalJson, nullable=False),
     Column("version", Integer, nullable=False),
     Column("created_at", UtcDateTime, nullable=False),

@@ -1,4 +1,4 @@
-"""Holding a survey's insets in a package against the audit chain."""
+"""Holding a survey's insets and classes in a package against the audit chain."""
 
 from __future__ import annotations
 
@@ -7,8 +7,10 @@ from typing import Any
 
 from sightline.errors import Damaged
 from sightline.infra.csv_package.files import Files, read_rows
+from sightline.infra.csv_package.schema import cell_text
 from sightline.infra.csv_package.verify import says
-from sightline.surveys.csv import INSETS, SURVEY
+from sightline.surveys.classes import classes_of
+from sightline.surveys.csv import CLASSES, INSETS, SURVEY
 
 
 def check_survey(files: Files, survey_id: int, survey: Mapping[str, Any]) -> None:
@@ -24,3 +26,13 @@ def check_insets(files: Files, insets: Mapping[str, Mapping[str, Any]]) -> None:
     rows = {row["target"]: row for row in read_rows(files, INSETS.path)}
     if set(rows) != set(insets) or any(not says(INSETS, rows[one], insets[one]) for one in rows):
         raise Damaged("surveys-insets-csv-not-what-surveys-audit")
+
+
+def check_classes(files: Files, classes: Mapping[str, Mapping[str, Any]]) -> None:
+    """The classes are those of the survey's events, in their order. Raises Damaged."""
+    expected = [
+        {column.name: cell_text(column, column.of(one)) for column in CLASSES.columns if column.of}
+        for one in classes_of(classes)
+    ]
+    if list(read_rows(files, CLASSES.path)) != expected:
+        raise Damaged("surveys-classes-csv-not-what-surveys-audit")

@@ -38,6 +38,7 @@ const survey: Survey = {
   inset_choices: {},
   traffic: { traffic_side: null, steering_side: null, camera_place: null },
   asked: { daytime: ["roof", "driver_eye"], low_light: ["roof", "taillight"] },
+  classes: [],
   insets: {
     roof: inset,
     driver_eye_near: inset,

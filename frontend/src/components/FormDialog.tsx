@@ -14,11 +14,12 @@ interface FormDialogProps {
    *  entered is wrong, and its field says so. */
   submit: () => Promise<void> | null;
   disabled?: boolean;
+  wide?: boolean;
   children: ComponentChildren;
 }
 
 /** A dialog that asks for a few things and sends them once: Enter or the button. */
-export function FormDialog({ title, action, onClose, submit, disabled, children }: FormDialogProps) {
+export function FormDialog({ title, action, onClose, submit, disabled, wide, children }: FormDialogProps) {
   const id = useId();
   const [problem, setProblem] = useState<unknown>(null);
   const [busy, setBusy] = useState(false);
@@ -39,6 +40,7 @@ export function FormDialog({ title, action, onClose, submit, disabled, children 
   return (
     <Dialog
       title={title}
+      wide={wide}
       onClose={onClose}
       actions={
         <>

@@ -1,4 +1,5 @@
 export { Button } from "./Button";
+export { Checklist } from "./Checklist";
 export { AskDialog, ask, Dialog } from "./Dialog";
 export { DropFiles } from "./DropFiles";
 export { Empty, JobProgress, Loading, Notice, Problem, Progress } from "./Feedback";

@@ -36,6 +36,9 @@ export type Traffic = Survey["traffic"];
 export type Asked = Survey["asked"];
 export type AskedTarget = Asked["daytime"][number];
 export type NotVisible = NonNullable<Schemas["VehicleBody"]["roof_not_visible"]>;
+/** What a survey makes of a class of vehicles: its set, and what the EU and FHWA call it. */
+export type VehicleClass = Survey["classes"][number];
+export type ClassSet = NonNullable<VehicleClass["class_set"]>;
 export type InsetName = keyof Survey["insets"];
 
 export type CameraDocument = Schemas["CameraDocument"];

@@ -3,6 +3,7 @@ import { wordsOf } from "./messages";
 import type {
   AskedTarget,
   Category,
+  ClassSet,
   Direction,
   DriverSide,
   InsetName,
@@ -91,9 +92,23 @@ export const CATEGORY_WORDS: Readonly<Record<Category, string>> = wordsOf({
   saloon: "category-saloon",
   estate: "category-estate",
   suv: "category-suv",
+  multi_purpose: "category-multi_purpose",
+  pickup: "category-pickup",
   van: "category-van",
   lorry: "category-lorry",
+  tractor_unit: "category-tractor_unit",
+  bus: "category-bus",
+  recreational_vehicle: "category-recreational_vehicle",
+  trailer: "category-trailer",
+  motorcycle: "category-motorcycle",
   other: "category-other",
+});
+
+/** What classes are counted together, as each survey says. */
+export const CLASS_SET_WORDS: Readonly<Record<ClassSet, string>> = wordsOf({
+  passenger_cars: "class-set-passenger_cars",
+  light_trucks: "class-set-light_trucks",
+  heavy: "class-set-heavy",
 });
 
 export const STATE_WORDS = wordsOf({

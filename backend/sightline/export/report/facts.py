@@ -165,7 +165,7 @@ class ReportFacts:
     `as_of`: when the last event of the audit chain happened; a report holds no date of the clock, so that the
     same state gives the same bytes. `counts`: words and numbers for the title block. `exclusions_total`: how
     many there are, where `exclusions` holds only the first; None: all are there. `checksums`: files of the
-    package other than the report.
+    package other than the report. `selection`: the vehicles it is of, in words; None: all.
     """
 
     survey: str
@@ -177,6 +177,7 @@ class ReportFacts:
     first_day: date | None = None
     last_day: date | None = None
     filter_words: str = "Accepted measurements only."
+    selection: str | None = None
     counts: tuple[tuple[str, int], ...] = ()
     photos: tuple[PhotographFile, ...] = ()
     recordings: tuple[RecordingFacts, ...] = ()

@@ -13,7 +13,7 @@ from sightline.export.report import labels, marks
 from sightline.export.report.canvas import FULL, HALF, INK, MUTED, NOTE_PT, Drawing, Sheet, svg
 from sightline.export.report.marks import MAIN, RAW, Limit
 from sightline.export.report.units import HEIGHT, Scale, count, fixed, limit, percent
-from sightline.export.report.words import TARGETS, group_word, heading
+from sightline.export.report.words import GROUPINGS, TARGETS, group_word, heading
 from sightline.statistics.distributions import Density, Percentile
 from sightline.statistics.standards import Standard
 from sightline.statistics.summary import Distribution, Groups, Target
@@ -156,7 +156,7 @@ def _side_by_side(
 ) -> Drawing:
     """Groups as rows: median, middle 70 % and middle 90 %; no colours, and room for many groups."""
     scale, word = HEIGHT[unit], TARGETS[name]
-    title = f"Heights of the {word} by {grouping}"
+    title = f"Heights of the {word} by {GROUPINGS.get(grouping, grouping)}"
     rows = list(groups.of.items())
 
     def draw(axes: Axes) -> None:

@@ -22,6 +22,7 @@ from sightline.export.report.facts import (
     ReportFacts,
 )
 from sightline.export.report.scan_facts import scan_facts
+from sightline.export.report.words import selection_words
 from sightline.export.seal import ENTITY
 from sightline.geometry.documents import pose_from_dict
 from sightline.infra.csv_package.files import (
@@ -34,6 +35,7 @@ from sightline.infra.csv_package.files import (
     whole,
 )
 from sightline.infra.csv_package.schema import Written
+from sightline.results.csv import selection_in
 from sightline.results.survey_statistics import StatisticsOptions
 from sightline.surveys.photographs.csv import photos_in
 from sightline.vehicles.records import NOT_VISIBLE
@@ -58,6 +60,7 @@ def report_facts(files: Files, made: PackageStatistics, written: Mapping[str, Wr
         statistics=found,
         choices=StatisticsOptions(),
         description=str(survey.get("description", "")),
+        selection=selection_words(selection_in(files)),
         as_of=head.moment,
         first_day=used.first_day,
         last_day=used.last_day,

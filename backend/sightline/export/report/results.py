@@ -39,7 +39,7 @@ _ERROR_FIGURES = (
     "signed-error-density",
     "error-against-height",
 )
-_GROUPINGS = ("category", "site", "operator")
+_GROUPINGS = ("category", "class_set", "site", "operator")
 
 
 def glance(facts: ReportFacts) -> Values:

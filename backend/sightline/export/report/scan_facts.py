@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Collection, Iterator, Mapping
 from statistics import fmean, median, stdev
 
+from sightline.export.chosen import chosen_scanned
 from sightline.export.report.facts import RigFacts, ScanFacts, ScannedHeights
 from sightline.infra.csv_package.files import Files, number, read_columns, read_rows, unsafe, whole
 from sightline.scans.statistics.service import ScanStatistics
@@ -16,11 +17,11 @@ def scan_facts(files: Files, found: ScanStatistics) -> ScanFacts | None:
     rigs = tuple(_rig(row) for row in read_rows(files, "line_scans.csv"))
     if not rigs:
         return None
-    names = ("id", "method", "status", "verdict")
+    names, chosen = ("id", "method", "status", "verdict"), chosen_scanned(files)
     used = {
         id_: method
         for id_, method, status, verdict in read_columns(files, "scan_vehicles.csv", names)
-        if (status, verdict) == ("ok", "accepted")
+        if (status, verdict) == ("ok", "accepted") and id_ in chosen
     }
     methods = tuple(sorted(Counter(used.values()).items()))
     return ScanFacts(rigs, found, methods, tuple(_heights(files, used.keys())))

@@ -44,6 +44,7 @@ def title(facts: ReportFacts) -> Values:
         "vehicles": counted.vehicles,
         "with_reference": counted.with_reference,
         "filter": facts.filter_words,
+        "selection": facts.selection,
         "versions": facts.code_versions[:_MOST_VERSIONS],
         "more_versions": max(len(facts.code_versions) - _MOST_VERSIONS, 0),
     }

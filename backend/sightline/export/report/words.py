@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
-from sightline.enums import Correction, StatisticsTarget, Target
+from collections.abc import Mapping
+from typing import Any
+
+from sightline.enums import Category, ClassSet, Correction, StatisticsTarget, Target
+from sightline.results.selection import Selection
 
 TARGETS: dict[Target, str] = {
     "driver_eye": "driver’s eye",
@@ -23,7 +27,28 @@ MANY: dict[StatisticsTarget, str] = {
 }
 GROUPS: dict[str, str] = {"daytime": "daytime", "low_light": "low light", "overall": "overall"}
 LIGHTING: dict[str, str] = {"daytime": "daytime", "low_light": "low light", "": "lighting unknown"}
-CATEGORIES: dict[str, str] = {"suv": "SUV"}
+CATEGORIES: dict[Category, str] = {
+    "hatchback": "hatchback",
+    "saloon": "saloon",
+    "estate": "estate",
+    "suv": "SUV",
+    "multi_purpose": "multi-purpose vehicle",
+    "pickup": "pick-up",
+    "van": "van",
+    "lorry": "lorry",
+    "tractor_unit": "tractor unit",
+    "bus": "bus",
+    "recreational_vehicle": "recreational vehicle",
+    "trailer": "trailer or caravan",
+    "motorcycle": "motorcycle",
+    "other": "other",
+}
+CLASS_SETS: dict[ClassSet, str] = {
+    "passenger_cars": "passenger cars",
+    "light_trucks": "light trucks and multi-purpose",
+    "heavy": "heavy vehicles",
+}
+GROUPINGS: dict[str, str] = {"class_set": "set of classes"}
 CORRECTIONS: dict[Correction, str] = {
     "inset": "corrected by inset",
     "shift": "corrected by shift",
@@ -46,5 +71,21 @@ def target_words(word: str) -> str:
 
 def group_word(grouping: str, word: str) -> str:
     """A group of vehicles, for people."""
-    known = {"lighting": LIGHTING, "category": CATEGORIES}.get(grouping, {})
-    return known.get(word, word)
+    known: dict[str, Mapping[Any, str]] = {
+        "lighting": LIGHTING,
+        "category": CATEGORIES,
+        "class_set": CLASS_SETS,
+    }
+    return known.get(grouping, {}).get(word, word)
+
+
+def selection_words(selection: Selection) -> str | None:
+    """What a package or report is of: "low light; passenger cars, SUV"; None for the whole survey."""
+    if selection.is_all:
+        return None
+    classes = [
+        *(CLASS_SETS[one] for one in selection.class_sets),
+        *(CATEGORIES[one] for one in selection.categories),
+    ]
+    lighting = [] if selection.lighting is None else [LIGHTING[selection.lighting]]
+    return "; ".join([*lighting, *([", ".join(classes)] if classes else [])])

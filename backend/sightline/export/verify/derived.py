@@ -15,6 +15,7 @@ from sightline.export.crops import expected_overlay
 from sightline.export.derived import drawn
 from sightline.export.exclusions import EXCLUSIONS, exclusion_rows
 from sightline.export.measured import PackageStatistics, statistics_of
+from sightline.export.report.words import selection_words
 from sightline.export.statistics_csv import TABLES, same_cell, statistics_rows
 from sightline.export.verify.chain import ReplayedState
 from sightline.infra.csv_package.files import Files, read_columns, read_header, read_rows, read_whole
@@ -29,6 +30,7 @@ from sightline.infra.csv_package.schema import (
     cell_text,
     json_bytes,
 )
+from sightline.results.csv import selection_in
 
 _FRAME = re.compile(r"frame(\d+)")
 
@@ -52,7 +54,7 @@ def check_description(
     except (KeyError, TypeError) as error:
         raise Damaged("export-cannot-read-take-whole-export-again", description=DESCRIPTION) from error
     words = {name: str(told.survey.get(name, "")) for name in ("name", "site", "description")}
-    about = about_of(**words, created=told.moment)
+    about = about_of(**words, created=told.moment, only=selection_words(selection_in(files)))
     expected = described(about, described_tables(files), written)
     other = {
         name for name in {*made_with, *about.made_with} if made_with.get(name) != about.made_with.get(name)

@@ -10,6 +10,7 @@ from sightline.results.overview.records import Step, SurveyCounts, SurveyOvervie
 from sightline.scans.records import ScanProgress
 from sightline.surveys import store
 from sightline.surveys.bodies import InsetChanges, NewSurvey, SurveyChange, SurveyFacts
+from sightline.surveys.classes import VehicleClass, chosen_classes
 from sightline.surveys.records import Asked, Inset
 
 router = APIRouter()
@@ -81,6 +82,9 @@ def change_survey(survey_id: PathId, body: SurveyChange, who: Operator, session:
         description=body.description,
         traffic=_traffic(body, before.traffic),
         asked=_asked(body, before.asked),
+        classes=chosen_classes(
+            (VehicleClass(**one.model_dump()) for one in body.classes or ()), before.classes
+        ),
         insets=insets,
         version=body.version,
         actor=who.id,

@@ -1,5 +1,14 @@
 import { useEffect, useState } from "preact/hooks";
-import { Button, Empty, JobProgress, Loading, Notice, Problem, TableScroll } from "../../components";
+import {
+  Button,
+  Empty,
+  JobProgress,
+  Loading,
+  Notice,
+  Problem,
+  SelectField,
+  TableScroll,
+} from "../../components";
 import { Said } from "../../components/Said";
 import { api } from "../../core/api";
 import { cancelJob, isOver, useJob } from "../../core/jobs";
@@ -9,9 +18,14 @@ import { useResource } from "../../core/resource";
 import { survey } from "../../core/survey";
 import { formatMoment } from "../../core/times";
 import { toast } from "../../core/toasts";
-import type { ExportPackage, Survey } from "../../core/types";
+import type { ExportPackage, Lighting, Survey } from "../../core/types";
 import { formatBytes } from "../../core/units";
+import { LIGHTING_WORDS } from "../../core/words";
+import { ClassChoice, classWords } from "../../parts/vehicles/ClassChoice";
 import "./export.css";
+
+type Wanted = ExportPackage["selection"];
+const ALL: Wanted = { lighting: null, class_sets: [], categories: [] };
 
 /** What a package holds, as the table says it. */
 const CONTENTS = [
@@ -25,6 +39,7 @@ const CONTENTS = [
   { files: ["vehicles.csv"], what: "export-contents-vehicles" },
   { files: ["recordings.csv", "frames.csv"], what: "export-contents-recordings" },
   { files: ["poses", "calibrations"], what: "export-contents-poses" },
+  { files: ["classes.csv", "selection.csv"], what: "export-contents-classes" },
   { files: ["insets.csv", "wheel_pairs.csv"], what: "export-contents-insets" },
   { files: ["reviews.csv", "repeats.csv"], what: "export-contents-reviews" },
   { files: ["audit.csv"], what: "export-contents-audit" },
@@ -42,6 +57,7 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
   const [problem, setProblem] = useState<unknown>(null);
   const [failed, setFailed] = useState<string | null>(null);
   const [crops, setCrops] = useState(true);
+  const [wanted, setWanted] = useState<Wanted>(ALL);
   useRunning(Number(surveyId), setJobId);
   const job = useJob(
     jobId,
@@ -59,8 +75,13 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
     setFailed(null);
     try {
       setJobId(
-        (await api.write("POST /surveys/{survey_id}/exports", { survey_id: surveyId }, { body: { crops } }))
-          .id,
+        (
+          await api.write(
+            "POST /surveys/{survey_id}/exports",
+            { survey_id: surveyId },
+            { body: { ...wanted, crops } },
+          )
+        ).id,
       );
     } catch (error) {
       setProblem(error);
@@ -95,6 +116,7 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
           </Button>
         </div>
       </header>
+      <Choosing wanted={wanted} onChange={setWanted} />
       {counts && counts.to_review + counts.rejected > 0 && (
         <Notice kind="warning">
           {openWords(counts)}{" "}
@@ -146,6 +168,38 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
   );
 }
 
+/** The vehicles that statistics and report of a package are of. */
+function Choosing({ wanted, onChange }: { wanted: Wanted; onChange(wanted: Wanted): void }) {
+  const lights = Object.entries(LIGHTING_WORDS).map(([value, label]) => ({
+    value: value as Lighting,
+    label,
+  }));
+  return (
+    <section class="panel panel__body" aria-label={say("export-of-title")}>
+      <div class="row row--wrap export__of">
+        <SelectField
+          label={say("export-of-lighting")}
+          value={wanted.lighting ?? ""}
+          options={[{ value: "" as const, label: say("statistics-filter-any") }, ...lights]}
+          onChange={(lighting) => onChange({ ...wanted, lighting: lighting || null })}
+        />
+        <ClassChoice
+          classSets={wanted.class_sets}
+          categories={wanted.categories}
+          onClassSets={(chosen) => onChange({ ...wanted, class_sets: chosen as Wanted["class_sets"] })}
+          onCategories={(chosen) => onChange({ ...wanted, categories: chosen as Wanted["categories"] })}
+        />
+        <p class="field__hint">{say("export-of-help")}</p>
+      </div>
+    </section>
+  );
+}
+
+function wantedWords({ lighting, class_sets, categories }: Wanted): string {
+  const classes = classWords(class_sets, categories);
+  return [lighting ? LIGHTING_WORDS[lighting] : "", classes].filter(Boolean).join("; ");
+}
+
 function openWords({ to_review, rejected }: Survey["counts"]): string {
   if (rejected === 0) return say("export-open-to-review", { to_review });
   if (to_review === 0) return say("export-open-rejected", { rejected });
@@ -180,6 +234,7 @@ function Packages({ list }: { list: ExportPackage[] }) {
           <tr>
             <th>{say("export-made")}</th>
             <th>{say("export-by")}</th>
+            <th>{say("export-of")}</th>
             <th class="num">{say("export-size")}</th>
             <th>{say("export-sha256")}</th>
             <th>{say("export-audit-head")}</th>
@@ -193,6 +248,7 @@ function Packages({ list }: { list: ExportPackage[] }) {
             <tr key={entry.id}>
               <td class="nowrap">{formatMoment(entry.created_at)}</td>
               <td class="nowrap">{entry.created_by?.name ?? "–"}</td>
+              <td>{wantedWords(entry.selection) || say("export-of-all")}</td>
               <td class="num nowrap">{formatBytes(entry.size_bytes)}</td>
               <Hash text={entry.sha256} which="sha256" />
               <Hash text={entry.audit_head} which="audit-head" />

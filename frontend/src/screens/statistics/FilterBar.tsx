@@ -1,10 +1,11 @@
 import { useState } from "preact/hooks";
-import { Button, Field, SelectField, TextField } from "../../components";
+import { Button, Checklist, Field, SelectField, TextField } from "../../components";
 import { query } from "../../core/address";
 import { say, wordsOf } from "../../core/messages";
 import { lengthUnit, parseSmall, smallScale, smallText } from "../../core/units";
-import { CATEGORY_WORDS, LIGHTING_WORDS, STATE_WORDS } from "../../core/words";
+import { LIGHTING_WORDS, STATE_WORDS } from "../../core/words";
 import { fixedRange } from "../../parts/figures/numbers";
+import { ClassChoice } from "../../parts/vehicles/ClassChoice";
 import { CORRECTIONS, narrowed, type SingleName, setFilter, WIDE } from "./filters";
 import { type Statistics, TARGET_TITLES } from "./model";
 
@@ -54,7 +55,12 @@ export function FilterBar({ found }: { found: Statistics | null }) {
         words(TARGET_TITLES, say("statistics-filter-target-all")),
       )}
       {choice("lighting", say("statistics-filter-lighting"), words(LIGHTING_WORDS, any))}
-      {choice("category", say("statistics-filter-category"), words(CATEGORY_WORDS, any))}
+      <ClassChoice
+        classSets={at.getAll("class_set")}
+        categories={at.getAll("category")}
+        onClassSets={(class_set) => setFilter({ class_set })}
+        onCategories={(category) => setFilter({ category })}
+      />
       {choice("operator", say("statistics-filter-operator"), [
         { value: "", label: say("statistics-filter-anybody") },
         ...operators,
@@ -88,37 +94,19 @@ function Surveys({ found, chosen }: { found: Statistics | null; chosen: readonly
     chosen.length === 0
       ? say("statistics-filter-surveys-none")
       : (only?.name ?? say("statistics-filter-surveys-some", { count: chosen.length }));
-  const toggle = (id: string, on: boolean) =>
-    setFilter({ survey: on ? [...chosen, id] : chosen.filter((one) => one !== id) });
   return (
-    <div class="field">
-      <span class="field__label" id="stat-surveys">
-        {say("statistics-filter-surveys")}
-      </span>
-      <details class="stat-surveys">
-        <summary class="input clip" aria-describedby="stat-surveys">
-          {word}
-        </summary>
-        <fieldset class="stat-surveys__list">
-          <legend class="visually-hidden">{say("statistics-filter-surveys-help")}</legend>
-          {list.map((one) => (
-            <label key={one.id} class="row">
-              <input
-                type="checkbox"
-                checked={chosen.includes(String(one.id))}
-                onChange={(event) => toggle(String(one.id), event.currentTarget.checked)}
-              />
-              {one.name}
-            </label>
-          ))}
-          {chosen.length > 0 && (
-            <Button small onClick={() => setFilter({ survey: null })}>
-              {say("statistics-filter-surveys-clear")}
-            </Button>
-          )}
-        </fieldset>
-      </details>
-    </div>
+    <Checklist
+      label={say("statistics-filter-surveys")}
+      words={word}
+      help={say("statistics-filter-surveys-help")}
+      groups={[
+        {
+          options: list.map((one) => ({ value: String(one.id), label: one.name })),
+          chosen,
+          onChange: (survey) => setFilter({ survey }),
+        },
+      ]}
+    />
   );
 }
 

@@ -13,17 +13,18 @@ import { groupWord, isThere, type OfTarget, TARGET_TITLES } from "./model";
 const HUES = 3;
 const MOST_DRAWN = 6;
 const MOST_BANDS = 3;
-const GROUPINGS = ["category", "lighting", "site", "operator"] as const;
+const GROUPINGS = ["category", "class_set", "lighting", "site", "operator"] as const;
 type GroupingName = (typeof GROUPINGS)[number];
 const GROUPING_WORDS = wordsOf({
   category: "statistics-grouping-category",
+  class_set: "statistics-grouping-class_set",
   lighting: "statistics-grouping-lighting",
   site: "statistics-grouping-site",
   operator: "statistics-grouping-operator",
 });
 const PERCENTS = [10, 50, 90];
 
-/** Corrected heights of one target, by category, lighting, site or operator. */
+/** Corrected heights of one target, by category, set of classes, lighting, site or operator. */
 export function GroupSection({ targets }: { targets: readonly OfTarget[] }) {
   const [grouping, setGrouping] = useState<GroupingName>("category");
   const there = targets.filter((one) => one.corrected.n > 0);

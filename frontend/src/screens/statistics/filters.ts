@@ -8,7 +8,6 @@ export const CORRECTIONS = ["inset", "shift", "none", "regression", "deconvoluti
 const SINGLE = [
   "target",
   "lighting",
-  "category",
   "operator",
   "first_day",
   "last_day",
@@ -17,7 +16,7 @@ const SINGLE = [
   "correction",
   "u_reference_m",
 ] as const;
-const REPEATED = ["survey", "eye_limit_m", "object_limit_m"] as const;
+const REPEATED = ["survey", "category", "class_set", "eye_limit_m", "object_limit_m"] as const;
 export type SingleName = (typeof SINGLE)[number];
 export type RepeatedName = (typeof REPEATED)[number] | "off";
 
@@ -53,14 +52,15 @@ const NARROWING = [
   "target",
   "lighting",
   "category",
+  "class_set",
   "operator",
   "first_day",
   "last_day",
   "state",
-] as const satisfies readonly SingleName[];
+] as const satisfies readonly (SingleName | RepeatedName)[];
 
 /** What clears all that narrows the measurements beyond the survey. */
-export const WIDE: Partial<Record<SingleName, null>> = Object.fromEntries(
+export const WIDE: Partial<Record<SingleName | RepeatedName, null>> = Object.fromEntries(
   NARROWING.map((name) => [name, null]),
 );
 

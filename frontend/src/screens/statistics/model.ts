@@ -2,8 +2,8 @@
 
 import type { components } from "#schema";
 import { wordsOf } from "../../core/messages";
-import type { Category, Lighting } from "../../core/types";
-import { CATEGORY_WORDS, LIGHTING_WORDS } from "../../core/words";
+import type { Category, ClassSet, Lighting } from "../../core/types";
+import { CATEGORY_WORDS, CLASS_SET_WORDS, LIGHTING_WORDS } from "../../core/words";
 
 type Schemas = components["schemas"];
 export type Statistics = Schemas["StatisticsBody"];
@@ -39,6 +39,7 @@ export const TARGET_TITLES = wordsOf({
 export function groupWord(grouping: string, word: string): string {
   if (grouping === "lighting") return LIGHTING_WORDS[word as Lighting] ?? word;
   if (grouping === "category") return CATEGORY_WORDS[word as Category] ?? word;
+  if (grouping === "class_set") return CLASS_SET_WORDS[word as ClassSet] ?? word;
   return word;
 }
 

@@ -12,6 +12,7 @@ import type { Step, Survey, Target } from "../../core/types";
 import { formatCount } from "../../core/units";
 import { STATE_WORDS, TARGET_NOUNS } from "../../core/words";
 import { entryOfStep } from "../../core/work";
+import { ClassesDialog } from "./ClassesDialog";
 import { EditSurvey } from "./EditSurvey";
 import { Photographs } from "./Photographs";
 import "./survey.css";
@@ -19,6 +20,7 @@ import "./survey.css";
 /** What is there and what is missing, as the order of work; each step says what to do next. */
 export default function SurveyScreen({ surveyId }: ScreenProps) {
   const [editing, setEditing] = useState(false);
+  const [sorting, setSorting] = useState(false);
   const jobs = useResource((signal) => api.ask("GET /jobs", { survey_id: surveyId }, { signal }), [surveyId]);
   const running = (jobs.data ?? []).filter((job) => !isOver(job));
   useEvery(running.length > 0 ? 1500 : 10_000, async () => {
@@ -41,6 +43,7 @@ export default function SurveyScreen({ surveyId }: ScreenProps) {
         <Button href={`/surveys/${survey.id}/planning`}>{say("page-planning")}</Button>
         <Button href={`/surveys/${survey.id}/checks`}>{say("page-checks")}</Button>
         <Button href={`/surveys/${survey.id}/repeats`}>{say("page-repeats")}</Button>
+        {may("operator") && <Button onClick={() => setSorting(true)}>{say("classes-open")}</Button>}
         {may("operator") && <Button onClick={() => setEditing(true)}>{say("survey-edit")}</Button>}
       </header>
       {running.map((job) => (
@@ -56,6 +59,7 @@ export default function SurveyScreen({ surveyId }: ScreenProps) {
       </ol>
       <LineScans survey={survey} />
       <Photographs surveyId={survey.id} />
+      {sorting && <ClassesDialog survey={survey} close={() => setSorting(false)} />}
       {editing && <EditSurvey survey={survey} close={() => setEditing(false)} />}
     </div>
   );

@@ -1,0 +1,144 @@
+/** What a survey makes of the classes of its vehicles: the set that each counts in, and what the EU and FHWA call it. */
+import { useState } from "preact/hooks";
+import { FormDialog, SelectField, TableScroll, TextField } from "../../components";
+import { api } from "../../core/api";
+import { say } from "../../core/messages";
+import { refreshSurvey } from "../../core/survey";
+import type { ClassSet, Survey, VehicleClass } from "../../core/types";
+import { CATEGORY_WORDS, CLASS_SET_WORDS } from "../../core/words";
+
+type Eu = VehicleClass["eu"][number];
+const EU: readonly Eu[] = ["L", "M1", "M2", "M3", "N1", "N2", "N3", "O1", "O2", "O3", "O4", "T"];
+
+interface Typed {
+  category: VehicleClass["category"];
+  class_set: ClassSet | "";
+  eu: string;
+  fhwa: string;
+}
+
+export function ClassesDialog({ survey, close }: { survey: Survey; close: () => void }) {
+  const [rows, setRows] = useState<Typed[]>(() => survey.classes.map(typed));
+  const change = (category: string, part: Partial<Typed>) =>
+    setRows(rows.map((row) => (row.category === category ? { ...row, ...part } : row)));
+  const submit = () => {
+    const read = rows.map(readClass);
+    return read.every((one) => one !== null) ? save(survey, read, close) : null;
+  };
+  const sets = [
+    { value: "" as const, label: say("class-set-none") },
+    ...Object.entries(CLASS_SET_WORDS).map(([value, label]) => ({ value: value as ClassSet, label })),
+  ];
+  return (
+    <FormDialog wide title={say("classes-title")} action={say("action-save")} onClose={close} submit={submit}>
+      <p class="field__hint">{say("classes-help")}</p>
+      <TableScroll label={say("classes-title")}>
+        <table class="table classes">
+          <thead>
+            <tr>
+              <th>{say("classes-class")}</th>
+              <th>{say("classes-set")}</th>
+              <th>{say("classes-eu")}</th>
+              <th>{say("classes-fhwa")}</th>
+            </tr>
+          </thead>
+          <tbody>
+            {rows.map((row) => (
+              <ClassRow key={row.category} row={row} sets={sets} change={change} />
+            ))}
+          </tbody>
+        </table>
+      </TableScroll>
+    </FormDialog>
+  );
+}
+
+interface RowProps {
+  row: Typed;
+  sets: readonly { value: ClassSet | ""; label: string }[];
+  change(category: string, part: Partial<Typed>): void;
+}
+
+function ClassRow({ row, sets, change }: RowProps) {
+  const { category } = row;
+  const word = CATEGORY_WORDS[category];
+  return (
+    <tr>
+      <td class="nowrap">{word}</td>
+      <td>
+        <SelectField
+          hideLabel
+          label={say("classes-set-of", { category: word })}
+          value={row.class_set}
+          options={sets}
+          onChange={(class_set) => change(category, { class_set })}
+        />
+      </td>
+      <td>
+        <TextField
+          hideLabel
+          label={say("classes-eu-of", { category: word })}
+          value={row.eu}
+          problem={euOf(row.eu) ? null : say("classes-eu-problem")}
+          onInput={(eu) => change(category, { eu })}
+        />
+      </td>
+      <td>
+        <TextField
+          hideLabel
+          label={say("classes-fhwa-of", { category: word })}
+          value={row.fhwa}
+          problem={fhwaOf(row.fhwa) ? null : say("classes-fhwa-problem")}
+          onInput={(fhwa) => change(category, { fhwa })}
+        />
+      </td>
+    </tr>
+  );
+}
+
+function typed(one: VehicleClass): Typed {
+  return {
+    category: one.category,
+    class_set: one.class_set ?? "",
+    eu: one.eu.join(" "),
+    fhwa: one.fhwa.join(" "),
+  };
+}
+
+function words(text: string): string[] {
+  return text.split(/[\s,;]+/).filter(Boolean);
+}
+
+/** EU classes out of what was typed; null where one is not known. */
+export function euOf(text: string): Eu[] | null {
+  const found = words(text).map((word) => EU.find((one) => one === word.toUpperCase()));
+  return found.every((one) => one !== undefined) ? (found as Eu[]) : null;
+}
+
+/** Classes of FHWA, 1 to 13, out of what was typed ("5 6 7" or "8-13"); null where one is none of them. */
+export function fhwaOf(text: string): number[] | null {
+  const found = words(text).flatMap((word) => {
+    const [first, last = first] = word.split(/[-–]/).map(Number);
+    if (first === undefined || !(first >= 1 && (last as number) <= 13 && first <= (last as number)))
+      return [NaN];
+    return Array.from({ length: (last as number) - first + 1 }, (_, k) => first + k);
+  });
+  return found.every(Number.isInteger) ? found : null;
+}
+
+function readClass({ category, class_set, eu, fhwa }: Typed): VehicleClass | null {
+  const [inEu, inFhwa] = [euOf(eu), fhwaOf(fhwa)];
+  return inEu && inFhwa ? { category, class_set: class_set || null, eu: inEu, fhwa: inFhwa } : null;
+}
+
+async function save(survey: Survey, classes: (VehicleClass | null)[], close: () => void): Promise<void> {
+  const { id, name, site, description, version } = survey;
+  const changed = classes.filter((one) => one !== null);
+  await api.write(
+    "PUT /surveys/{survey_id}",
+    { survey_id: id },
+    { body: { name, site, description, version, classes: changed } },
+  );
+  await refreshSurvey();
+  close();
+}

@@ -1,0 +1,172 @@
+"""A package of some vehicles: statistics and report of them alone, said on its first page, verified."""
+
+import io
+import re
+import zipfile
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from sightline.cli import main
+from sightline.export.verify.package import verify_package
+from sightline.infra.csv_package.files import FolderFiles
+from sightline.infra.jobs.records import Job
+from sightline.infra.services import Services
+from tests.export.report.pdf_text import words
+from tests.support.app import Client
+from tests.support.ground import Ground, add_vehicle, lay_ground, measure
+from tests.support.packages import edit, reseal, rows
+
+
+@pytest.fixture
+def ground(services: Services, survey_id: int, recording_id: int) -> Ground:
+    return lay_ground(services, survey_id, recording_id)
+
+
+KINDS = (
+    ("saloon", "daytime", 1.31),
+    ("suv", "daytime", 1.32),
+    ("suv", "low_light", 1.33),
+    ("van", "daytime", 1.34),
+    ("lorry", "low_light", 1.35),
+    (None, "daytime", 1.36),
+)
+
+
+@pytest.fixture
+def fleet(operator: Client, reviewer: Client, ground: Ground) -> Ground:
+    """Vehicles of every set, and one of no class, by day and in low light, all accepted."""
+    for category, lighting, height in KINDS:
+        known = {"category": category, "lighting": lighting, "manufacturer_height_m": height}
+        car = add_vehicle(operator, ground.recording_id, **known)["id"]
+        made = measure(operator, car)
+        reviewer.made(f"/measurements/{made['id']}/reviews", {"revision": 1, "verdict": "accepted"})
+    return ground
+
+
+def built(
+    viewer: Client, ground: Ground, work: Callable[[], list[Job]], place: Path, chosen: dict[str, object]
+) -> Path:
+    """A package made by the button, unpacked."""
+    viewer.made(f"/surveys/{ground.survey_id}/exports", chosen)
+    assert [one.state for one in work()] == ["done"]
+    made = viewer.seen(f"/surveys/{ground.survey_id}/exports")[0]
+    with zipfile.ZipFile(io.BytesIO(viewer.http.get(made["url"]).content)) as archive:
+        archive.extractall(place)
+    assert made["selection"] == {"lighting": None, "class_sets": [], "categories": [], **chosen}
+    return place
+
+
+def counted(place: Path) -> set[str]:
+    """The vehicles whose measurements count."""
+    left_out = {row["measurement_id"] for row in rows(place, "exclusions.csv")}
+    return {row["vehicle_id"] for row in rows(place, "measurements.csv") if row["id"] not in left_out}
+
+
+CHOICES = (
+    ({"lighting": "daytime"}, {0, 1, 3, 5}, "daytime"),
+    ({"class_sets": ["passenger_cars"]}, {0, 1, 2}, "passenger cars"),
+    (
+        {"lighting": "low_light", "class_sets": ["heavy"], "categories": ["suv"]},
+        {2, 4},
+        "low light; heavy vehicles, SUV",
+    ),
+)
+
+
+@pytest.mark.parametrize(("chosen", "kept", "said"), CHOICES)
+def test_a_package_is_of_the_vehicles_chosen(
+    viewer: Client,
+    fleet: Ground,
+    work: Callable[[], list[Job]],
+    tmp_path: Path,
+    chosen: dict[str, object],
+    kept: set[int],
+    said: str,
+) -> None:
+    place = built(viewer, fleet, work, tmp_path / "export", chosen)
+    vehicles = [row["id"] for row in rows(place, "vehicles.csv")]
+    assert len(vehicles) == len(KINDS)  # the tables stay whole
+    assert counted(place) == {vehicles[k] for k in kept}
+    errors = rows(place, "statistics/error_table.csv")
+    of_all = {row["n"] for row in errors if row["group"] == "overall"}
+    assert of_all == {str(len(kept))}
+    states = [row["state"] for row in rows(place, "exclusions.csv")]
+    assert states == ["not_selected"] * (len(KINDS) - len(kept))
+    report = " ".join(words((place / "report.pdf").read_bytes()).split())
+    assert f"Only: {said}." in report
+    assert report.index("Only:") < report.index("Measured")  # on the first page, above the facts
+    assert f"only of: {said}." in (place / "datapackage.json").read_text()
+    found = verify_package(FolderFiles(place))
+    assert found.ok, found.problem
+    query = re.sub(r"'|\[|\]", "", "&".join(_query(chosen)))
+    page = viewer.seen(f"/statistics?survey={fleet.survey_id}&{query}")
+    assert page["counted"]["measurements"] == len(kept)
+
+
+def _query(chosen: dict[str, object]) -> list[str]:
+    names = {"lighting": "lighting", "class_sets": "class_set", "categories": "category"}
+    return [
+        f"{names[name]}={one}"
+        for name, value in chosen.items()
+        for one in (value if isinstance(value, list) else [value])
+    ]
+
+
+def test_a_whole_package_says_nothing_of_a_selection(
+    viewer: Client, fleet: Ground, work: Callable[[], list[Job]], tmp_path: Path
+) -> None:
+    place = built(viewer, fleet, work, tmp_path / "export", {})
+    assert rows(place, "selection.csv") == [] and rows(place, "exclusions.csv") == []
+    assert "Only:" not in words((place / "report.pdf").read_bytes())
+
+
+def test_a_set_or_a_selection_that_was_changed_is_found(
+    viewer: Client, fleet: Ground, work: Callable[[], list[Job]], tmp_path: Path
+) -> None:
+    place = built(viewer, fleet, work, tmp_path / "export", {"class_sets": ["heavy"]})
+    edit(place, "classes.csv", lambda row: row["category"] == "van", class_set="heavy")
+    reseal(place)
+    found = verify_package(FolderFiles(place))
+    assert not found.ok and "classes.csv" in str(found.problem)
+    edit(place, "classes.csv", lambda row: row["category"] == "van", class_set="light_trucks")
+    edit(place, "selection.csv", lambda row: row["word"] == "heavy", word="light_trucks")
+    reseal(place)
+    found = verify_package(FolderFiles(place))
+    assert not found.ok
+
+
+def test_a_survey_that_sorts_otherwise_is_counted_otherwise(
+    operator: Client, viewer: Client, fleet: Ground
+) -> None:
+    path = f"/surveys/{fleet.survey_id}"
+    asked = f"/statistics?survey={fleet.survey_id}&class_set=light_trucks"
+    assert viewer.seen(asked)["counted"]["measurements"] == 1
+    light = [{"category": "suv", "class_set": "light_trucks"}, {"category": "van", "class_set": None}]
+    body = {"name": "Rouen", "version": operator.seen(path)["version"], "classes": light}
+    assert operator.put(path, body).status_code == 200
+    assert viewer.seen(asked)["counted"]["measurements"] == 2
+
+
+def test_words_that_are_no_class_are_refused(viewer: Client, fleet: Ground) -> None:
+    path = f"/surveys/{fleet.survey_id}/exports"
+    for wrong in ({"lighting": "dusk"}, {"class_sets": ["taxis"]}, {"categories": ["tank"]}):
+        assert viewer.post(path, wrong).status_code == 422
+    assert viewer.get(f"/statistics?survey={fleet.survey_id}&class_set=taxis").status_code == 422
+
+
+def test_the_command_takes_several_sets_and_classes(
+    fleet: Ground, database_url: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("SIGHTLINE_DATABASE_URL", database_url)
+    monkeypatch.setenv("SIGHTLINE_DATA_DIR", str(tmp_path))
+    asked = ["--set", "heavy", "--category", "saloon", "--category", "van", "--no-crops"]
+    place = tmp_path / "package"
+    assert main(["export", "--survey", str(fleet.survey_id), "-o", str(place), *asked]) == 0
+    assert [(row["by"], row["word"]) for row in rows(place, "selection.csv")] == [
+        ("class_set", "heavy"),
+        ("category", "saloon"),
+        ("category", "van"),
+    ]
+    assert len(counted(place)) == 3
