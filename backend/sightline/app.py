@@ -16,6 +16,7 @@ import sightline.export.routes
 import sightline.infra.audit.routes
 import sightline.infra.jobs.routes
 import sightline.infra.web.health
+import sightline.measurements.again.routes
 import sightline.measurements.assist.routes
 import sightline.measurements.preview.routes
 import sightline.measurements.routes
@@ -86,6 +87,7 @@ ROUTERS: tuple[tuple[str, APIRouter], ...] = (
     ("passes", sightline.measurements.sheets.passes_routes.router),
     ("catalogue", sightline.vehicles.catalogue.routes.router),
     ("measurements", sightline.measurements.routes.router),
+    ("computings", sightline.measurements.again.routes.router),
     ("reviews", sightline.reviews.routes.router),
     ("repeats", sightline.quality.repeats.routes.router),
     ("scans", sightline.scans.routes.router),

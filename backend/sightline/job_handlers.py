@@ -2,6 +2,7 @@
 
 import sightline.demo.demo_job
 import sightline.export.export_job
+import sightline.measurements.again.again_job
 import sightline.poses.pose_job
 import sightline.quality.drift.drift_job
 import sightline.recordings.calibrating.calibrate_job
@@ -14,6 +15,7 @@ MODULES = (
     sightline.recordings.calibrating.calibrate_job,
     sightline.demo.demo_job,
     sightline.export.export_job,
+    sightline.measurements.again.again_job,
     sightline.poses.pose_job,
     sightline.quality.drift.drift_job,
     sightline.recordings.ingest_job,

@@ -13,6 +13,7 @@ depends_on = None
 WRITTEN_ONCE: dict[str, tuple[str, ...]] = {
     "audit_events": ("hash",),
     "measurement_series": ("client_key",),
+    "computings": (),
     "measurements": ("series_id", "revision"),
     "reviews": (),
     "calibrations": (),
@@ -847,6 +848,32 @@ def create_tables() -> None:
     op.create_index(op.f("ix_line_heights_scan_id"), "line_heights", ["scan_id"], unique=False)
     op.create_index(op.f("ix_line_heights_survey_id"), "line_heights", ["survey_id"], unique=False)
     op.create_table(
+        "computings",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("survey_id", sa.Integer(), nullable=False),
+        sa.Column("kind", sa.String(length=20), nullable=False),
+        sa.Column("undoes", sa.Integer(), nullable=True),
+        sa.Column("heights", sa.Integer(), nullable=False),
+        sa.Column("to_review", sa.Integer(), nullable=False),
+        sa.Column("kept", sa.Integer(), nullable=False),
+        sa.Column("largest_m", sa.Float(), nullable=True),
+        sa.Column("causes", sa.Text(), nullable=False),
+        sa.Column("code_version", sa.String(length=60), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("created_by", sa.Integer(), nullable=True),
+        sa.CheckConstraint(
+            "kind IN ('asked', 'sides', 'adjustment', 'undo')", name=op.f("ck_computings_kind_known")
+        ),
+        sa.CheckConstraint(
+            "(kind = 'undo') = (undoes IS NOT NULL)", name=op.f("ck_computings_undo_names_another")
+        ),
+        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_computings_created_by")),
+        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_computings_survey_id")),
+        sa.ForeignKeyConstraint(["undoes"], ["computings.id"], name=op.f("fk_computings_undoes")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_computings")),
+    )
+    op.create_index(op.f("ix_computings_survey_id"), "computings", ["survey_id"], unique=False)
+    op.create_table(
         "measurements",
         sa.Column("id", sa.Integer(), nullable=False),
         sa.Column("series_id", sa.Integer(), nullable=False),
@@ -886,6 +913,8 @@ def create_tables() -> None:
         sa.Column("u_clicks_m", sa.Float(), nullable=True),
         sa.Column("u_by_inset_m", sa.Float(), nullable=True),
         sa.Column("withdrawn", sa.Boolean(), nullable=False),
+        sa.Column("computing_id", sa.Integer(), nullable=True),
+        sa.Column("verdict_of_revision", sa.Integer(), nullable=True),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
         sa.Column("created_by", sa.Integer(), nullable=True),
         sa.CheckConstraint(
@@ -908,8 +937,14 @@ def create_tables() -> None:
             "side_from IN ('said', 'direction', 'place')", name=op.f("ck_measurements_side_from_known")
         ),
         sa.CheckConstraint("sigma_px > 0", name=op.f("ck_measurements_sigma_positive")),
+        sa.CheckConstraint(
+            "verdict_of_revision < revision", name=op.f("ck_measurements_verdict_of_an_earlier_one")
+        ),
         sa.ForeignKeyConstraint(
             ["calibration_id"], ["calibrations.id"], name=op.f("fk_measurements_calibration_id")
+        ),
+        sa.ForeignKeyConstraint(
+            ["computing_id"], ["computings.id"], name=op.f("fk_measurements_computing_id")
         ),
         sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_measurements_created_by")),
         sa.ForeignKeyConstraint(["pose_id"], ["road_poses.id"], name=op.f("fk_measurements_pose_id")),
@@ -919,6 +954,7 @@ def create_tables() -> None:
         sa.PrimaryKeyConstraint("id", name=op.f("pk_measurements")),
         sa.UniqueConstraint("series_id", "revision", name=op.f("uq_measurements_series_id_revision")),
     )
+    op.create_index(op.f("ix_measurements_computing_id"), "measurements", ["computing_id"], unique=False)
     op.create_table(
         "reviews",
         sa.Column("id", sa.Integer(), nullable=False),

@@ -36,6 +36,7 @@ from sightline.infra.jobs.store import (
     request_job_cancel,
     requeue_job,
 )
+from sightline.measurements.again.store import add_computing
 from sightline.measurements.click_sigma_store import choose_click_sigma
 from sightline.measurements.store import restore_measurement, revise_current_measurement, withdraw_measurement
 from sightline.people.store import (
@@ -332,6 +333,10 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
         _withdrawn,
         lambda s, o, made: restore_measurement(s, made.id, seen_revision=2, actor=o.olga.id),
     ),
+    "add_computing": (
+        lambda s, o: None,
+        lambda s, o, _: add_computing(s, o.survey.id, [], kind="asked", actor=o.olga.id),
+    ),
     "add_wheel_pair": (lambda s, o: None, lambda s, o, _: _wheels(s, o)),
     "withdraw_wheel_pair": (
         _wheels,
@@ -369,6 +374,7 @@ NO_EVENT = {
     "replace_frames": "part of recordings.ingested",
     "remove_frames": "part of recordings.remove",
     "append_measurement_revision": "writes an event; part of revise, withdraw, restore and reviews.add",
+    "append_computed_again": "writes an event of each; part of add_computing",
     "record": "is the event",
     "record_many": "is the events",
     "seal_package": "is the event that a package ends with",

@@ -18,6 +18,7 @@ from sightline.infra.audit.tables import audit_events
 from sightline.infra.audit.verification import verify_database, verify_records
 from sightline.infra.audit.vouched import WrittenOnce, WrittenOnceApart, fingerprints, marked
 from sightline.infra.database.engine import SessionFactory, engine_of, reading, writing
+from sightline.measurements.again.store import add_computing
 from sightline.measurements.click_sigma_store import choose_click_sigma
 from sightline.people.store import person_by_email
 from sightline.quality.checks.store import add_wheel_pair
@@ -34,6 +35,7 @@ pytestmark = pytest.mark.dialect
 WRITTEN_ONCE = (
     "audit_events",
     "measurement_series",
+    "computings",
     "measurements",
     "reviews",
     "calibrations",
@@ -55,6 +57,7 @@ def filled(factory: SessionFactory) -> SessionFactory:
         one = samples.sample(session)
         made = samples.measure(session, one)
         add_review(session, made.id, seen_revision=1, verdict="accepted", actor=one.rene.id)
+        add_computing(session, one.survey.id, [], kind="asked", actor=one.olga.id)
         samples.measure(session, one, "taillight", 2)
         create_vehicle(session, one.recording.id, {"first_frame": 50, "last_frame": 60}, actor=None)
         crc = int(samples.frame_table().crc32[20])

@@ -1,10 +1,12 @@
 """No eye has a silent side: by direction from the survey's traffic, said of a vehicle, or no height."""
 
+from collections.abc import Callable
 from typing import Any
 from uuid import uuid4
 
 import pytest
 
+from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
 from tests.support.app import Client
 from tests.support.ground import Ground, add_vehicle, clicks, lay_ground, pixel
@@ -75,7 +77,9 @@ def test_near_or_far_follows_from_the_direction(operator: Client, ground: Ground
     assert (right["side"], eye_of(right)["inset_m"], eye_of(right)["side_from"]) == ("far", 1.15, "direction")
 
 
-def test_eyes_that_waited_are_computed_once_the_traffic_is_told(operator: Client, ground: Ground) -> None:
+def test_eyes_that_waited_are_computed_once_the_traffic_is_told(
+    operator: Client, ground: Ground, work: Callable[[], list[Job]]
+) -> None:
     right = add_vehicle(operator, ground.recording_id, direction="right")["id"]
     silent = add_vehicle(operator, ground.recording_id)["id"]
     own = add_vehicle(operator, ground.recording_id, direction="right")["id"]
@@ -83,12 +87,14 @@ def test_eyes_that_waited_are_computed_once_the_traffic_is_told(operator: Client
         assert measured(operator, vehicle, **EYE)["status"] == "not_measurable"
     measured(operator, own, target="driver_eye", inset_m=0.7, u_inset_m=0.2)
     say_traffic(operator, ground.survey_id, **FAR)
+    assert [job.result["heights"] for job in work() if job.result] == [1]
     eyes = [eye_of(operator.seen(f"/vehicles/{vehicle}")) for vehicle in (right, silent, own)]
     assert [eye["revision"] for eye in eyes] == [2, 1, 1]
     assert (eyes[0]["status"], eyes[0]["side"], eyes[0]["inset_m"]) == ("ok", "far", 1.15)
     assert eyes[1]["status"] == "not_measurable"
     # a height that is there is not changed behind anybody's back
     say_traffic(operator, ground.survey_id, **{**FAR, "steering_side": "right"})
+    assert work() == []
     assert eye_of(operator.seen(f"/vehicles/{right}"))["revision"] == 2
 
 

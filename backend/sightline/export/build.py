@@ -42,6 +42,8 @@ from sightline.infra.csv_package.schema import DESCRIPTION, Table, json_bytes, r
 from sightline.infra.database import Session
 from sightline.infra.database.engine import lock_chain
 from sightline.infra.services import Services
+from sightline.measurements.again.csv import COMPUTINGS
+from sightline.measurements.again.query import list_computings
 from sightline.measurements.csv import (
     BUDGET,
     MEASUREMENTS,
@@ -260,6 +262,10 @@ def _small_tables(staging: Staging, session: Session, survey: Survey, seen: _See
             for review in reviews:
                 seen.name(review.reviewer)
                 table_of_reviews.add(review)
+    computed = list_computings(session, survey.id)
+    for one in computed:
+        seen.name(one.created_by)
+    staging.fill(COMPUTINGS, reversed(computed))
     staging.fill(RECORDINGS, map(described_recording, list_recordings(session, survey.id)))
     staging.fill(FRAMES, _frames(session, seen))
     staging.fill(SURVEY, (survey,))

@@ -16,6 +16,7 @@ from sightline.export.statistics_csv import TABLES
 from sightline.infra.csv_package.audit import AUDIT
 from sightline.infra.csv_package.schema import PARQUET, About, AnyTable, Other, Written, description_of
 from sightline.infra.version import code_version
+from sightline.measurements.again.csv import COMPUTINGS
 from sightline.measurements.csv import BUDGET, MEASUREMENTS, REVISIONS, clicks_with_frames, with_frames
 from sightline.measurements.sheets.csv import VEHICLES
 from sightline.people.csv import PEOPLE
@@ -45,6 +46,7 @@ _OTHER_TABLES: tuple[AnyTable, ...] = (
     POSES,
     CALIBRATIONS,
     REVIEWS,
+    COMPUTINGS,
     INSETS,
     CLASSES,
     STANDARDS,

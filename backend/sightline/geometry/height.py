@@ -1,7 +1,6 @@
 """Heights with their uncertainty: one click pair with its budget, or a million."""
 
 from dataclasses import dataclass, field
-from math import sqrt
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -107,19 +106,19 @@ def not_measurable(reason: str, inset_m: float = 0.0, u_inset_m: float = 0.0) ->
     )
 
 
-def _entries(pose: RoadPose, g: Gradient, sigma_px: float, u_inset_m: float) -> dict[str, float]:
-    """Variance of each source, for the first height of `g`."""
-    click = sigma_px**2
+def _entries(pose: RoadPose, g: Gradient, sigma_px: Floats, u_inset_m: Floats) -> dict[str, Floats]:
+    """Variance of each source, (N,) each, for the heights of `g`."""
+    click = np.square(sigma_px)
     out = {
-        "click, target": click * float(g.target[:, 0] @ g.target[:, 0]),
-        "click, contact": click * float(g.contact[:, 0] @ g.contact[:, 0]),
-        "inset": (float(g.inset[0]) * u_inset_m) ** 2,
+        "click, target": click * np.square(g.target).sum(axis=0),
+        "click, contact": click * np.square(g.contact).sum(axis=0),
+        "inset": np.square(g.inset * u_inset_m),
     }
-    by_parameters = g.parameters[:, 0]
     if pose.covariance is not None:
-        out["lens and pose"] = max(float(by_parameters @ pose.covariance @ by_parameters), 0.0)
+        shared = np.einsum("ij,ij->j", pose.covariance @ g.parameters, g.parameters)
+        out["lens and pose"] = np.maximum(shared, 0.0)
     for source, part in board_parts(pose).items():
-        out[source] = float(np.square(by_parameters[-6:] @ part).sum())
+        out[source] = np.square(part.T @ g.parameters[-6:]).sum(axis=0)
     return out
 
 
@@ -194,29 +193,66 @@ def measure_height(
     """
     contact = np.asarray(contact_px, dtype=np.float64).reshape(1, 2)
     target = np.asarray(target_px, dtype=np.float64).reshape(1, 2)
-    values = (sigma_px, inset_m, u_inset_m)
-    if not np.isfinite(values).all() or sigma_px < 0 or u_inset_m < 0:
-        return not_measurable(REASONS[BAD_SIGMA])
-    seen = intersect_rays(pose, contact, target, inset_m)
-    if seen.code[0] != OK:
-        return not_measurable(REASONS[int(seen.code[0])], inset_m, u_inset_m)
-    variances = _entries(pose, gradient(pose, seen), sigma_px, u_inset_m)
-    u = sqrt(sum(variances.values()))
-    x, y, distance = contact_on_road(pose, seen)
-    return Height(
-        status="ok",
-        reason=None,
-        height_m=float(seen.height_m[0]),
-        u_height_m=u,
-        U95_height_m=COVERAGE_95 * u,
-        x_m=float(x[0]),
-        y_m=float(y[0]),
-        distance_m=float(distance[0]),
-        inset_m=inset_m,
-        u_inset_m=u_inset_m,
-        budget=tuple(BudgetEntry(source, sqrt(v)) for source, v in variances.items()),
-        flags=_sentences(pose, _doubts(pose, seen, np.array([u]))[:, 0]),
-    )
+    return measure_with_budgets(pose, contact, target, [sigma_px], [inset_m], [u_inset_m])[0]
+
+
+def measure_with_budgets(
+    pose: RoadPose,
+    contacts_px: ArrayLike,
+    targets_px: ArrayLike,
+    sigma_px: ArrayLike,
+    inset_m: ArrayLike,
+    u_inset_m: ArrayLike,
+) -> list[Height]:
+    """`measure_height` of N clicks: contacts_px, targets_px (N, 2); sigma_px, inset_m, u_inset_m (N,).
+
+    JCGM 100:2008, 5.1.2, like the one; never raises for what was clicked.
+    """
+    contacts = np.asarray(contacts_px, dtype=np.float64).reshape(-1, 2)
+    targets = np.asarray(targets_px, dtype=np.float64).reshape(-1, 2)
+    sigma, inset, u_inset = (np.asarray(v, dtype=np.float64) for v in (sigma_px, inset_m, u_inset_m))
+    found: list[Height] = []
+    for start in range(0, len(contacts), _CHUNK):
+        part = slice(start, start + _CHUNK)
+        found += _with_budgets(pose, contacts[part], targets[part], sigma[part], inset[part], u_inset[part])
+    return found
+
+
+def _with_budgets(
+    pose: RoadPose, contacts: Floats, targets: Floats, sigma: Floats, inset: Floats, u_inset: Floats
+) -> list[Height]:
+    seen = intersect_rays(pose, contacts, targets, inset)
+    bad = ~(np.isfinite(sigma) & np.isfinite(inset) & np.isfinite(u_inset) & (sigma >= 0) & (u_inset >= 0))
+    with np.errstate(all="ignore"):  # rows without a height have numbers that nobody reads
+        variances = _entries(pose, gradient(pose, seen), sigma, u_inset)
+        squares = np.stack(list(variances.values()))
+        u_m, parts_m = np.sqrt(squares.sum(axis=0)), np.sqrt(squares)
+        doubts = _doubts(pose, seen, u_m)
+    x_m, y_m, distance_m = contact_on_road(pose, seen)
+    out: list[Height] = []
+    for n, code in enumerate(np.where(bad, BAD_SIGMA, seen.code).tolist()):
+        if code == BAD_SIGMA:
+            out.append(not_measurable(REASONS[BAD_SIGMA]))
+        elif code != OK:
+            out.append(not_measurable(REASONS[code], float(inset[n]), float(u_inset[n])))
+        else:
+            out.append(
+                Height(
+                    status="ok",
+                    reason=None,
+                    height_m=float(seen.height_m[n]),
+                    u_height_m=float(u_m[n]),
+                    U95_height_m=COVERAGE_95 * float(u_m[n]),
+                    x_m=float(x_m[n]),
+                    y_m=float(y_m[n]),
+                    distance_m=float(distance_m[n]),
+                    inset_m=float(inset[n]),
+                    u_inset_m=float(u_inset[n]),
+                    budget=tuple(map(BudgetEntry, variances, parts_m[:, n].tolist())),
+                    flags=_sentences(pose, doubts[:, n]),
+                )
+            )
+    return out
 
 
 def height_both(

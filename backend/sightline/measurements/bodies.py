@@ -41,6 +41,9 @@ class MeasurementBody(MeasurementValues):
     created_by: Who | None
     created_at: datetime
     withdrawn: bool
+    computing_id: Annotated[
+        int | None, Field(description="What computed this revision again; the clicks are those before it.")
+    ]
     review: ReviewState
 
 

@@ -262,6 +262,16 @@ _HEIGHT: Columns = (
     person("created_by_id", "who clicked", lambda m: m.created_by),
     moment("created_at", "when the revision was stored", lambda m: m.created_at),
     flag("withdrawn", "true where the measurement was taken back", lambda m: m.withdrawn, required=True),
+    integer(
+        "computing_id",
+        "what computed the revision again, with the clicks of the revision before",
+        lambda m: m.computing_id,
+    ),
+    integer(
+        "verdict_of_revision",
+        "the revision before it whose verdict holds for this one too: it moved by no more than its u",
+        lambda m: m.verdict_of_revision,
+    ),
 )
 _MEASURED: Columns = (
     *_WHERE,
@@ -300,6 +310,7 @@ MEASUREMENTS: Table[Measurement] = Table(
         (("recording_id", "frame"), "frames", ("recording_id", "frame")),
         (("pose_id",), "poses", ("id",)),
         (("calibration_id",), "calibrations", ("id",)),
+        (("computing_id",), "computings", ("id",)),
         (("created_by_id",), "people", ("id",)),
         (("reviewer_id",), "people", ("id",)),
     ),
@@ -318,6 +329,7 @@ REVISIONS: Table[Measurement] = Table(
         (("measurement_id",), "measurements", ("id",)),
         (("recording_id", "frame"), "frames", ("recording_id", "frame")),
         (("pose_id",), "poses", ("id",)),
+        (("computing_id",), "computings", ("id",)),
         (("created_by_id",), "people", ("id",)),
     ),
 )

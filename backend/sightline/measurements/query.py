@@ -5,7 +5,7 @@ from dataclasses import fields
 from operator import itemgetter
 from typing import Any
 
-from sqlalchemy import ColumnElement, Row, Select, exists, func, select
+from sqlalchemy import ColumnElement, Row, Select, exists, func, or_, select
 from sqlalchemy.orm import Session
 
 from sightline.enums import JsonObject
@@ -27,7 +27,12 @@ is_current: ColumnElement[bool] = ~exists().where(
 _newest_review = (
     select(func.max(reviews.c.id))
     .where(reviews.c.series_id == measurements.c.series_id)
-    .where(reviews.c.result_revision == measurements.c.revision)
+    .where(
+        or_(
+            reviews.c.result_revision == measurements.c.revision,
+            reviews.c.result_revision == measurements.c.verdict_of_revision,
+        )
+    )
     .correlate(measurements)
     .scalar_subquery()
 )
@@ -39,7 +44,9 @@ waits: ColumnElement[bool] = verdict.in_(("to_review", "reopened"))
 
 
 def with_verdict(*columns: Any) -> Select[Any]:
-    """Revisions joined with their series and the newest review of that very revision."""
+    """Revisions joined with their series and the newest review of that very revision, or of the one whose
+    verdict holds for it too.
+    """
     return (
         select(*columns)
         .select_from(measurements)
@@ -65,7 +72,8 @@ def measurement_revision_rows() -> Select[Any]:
             *(_m.created_by, _maker.c.name.label("maker_name"), _m.created_at, _m.withdrawn),
             *(reviews.c.verdict, reviews.c.reason.label("review_reason")),
             *(reviews.c.created_by.label("reviewer_id"), _reviewer.c.name.label("reviewer_name")),
-            reviews.c.created_at.label("reviewed_at"),
+            *(reviews.c.created_at.label("reviewed_at"), reviews.c.result_revision.label("judged_revision")),
+            *(_m.computing_id, _m.verdict_of_revision),
         )
         .outerjoin(_maker, _maker.c.id == measurements.c.created_by)
         .outerjoin(_reviewer, _reviewer.c.id == reviews.c.created_by)
@@ -102,6 +110,7 @@ _OUTER = {
     "id": "series_id",
     **{name: name for name in ("revision", "revision_id", "survey_id", "vehicle_id", "recording_id")},
     **{name: name for name in ("repeat_of", "created_at", "withdrawn")},
+    **{name: name for name in ("computing_id", "verdict_of_revision", "judged_revision")},
 }
 _outer_of, _values_of = _getter(_OUTER.values()), _getter(_STORED)
 _clicks_of = _getter(("contact_x_px", "contact_y_px", "target_x_px", "target_y_px", "more_frames"))

@@ -207,6 +207,12 @@ class Measurement:
     created_at: datetime
     withdrawn: bool
     review: ReviewState
+    #: What computed this revision again; the clicks are those of `created_by`.
+    computing_id: int | None = None
+    #: Of a revision computed again: the one before it whose verdict holds for it too.
+    verdict_of_revision: int | None = None
+    #: The revision that the verdict was given to.
+    judged_revision: int | None = None
     #: Derived when read, never stored: the camera had moved on this frame.
     drift_flag: str | None = None
 

@@ -33,7 +33,6 @@ from sightline.measurements.records import ClickedFrame, Clicks, FurtherFrame, M
 from sightline.measurements.store import (
     add_measurement,
     get_measurement,
-    list_measurements,
     require_measurement_revision,
     revise_current_measurement,
 )
@@ -239,23 +238,6 @@ def revise_with_what_holds_now(session: Session, before: Measurement, *, actor: 
     clicks = clicks_to_compute_again(before.values)
     values = values_of_vehicle(session, before.vehicle_id, clicks, actor=actor)
     return revise_current_measurement(session, before, values, actor=actor)
-
-
-def measure_eyes_that_waited(session: Session, survey_id: int, *, actor: int) -> int:
-    """Compute the standing eyes of a survey that waited for the driver's side and know it now; how many.
-
-    No height is changed by it: they had none.
-    """
-    count = 0
-    for one in list_measurements(session, survey_id):
-        if one.values.target != "driver_eye" or one.values.inset_m is not None or one.values.more_frames:
-            continue
-        clicks = clicks_to_compute_again(one.values)
-        values = values_of_vehicle(session, one.vehicle_id, clicks, actor=actor)
-        if values.inset_m is not None:
-            revise_current_measurement(session, one, values, actor=actor)
-            count += 1
-    return count
 
 
 def clicks_to_compute_again(values: MeasurementValues) -> Clicks:

@@ -1,6 +1,8 @@
 """Measurements: append-only revisions of a series. Nothing changes a row; the database refuses it too."""
 
-from dataclasses import asdict, dataclass
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass, replace
+from datetime import datetime
 from typing import Any
 
 from sqlalchemy import Row, Select, and_, func, select
@@ -12,7 +14,7 @@ from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
 from sightline.infra.audit.hashing import content_hash, plain
 from sightline.infra.audit.records import name_or_somebody
-from sightline.infra.database.rows import add_row, missing, name_of, row_content
+from sightline.infra.database.rows import add_row, add_rows, missing, name_of, row_content
 from sightline.infra.database.types import columns_of, now
 from sightline.measurements.drift_query import flagged_by
 from sightline.measurements.query import (
@@ -30,6 +32,7 @@ from sightline.recordings.frames.tables import frames
 from sightline.recordings.tables import recordings
 from sightline.vehicles.tables import vehicles
 
+_SOME = 500  # revisions written with one statement
 _IN_EVENTS = (
     "target",
     "frame",
@@ -247,27 +250,100 @@ def _append(
     action: str,
     actor: int | None,
 ) -> Measurement:
+    stamps: dict[str, Any] = {"series_id": series_id, "revision": revision, "withdrawn": withdrawn}
+    stamps |= {"created_at": now(), "created_by": actor}
+    row_id = add_row(session, measurements, {**_row_of(values), **stamps})
+    made, content = _as_stored(session, row_id)
+    after = _after(made, content)
+    trail.record(session, actor, action, "measurement", series_id, made.survey_id, before, after)
+    return made
+
+
+def _row_of(values: MeasurementValues) -> dict[str, Any]:
     row = asdict(values)
     (row["contact_x_px"], row["contact_y_px"]) = row.pop("contact")
     (row["target_x_px"], row["target_y_px"]) = row.pop("target_point")
     row["more_frames"] = [plain(one) for one in values.more_frames]
-    stamps = {"series_id": series_id, "revision": revision, "withdrawn": withdrawn}
-    row_id = add_row(session, measurements, {**row, **stamps, "created_at": now(), "created_by": actor})
-    made, content = _as_stored(session, row_id)
-    after = {name: getattr(values, name) for name in _IN_EVENTS} | {
-        "revision": revision,
-        "revision_id": row_id,
+    return row
+
+
+def _after(made: Measurement, content: JsonObject) -> JsonObject:
+    """What an event says of a revision: a few words, and the whole row, so that every input and every figure
+    can be held against what the chain says.
+    """
+    after: JsonObject = {name: getattr(made.values, name) for name in _IN_EVENTS} | {
+        "revision": made.revision,
+        "revision_id": made.revision_id,
         "vehicle_id": made.vehicle_id,
         "recording_id": made.recording_id,
-        "withdrawn": withdrawn,
-        # the whole row, so that every input and every figure can be held against what the chain says
+        "withdrawn": made.withdrawn,
         "row": content,
         "content_sha256": content_hash(content),
     }
     if made.repeat_of is not None:
         after["repeat_of"] = made.repeat_of
-    trail.record(session, actor, action, "measurement", series_id, made.survey_id, before, after)
-    return made
+    return after
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ComputedAgain:
+    """A revision to come of the same clicks: after which one, its content, and the earlier revision whose
+    verdict holds for it too.
+    """
+
+    before: Measurement
+    values: MeasurementValues
+    verdict_of_revision: int | None = None
+
+
+def append_computed_again(
+    session: Session,
+    survey_id: int,
+    computing_id: int,
+    computed: Sequence[ComputedAgain],
+    *,
+    action: str,
+    actor: int | None,
+) -> None:
+    """Write thousands of revisions of the same clicks, each with its audit event.
+
+    They stay by who clicked. The revisions before them are read in the same transaction.
+    """
+    moment = now()
+    for at in range(0, len(computed), _SOME):
+        some = computed[at : at + _SOME]
+        ids = add_rows(session, measurements, [_row_again(one, computing_id, moment) for one in some])
+        rows = session.execute(select(measurements).where(measurements.c.id.in_(ids))).mappings()
+        content_of = {row["id"]: plain(row_content(row)) for row in rows}
+        events = [
+            (one.before.id, _before_again(one), _after(_made_again(one, row_id), content_of[row_id]))
+            for one, row_id in zip(some, ids, strict=True)
+        ]
+        trail.record_many(session, actor, action, "measurement", survey_id, events)
+
+
+def _row_again(one: ComputedAgain, computing_id: int, moment: datetime) -> dict[str, Any]:
+    return {
+        **_row_of(one.values),
+        "series_id": one.before.id,
+        "revision": one.before.revision + 1,
+        "withdrawn": False,
+        "computing_id": computing_id,
+        "verdict_of_revision": one.verdict_of_revision,
+        "created_at": moment,
+        "created_by": one.before.created_by.id if one.before.created_by else None,
+    }
+
+
+def _before_again(one: ComputedAgain) -> JsonObject:
+    then = {name: getattr(one.before.values, name) for name in _IN_EVENTS}
+    return {**then, "revision": one.before.revision}
+
+
+def _made_again(one: ComputedAgain, row_id: int) -> Measurement:
+    return replace(
+        one.before, revision=one.before.revision + 1, revision_id=row_id, values=one.values, withdrawn=False
+    )
 
 
 def _as_stored(session: Session, revision_id: int) -> tuple[Measurement, JsonObject]:

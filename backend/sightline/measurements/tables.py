@@ -1,4 +1,6 @@
-"""What people clicked and what was said of it: measurements, their verdicts, tyre contacts, click sigmas."""
+"""What people clicked and what was said of it: measurements, what computed them again, their verdicts, tyre
+contacts, click sigmas.
+"""
 
 from sqlalchemy import (
     BigInteger,
@@ -15,7 +17,15 @@ from sqlalchemy import (
     UniqueConstraint,
 )
 
-from sightline.enums import DriverSide, InsetSource, MeasurementStatus, ReviewVerdict, SideBasis, Target
+from sightline.enums import (
+    ComputingKind,
+    DriverSide,
+    InsetSource,
+    MeasurementStatus,
+    ReviewVerdict,
+    SideBasis,
+    Target,
+)
 from sightline.infra.audit.vouched import WrittenOnce, WrittenOnceApart, vouched
 from sightline.infra.database.types import HOLDS, CanonicalJson, UtcDateTime, enum_check, identity, metadata
 
@@ -32,6 +42,29 @@ measurement_series = Table(
     Column("repeat_of", ForeignKey("measurement_series.id"), index=True),
     UniqueConstraint("client_key"),
     info=vouched(WrittenOnceApart("series")),
+)
+
+
+# Heights of a survey computed again in one go; each revision that it made names it.
+computings = Table(
+    "computings",
+    metadata,
+    identity(),
+    Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
+    Column("kind", String(20), nullable=False),
+    # the one whose old heights this one put back
+    Column("undoes", ForeignKey("computings.id")),
+    Column("heights", Integer, nullable=False),
+    Column("to_review", Integer, nullable=False),
+    Column("kept", Integer, nullable=False),
+    Column("largest_m", Float),
+    Column("causes", CanonicalJson, nullable=False),
+    Column("code_version", String(60), nullable=False),
+    Column("created_at", UtcDateTime, nullable=False),
+    Column("created_by", ForeignKey("people.id")),
+    enum_check("kind", ComputingKind),
+    CheckConstraint("(kind = 'undo') = (undoes IS NOT NULL)", name="undo_names_another"),
+    info=vouched(WrittenOnce("computing", "record of heights computed again")),
 )
 
 
@@ -80,6 +113,10 @@ measurements = Table(
     Column("u_clicks_m", Float),
     Column("u_by_inset_m", Float),
     Column("withdrawn", Boolean, nullable=False),
+    # what computed it again, the clicks being those of the revision before; `created_by` is who clicked
+    Column("computing_id", ForeignKey("computings.id"), index=True),
+    # the revision before it whose verdict holds for this one too
+    Column("verdict_of_revision", Integer),
     Column("created_at", UtcDateTime, nullable=False),
     Column("created_by", ForeignKey("people.id")),
     UniqueConstraint("series_id", "revision"),
@@ -90,6 +127,7 @@ measurements = Table(
     enum_check("side_from", SideBasis),
     CheckConstraint("revision >= 1", name="revision_counts"),
     CheckConstraint("sigma_px > 0", name="sigma_positive"),
+    CheckConstraint("verdict_of_revision < revision", name="verdict_of_an_earlier_one"),
     CheckConstraint("inset_m IS NOT NULL OR target = 'driver_eye'", name="inset_of_all_but_eyes"),
     CheckConstraint(
         "(status = 'ok' AND height_m IS NOT NULL) OR (status <> 'ok' AND reason IS NOT NULL)",

@@ -108,6 +108,8 @@ def _told(number: int, after: Mapping[str, Any]) -> Measurement:
         created_at=datetime.fromisoformat(row["created_at"]),
         withdrawn=row["withdrawn"],
         review=ReviewState("to_review"),
+        computing_id=row["computing_id"],
+        verdict_of_revision=row["verdict_of_revision"],
     )
 
 

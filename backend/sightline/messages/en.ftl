@@ -466,6 +466,7 @@ figure-standard = { $standards } { $height } { $unit }
 budget-title = Where the uncertainty comes from
 budget-note = standard uncertainty
 budget-together = together
+revisions-computed-again = computed again; clicked by
 revisions-title = History
 revisions-who = { $person }, { $time }
 revisions-review = { $person } – { $reason }
@@ -917,6 +918,86 @@ unit-mrad = mrad
 
 ## Checks: the page
 
+computing-lead = Heights follow from the road pose, the inset, the driver’s side and the program. When one of these changes, stored heights stay as they are until somebody computes them again here: as new revisions, old beside new, and undone as a whole.
+computing-loading = what is out of date
+computing-fine = Every height follows from what holds now.
+computing-stale = { $count ->
+    [one] One height follows from facts that no longer hold: { $causes }.
+   *[other] { $count } heights follow from facts that no longer hold: { $causes }.
+}
+computing-waiting = { $count ->
+    [one] One of them has no height yet and will have one.
+   *[other] { $count } of them have no height yet and will have one.
+}
+computing-other-program = { $count ->
+    [one] One height was computed by another version of the program. It may come out alike; computing again tells.
+   *[other] { $count } heights were computed by another version of the program. They may come out alike; computing again tells.
+}
+computing-cause-pose = { $count } by another road pose
+computing-cause-inset = { $count } by another inset
+computing-cause-side = { $count } by another side of the driver
+computing-cause-program = { $count } by another version of the program
+computing-start = Compute again
+computing-look = See and compute again
+computing-nothing-changed = No height came out as another one, so nothing was stored.
+computing-done = { $count ->
+    [one] One height computed again.
+   *[other] { $count } heights computed again.
+}
+computing-runs = Computed before
+computing-runs-none = Nothing was computed again in this survey.
+computing-when = when
+computing-who = by
+computing-kind = why
+computing-kind-asked = asked for
+computing-kind-sides = the driver’s side was told
+computing-kind-adjustment = an adjusted pose was put in force
+computing-kind-undo = undo
+computing-heights = heights
+computing-to-review = to review
+computing-largest = largest change
+computing-undone = undone
+computing-show = Show
+computing-shown = shown
+computing-old-new = Old beside new
+computing-summary = { $count ->
+    [one] One height by { $causes }; mean change { $mean }, largest { $largest }.
+   *[other] { $count } heights: { $causes }; mean change { $mean }, largest { $largest }.
+}
+computing-summary-undo = { $count ->
+    [one] One height was put back as it was before.
+   *[other] { $count } heights were put back as they were before.
+}
+computing-kept = { $count ->
+    [one] One was changed since and stays as it is.
+   *[other] { $count } were changed since and stay as they are.
+}
+computing-sent = { $count ->
+    [0] None moved by more than the standard uncertainty it had, so every verdict still holds.
+    [one] One moved by more than the standard uncertainty it had and goes to review; the other verdicts still hold.
+   *[other] { $count } moved by more than the standard uncertainty they had and go to review; the other verdicts still hold.
+}
+computing-undo = Undo all
+computing-undo-text = Every height of this computing becomes what it was before, as a new revision. What somebody changed since stays as it is.
+computing-figure = Change of each height
+computing-figure-says = The change of { $count } heights against their distance across the road, in { $small }.
+computing-figure-x = contact across the road ({ $unit })
+computing-figure-y = new − old ({ $small })
+computing-figure-note = Filled: moved by more than the standard uncertainty it had. A change that grows with the distance comes from the road pose; one alike for a target, from its inset.
+computing-figure-none = No height stands both before and after.
+computing-vehicle = vehicle
+computing-target = target
+computing-before = old
+computing-after = new
+computing-change = change
+computing-by-u = by its u
+computing-by-u-help = the change divided by the standard uncertainty that the height had
+computing-review-yes = to review
+computing-repeat = repeat
+computing-listed = The { $count } that moved most by their u are listed; the package has all of them.
+computing-table = Old and new heights
+computing-job = the job
+checks-again = Compute again
 checks-lead = What the vehicles themselves say of the insets and of the road’s axes.
 checks-loading = the checks
 checks-which = Check
@@ -934,7 +1015,7 @@ checks-in-force = in force
 checks-from = from
 checks-inset-and-u = inset ± u of the mean
 checks-moves = moves a typical height by
-checks-insets-note = An inset used here counts for measurements made from now on; those that are stored keep theirs, with its value beside them. Its ± is that of a single vehicle: the mean’s, and how much vehicles differ among themselves.
+checks-insets-note = An inset used here counts for measurements made from now on; those that are stored keep theirs until they are computed again. Its ± is that of a single vehicle: the mean’s, and how much vehicles differ among themselves.
 checks-by-known_heights = manufacturers’ heights
 checks-by-trend = trend with distance
 checks-by-two_frames = two-frame measurements
@@ -2847,6 +2928,8 @@ audit-action-swap_cameras = exchanged the cameras of
 audit-action-take_back_drift_decision = took back the decision on the drift of
 audit-action-update = changed
 audit-action-use = used
+audit-action-compute_again = computed again
+audit-action-undo = put back
 audit-action-withdraw = withdrew
 audit-entity-survey = survey
 audit-entity-camera = camera
@@ -2860,6 +2943,7 @@ audit-entity-catalogue = catalogue
 audit-entity-vehicle = vehicle
 audit-entity-measurement = measurement
 audit-entity-review = verdict
+audit-entity-computing = heights computed again
 audit-entity-review_plan = review plan
 audit-entity-wheel_pair = wheel pair
 audit-entity-click_sigma = click sigma
@@ -3191,6 +3275,13 @@ measurements-vehicles-csv-not-what-audit-events = vehicles.csv: { $id } is not w
 measurements-measurement-withdrawn-restore-before-you-change = This measurement is withdrawn; restore it before you change it.
 measurements-repeat-stands-clicked-withdraw-click-again = A repeat stands as it was clicked; withdraw it and click it again.
 measurements-measurement-withdrawn-already-restore-use-again = This measurement is withdrawn already; restore it to use it again.
+computing-undo-cannot-be-undone = An undo is not undone; compute the heights again instead.
+computing-undone-already = This was undone already; compute the heights again to have its heights back.
+computing-undo-the-later-first = Heights were computed again at { $when }; undo that first.
+computing-computings-csv-not-what-event-says = computings.csv: { $id } is not what its audit event says; take the whole export again.
+computing-computing-made-other-revisions = computings.csv: { $id } made another number of revisions than it says; take the whole export again.
+computing-computing-missing = computings.csv: { $id } is missing, though its audit event is there; take the whole export again.
+computing-verdict-went-over = revisions.csv: revision { $revision } of measurement { $name } has a verdict that was given to another height; take the whole export again.
 measurements-measurement-not-withdrawn-nothing-restore = This measurement is not withdrawn, so there is nothing to restore.
 measurements-deleted-vehicle-restore-first = { $name } deleted vehicle { $vehicle_number } at { $when }; restore it first.
 measurements-changed-measurement-utc-look-again = { $name } changed this measurement at { $created_at } UTC; look again.
@@ -3215,6 +3306,7 @@ measurements-not-measurements-csv-put = { $path }: { $row } is not in measuremen
 measurements-measurements-csv-u95-not-1-96 = measurements.csv: { $id } has a U95 that is not 1.96 u; one is wrong.
 measurements-budget-csv-contributions-give-m-measurements = budget.csv: the contributions to { $id } give { NUMBER($total, minimumFractionDigits: 6, maximumFractionDigits: 6) } m, measurements.csv says { NUMBER($told, minimumFractionDigits: 6, maximumFractionDigits: 6) } m; one is wrong.
 measurements-budget-csv-not-what-audit-event = budget.csv: the contributions to { $id } differ from its audit event; one was changed.
+cameras-calibration-of-other-images = calibrations.csv: { $id } names other images than its audit events; take the whole export again.
 measurements-event-another-row = audit.csv: an event of measurement { $id } holds another row than it hashed; it was changed.
 measurements-events-two-frames = audit.csv: two events tell of frame { $frame } of recording { $recording } otherwise; one was changed.
 measurements-frames-csv-not-as-clicked = frames.csv: frame { $frame } of recording { $recording } is not what the audit events of its measurements say; it was changed.

@@ -93,7 +93,7 @@ def load_measured_columns(
     id_, vehicle = id_[order], _ints(series, "vehicle_id")[order]
     at_series = _Places(id_)
     row, revision = _newest(at_series, revisions, len(id_))
-    verdict = _verdicts(at_series, judged, revision)
+    verdict = _verdicts(at_series, judged, revision, _carried(revisions, row))
     height = np.append(_floats(revisions, "height_m"), np.nan)[row]
     car = _Places(car_id)(vehicle)
     keep = (row != NONE) & ~np.isnan(height) & (car != NONE)
@@ -156,7 +156,7 @@ def _revisions(survey_ids: Sequence[int] | None, days: bool) -> Select[Any]:
     m = measurements.c
     height = case((m.withdrawn, null()), else_=m.height_m).label("height_m")
     query = select(m.series_id, m.revision, m.created_by, m.target, height, m.uncorrected_height_m, m.pose_id)
-    query = query.add_columns(*(m[name] for name in UNCERTAINTY))
+    query = query.add_columns(m.verdict_of_revision, *(m[name] for name in UNCERTAINTY))
     if days:
         query = query.add_columns(m.created_at)
     return query.where(*_series_of(m.series_id, survey_ids))
@@ -253,10 +253,18 @@ def _newest(at_series: _Places, revisions: pa.Table, count: int) -> tuple[Ints, 
     return row[:count], np.append(number, NONE)[row[:count]]
 
 
-def _verdicts(at_series: _Places, judged: pa.Table, revision: Ints) -> Ints:
-    """The newest verdict on the newest revision (N,) of each series, the first of VERDICTS without any."""
-    at = at_series(_ints(judged, "series_id"))
-    holds = (at != NONE) & (np.append(revision, NONE)[at] == _ints(judged, "result_revision"))
+def _carried(revisions: pa.Table, row: Ints) -> Ints:
+    """Of each row (N,) the earlier revision whose verdict holds for it too, NONE without any."""
+    return np.append(_ints(revisions, "verdict_of_revision"), NONE)[row]
+
+
+def _verdicts(at_series: _Places, judged: pa.Table, revision: Ints, carried: Ints) -> Ints:
+    """The newest verdict on the newest revision (N,) of each series, or on the earlier one (N,) whose verdict
+    holds for it too; the first of VERDICTS without any.
+    """
+    at, judged_revision = at_series(_ints(judged, "series_id")), _ints(judged, "result_revision")
+    on_newest = np.append(revision, NONE)[at] == judged_revision
+    holds = (at != NONE) & (on_newest | (np.append(carried, NONE)[at] == judged_revision))
     order = _ascending(_ints(judged, "id")[holds])
     verdict = np.zeros(len(revision), dtype=np.int64)
     verdict[at[holds][order]] = _codes(judged, "verdict", VERDICTS)[holds][order]

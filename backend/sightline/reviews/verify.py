@@ -17,7 +17,8 @@ _DEFAULT_VERDICT = "to_review"
 def check_verdicts(
     files: Files, reviews: Mapping[int, Mapping[str, Any]], is_gone: Callable[[int], bool]
 ) -> None:
-    """Reviews are those of the chain, by number, and each measurement's verdict is its newest review's.
+    """Reviews are those of the chain, by number, and each measurement's verdict is its newest review's,
+    of that revision or of the one whose verdict holds for it too.
 
     `is_gone`: whether a vehicle was deleted. Raises Damaged.
     """
@@ -32,9 +33,11 @@ def check_verdicts(
     for id_, made in reviews.items():
         if id_ not in there and not is_gone(int(made["vehicle_id"])):
             raise Damaged("reviews-reviews-csv-missing-though-audit-event", id=id_)
-    names = ("id", "revision", "verdict", "review_reason", "reviewer_id", "reviewed_at")
-    for one, revision, *said in read_columns(files, "measurements.csv", names):
-        review = newest.get((one, revision))
+    names = ("verdict", "review_reason", "reviewer_id", "reviewed_at")
+    columns = ("id", "revision", "verdict_of_revision", *names)
+    for one, revision, carried, *said in read_columns(files, "measurements.csv", columns):
+        judged = [found for of in (revision, carried) if (found := newest.get((one, of))) is not None]
+        review = max(judged, key=lambda row: int(row["id"]), default=None)
         wanted = [_DEFAULT_VERDICT, "", "", ""]
         if review is not None:
             wanted = [review[name] for name in ("verdict", "reason", "reviewer_id", "at")]

@@ -105,6 +105,12 @@ export type TargetRepeats = Schemas["OfTarget"];
 export type RepeatDifference = Schemas["Difference"];
 export type ToClickAgain = Schemas["Blind"];
 
+export type Computings = Schemas["ComputingsBody"];
+export type Computing = Schemas["Computing"];
+export type ComputedHeights = Schemas["ComputedHeights"];
+export type ComputedHeight = Schemas["ComputedHeight"];
+export type OutOfDate = Schemas["OutOfDate"];
+
 export type Photograph = Schemas["PhotographBody"];
 export type ExportPackage = Schemas["ExportBody"];
 export type AuditEvent = Schemas["AuditEvent"];

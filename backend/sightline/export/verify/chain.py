@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections import Counter
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -11,6 +12,7 @@ from sightline.errors import Damaged
 from sightline.export.seal import ENTITY, Seal
 from sightline.infra.csv_package.chain import Event, chain, stamp
 from sightline.infra.csv_package.files import Files
+from sightline.measurements.again.verify import count_revisions
 from sightline.measurements.verify import MeasurementEvents
 from sightline.quality.repeats.csv import REPEATS
 from sightline.recordings.verify import RecordingEvents
@@ -35,6 +37,8 @@ class ReplayedState:
     reviews: dict[int, dict[str, Any]] = field(default_factory=dict)
     poses: dict[int, str] = field(default_factory=dict)
     calibrations: CalibrationEvents = field(default_factory=CalibrationEvents)
+    computings: dict[int, dict[str, Any]] = field(default_factory=dict)
+    revisions_of_computings: Counter[int] = field(default_factory=Counter)
     pairs: dict[int, dict[str, Any]] = field(default_factory=dict)
     photographs: dict[int, dict[str, Any]] = field(default_factory=dict)
     scans: int = 0
@@ -80,14 +84,16 @@ def _gather(told: ReplayedState, event: Event, after: dict[str, Any]) -> None:
     entity, action, number = event["entity"], event["action"], int(event["entity_id"] or 0)
     if entity == "measurement":
         told.measurements.add(number, {**after, "by": event["actor_id"]})
+        count_revisions(told.revisions_of_computings, after)
     elif entity == "survey":
         told.survey |= after
     elif entity == "vehicle":
         told.vehicles.setdefault(number, {}).update(after)
     elif entity == "recording":
         told.recordings.add(action, number, after)
-    elif entity == "review":
-        told.reviews[number] = {**after, "at": event["at"], "actor_id": event["actor_id"]}
+    elif entity in ("review", "computing"):
+        rows = told.reviews if entity == "review" else told.computings
+        rows[number] = {**after, "at": event["at"], "actor_id": event["actor_id"]}
     elif entity == "wheel_pair":
         told.pairs[number] = {**after, "created_by_id": _number(event["actor_id"])}
     elif entity == "photograph":

@@ -40,6 +40,7 @@ from sightline.infra.csv_package.files import (
 from sightline.infra.csv_package.forms import check_forms
 from sightline.infra.csv_package.schema import CHECKSUMS, Written
 from sightline.infra.csv_package.verify import check_keys
+from sightline.measurements.again.verify import check_computings
 from sightline.measurements.csv import CLICKS, CLICKS_FOLDER
 from sightline.measurements.sheets.verify import check_vehicles
 from sightline.measurements.verify import Recomputed, check_frames, check_measurements
@@ -146,6 +147,7 @@ def _check(files: Files, head: str | None, found: _Found, tick: Tick) -> None:
     check_vehicles(files, told.vehicles, told.is_gone)
     check_recordings(files, told.recordings)
     check_wheel_pairs(files, told.pairs, told.is_gone)
+    check_computings(files, told.computings, told.revisions_of_computings)
     check_verdicts(files, told.reviews, told.is_gone)
     check_frames(files, told.measurements)
     check_scans(files, told.scans)

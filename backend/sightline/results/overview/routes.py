@@ -4,7 +4,7 @@ from fastapi import APIRouter
 
 from sightline.geometry.sides import TrafficFacts
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
-from sightline.measurements.service import measure_eyes_that_waited
+from sightline.measurements.again.service import ask_for_waiting
 from sightline.results.overview.query import survey_overview, survey_overviews
 from sightline.results.overview.records import Step, SurveyCounts, SurveyOverview
 from sightline.scans.records import ScanProgress
@@ -68,7 +68,7 @@ def get_survey(survey_id: PathId, who: Viewer, session: Reading) -> SurveyBody:
 def change_survey(survey_id: PathId, body: SurveyChange, who: Operator, session: Writing) -> SurveyBody:
     """Change words, traffic, targets or insets; they count for measurements made from now on.
 
-    Eyes that waited for the driver's side are computed where the traffic tells it now.
+    Where the traffic tells the driver's side now, a job computes the eyes that waited for it.
     """
     before = store.get_survey(session, survey_id)
     insets = dict(before.insets)
@@ -90,5 +90,5 @@ def change_survey(survey_id: PathId, body: SurveyChange, who: Operator, session:
         actor=who.id,
     )
     if _traffic(body, before.traffic) != before.traffic:
-        measure_eyes_that_waited(session, survey_id, actor=who.id)
+        ask_for_waiting(session, survey_id, actor=who.id)
     return survey_body(survey_overview(session, survey_id))

@@ -46,6 +46,7 @@ export function Revisions({ id, revision }: { id: number; revision: number }) {
               <span class="grow">{revisionWords(m)}</span>
             </span>
             <span class="revisions__who muted">
+              {m.computing_id !== null && `${say("revisions-computed-again")} `}
               {say("revisions-who", {
                 person: m.created_by?.name ?? say("person-unknown"),
                 time: formatMoment(m.created_at),

@@ -15,6 +15,7 @@ export const ENTITY_WORDS = wordsOf({
   catalogue: "audit-entity-catalogue",
   vehicle: "audit-entity-vehicle",
   measurement: "audit-entity-measurement",
+  computing: "audit-entity-computing",
   review: "audit-entity-review",
   review_plan: "audit-entity-review_plan",
   wheel_pair: "audit-entity-wheel_pair",
@@ -38,6 +39,7 @@ const ACTION_WORDS = wordsOf({
   calibrate: "audit-action-calibrate",
   cancel: "audit-action-cancel",
   cancelled: "audit-action-cancelled",
+  compute_again: "audit-action-compute_again",
   check_drift: "audit-action-check_drift",
   choose: "audit-action-choose",
   choose_calibration: "audit-action-choose_calibration",
@@ -69,6 +71,7 @@ const ACTION_WORDS = wordsOf({
   sign_out: "audit-action-sign_out",
   swap_cameras: "audit-action-swap_cameras",
   take_back_drift_decision: "audit-action-take_back_drift_decision",
+  undo: "audit-action-undo",
   update: "audit-action-update",
   use: "audit-action-use",
   withdraw: "audit-action-withdraw",
@@ -115,6 +118,7 @@ export function pageOf({ event, subject }: NamedEvent): string | null {
     recording: `${survey}/measure?recording=${entity_id}`,
     scan: `${survey}/scan?scan=${entity_id}`,
     review_plan: `${survey}/review`,
+    computing: `${survey}/checks?tab=again&computing=${entity_id}`,
     export: `${survey}/export`,
   };
   return pages[entity] ?? null;

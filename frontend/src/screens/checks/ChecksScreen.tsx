@@ -1,17 +1,20 @@
-/** What a survey's own vehicles say of its insets and of its road poses. */
+/** What a survey's own vehicles say of its insets and of its road poses, and heights computed again. */
 import { Loading, Segments } from "../../components";
 import { query, setQuery } from "../../core/address";
 import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { survey as openSurvey } from "../../core/survey";
+import { AgainTab } from "./AgainTab";
 import { InsetsTab } from "./InsetsTab";
 import { TrafficTab } from "./TrafficTab";
 import "./checks.css";
 
-type Tab = "insets" | "traffic";
+type Tab = "insets" | "traffic" | "again";
+const TABS: readonly string[] = ["traffic", "again"];
 
 export default function ChecksScreen({ surveyId }: ScreenProps) {
-  const tab: Tab = query.value.get("tab") === "traffic" ? "traffic" : "insets";
+  const asked = query.value.get("tab") ?? "";
+  const tab = (TABS.includes(asked) ? asked : "insets") as Tab;
   const survey = openSurvey.value;
   if (!survey || survey.id !== surveyId) return <Loading what={say("checks-loading")} />;
   return (
@@ -19,7 +22,7 @@ export default function ChecksScreen({ surveyId }: ScreenProps) {
       <header class="page__head">
         <div>
           <h1>{say("page-checks")}</h1>
-          <p class="page__lead">{say("checks-lead")}</p>
+          <p class="page__lead">{say(tab === "again" ? "computing-lead" : "checks-lead")}</p>
         </div>
         <Segments
           label={say("checks-which")}
@@ -27,11 +30,14 @@ export default function ChecksScreen({ surveyId }: ScreenProps) {
           options={[
             { value: "insets", label: say("checks-insets") },
             { value: "traffic", label: say("checks-direction") },
+            { value: "again", label: say("checks-again") },
           ]}
-          onChange={(value) => setQuery({ tab: value === "insets" ? null : value })}
+          onChange={(value) => setQuery({ tab: value === "insets" ? null : value, computing: null })}
         />
       </header>
-      {tab === "insets" ? <InsetsTab survey={survey} /> : <TrafficTab surveyId={surveyId} />}
+      {tab === "insets" && <InsetsTab survey={survey} />}
+      {tab === "traffic" && <TrafficTab surveyId={surveyId} />}
+      {tab === "again" && <AgainTab surveyId={surveyId} />}
     </div>
   );
 }

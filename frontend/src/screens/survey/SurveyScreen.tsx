@@ -12,6 +12,7 @@ import type { Step, Survey, Target } from "../../core/types";
 import { formatCount } from "../../core/units";
 import { STATE_WORDS, TARGET_NOUNS } from "../../core/words";
 import { entryOfStep } from "../../core/work";
+import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
 import { ClassesDialog } from "./ClassesDialog";
 import { EditSurvey } from "./EditSurvey";
 import { Photographs } from "./Photographs";
@@ -51,6 +52,7 @@ export default function SurveyScreen({ surveyId }: ScreenProps) {
           <JobProgress job={job} />
         </div>
       ))}
+      <OutOfDateNotice surveyId={survey.id} />
       <TrafficOf survey={survey} edit={() => setEditing(true)} />
       <ol class="steps">
         {survey.steps.map((step, index) => (

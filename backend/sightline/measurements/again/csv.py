@@ -1,0 +1,62 @@
+"""The table of heights computed again in the package."""
+
+from __future__ import annotations
+
+from typing import get_args
+
+from sightline.enums import ComputingCause, ComputingKind
+from sightline.infra.csv_package.columns import integer, key, metres, moment, person, text
+from sightline.infra.csv_package.schema import Column, Table
+from sightline.measurements.again.records import Computing
+
+_CAUSES: tuple[tuple[ComputingCause, str], ...] = (
+    ("pose", "heights that followed from another road pose"),
+    ("inset", "heights that followed from another inset"),
+    ("side", "heights that followed from another side of the driver"),
+    ("program", "heights that another version of the program came to"),
+)
+assert {cause for cause, _ in _CAUSES} == set(get_args(ComputingCause))
+
+
+def _of_cause(cause: ComputingCause, meaning: str) -> Column[Computing]:
+    return integer(f"by_{cause}", meaning, lambda c: c.causes.get(cause, 0), required=True, minimum=0)
+
+
+COMPUTINGS: Table[Computing] = Table(
+    "computings",
+    "Each time that heights of the survey were computed again together; the revisions that this made name it "
+    "in revisions.csv, and the height before stands in the revision before.",
+    (
+        key("id", "the computing", lambda c: c.id),
+        text(
+            "kind",
+            "asked for; after the driver's side was told; after an adjustment; or an undo of another",
+            lambda c: c.kind,
+            required=True,
+            enum=get_args(ComputingKind),
+        ),
+        integer("undoes", "of an undo: the computing whose old heights it put back", lambda c: c.undoes),
+        integer("heights", "how many revisions it made", lambda c: c.heights, required=True, minimum=0),
+        integer(
+            "to_review",
+            "how many of them moved by more than the u they had, so that their verdict no longer held",
+            lambda c: c.to_review,
+            required=True,
+            minimum=0,
+        ),
+        integer(
+            "kept",
+            "of an undo: how many were changed since and stayed as they were",
+            lambda c: c.kept,
+            required=True,
+            minimum=0,
+        ),
+        metres("largest_m", "the largest change of a height", lambda c: c.largest_m),
+        *(_of_cause(cause, meaning) for cause, meaning in _CAUSES),
+        text("code_version", "version of the program", lambda c: c.code_version, required=True),
+        person("created_by_id", "who asked for it", lambda c: c.created_by),
+        moment("created_at", "when", lambda c: c.created_at),
+    ),
+    primary=("id",),
+    foreign=((("created_by_id",), "people", ("id",)),),
+)

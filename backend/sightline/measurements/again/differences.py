@@ -1,0 +1,99 @@
+"""What makes a height another one: the facts that it follows from, and its numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
+
+from sightline.enums import ComputingCause, DriverSide, InsetSource, SideBasis
+from sightline.measurements.records import Clicks, HeightOfClicks, Measurement, MeasurementValues
+
+# Half of the last decimal that the package carries: less than that is the same number.
+_SAME_M = 0.5e-6
+_LENGTHS = tuple(one.name for one in fields(HeightOfClicks) if one.name.endswith("_m"))
+#: Lengths that one frame assumes; several frames solve for the inset, and these say nothing of the height.
+_ASSUMED = ("inset_m", "u_inset_m")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Facts:
+    """What a height follows from beside its clicks. `solved`: from several frames, which need no inset."""
+
+    pose_id: int
+    side: DriverSide | None
+    side_from: SideBasis | None
+    inset_m: float | None
+    u_inset_m: float | None
+    inset_from: InsetSource | None
+    solved: bool
+
+
+def facts_of(said: MeasurementValues | Clicks, pose_id: int) -> Facts:
+    """Those of a stored content, or of clicks with everything filled in."""
+    return Facts(
+        pose_id=pose_id,
+        side=said.side,
+        side_from=said.side_from,
+        inset_m=said.inset_m,
+        u_inset_m=said.u_inset_m,
+        inset_from=said.inset_from,
+        solved=bool(said.more_frames),
+    )
+
+
+def causes_of_facts(then: Facts, now: Facts) -> tuple[ComputingCause, ...]:
+    """Which facts are others in a way that a height depends on."""
+    found: list[ComputingCause] = []
+    if then.pose_id != now.pose_id:
+        found.append("pose")
+    if then.solved or then.inset_from == "own":
+        return tuple(found)
+    by_place = (then.side_from == "place") != (now.side_from == "place")  # which a flag says
+    if then.side != now.side or by_place:
+        found.append("side")
+    elif not (_same(then.inset_m, now.inset_m) and _same(then.u_inset_m, now.u_inset_m)):
+        found.append("inset")
+    return tuple(found)
+
+
+def causes_of(then: MeasurementValues, now: MeasurementValues) -> tuple[ComputingCause, ...]:
+    """Why a height computed again is another one; none where it is the same."""
+    found = causes_of_facts(facts_of(then, then.pose_id), facts_of(now, now.pose_id))
+    if found:
+        return found
+    free = then.more_frames or then.inset_from == "own"
+    names = [name for name in _LENGTHS if not (free and name in _ASSUMED)]
+    alike = all(_same(getattr(then, name), getattr(now, name)) for name in names)
+    return () if alike and (then.status, then.flags) == (now.status, now.flags) else ("program",)
+
+
+def _same(one: float | None, other: float | None) -> bool:
+    if one is None or other is None:
+        return one is other
+    return abs(one - other) <= _SAME_M
+
+
+def moved_beyond_u(then: MeasurementValues, now: MeasurementValues) -> bool:
+    """Whether a height moved by more than the standard uncertainty that it had, or came or went."""
+    if then.height_m is None or now.height_m is None:
+        return (then.height_m is None) != (now.height_m is None)
+    return abs(now.height_m - then.height_m) > (then.u_height_m or 0.0)
+
+
+def verdict_still_holding(before: Measurement, now: MeasurementValues) -> int | None:
+    """The revision whose verdict holds for the new content too: of what hardly moved, and of a rejection,
+    for the clicks that were rejected are the same.
+    """
+    if before.review.verdict != "rejected" and moved_beyond_u(before.values, now):
+        return None
+    return before.judged_revision
+
+
+def largest_change_m(changes: Sequence[tuple[MeasurementValues, MeasurementValues]]) -> float | None:
+    """The largest change of a height between pairs of contents; None where no height stands in both."""
+    found = [
+        abs(now.height_m - then.height_m)
+        for then, now in changes
+        if then.height_m is not None and now.height_m is not None
+    ]
+    return max(found, default=None)

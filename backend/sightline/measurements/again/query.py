@@ -1,0 +1,244 @@
+"""What computing a survey's heights again needs to know, for thousands of them in a few queries."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, fields
+from typing import Any
+
+from sqlalchemy import Text, and_, func, select, type_coerce
+from sqlalchemy.orm import Session
+
+from sightline.enums import Target
+from sightline.geometry.sides import driver_side
+from sightline.infra.database.people import people
+from sightline.infra.database.rows import missing, who
+from sightline.measurements.again.differences import Facts
+from sightline.measurements.again.records import ComputedHeight, Computing
+from sightline.measurements.click_context_query import ClickContext
+from sightline.measurements.query import fetch_measurements, is_current, measurement_revision_rows
+from sightline.measurements.records import Measurement
+from sightline.measurements.tables import computings, measurement_series, measurements
+from sightline.poses.tables import road_poses
+from sightline.recordings.tables import recordings
+from sightline.surveys.records import Inset, Survey
+from sightline.surveys.store import get_survey
+from sightline.vehicles.tables import vehicles
+
+_SOME = 500
+_m = measurements.c
+_then = measurements.alias("then")
+_undo = computings.alias("undo")
+
+
+def contexts_of_survey(session: Session, survey_id: int) -> dict[int, ClickContext]:
+    """What clicks on each living vehicle follow from now, by vehicle; without frames and a person's sigma.
+
+    Raises NotFound.
+    """
+    survey = get_survey(session, survey_id)
+    return {row.vehicle_id: _context(survey, row, survey.insets) for row in _places(session, survey_id)}
+
+
+def _places(session: Session, survey_id: int) -> Sequence[Any]:
+    query = (
+        select(
+            *(vehicles.c.id.label("vehicle_id"), vehicles.c.direction, vehicles.c.driver_side),
+            *(recordings.c.id.label("recording_id"), recordings.c.name, recordings.c.pose_id),
+            *(recordings.c.width_px, recordings.c.height_px, road_poses.c.calibration_id),
+        )
+        .join(recordings, recordings.c.id == vehicles.c.recording_id)
+        .outerjoin(road_poses, road_poses.c.id == recordings.c.pose_id)
+        .where(vehicles.c.survey_id == survey_id, vehicles.c.deleted_at.is_(None))
+        .where(recordings.c.deleted_at.is_(None))
+    )
+    return session.execute(query).all()
+
+
+def _context(survey: Survey, row: Any, insets: Mapping[str, Inset]) -> ClickContext:
+    return ClickContext(
+        recording_id=row.recording_id,
+        survey_id=survey.id,
+        name=row.name,
+        pose_id=row.pose_id,
+        calibration_id=row.calibration_id,
+        size_px=(row.width_px, row.height_px),
+        insets=insets,
+        side=driver_side(row.driver_side, row.direction, survey.traffic),
+        not_visible=frozenset(),
+        own_sigma_px=None,
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Alike:
+    """So many standing measurements with the same facts; `code_version` computed them."""
+
+    count: int
+    target: Target
+    facts: Facts
+    has_height: bool
+    code_version: str
+    context: ClickContext
+
+
+def alike(session: Session, survey_id: int) -> Iterator[Alike]:
+    """The standing measurements and repeats of a survey, those with the same facts counted together."""
+    survey = get_survey(session, survey_id)
+    several = type_coerce(_m.more_frames, Text) != "[]"
+    each = (
+        select(
+            *(_m.target, _m.pose_id.label("of_pose"), _m.side, _m.side_from, _m.inset_m, _m.u_inset_m),
+            *(_m.inset_from, several.label("solved"), _m.height_m.is_not(None).label("has_height")),
+            *(_m.code_version, vehicles.c.direction, vehicles.c.driver_side),
+            *(recordings.c.id.label("recording_id"), recordings.c.name, recordings.c.pose_id),
+            *(recordings.c.width_px, recordings.c.height_px, road_poses.c.calibration_id),
+        )
+        .select_from(measurements)
+        .join(measurement_series, measurement_series.c.id == _m.series_id)
+        .join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
+        .join(recordings, recordings.c.id == measurement_series.c.recording_id)
+        .outerjoin(road_poses, road_poses.c.id == recordings.c.pose_id)
+        .where(measurement_series.c.survey_id == survey_id, vehicles.c.deleted_at.is_(None))
+        .where(is_current, ~_m.withdrawn, recordings.c.pose_id.is_not(None))
+        .where(recordings.c.deleted_at.is_(None))
+        .subquery()
+    )
+    query = select(func.count().label("count"), *each.c).group_by(*each.c)
+    for row in session.execute(query):
+        facts = Facts(
+            pose_id=row.of_pose,
+            **{name: getattr(row, name) for name in (one.name for one in fields(Facts)) if name != "pose_id"},
+        )
+        context = _context(survey, row, survey.insets)
+        yield Alike(
+            count=row._mapping["count"],
+            target=row.target,
+            facts=facts,
+            has_height=row.has_height,
+            code_version=row.code_version,
+            context=context,
+        )
+
+
+def list_computings(session: Session, survey_id: int) -> tuple[Computing, ...]:
+    """A survey's, newest first."""
+    return _computings(session, computings.c.survey_id == survey_id)
+
+
+def get_computing(session: Session, computing_id: int) -> Computing:
+    """One of them. Raises NotFound."""
+    found = _computings(session, computings.c.id == computing_id)
+    if not found:
+        raise missing("computing", computing_id)
+    return found[0]
+
+
+def _computings(session: Session, condition: Any) -> tuple[Computing, ...]:
+    undone = select(func.max(_undo.c.id)).where(_undo.c.undoes == computings.c.id).scalar_subquery()
+    query = (
+        select(computings, people.c.name.label("maker"), undone.label("undone_by"))
+        .outerjoin(people, people.c.id == computings.c.created_by)
+        .where(condition)
+        .order_by(computings.c.id.desc())
+    )
+    named = [one.name for one in fields(Computing) if one.name != "created_by"]
+    return tuple(
+        Computing(created_by=who(row.created_by, row.maker), **{name: getattr(row, name) for name in named})
+        for row in session.execute(query)
+    )
+
+
+def computed_heights(session: Session, computing_id: int) -> tuple[ComputedHeight, ...]:
+    """Every height of a computing beside what it was, as they were made."""
+    query = (
+        select(
+            *(_m.series_id, _m.revision, _m.target, _m.height_m, _m.u_height_m, _m.U95_height_m, _m.x_m),
+            *(
+                _m.y_m,
+                _m.status,
+                _m.reason,
+                measurement_series.c.repeat_of,
+                vehicles.c.id.label("vehicle_id"),
+            ),
+            *(vehicles.c.number.label("vehicle_number"), _then.c.status.label("status_before")),
+            *(_then.c.height_m.label("height_before_m"), _then.c.u_height_m.label("u_before_m")),
+            *(_then.c.U95_height_m.label("U95_before_m"), _m.verdict_of_revision, computings.c.kind),
+        )
+        .join(computings, computings.c.id == _m.computing_id)
+        .join(measurement_series, measurement_series.c.id == _m.series_id)
+        .join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
+        .join(_then, and_(_then.c.series_id == _m.series_id, _then.c.revision == _m.revision - 1))
+        .where(_m.computing_id == computing_id)
+        .order_by(_m.id)
+    )
+    return tuple(_computed(row) for row in session.execute(query))
+
+
+def _computed(row: Any) -> ComputedHeight:
+    both = row.height_m is not None and row.height_before_m is not None
+    change = row.height_m - row.height_before_m if both else None
+    by_u = abs(change) / row.u_before_m if change is not None and row.u_before_m else None
+    moved = not both and row.height_m != row.height_before_m
+    moved = moved or (change is not None and abs(change) > (row.u_before_m or 0.0))
+    return ComputedHeight(
+        measurement_id=row.series_id,
+        revision=row.revision,
+        vehicle_id=row.vehicle_id,
+        vehicle_number=row.vehicle_number,
+        target=row.target,
+        repeat=row.repeat_of is not None,
+        status_before=row.status_before,
+        status=row.status,
+        height_before_m=row.height_before_m,
+        u_before_m=row.u_before_m,
+        U95_before_m=row.U95_before_m,
+        height_m=row.height_m,
+        u_height_m=row.u_height_m,
+        U95_height_m=row.U95_height_m,
+        x_m=row.x_m,
+        y_m=row.y_m,
+        change_m=change,
+        moved_by_u=by_u,
+        to_review=moved and row.verdict_of_revision is None and row.kind != "undo",
+        reason=row.reason,
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class Made:
+    """A revision that a computing made, the one before it, and what stands now."""
+
+    before: Measurement
+    made: Measurement
+    standing: Measurement
+
+
+def made_by(session: Session, computing_id: int) -> tuple[Made, ...]:
+    """The revisions of a computing whose measurement still stands, in the order of measurements."""
+    query = select(_m.series_id, _m.revision).where(_m.computing_id == computing_id)
+    revision_of = {row.series_id: row.revision for row in session.execute(query.order_by(_m.series_id))}
+    found: dict[tuple[int, int], Measurement] = {}
+    newest: dict[int, Measurement] = {}
+    for one in _revisions(session, list(revision_of)):
+        found[one.id, one.revision] = one
+        newest[one.id] = one
+    return tuple(
+        Made(found[id_, revision - 1], found[id_, revision], newest[id_])
+        for id_, revision in revision_of.items()
+        if id_ in newest and not newest[id_].withdrawn
+    )
+
+
+def _revisions(session: Session, series_ids: Sequence[int]) -> Iterator[Measurement]:
+    """All revisions of measurements of living vehicles, by measurement, oldest first."""
+    for ids in _in_pieces(series_ids):
+        query = measurement_revision_rows().join(
+            vehicles, and_(vehicles.c.id == measurement_series.c.vehicle_id, vehicles.c.deleted_at.is_(None))
+        )
+        query = query.where(_m.series_id.in_(ids)).order_by(_m.series_id, _m.revision)
+        yield from fetch_measurements(session, query)
+
+
+def _in_pieces(ids: Sequence[int]) -> Iterable[Sequence[int]]:
+    return (ids[at : at + _SOME] for at in range(0, len(ids), _SOME))

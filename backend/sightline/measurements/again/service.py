@@ -1,0 +1,259 @@
+"""Computing a survey's heights again with the facts that hold now, and putting the old ones back."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from sightline.enums import ComputingCause, ComputingKind
+from sightline.errors import Conflict, NotFound
+from sightline.geometry.road_pose import RoadPose
+from sightline.infra.by_name import filled_from
+from sightline.infra.database import Session
+from sightline.infra.jobs.records import Job
+from sightline.infra.jobs.registry import enqueue
+from sightline.infra.version import code_version
+from sightline.measurements.again.differences import (
+    Facts,
+    causes_of,
+    causes_of_facts,
+    facts_of,
+    verdict_still_holding,
+)
+from sightline.measurements.again.query import (
+    Alike,
+    Made,
+    alike,
+    computed_heights,
+    contexts_of_survey,
+    get_computing,
+    list_computings,
+    made_by,
+)
+from sightline.measurements.again.records import ComputedHeights, Computing, OutOfDate
+from sightline.measurements.again.store import Changed, add_computing
+from sightline.measurements.click_context_query import ClickContext
+from sightline.measurements.height_of_clicks import Answer
+from sightline.measurements.height_of_clicks import answers as all_answers
+from sightline.measurements.records import Clicks, Measurement, MeasurementValues
+from sightline.measurements.service import clicks_in_context, clicks_to_compute_again, pose_in_force
+from sightline.measurements.store import list_measurements
+
+KIND = "compute_again"
+_MOST_LISTED = 2000
+_EVERY = 200  # heights between two reports of progress
+Tell = Callable[[float], None]
+
+
+def _untold(_fraction: float) -> None:
+    """Progress that nobody follows."""
+
+
+@dataclass(eq=False)
+class Answers:
+    """Heights by pose and clicks: what was computed outside the transaction is only looked up in it."""
+
+    known: dict[tuple[int, Clicks], Answer] = field(default_factory=dict)
+
+    def compute(self, pose_id: int, pose: RoadPose, asked: Sequence[Clicks]) -> None:
+        """Make the heights of these clicks known."""
+        new = [one for one in dict.fromkeys(asked) if (pose_id, one) not in self.known]
+        self.known |= {(pose_id, one): found for one, found in zip(new, all_answers(pose, new), strict=True)}
+
+
+def out_of_date(session: Session, survey_id: int) -> OutOfDate:
+    """How many standing heights follow from other facts than hold now; from facts alone, nothing is computed.
+
+    Raises NotFound.
+    """
+    causes: Counter[ComputingCause] = Counter()
+    heights = waiting = other_program = 0
+    for group in alike(session, survey_id):
+        found = causes_of_facts(group.facts, _facts_now(group))
+        if found:
+            heights += group.count
+            waiting += 0 if group.has_height else group.count
+            causes.update(dict.fromkeys(found, group.count))
+        elif group.code_version != code_version():
+            other_program += group.count
+    return OutOfDate(heights=heights, waiting=waiting, other_program=other_program, causes=dict(causes))
+
+
+def _facts_now(group: Alike) -> Facts:
+    """The facts that clicks on such a vehicle would be computed with now; where they are does not matter."""
+    own = group.facts.inset_from == "own"
+    clicks = Clicks(
+        target=group.target,
+        contact=(0.0, 0.0),
+        target_point=(0.0, 0.0),
+        inset_m=group.facts.inset_m if own else None,
+        u_inset_m=group.facts.u_inset_m if own else None,
+    )
+    pose_id = group.context.pose_id
+    return facts_of(
+        clicks_in_context(clicks, group.context), group.facts.pose_id if pose_id is None else pose_id
+    )
+
+
+def changes_to_come(
+    session: Session,
+    survey_id: int,
+    answers: Answers,
+    *,
+    only_waiting: bool = False,
+    tell: Tell = _untold,
+) -> list[Changed]:
+    """The standing heights and repeats that come out as others with the facts that hold now.
+
+    A recording without a road pose keeps its heights. `only_waiting`: those alone that have no height and get
+    one. Raises NotFound, Conflict for a pose of pictures of another size.
+    """
+    contexts = contexts_of_survey(session, survey_id)
+    standing = [
+        one
+        for one in list_measurements(session, survey_id, include_repeats=True)
+        if one.vehicle_id in contexts and contexts[one.vehicle_id].pose_id is not None
+    ]
+    if only_waiting:
+        standing = [one for one in standing if one.values.height_m is None]
+    found: list[Changed] = []
+    for at in range(0, len(standing), _EVERY):
+        tell(at / len(standing))
+        some = standing[at : at + _EVERY]
+        for one, values in zip(some, _computed(session, some, contexts, answers), strict=True):
+            causes = causes_of(one.values, values)
+            if causes and not (only_waiting and values.height_m is None):
+                judged = verdict_still_holding(one, values)
+                found.append(Changed(before=one, values=values, causes=causes, verdict_of_revision=judged))
+    return found
+
+
+def _computed(
+    session: Session, some: Sequence[Measurement], contexts: Mapping[int, ClickContext], answers: Answers
+) -> Iterator[MeasurementValues]:
+    """The content of each with the facts that hold now; what is not known is computed a pose at a time."""
+    in_force = [pose_in_force(session, contexts[one.vehicle_id]) for one in some]
+    clicks = [
+        clicks_in_context(clicks_to_compute_again(one.values), contexts[one.vehicle_id]) for one in some
+    ]
+    for pose_id, pose in {pose_id: pose for pose, pose_id, _ in in_force}.items():
+        answers.compute(
+            pose_id, pose, [one for one, of in zip(clicks, in_force, strict=True) if of[1] == pose_id]
+        )
+    for one, clicked, (_, pose_id, calibration_id) in zip(some, clicks, in_force, strict=True):
+        yield _content(one.values, clicked, answers.known[pose_id, clicked], pose_id, calibration_id)
+
+
+def _content(
+    then: MeasurementValues, clicks: Clicks, found: Answer, pose_id: int, calibration_id: int
+) -> MeasurementValues:
+    return filled_from(
+        MeasurementValues,
+        found,
+        clicks,
+        pts=then.pts,
+        time_s=then.time_s,
+        frame_crc32=then.frame_crc32,
+        more_frames=then.more_frames,
+        pose_id=pose_id,
+        calibration_id=calibration_id,
+        code_version=code_version(),
+    )
+
+
+def compute_again(
+    session: Session,
+    survey_id: int,
+    *,
+    kind: ComputingKind = "asked",
+    only_waiting: bool = False,
+    answers: Answers | None = None,
+    actor: int | None,
+) -> Computing | None:
+    """Store every height that comes out as another one as a new revision; None where there is none."""
+    changed = changes_to_come(session, survey_id, answers or Answers(), only_waiting=only_waiting)
+    return add_computing(session, survey_id, changed, kind=kind, actor=actor) if changed else None
+
+
+def undo_computing(session: Session, computing_id: int, *, actor: int | None) -> Computing:
+    """Put back the height that each measurement had before, as a new revision.
+
+    What was changed since stays as it is and is counted in `kept`; what was rejected since stays rejected.
+    Raises Conflict where a later computing stands, or this one cannot be undone.
+    """
+    one = require_undoable(session, computing_id)
+    made = made_by(session, computing_id)
+    changed = [_back(this) for this in made if this.standing.values == this.made.values]
+    kept = len(made) - len(changed)
+    return add_computing(
+        session, one.survey_id, changed, kind="undo", undoes=computing_id, kept=kept, actor=actor
+    )
+
+
+def _back(one: Made) -> Changed:
+    rejected = one.standing.review.verdict == "rejected"
+    judged = one.standing.judged_revision if rejected else one.before.judged_revision
+    return Changed(before=one.standing, values=one.before.values, verdict_of_revision=judged)
+
+
+def require_undoable(session: Session, computing_id: int) -> Computing:
+    """Raises NotFound, Conflict saying why it cannot be undone."""
+    one = get_computing(session, computing_id)
+    if one.kind == "undo":
+        raise Conflict("computing-undo-cannot-be-undone")
+    if one.undone_by is not None:
+        raise Conflict("computing-undone-already")
+    later = [
+        other
+        for other in list_computings(session, one.survey_id)
+        if other.id > one.id and other.kind != "undo" and other.undone_by is None
+    ]
+    if later:
+        raise Conflict("computing-undo-the-later-first", when=f"{later[0].created_at:%Y-%m-%d %H:%M} UTC")
+    return one
+
+
+def heights_of(session: Session, computing_id: int) -> ComputedHeights:
+    """A computing with its heights, old beside new. Raises NotFound."""
+    one = get_computing(session, computing_id)
+    found = computed_heights(session, computing_id)
+    changes = [row.change_m for row in found if row.change_m is not None and not row.repeat]
+    try:
+        require_undoable(session, computing_id)
+        why_not = None
+    except (Conflict, NotFound) as refused:
+        why_not = refused.message
+    ordered = sorted(found, key=lambda row: (not row.to_review, -(row.moved_by_u or 0.0)))
+    return ComputedHeights(
+        computing=one,
+        listed=tuple(ordered[:_MOST_LISTED]),
+        mean_change_m=sum(changes) / len(changes) if changes else None,
+        undoable=why_not,
+    )
+
+
+def ask_to_compute(
+    session: Session,
+    survey_id: int,
+    *,
+    kind: ComputingKind = "asked",
+    only_waiting: bool = False,
+    actor: int,
+) -> Job:
+    """Have a worker compute a survey's heights again."""
+    payload = {"kind": kind, "only_waiting": only_waiting}
+    return enqueue(session, KIND, payload, survey_id=survey_id, actor=actor)
+
+
+def ask_for_waiting(session: Session, survey_id: int, *, actor: int) -> Job | None:
+    """Have the eyes computed that waited for the driver's side and know it now, no other height."""
+    if out_of_date(session, survey_id).waiting == 0:
+        return None
+    return ask_to_compute(session, survey_id, kind="sides", only_waiting=True, actor=actor)
+
+
+def ask_to_undo(session: Session, computing_id: int, *, actor: int) -> Job:
+    """Have a worker put the old heights back. Raises NotFound, Conflict where that cannot be."""
+    one = require_undoable(session, computing_id)
+    return enqueue(session, KIND, {"undo": computing_id}, survey_id=one.survey_id, actor=actor)

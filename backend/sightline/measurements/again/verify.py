@@ -1,0 +1,89 @@
+"""Holding what was computed again in a package against the audit chain, and the verdicts that went over."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping
+from itertools import groupby
+from typing import Any
+
+from sightline.errors import Damaged
+from sightline.infra.csv_package.chain import stamp
+from sightline.infra.csv_package.files import Files, read_columns, read_rows
+from sightline.infra.csv_package.files import number as figure_of
+from sightline.infra.csv_package.verify import says
+from sightline.measurements.again.csv import COMPUTINGS
+
+# Three lengths of six decimals, each rounded.
+_ROUNDING_M = 2e-6
+Row = Mapping[str, str]
+
+
+def check_computings(
+    files: Files, events: Mapping[int, Mapping[str, Any]], revisions: Mapping[int, int]
+) -> None:
+    """Computings are those of their events, by number, made as many `revisions` as they say, and a verdict
+    went over only to a height that hardly moved, to one put back, or was a rejection. Raises Damaged.
+    """
+    kinds: dict[str, str] = {}
+    for row in read_rows(files, COMPUTINGS.path):
+        event = events.get(int(row["id"]))
+        if event is None or not says(COMPUTINGS, row, _of_event(event)):
+            raise Damaged("computing-computings-csv-not-what-event-says", id=row["id"])
+        if revisions.get(int(row["id"]), 0) != int(row["heights"]):
+            raise Damaged("computing-computing-made-other-revisions", id=row["id"])
+        kinds[row["id"]] = row["kind"]
+    missing = {str(id_) for id_ in events} - set(kinds)
+    if missing:
+        raise Damaged("computing-computing-missing", id=min(missing))
+    rejected = _rejections(files)
+    for name, group in groupby(read_rows(files, "revisions.csv"), key=lambda row: row["measurement_id"]):
+        _check_verdicts(name, list(group), kinds, rejected)
+
+
+def _of_event(event: Mapping[str, Any]) -> dict[str, Any]:
+    causes = {f"by_{cause}": count for cause, count in event["causes"].items()}
+    by = event["actor_id"]
+    told = {"created_at": stamp(event["created_at"]), "created_by_id": int(by) if by else None}
+    plain = {name: value for name, value in event.items() if name != "causes"}
+    return {**dict.fromkeys(("by_pose", "by_inset", "by_side", "by_program"), 0), **plain, **causes, **told}
+
+
+def _rejections(files: Files) -> set[tuple[str, str]]:
+    """The revisions whose last verdict is a rejection."""
+    newest: dict[tuple[str, str], str] = {}
+    for one, revision, verdict in read_columns(
+        files, "reviews.csv", ("measurement_id", "result_revision", "verdict")
+    ):
+        newest[one, revision] = verdict
+    return {key for key, verdict in newest.items() if verdict == "rejected"}
+
+
+def _check_verdicts(
+    name: str, rows: list[Row], kinds: Mapping[str, str], rejected: set[tuple[str, str]]
+) -> None:
+    for before, row in zip([None, *rows], rows, strict=False):
+        if not row["verdict_of_revision"]:
+            continue
+        computing, judged = row["computing_id"], row["verdict_of_revision"]
+        holds = (
+            before is not None
+            and computing in kinds
+            and int(judged) < int(row["revision"])
+            and (kinds[computing] == "undo" or (name, judged) in rejected or _hardly_moved(before, row))
+        )
+        if not holds:
+            raise Damaged("computing-verdict-went-over", name=name, revision=row["revision"])
+
+
+def _hardly_moved(before: Row, row: Row) -> bool:
+    then, now = figure_of(before["height_m"]), figure_of(row["height_m"])
+    if then is None or now is None:
+        return then is now
+    return abs(now - then) <= (figure_of(before["u_height_m"]) or 0.0) + _ROUNDING_M
+
+
+def count_revisions(counted: Counter[int], after: Mapping[str, Any]) -> None:
+    """Note a measurement's event that was made by a computing."""
+    if after["row"]["computing_id"] is not None:
+        counted[int(after["row"]["computing_id"])] += 1

@@ -1,0 +1,165 @@
+/** Heights computed again: what is out of date, each time it was done, old beside new, and the undo of all. */
+import { useState } from "preact/hooks";
+import { Button, JobProgress, Loading, Notice, Problem, TableScroll } from "../../components";
+import { query, setQuery } from "../../core/address";
+import { api } from "../../core/api";
+import { cancelJob, jobProblem, useJob } from "../../core/jobs";
+import { say, wordsOf } from "../../core/messages";
+import { type Resource, useResource } from "../../core/resource";
+import { canWork } from "../../core/session";
+import { refreshSurvey } from "../../core/survey";
+import { formatMoment } from "../../core/times";
+import { toast } from "../../core/toasts";
+import type { Computing, Computings, Job } from "../../core/types";
+import { formatCount, formatSmall } from "../../core/units";
+import { causesInWords } from "../../parts/again/words";
+import { ComputedHeightsPanel } from "./ComputedHeightsPanel";
+
+const KINDS: Readonly<Record<Computing["kind"], string>> = wordsOf({
+  asked: "computing-kind-asked",
+  sides: "computing-kind-sides",
+  adjustment: "computing-kind-adjustment",
+  undo: "computing-kind-undo",
+});
+
+export function AgainTab({ surveyId }: { surveyId: number }) {
+  const where = { survey_id: surveyId };
+  const read = useResource(
+    (signal) => api.ask("GET /surveys/{survey_id}/computings", where, { signal }),
+    [surveyId],
+  );
+  const work = useComputing(read);
+  const start = () => work.run(() => api.write("POST /surveys/{survey_id}/computings", where));
+  if (!read.data)
+    return read.error ? (
+      <Problem error={read.error} again={read.reload} />
+    ) : (
+      <Loading what={say("computing-loading")} />
+    );
+  const { computings } = read.data;
+  const wanted = Number(query.value.get("computing"));
+  const shown = computings.find((one) => one.id === wanted) ?? computings[0];
+  return (
+    <>
+      <Problem error={work.problem} />
+      <Stale found={read.data} busy={work.job !== null} start={start} />
+      {work.job && (
+        <div class="panel panel__body">
+          <JobProgress
+            job={work.job}
+            onCancel={work.job.progress < 0.9 ? () => void cancelJob(work.job?.id ?? 0) : undefined}
+          />
+        </div>
+      )}
+      <Runs computings={computings} shown={shown?.id ?? 0} />
+      {shown && (
+        <ComputedHeightsPanel
+          key={`${shown.id} ${shown.undone_by}`}
+          surveyId={surveyId}
+          computing={shown}
+          busy={work.job !== null}
+          undo={() =>
+            work.run(() => api.write("POST /computings/{computing_id}/undo", { computing_id: shown.id }))
+          }
+        />
+      )}
+    </>
+  );
+}
+
+/** One job at a time; when it ends, what it made is read and shown. */
+function useComputing(read: Resource<Computings>) {
+  const [id, setId] = useState<number | null>(null);
+  const [problem, setProblem] = useState<unknown>(null);
+  const over = async (job: Job) => {
+    setId(null);
+    if (job.state === "failed") setProblem(jobProblem(job, say("computing-job")));
+    if (job.state === "done") {
+      const heights = Number(job.result?.["heights"] ?? 0);
+      toast(heights > 0 ? say("computing-done", { count: heights }) : say("computing-nothing-changed"));
+      setQuery({ computing: null });
+    }
+    await Promise.all([read.reload(), refreshSurvey()]);
+  };
+  const job = useJob(id, (ended) => void over(ended), setProblem);
+  const run = async (ask: () => Promise<Job>) => {
+    setProblem(null);
+    try {
+      setId((await ask()).id);
+    } catch (error) {
+      setProblem(error);
+    }
+  };
+  return { job: id === null ? null : job, problem, run };
+}
+
+function Stale({ found, busy, start }: { found: Computings; busy: boolean; start(): Promise<void> }) {
+  const stale = found.out_of_date;
+  const button = canWork.value && (
+    <Button kind={stale.heights > 0 ? "primary" : undefined} busy={busy} onClick={() => void start()}>
+      {say("computing-start")}
+    </Button>
+  );
+  return (
+    <Notice kind={stale.heights > 0 ? "warning" : "info"} actions={button}>
+      {stale.heights > 0
+        ? say("computing-stale", { count: stale.heights, causes: causesInWords(stale.causes) })
+        : say("computing-fine")}{" "}
+      {stale.waiting > 0 && say("computing-waiting", { count: stale.waiting })}{" "}
+      {stale.other_program > 0 && say("computing-other-program", { count: stale.other_program })}
+    </Notice>
+  );
+}
+
+function Runs({ computings, shown }: { computings: readonly Computing[]; shown: number }) {
+  return (
+    <section class="panel" aria-label={say("computing-runs")}>
+      <header class="panel__head">
+        <h2>{say("computing-runs")}</h2>
+      </header>
+      {computings.length === 0 ? (
+        <p class="panel__body muted">{say("computing-runs-none")}</p>
+      ) : (
+        <TableScroll label={say("computing-runs")} class="again-runs">
+          <table class="table" data-testid="computings">
+            <thead>
+              <tr>
+                <th>{say("computing-when")}</th>
+                <th>{say("computing-who")}</th>
+                <th>{say("computing-kind")}</th>
+                <th class="num">{say("computing-heights")}</th>
+                <th class="num">{say("computing-to-review")}</th>
+                <th class="num">{say("computing-largest")}</th>
+                <th />
+              </tr>
+            </thead>
+            <tbody>
+              {computings.map((one) => (
+                <tr key={one.id} aria-current={one.id === shown ? "true" : undefined}>
+                  <td class="nowrap">{formatMoment(one.created_at)}</td>
+                  <td>{one.created_by?.name}</td>
+                  <td>
+                    {KINDS[one.kind]}{" "}
+                    {one.undone_by !== null && <span class="badge">{say("computing-undone")}</span>}
+                  </td>
+                  <td class="num">{formatCount(one.heights)}</td>
+                  <td class="num">{formatCount(one.to_review)}</td>
+                  <td class="num">{formatSmall(one.largest_m)}</td>
+                  <td>
+                    {one.id === shown ? (
+                      <span class="muted">{say("computing-shown")}</span>
+                    ) : (
+                      <Button small onClick={() => setQuery({ computing: String(one.id) })}>
+                        {say("computing-show")}
+                      </Button>
+                    )}
+                  </td>
+                </tr>
+              ))}
+            </tbody>
+          </table>
+        </TableScroll>
+      )}
+    </section>
+  );
+}

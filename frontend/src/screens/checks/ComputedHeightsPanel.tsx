@@ -1,0 +1,170 @@
+/** One computing: what it changed in words, as a figure, and height by height, with the undo of all. */
+import { Button, Loading, Problem, TableScroll } from "../../components";
+import { api } from "../../core/api";
+import { say } from "../../core/messages";
+import { useResource } from "../../core/resource";
+import { canWork } from "../../core/session";
+import type { ComputedHeight, ComputedHeights, Computing } from "../../core/types";
+import { fixed, formatCount, formatHeight, formatSmall, lengthScale, smallScale } from "../../core/units";
+import { TARGET_WORDS } from "../../core/words";
+import { causesInWords } from "../../parts/again/words";
+import { PlotFigure } from "../../parts/figures/PlotFigure";
+
+interface Props {
+  surveyId: number;
+  computing: Computing;
+  busy: boolean;
+  undo(): Promise<void>;
+}
+
+export function ComputedHeightsPanel({ surveyId, computing, busy, undo }: Props) {
+  const read = useResource(
+    (signal) => api.ask("GET /computings/{computing_id}", { computing_id: computing.id }, { signal }),
+    [computing.id, computing.undone_by],
+  );
+  const found = read.data;
+  if (!found)
+    return read.error ? <Problem error={read.error} /> : <Loading what={say("computing-old-new")} />;
+  return (
+    <section class="panel" aria-label={say("computing-old-new")}>
+      <header class="panel__head">
+        <h2>{say("computing-old-new")}</h2>
+        {canWork.value && (
+          <Button
+            small
+            icon="undo"
+            busy={busy}
+            disabled={found.undoable !== null}
+            title={found.undoable ?? say("computing-undo-text")}
+            onClick={() => void undo()}
+          >
+            {say("computing-undo")}
+          </Button>
+        )}
+      </header>
+      <div class="panel__body stack">
+        <p>{inWords(found)}</p>
+        <Changes found={found} />
+      </div>
+      <Heights surveyId={surveyId} found={found} />
+    </section>
+  );
+}
+
+function inWords({ computing, mean_change_m }: ComputedHeights): string {
+  const count = computing.heights;
+  const kept = computing.kept > 0 ? ` ${say("computing-kept", { count: computing.kept })}` : "";
+  if (computing.kind === "undo") return say("computing-summary-undo", { count }) + kept;
+  const values = {
+    count,
+    causes: causesInWords(computing.causes),
+    mean: formatSmall(mean_change_m),
+    largest: formatSmall(computing.largest_m),
+  };
+  return `${say("computing-summary", values)} ${say("computing-sent", { count: computing.to_review })}`;
+}
+
+function Changes({ found }: { found: ComputedHeights }) {
+  const rows = found.listed.filter((one) => one.change_m !== null && one.y_m !== null);
+  return (
+    <PlotFigure
+      name={`computing-${found.computing.id}`}
+      title={say("computing-figure")}
+      says={say("computing-figure-says", { count: rows.length, small: smallScale()[1] })}
+      note={say("computing-figure-note")}
+      data={found}
+      reason={rows.length === 0 ? say("computing-figure-none") : null}
+      options={(plot, unit) => {
+        const [perX, long] = lengthScale(unit);
+        const [perY, small] = smallScale(unit);
+        const at = { x: (one: ComputedHeight) => (one.y_m ?? 0) * perX, y: changeIn(perY) };
+        return {
+          x: { label: say("computing-figure-x", { unit: long }), labelArrow: "none", labelAnchor: "center" },
+          y: {
+            label: say("computing-figure-y", { small }),
+            labelArrow: "none",
+            grid: true,
+            nice: true,
+            zero: true,
+          },
+          marks: [
+            plot.ruleY([0], { stroke: "var(--line-strong)" }),
+            plot.dot(
+              rows.filter((one) => !one.to_review),
+              { ...at, r: 3, stroke: "var(--ink)", strokeWidth: 1.2, fill: "var(--surface)" },
+            ),
+            plot.dot(
+              rows.filter((one) => one.to_review),
+              { ...at, r: 3.5, fill: "var(--ink)" },
+            ),
+          ],
+        };
+      }}
+      table={() => ({
+        columns: ["vehicle", "target", "height_before_m", "u_before_m", "height_m", "u_height_m", "y_m"],
+        rows: rows.map((one) => [
+          one.vehicle_number,
+          one.target,
+          one.height_before_m,
+          one.u_before_m,
+          one.height_m,
+          one.u_height_m,
+          one.y_m,
+        ]),
+      })}
+    />
+  );
+}
+
+function changeIn(factor: number): (one: ComputedHeight) => number {
+  return (one) => (one.change_m ?? 0) * factor;
+}
+
+function Heights({ surveyId, found }: { surveyId: number; found: ComputedHeights }) {
+  return (
+    <>
+      <TableScroll label={say("computing-table")} class="again-heights">
+        <table class="table" data-testid="computed-heights">
+          <thead>
+            <tr>
+              <th>{say("computing-vehicle")}</th>
+              <th>{say("computing-target")}</th>
+              <th class="num">{say("computing-before")}</th>
+              <th class="num">{say("computing-after")}</th>
+              <th class="num">{say("computing-change")}</th>
+              <th class="num" title={say("computing-by-u-help")}>
+                {say("computing-by-u")}
+              </th>
+              <th />
+            </tr>
+          </thead>
+          <tbody>
+            {found.listed.map((one) => (
+              <tr key={one.measurement_id}>
+                <td>
+                  <a href={`/surveys/${surveyId}/measure?vehicle=${one.vehicle_id}`}>#{one.vehicle_number}</a>
+                </td>
+                <td>
+                  {TARGET_WORDS[one.target]}{" "}
+                  {one.repeat && <span class="badge">{say("computing-repeat")}</span>}
+                </td>
+                <td class="num">{formatHeight(one.height_before_m, one.U95_before_m)}</td>
+                <td class="num" title={one.reason ?? undefined}>
+                  {formatHeight(one.height_m, one.U95_height_m)}
+                </td>
+                <td class="num">{formatSmall(one.change_m)}</td>
+                <td class="num">{one.moved_by_u === null ? "–" : fixed(one.moved_by_u, 2)}</td>
+                <td>{one.to_review && <span class="badge">{say("computing-review-yes")}</span>}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </TableScroll>
+      {found.listed.length < found.computing.heights && (
+        <p class="panel__body muted small">
+          {say("computing-listed", { count: formatCount(found.listed.length) })}
+        </p>
+      )}
+    </>
+  );
+}
