@@ -61,6 +61,8 @@ setup: .build/python .build/web
 	   $(BIN)/playwright install chromium && echo playwright > $@; \
 	 fi || { rm -f $@; echo "The browser tests need Chromium: install it (sudo apt install chromium) and run make test again." >&2; exit 1; }
 
+# Some machines forbid it: every process would compile the code, and rewrite the tests' assertions, once more.
+test test-postgresql test-browser: export PYTHONDONTWRITEBYTECODE :=
 # Two workers share two cores: threads of NumPy and OpenCV beside them would wait for each other, spinning.
 test test-postgresql test-browser: export OPENBLAS_NUM_THREADS := 1
 test test-postgresql test-browser: export OMP_NUM_THREADS := 1

@@ -3,6 +3,7 @@
 import ast
 import re
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -91,17 +92,24 @@ def complaint(call: ast.Call, known: dict[str, set[str]]) -> str | None:
     return None if given == known[code.value] else f"“{code.value}” takes {sorted(known[code.value])}"
 
 
-TREES = {path: ast.parse(path.read_text("utf-8")) for path in sorted(PACKAGE.rglob("*.py"))}
-KNOWN = catalogue(SOURCE.read_text("utf-8"))
+# Read when the first test asks: every worker imports this file, one or two run its tests.
+@cache
+def trees() -> dict[Path, ast.Module]:
+    return {path: ast.parse(path.read_text("utf-8")) for path in sorted(PACKAGE.rglob("*.py"))}
+
+
+@cache
+def known() -> dict[str, set[str]]:
+    return catalogue(SOURCE.read_text("utf-8"))
 
 
 def test_every_error_is_in_the_catalogue_with_its_values() -> None:
-    classes = error_classes(list(TREES.values()))
+    classes = error_classes(list(trees().values()))
     wrong = [
         f"{path.relative_to(PACKAGE)}:{call.lineno}: {why}"
-        for path, tree in TREES.items()
+        for path, tree in trees().items()
         for call in raised(tree, classes)
-        if (why := complaint(call, KNOWN))
+        if (why := complaint(call, known()))
     ]
     assert not wrong, "\n".join(wrong)
 
@@ -117,7 +125,7 @@ def test_every_error_is_in_the_catalogue_with_its_values() -> None:
 )
 def test_a_planted_one_is_found(written: str, why: str) -> None:
     (call,) = raised(ast.parse(written), {"BadInput"})
-    assert why in (complaint(call, KNOWN) or "")
+    assert why in (complaint(call, known()) or "")
 
 
 def test_a_message_within_another_has_to_be_there() -> None:
@@ -129,19 +137,19 @@ def test_a_message_within_another_has_to_be_there() -> None:
 def test_each_language_says_the_same_keys_and_takes_no_other_values() -> None:
     for language in messages.languages():
         other = catalogue((PACKAGE / f"messages/{language}.ftl").read_text("utf-8"))
-        assert set(other) <= set(KNOWN)
-        assert all(values <= KNOWN[key] for key, values in other.items())
+        assert set(other) <= set(known())
+        assert all(values <= known()[key] for key, values in other.items())
 
 
 def test_every_message_is_said_somewhere() -> None:
     root = PACKAGE.parents[1]
     pages = [path for path in (root / "frontend/src").rglob("*.ts*") if ".test." not in path.name]
-    text = "\n".join(path.read_text("utf-8") for path in [*TREES, *pages])
+    text = "\n".join(path.read_text("utf-8") for path in [*trees(), *pages])
     written = set(re.findall(r"[\"'`]([a-z][\w-]*)[\"'`]", text, re.IGNORECASE))
     written = written.union(*(one.messages for one in named(SOURCE.read_text("utf-8")).values()))
     begun = re.findall(r"`([a-z][\w-]*-)\$\{[^}]*\}([\w-]*)`", text)
     made = [re.compile(f"{first}{_slot(first, last)}{last}") for first, last in set(begun)]
-    unused = [key for key in KNOWN if key not in written and not any(one.fullmatch(key) for one in made)]
+    unused = [key for key in known() if key not in written and not any(one.fullmatch(key) for one in made)]
     assert not unused, unused
 
 

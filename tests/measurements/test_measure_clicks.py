@@ -65,6 +65,7 @@ def test_what_is_left_out_comes_from_the_survey(operator: Client, ground: Ground
     assert (stored["inset_m"], stored["u_inset_m"], stored["sigma_px"]) == (0.123457, 0.05, 1.0)
 
 
+@pytest.mark.once
 def test_axes_and_ladder_go_through_the_contact(viewer: Client, ground: Ground) -> None:
     contact = pixel(0.2, 0.0, 0.0)
     body = {"contact": contact, "target": "roof", "inset_m": 0.0}
@@ -77,6 +78,7 @@ def test_axes_and_ladder_go_through_the_contact(viewer: Client, ground: Ground) 
     assert bent[-1][1] < bent[0][1] - 30
 
 
+@pytest.mark.once
 def test_a_click_above_the_horizon_is_answered_and_stored_with_its_reason(
     operator: Client, ground: Ground, vehicle_id: int
 ) -> None:
@@ -88,6 +90,7 @@ def test_a_click_above_the_horizon_is_answered_and_stored_with_its_reason(
     assert stored["reason"] == axes["reason"]
 
 
+@pytest.mark.once
 def test_without_a_road_pose_the_way_to_one_is_told(operator: Client, recording_id: int) -> None:
     vehicle_id = add_vehicle(operator, recording_id)["id"]
     answer = operator.post(f"/vehicles/{vehicle_id}/measurements", {**clicks(), "client_key": str(uuid4())})
@@ -97,6 +100,7 @@ def test_without_a_road_pose_the_way_to_one_is_told(operator: Client, recording_
     assert operator.post(f"/recordings/{recording_id}/geometry/axes", body).status_code == 409
 
 
+@pytest.mark.once
 def test_a_pose_for_pictures_of_another_size_gives_no_height(
     operator: Client, services: Services, ground: Ground, vehicle_id: int
 ) -> None:
@@ -175,6 +179,7 @@ NO_CLICKS: tuple[dict[str, object], ...] = (
 )
 
 
+@pytest.mark.once
 def test_what_cannot_be_a_click_is_refused_in_words(
     operator: Client, ground: Ground, vehicle_id: int
 ) -> None:

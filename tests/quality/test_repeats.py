@@ -45,6 +45,7 @@ def test_a_repeat_stands_beside_what_it_repeats_and_in_no_list(
     assert operator.delete(f"/measurements/{again['id']}?revision=1").status_code == 200
 
 
+@pytest.mark.once
 def test_a_repeat_of_another_target_or_vehicle_is_refused(
     operator: Client, ground: Ground, vehicle_id: int
 ) -> None:
@@ -74,6 +75,7 @@ def test_a_persons_own_sigma_fills_in_live_and_stored(
     assert measure(operator, vehicle_id, target="taillight")["sigma_px"] == 1.0
 
 
+@pytest.mark.once
 def test_a_repeat_is_compared_by_what_the_clicks_alone_let_one_expect(
     operator: Client, reviewer: Client, ground: Ground, vehicle_id: int
 ) -> None:
@@ -142,6 +144,7 @@ def test_figures_per_target_and_person_and_a_sigma_of_ones_own(
     assert reviewer.put(choice, {"own": False}).json()["sigma_px"] is None
 
 
+@pytest.mark.once
 def test_the_other_wheel_is_no_slip_of_the_hand(operator: Client, ground: Ground) -> None:
     rng = np.random.default_rng(9)
     for _ in range(6):
@@ -156,6 +159,7 @@ def test_the_other_wheel_is_no_slip_of_the_hand(operator: Client, ground: Ground
     assert me["contact"]["freedom"] == 12 and me["contact"]["high"] < 2
 
 
+@pytest.mark.once
 def test_what_is_drawn_to_click_again_shows_neither_points_nor_heights(
     operator: Client, reviewer: Client, ground: Ground, vehicle_id: int
 ) -> None:
@@ -171,6 +175,7 @@ def test_what_is_drawn_to_click_again_shows_neither_points_nor_heights(
     assert [one["measurement_id"] for one in operator.seen(path)] == [other["id"], first["id"]]
 
 
+@pytest.mark.once
 def test_a_correction_after_the_repeat_leaves_what_was_repeated(
     operator: Client, reviewer: Client, ground: Ground, vehicle_id: int
 ) -> None:
@@ -182,6 +187,7 @@ def test_a_correction_after_the_repeat_leaves_what_was_repeated(
     assert (difference["first_person"]["name"], difference["person"]["name"]) == ("Operator", "Reviewer")
 
 
+@pytest.mark.once
 def test_on_another_frame_more_than_the_clicks_differs_and_has_a_figure_of_its_own(
     operator: Client, ground: Ground
 ) -> None:

@@ -30,6 +30,7 @@ def offset_of(client: Client, location: str) -> int:
     return int(answer.headers["Upload-Offset"])
 
 
+@pytest.mark.once
 def test_what_the_server_can(nobody: Client) -> None:
     answer = nobody.http.options("/api/uploads")
     assert answer.headers["Tus-Version"] == "1.0.0"
@@ -173,6 +174,7 @@ def test_what_two_names_of_one_video_share_stays_until_both_are_deleted(
     assert operator.http.get(thumb).status_code == 200
 
 
+@pytest.mark.once
 def test_a_full_disk_is_told_before_a_byte_is_sent(
     operator: Client, survey_id: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -186,6 +188,7 @@ def test_a_full_disk_is_told_before_a_byte_is_sent(
     assert operator.seen(f"/surveys/{survey_id}/uploads") == []
 
 
+@pytest.mark.once
 def test_a_disk_that_fills_up_keeps_what_arrived(
     operator: Client, survey_id: int, clip: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -226,6 +229,7 @@ def test_abandoned_uploads_go_after_a_week(operator: Client, survey_id: int, ser
     assert operator.seen(f"/surveys/{survey_id}/uploads") == []
 
 
+@pytest.mark.once
 @pytest.mark.parametrize(
     ("headers", "status"),
     [
@@ -245,6 +249,7 @@ def test_bad_announcements(operator: Client, survey_id: int, headers: dict[str, 
     error_of(answer)
 
 
+@pytest.mark.once
 def test_bad_pieces(operator: Client, survey_id: int) -> None:
     location = announce(operator, survey_id, "a.mp4", 10).headers["Location"]
     too_much = send(operator, location, 0, b"x" * 11)
@@ -257,6 +262,7 @@ def test_bad_pieces(operator: Client, survey_id: int) -> None:
     assert announce(operator, 999_999, "a.mp4", 10).status_code == 404
 
 
+@pytest.mark.once
 def test_names_are_only_names() -> None:
     assert clean_name("..\\..\\etc\\passwd.mp4") == "passwd.mp4"
     assert clean_name("/a/b/\x00c\n.mp4") == "c.mp4"

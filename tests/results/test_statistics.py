@@ -305,6 +305,7 @@ def test_a_survey_has_its_own_standards(
     assert event.after == {"standards": table} and event.before == {"standards": usual["standards"]}
 
 
+@pytest.mark.once
 def test_a_surveys_standards_go_into_its_package(
     operator: Client, services: Services, ground: Ground, tmp_path: Path
 ) -> None:
@@ -318,6 +319,7 @@ def test_a_surveys_standards_go_into_its_package(
     assert [asdict(standard) for standard in standards_in(staging.files())] == table
 
 
+@pytest.mark.once
 def test_a_table_of_standards_that_cannot_be_is_refused(operator: Client, ground: Ground) -> None:
     path = f"/surveys/{ground.one.survey.id}/standards"
     row = {"name": "A", "what": "object_stopping", "height_m": 0.6, "source": ""}
@@ -338,6 +340,7 @@ def test_a_table_of_standards_that_cannot_be_is_refused(operator: Client, ground
     assert missing.status_code == 404
 
 
+@pytest.mark.once
 def test_the_paper_stands_beside(viewer: Client) -> None:
     paper = viewer.seen("/statistics")["errors"]["paper"]
     assert [(one["n"], one["mae_m"], one["rmse_m"]) for one in paper] == [
@@ -350,6 +353,7 @@ def test_the_paper_stands_beside(viewer: Client) -> None:
     assert f"{pooled:.4f} m" in both["note"] and abs(pooled - both["mae_m"]) > 0.0004
 
 
+@pytest.mark.once
 def test_bad_input_is_a_sentence(viewer: Client) -> None:
     bad = (
         "first_day=2025-05-02&last_day=2025-05-01",
@@ -367,6 +371,7 @@ def test_bad_input_is_a_sentence(viewer: Client) -> None:
     assert missing.status_code == 404 and "no survey 77" in error_of(missing)
 
 
+@pytest.mark.once
 def test_sample_size(viewer: Client) -> None:
     found = viewer.seen("/statistics/sample-size?percent=50&width_m=0.02&sd_m=0.08")
     # 2 z sqrt(0.25 / n) sd sqrt(2 pi) = width
@@ -377,6 +382,7 @@ def test_sample_size(viewer: Client) -> None:
         error_of(answer)
 
 
+@pytest.mark.once
 def test_targets_are_read_against_the_standards_of_their_kind(viewer: Client, ground: Ground) -> None:
     """Trucks' eyes, headlights of sags, superseded values and upper ends of ranges are no one's to fall
     below.
@@ -393,6 +399,7 @@ def test_targets_are_read_against_the_standards_of_their_kind(viewer: Client, gr
     assert not {"AASHTO (USA), 1965", "United Kingdom, high"} & named
 
 
+@pytest.mark.once
 def test_no_standard_claims_more_than_its_source() -> None:
     """A value that nobody was seen to cite states no percentile, and each kind and name stands there once."""
     assert len({(one.what, one.name) for one in USUAL}) == len(USUAL)
