@@ -2017,6 +2017,11 @@ scan-verdict-given-why = { $verdict ->
     [accepted] Accepted by { $person }: { $reason }
    *[rejected] Rejected by { $person }: { $reason }
 }
+scan-verdict-done = Vehicle { $vehicle }: { $verdict ->
+    [accepted] accepted.
+   *[rejected] rejected.
+}
+scan-verdict-none-left = No other vehicle of this line scan waits for a verdict.
 scan-verdict-reopen = Reopen
 scan-verdict-accept = Accept
 scan-verdict-reject = Reject

@@ -157,8 +157,8 @@ export function formatSpeed(mps: number | null, U95_mps: number | null = null, d
 }
 
 /** "−1.40 ± 0.10 m/s²" */
-export function formatAcceleration(mps2: number | null, U95_mps2: number | null = null): string {
-  return withInterval(mps2, U95_mps2, accelerationScale(), 2);
+export function formatAcceleration(mps2: number | null, U95_mps2: number | null = null, digits = 2): string {
+  return withInterval(mps2, U95_mps2, accelerationScale(), digits);
 }
 
 function withInterval(

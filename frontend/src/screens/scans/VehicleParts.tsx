@@ -104,7 +104,7 @@ export function Budget({ detail }: { detail: ScanVehicleDetail }) {
               <tr key={one.source}>
                 <td>{one.source}</td>
                 <td class="num">{formatSpeed(one.u_speed_mps, null, 3)}</td>
-                <td class="num">{formatAcceleration(one.u_acceleration_mps2)}</td>
+                <td class="num">{formatAcceleration(one.u_acceleration_mps2, null, 3)}</td>
                 <td class="num">{formatSmall(one.u_length_m)}</td>
               </tr>
             ))}
@@ -114,7 +114,7 @@ export function Budget({ detail }: { detail: ScanVehicleDetail }) {
                   <strong>{say("budget-together")}</strong>
                 </td>
                 <td class="num">{formatSpeed(m.u_speed_mps, null, 3)}</td>
-                <td class="num">{formatAcceleration(m.u_acceleration_mps2)}</td>
+                <td class="num">{formatAcceleration(m.u_acceleration_mps2, null, 3)}</td>
                 <td class="num">{formatSmall(m.u_length_m)}</td>
               </tr>
             )}

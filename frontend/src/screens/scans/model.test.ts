@@ -1,4 +1,5 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { me } from "../../core/session";
 import { toasts } from "../../core/toasts";
 import { FakeServer } from "../../testing/server";
 import { Gestures } from "../../viewer/gestures";
@@ -151,5 +152,74 @@ describe("the strips", () => {
     expect(model.vehicles.value.map((one) => one.id)).toEqual([9, 10]);
     expect(model.mode.value).toBe("rod");
     expect(model.chosenId.value).toBe(9);
+  });
+});
+
+describe("judging vehicles of a line scan", () => {
+  const REVIEW = { verdict: "to_review" };
+  let all: Record<string, unknown>[];
+  let verdicts: string[];
+
+  beforeEach(async () => {
+    model.close();
+    history.replaceState(null, "", "/");
+    verdicts = [];
+    me.value = { person: { id: 4, role: "reviewer" } } as unknown as typeof me.value;
+    const one = (id: number, part: object = {}) => ({
+      id,
+      number: id,
+      version: 1,
+      deleted: false,
+      measurement: { ...measurement, id: 100 + id, mine: false, review: REVIEW, ...part },
+    });
+    all = [one(1, { review: { verdict: "accepted" } }), one(2), one(3, { mine: true }), one(4), one(5)];
+    server.on("GET", /^\/scans\/3\/vehicles$/, () => all);
+    server.on("GET", /^\/scan-vehicles\/\d+$/, () => ({ vehicle: all[0] }));
+    server.on("POST", /^\/scan-measurements\/(\d+)\/review/, ([, id], { verdict }) => {
+      verdicts.push(`${id} ${verdict}`);
+      all = all.map((vehicle) => {
+        const m = vehicle["measurement"] as Record<string, unknown>;
+        return String(m["id"]) === id ? { ...vehicle, measurement: { ...m, review: { verdict } } } : vehicle;
+      });
+      return { verdict };
+    });
+    model = new ScanModel(3);
+    model.stage.view.value = model.stage.view.value.resized({ width: 1000, height: 424 });
+    await model.load();
+    await quiet();
+  });
+
+  it("begins with the first that waits, as large as the window lets it be", () => {
+    expect(model.chosenId.value).toBe(2);
+    const { perPx, width } = model.view.value;
+    expect((LINES.rear_line_2 - LINES.front_line_1) / perPx).toBeGreaterThan(width / 2);
+  });
+
+  it("goes on to the next that waits, past one's own, and says when there is none", async () => {
+    for (const expected of [4, 5, 5]) {
+      await model.review("accepted");
+      await quiet();
+      expect(model.chosenId.value).toBe(expected);
+    }
+    expect(verdicts).toEqual(["102 accepted", "104 accepted", "105 accepted"]);
+    expect(toasts.value.at(-1)?.text).toContain("No other vehicle");
+  });
+
+  it("writes one verdict where the key is pressed twice, and none on what is accepted", async () => {
+    void model.review("accepted");
+    void model.review("accepted");
+    await quiet();
+    expect(verdicts).toEqual(["102 accepted"]);
+    model.choose(1);
+    await model.review("accepted");
+    expect(verdicts).toEqual(["102 accepted"]);
+    expect(model.chosenId.value).toBe(4);
+  });
+
+  it("stays where something else was chosen meanwhile", async () => {
+    void model.review("accepted");
+    model.choose(5);
+    await quiet();
+    expect(model.chosenId.value).toBe(5);
   });
 });

@@ -99,6 +99,7 @@ export class ScanModel implements Strips {
       }),
     ),
   ];
+  private judging = false;
   private nudging: ReturnType<typeof setTimeout> | undefined;
 
   constructor(readonly id: number) {
@@ -117,9 +118,13 @@ export class ScanModel implements Strips {
       if (scan.job && (scan.job.state === "running" || scan.job.state === "queued"))
         void this.followSearch(scan.job);
       const wanted = asked("vehicle");
-      const first = this.vehicles.value.find((one) => one.id === wanted);
-      if (first) this.choose(first.id);
-      else if (wanted !== null) toast(say("address-elsewhere", { what: "vehicle" }), { kind: "problem" });
+      const first =
+        wanted === null ? this.firstToSee() : this.vehicles.value.find((one) => one.id === wanted);
+      // the strips may have had their size before there was a vehicle to show in them, or get it later (`arrived`)
+      if (first) {
+        this.choose(first.id);
+        this.show("fit");
+      } else if (wanted !== null) toast(say("address-elsewhere", { what: "vehicle" }), { kind: "problem" });
     } catch (error) {
       this.problem.value = error;
     }
@@ -145,6 +150,23 @@ export class ScanModel implements Strips {
     if (id === null) return;
     void this.readDetail(id);
     this.show("reveal");
+  }
+
+  /** Work begins with the first vehicle that is to be judged, else the first: one that can be made out. */
+  private firstToSee(): ScanVehicle | undefined {
+    return this.nextToJudge(null) ?? this.vehicles.value[0];
+  }
+
+  /** The next that this person may judge and nobody has, from the one after `id` on and round to it again. */
+  private nextToJudge(id: number | null): ScanVehicle | undefined {
+    const all = this.vehicles.value;
+    const on = all.findIndex((one) => one.id === id) + 1;
+    const kept = new Set(
+      outbox.of<ScanVehicle, unknown, { id: number }>(SCAN_VERDICT).map((one) => one.about.id),
+    );
+    return [...all.slice(on), ...all.slice(0, on)].find(
+      (one) => one.id !== id && !kept.has(one.id) && waitsForVerdict(one),
+    );
   }
 
   /** What was chosen or taken up while something was stored stays. */
@@ -287,8 +309,13 @@ export class ScanModel implements Strips {
   async review(verdict: "accepted" | "rejected" | "reopened", reason?: string): Promise<void> {
     const vehicle = this.chosen.value;
     const measured = vehicle?.measurement;
-    if (!vehicle || !measured || measured.mine || !may("reviewer")) return;
+    if (!vehicle || !measured || measured.mine || !may("reviewer") || this.judging) return;
     const { id, number } = vehicle;
+    if (verdict === "accepted" && measured.review.verdict === "accepted") {
+      this.goOn(id);
+      return;
+    }
+    this.judging = true;
     await this.tell(async () => {
       await outbox.store({
         key: `scan-verdict.${measured.id}`,
@@ -304,7 +331,19 @@ export class ScanModel implements Strips {
         want: { verdict, reason: reason ?? null },
       });
       await this.refresh();
+      if (verdict !== "reopened")
+        this.goOn(id, say("scan-verdict-done", { vehicle: String(number), verdict }));
     });
+    this.judging = false;
+  }
+
+  /** To the next that waits for a verdict, unless something else was taken up meanwhile; says what was done. */
+  private goOn(id: number, done = ""): void {
+    if (this.chosenId.value !== id || this.mode.value !== "look") return;
+    const next = this.nextToJudge(id);
+    if (next) this.choose(next.id);
+    const words = [done, next ? "" : say("scan-verdict-none-left")].filter(Boolean).join(" ");
+    if (words) toast(words);
   }
 
   /** Looks for vehicles, or (without `search`) measures those that are known again. */
@@ -550,6 +589,10 @@ function withWish(vehicle: ScanVehicle, { boundaries, hubs, facts }: ScannedWant
   const lines = hubs ? { front_wheel_line: hubs[0], rear_wheel_line: hubs[1] } : {};
   const measurement = vehicle.measurement && { ...vehicle.measurement, ...boundaries, ...lines };
   return { ...vehicle, ...facts, measurement };
+}
+
+function waitsForVerdict({ measurement: m }: ScanVehicle): boolean {
+  return m?.status === "ok" && !m.mine && !["accepted", "rejected"].includes(m.review?.verdict);
 }
 
 function sameCrossings(a: Crossings, b: Crossings): boolean {
