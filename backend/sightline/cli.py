@@ -26,6 +26,7 @@ COMMANDS = {
     "plan": "sightline.commands.plan:plan",
     "errors": "sightline.commands.errors:errors",
     "sightdistance": "sightline.commands.sightdistance:sightdistance",
+    "study": "sightline.commands.study:study",
     "distribution": "sightline.commands.distribution:distribution",
     "catalogue": "sightline.commands.catalogue:catalogue",
     "linescan": "sightline.commands.linescan:linescan",

@@ -9,14 +9,21 @@ from __future__ import annotations
 import csv
 import hashlib
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from sightline.errors import Damaged
 from sightline.infra.csv_package.audit import AUDIT
-from sightline.infra.csv_package.files import Files, checksum_lines
-from sightline.infra.csv_package.schema import CHECKSUMS, DESCRIPTION, PARQUET, Written, sha256_hex
+from sightline.infra.csv_package.files import Files, checksum_lines, sum_of
+from sightline.infra.csv_package.schema import (
+    CHECKSUMS,
+    DESCRIPTION,
+    PARQUET,
+    Written,
+    parquet_path,
+    sha256_hex,
+)
 
 ENTITY, ACTION = "package", "seal"
 _CROPS = "crops/"  # one hash for all of them: there may be a million
@@ -78,3 +85,19 @@ def check_seal(seal: Seal, written: Mapping[str, Written]) -> None:
     ):
         if found.get(path) != seal.files.get(path):
             raise Damaged("export-not-the-file-that-the-seal-names", path=path)
+
+
+def check_sealed(files: Files, tables: Sequence[str]) -> str | None:
+    """Whether some tables and their Parquet are the files that the package's seal names, in one sentence what
+    is wrong, None when all is well. Nothing is computed again: the package is to have been verified before.
+    """
+    try:
+        seal = read_seal(files)
+        if seal.before_sha256 != seal.files.get(AUDIT.path):
+            raise Damaged("export-not-the-file-that-the-seal-names", path=AUDIT.path)
+        for path in (DESCRIPTION, *tables, *(parquet_path(path) for path in tables)):
+            if path in files.paths and sum_of(files, path).sha256 != seal.files.get(path):
+                raise Damaged("export-not-the-file-that-the-seal-names", path=path)
+    except Damaged as error:
+        return error.message
+    return None

@@ -99,9 +99,10 @@ class SmoothDensity:
         return np.asarray(self.influence @ (of_measured - of_true), dtype=np.float64)
 
 
-def smooth_density(heights_m: Floats, noise: Noise) -> SmoothDensity | None:
+def smooth_density(heights_m: Floats, noise: Noise, weight: Floats | None = None) -> SmoothDensity | None:
     """The density behind heights_m (N,), sorted, metres, that carry errors like `noise`; None for fewer than
-    8 heights, and for heights without a spread.
+    8 heights, and for heights without a spread. weight: (N,), how many vehicles each height stands for;
+    they count as so many heights of equal weight as tell a mean as well (Kish 1965, 11.7).
 
     Penalised composite link model (Eilers 2007).
     """
@@ -114,7 +115,11 @@ def smooth_density(heights_m: Floats, noise: Noise) -> SmoothDensity | None:
     kernel = _kernel(noise, float(edge[1] - edge[0]), cells)
     knots = int(np.clip(np.ceil((high - low) / spread * _KNOTS_PER_SPREAD) + 4, 8, _MOST_KNOTS))
     basis = _basis(edge, knots)
-    fit = _Fit(basis, kernel, np.histogram(heights_m, edge)[0].astype(np.float64))
+    n = float(len(heights_m))
+    if weight is not None:
+        weight = weight * (weight.sum() / np.square(weight).sum())
+        n = float(weight.sum())
+    fit = _Fit(basis, kernel, np.histogram(heights_m, edge, weights=weight)[0].astype(np.float64))
     fit.solve(_normal(edge, heights_m, noise.variance_m2))
     gamma, mu, design = fit.model()
     true = gamma / gamma.sum()
@@ -125,7 +130,7 @@ def smooth_density(heights_m: Floats, noise: Noise) -> SmoothDensity | None:
         edge_m=edge,
         true=true,
         measured=mu / mu.sum(),
-        influence=len(heights_m) * cho_solve(fit.factor(mu, design), design.T).T,
+        influence=n * cho_solve(fit.factor(mu, design), design.T).T,
         true_slope=slope,
         measured_slope=kernel @ slope,
     )

@@ -48,15 +48,22 @@ class SharedErrors:
         own, mean = squares / n, sums**2 / n**2
         return max(2.0 * float((own**2 - 2.0 * own * mean).sum() + mean.sum() ** 2), 0.0)
 
-    def by_site_m(self, site: Ints, sites: int) -> Floats:
+    def by_site_m(self, site: Ints, sites: int, weight: Floats | None = None) -> Floats:
         """What one standard uncertainty of each group moves the mean of each site by, (J, G); site (N,):
-        codes.
+        codes; weight (N,): of each height, None: all alike. Groups that act on no height have no column.
         """
         known = self.group >= 0
-        groups = int(self.group.max(initial=-1)) + 1
-        at = site[known] * groups + self.group[known]
-        moved = np.bincount(at, self.u_m[known], sites * groups).reshape(sites, groups)
-        return np.asarray(moved / np.bincount(site, minlength=sites)[:, None], dtype=np.float64)
+        there = np.bincount(self.group[known]) > 0
+        used, group = np.flatnonzero(there), (np.cumsum(there) - 1)[self.group[known]]
+        by = self.u_m[known] if weight is None else self.u_m[known] * weight[known]
+        moved = np.bincount(site[known] * len(used) + group, by, sites * len(used)).reshape(sites, len(used))
+        return np.asarray(moved / np.bincount(site, weight, minlength=sites)[:, None], dtype=np.float64)
+
+    def of_mean_m(self, weight: Floats) -> Floats:
+        """What one standard uncertainty of each group moves the mean of heights of weight (N,) by, (G,)."""
+        known = self.group >= 0
+        moved = np.bincount(self.group[known], self.u_m[known] * weight[known])
+        return np.asarray(moved / weight.sum(), dtype=np.float64)
 
     def _by_group(self) -> tuple[Floats, Floats]:
         """Sums of u and of its squares by group, (G,) each."""

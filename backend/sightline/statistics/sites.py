@@ -8,6 +8,7 @@ covers alike whether they differ or not.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,24 +24,52 @@ _MANY = 400  # sites; from then on their degrees of freedom are one less than th
 
 @dataclass(frozen=True, eq=False)
 class Sites:
-    """code: (N,), 0 to J - 1, the site of each height; count: (J,), heights of each."""
+    """code: (N,), 0 to J - 1, the site of each height; count: (J,), heights of each; weight: (N,), how many
+    vehicles each height stands for, None: all alike.
+    """
 
     code: Ints
     count: Floats
+    weight: Floats | None = None
+
+    @cached_property
+    def total(self) -> Floats:
+        """The weight of each site, (J,)."""
+        total = self.count if self.weight is None else np.bincount(self.code, self.weight)
+        return np.asarray(total, dtype=np.float64)
+
+    @cached_property
+    def share(self) -> Floats:
+        """What each site weighs among all, (J,)."""
+        return np.asarray(self.total / self.total.sum(), dtype=np.float64)
+
+    @cached_property
+    def effective_count(self) -> Floats:
+        """Heights of equal weight that would tell each site's mean as well, (J,) (Kish 1965, 11.7)."""
+        if self.weight is None:
+            return self.count
+        return np.asarray(self.total**2 / np.bincount(self.code, self.weight**2), dtype=np.float64)
+
+    def means(self, values: Floats) -> Floats:
+        """Each site's mean, (J,), of values (N,)."""
+        if self.weight is None:
+            return np.asarray(np.bincount(self.code, values) / self.count, dtype=np.float64)
+        return np.asarray(np.bincount(self.code, self.weight * values) / self.total, dtype=np.float64)
 
 
 @dataclass(frozen=True)
 class PooledVariance:
     """Variance of a pooled figure with its degrees of freedom.
 
-    within: the share of it that comes of sampling within sites; unseen: the variance of shared errors by
-    which sites do not differ, not in `variance`.
+    within: the share of it that comes of sampling within sites; seen, unseen: the variance of shared errors
+    by which sites differ, in `variance`, and the rest of it, which is not.
     """
 
     variance: float
     freedom: float
     within: float
     unseen: float
+    seen: float = 0.0
 
 
 def sites_of(site: Ints | None) -> Sites | None:
@@ -62,6 +91,7 @@ def pooled_variance(
     smooth: Floats,
     shared: Sequence[SharedErrors],
     inner: float | None = None,
+    moved: Sequence[Floats] | None = None,
 ) -> PooledVariance:
     """Variance of a figure of which `influence` (N,) is each height's influence, in the figure's unit.
 
@@ -69,17 +99,17 @@ def pooled_variance(
     smooth: (N,), an influence of the same mean in every site whose values do not jump, for a percentile's own
     takes two values only and sites tie; the influence itself where it does not jump. shared: errors (N,) that
     act on the figure as they do on heights. inner: variance of the influence within sites, if it is known
-    better.
+    better; moved: what each of `shared` moves the sites by, (J, G), if that is known already.
     """
-    count = sites.count
-    weight = count / count.sum()
+    count, weight = sites.effective_count, sites.share
     inner = _within(sites, influence) if inner is None else inner
-    smooth = smooth - smooth.mean()
-    of_site = np.bincount(sites.code, smooth) / count
+    of_site = sites.means(smooth)
+    of_site = of_site - weight @ of_site
     inner_smooth = _within(sites, smooth)
     emphasis = weight**2 / (1.0 - weight)
     observed = float(emphasis @ of_site**2)
-    moved = [one.by_site_m(sites.code, len(count)) for one in shared]
+    if moved is None:
+        moved = [one.by_site_m(sites.code, len(count), sites.weight) for one in shared]
     apart = max(_excess(count, of_site, inner_smooth), sum(_variance_between(one) for one in moved))
     expected, freedom = _moments(weight, emphasis, inner_smooth / count + apart)
     total = float(weight**2 @ (inner / count + apart))
@@ -89,18 +119,23 @@ def pooled_variance(
         seen = observed * (total - more) / expected
         variance = seen + more
         freedom *= (variance / max(seen, 1e-30)) ** 2
-    unseen = 0.0
+    unseen, shown = 0.0, 0.0
     for one in moved:
         all_together = float(np.square(weight @ one).sum())
         differing = float(emphasis @ np.square(one - weight @ one).sum(axis=1))
         unseen += max(all_together - differing * total / expected, 0.0)
-    return PooledVariance(variance, freedom, min(inner / float(count.sum()) / total, 1.0), unseen)
+        shown += min(differing * total / expected, all_together)
+    within = min(inner * float(weight**2 @ (1.0 / count)) / total, 1.0)
+    return PooledVariance(variance, freedom, within, unseen, shown)
 
 
 def _within(sites: Sites, influence: Floats) -> float:
-    of_site = np.bincount(sites.code, influence) / sites.count
-    apart = np.square(influence - of_site[sites.code]).sum()
-    return float(apart) / (len(influence) - len(sites.count))
+    apart = np.square(influence - sites.means(influence)[sites.code])
+    n, freedom = len(influence), len(influence) - len(sites.count)
+    if sites.weight is None:
+        return float(apart.sum()) / freedom
+    squares = sites.weight**2
+    return float(squares @ apart / squares.sum()) * n / freedom
 
 
 def _variance_between(moved: Floats) -> float:

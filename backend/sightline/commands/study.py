@@ -1,0 +1,120 @@
+"""`sightline study`: many packages as one study, each verified first, without a server."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from sightline.commands.files import read_text
+from sightline.commands.options import json_option, print_json
+from sightline.errors import BadInput
+
+if TYPE_CHECKING:
+    from sightline.infra.csv_package.files import Files
+    from sightline.studies.records import Study, TargetFigures
+
+
+@click.command()
+@click.argument("packages", metavar="PACKAGE...", nargs=-1, required=True, type=click.Path(path_type=Path))
+@click.option(
+    "-o",
+    "--output",
+    required=True,
+    type=click.Path(path_type=Path),
+    help="Folder to write; an earlier study there is replaced.",
+)
+@click.option(
+    "--weights",
+    type=click.Path(path_type=Path),
+    help="The fleet by class: category,share or category,registrations; several kinds: variable,class,share.",
+)
+@click.option(
+    "--sites",
+    type=click.Path(path_type=Path),
+    help="Facts of sites: site,stratum and, if known, sites_there (of the stratum), traffic.",
+)
+@click.option(
+    "--goal", "goal_m", default=0.010, show_default=True, help="U95 in metres that the plan is for."
+)
+@click.option(
+    "--quick", is_flag=True, help="Check that the files read are those sealed; compute no height again."
+)
+@json_option
+def study(
+    packages: tuple[Path, ...],
+    output: Path,
+    weights: Path | None,
+    sites: Path | None,
+    goal_m: float,
+    quick: bool,
+    as_json: bool,
+) -> None:
+    """Join surveys of many sites into one study from packages alone (folders, ZIPs, or a folder of them).
+
+    Written are tables with percentiles, mean and SD of each target with total 95 % intervals, the error
+    table, class shares, and how many sites and vehicles a further study needs. Sites are the sampling units.
+    """
+    from sightline.export.seal import check_sealed
+    from sightline.infra.csv_package.files import Staging, fresh_folder
+    from sightline.studies.fleet_csv import read_fleet, read_sites
+    from sightline.studies.packages import found_places, studied
+    from sightline.studies.query import READ
+    from sightline.studies.service import make_study
+    from sightline.studies.write import write_study
+
+    def whole(files: Files) -> str | None:
+        from sightline.export.verify.package import verify_package  # draws, which takes long to load
+
+        return verify_package(files).problem
+
+    def sealed(files: Files) -> str | None:
+        return check_sealed(files, READ)
+
+    if not 0.0 < goal_m < 1.0:
+        raise BadInput("studies-goal-no-length", goal=goal_m)
+    fleet = None if weights is None else read_fleet(weights, read_text(weights, "a table of the fleet"))
+    facts = None if sites is None else read_sites(sites, read_text(sites, "a table of sites"))
+    with tempfile.TemporaryDirectory(prefix="sightline-study-") as scratch, fresh_folder(output) as folder:
+        found = studied(found_places(packages), sealed if quick else whole, Path(scratch))
+        made = make_study(found, fleet, facts, goal_m)
+        notes = ["Heights were not computed again (--quick)."] if quick else []
+        write_study(Staging(folder), made, notes)
+    if as_json:
+        print_json(_json(made, notes))
+        return
+    click.echo(_text(made, output, notes))
+
+
+def _json(made: Study, notes: list[str]) -> dict[str, object]:
+    from sightline.studies.csv import TABLES, study_rows
+
+    rows = study_rows(made)
+    return {
+        "heights": made.heights,
+        "vehicles": made.vehicles,
+        **{table.name: list(rows[table.path]) for table in TABLES},
+        "notes": [*made.notes, *notes],
+    }
+
+
+def _text(made: Study, output: Path, notes: list[str]) -> str:
+    sites = len({one.site for one in made.packages})
+    lines = [
+        f"{len(made.packages)} packages verified: {made.heights} accepted heights of {made.vehicles} "
+        f"vehicles at {sites} sites. Written to {output}."
+    ]
+    lines += [line for one in made.targets for line in _target_lines(one)]
+    return "\n".join([*lines, *made.notes, *notes])
+
+
+def _target_lines(one: TargetFigures) -> list[str]:
+    if one.reason is not None:
+        return [f"{one.target}: {one.reason}."] if one.n else []
+    lines = [f"{one.target}: {one.n} heights at {one.sites} sites"]
+    for percentile in one.percentiles:
+        told = percentile.reason or f"{percentile.U95_low:.3f} to {percentile.U95_high:.3f} m"
+        lines.append(f"  P{percentile.percent:<5g}{percentile.value:.3f} m  {told}")
+    return lines

@@ -1,0 +1,75 @@
+"""Weights that make a sample's classes weigh what they do in the fleet: post-stratification and raking."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+_ROUNDS = 1000
+_CLOSE = 1e-10
+_RESIDUAL_ROUNDS = 100
+
+
+@dataclass(frozen=True, eq=False)
+class Margin:
+    """What the classes of one kind are of the fleet: code (N,), 0 to K - 1, of each vehicle; share (K,), sums
+    to 1.
+    """
+
+    code: Ints
+    share: Floats
+
+    def where(self, chosen: NDArray[np.bool_] | Ints) -> Margin:
+        """The rows that are chosen, (N,) by truth or (M,) by number."""
+        return Margin(self.code[chosen], self.share)
+
+
+def calibrated(weight: Floats, margins: Sequence[Margin]) -> Floats | None:
+    """The weights (N,) nearest to `weight` (N,) under which every margin is met; their sum stays.
+
+    One margin: post-stratification (Holt & Smith 1979), exact; several: raking (Deming & Stephan 1940), until
+    every margin is met to 1e-10. None where no such weights are found: margins that contradict each other.
+    """
+    total = float(weight.sum())
+    found = weight.astype(np.float64)
+    for _ in range(_ROUNDS):
+        for one in margins:
+            there = np.bincount(one.code, found, minlength=len(one.share))
+            factor = np.divide(one.share * total, there, out=np.zeros(len(there)), where=there > 0.0)
+            found = found * factor[one.code]
+        if _largest_miss(found, margins) < _CLOSE:
+            return np.asarray(found, dtype=np.float64)
+    return None
+
+
+def _largest_miss(weight: Floats, margins: Sequence[Margin]) -> float:
+    total = float(weight.sum())
+    misses = [
+        np.abs(np.bincount(one.code, weight, minlength=len(one.share)) / total - one.share).max()
+        for one in margins
+    ]
+    return float(max(misses, default=0.0))
+
+
+def residuals(values: Floats, weight: Floats, margins: Sequence[Margin]) -> Floats:
+    """What of `values` (N,) the margins do not explain, (N,), under `weight` (N,): the influence of a vehicle
+    on a figure whose weights were made to meet them (Deville & Särndal 1992), by turns until it stands.
+    """
+    found = values
+    of_class = [np.bincount(one.code, weight, minlength=len(one.share)) for one in margins]
+    for _ in range(_RESIDUAL_ROUNDS if len(margins) > 1 else 1):
+        largest = 0.0
+        for one, there in zip(margins, of_class, strict=True):
+            mean = np.bincount(one.code, weight * found, minlength=len(one.share))
+            mean = np.divide(mean, there, out=np.zeros(len(mean)), where=there > 0.0)
+            found = found - mean[one.code]
+            largest = max(largest, float(np.abs(mean).max(initial=0.0)))
+        if len(margins) < 2 or largest < _CLOSE * max(float(np.abs(values).max(initial=0.0)), 1e-300):
+            break
+    return found

@@ -1,0 +1,161 @@
+"""The tables of a study."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from sightline.infra.csv_package.columns import integer, metres, number, text
+from sightline.infra.csv_package.schema import Cells, Table
+from sightline.statistics.study_figures import StudyFigure, StudyPercentile
+from sightline.studies.records import Study
+
+_N = integer("n", "how many heights (of classes: vehicles) it rests on", required=True, minimum=0)
+_INTERVAL = (
+    number("low", "lower end of its 95 % interval"),
+    number("high", "upper end of its 95 % interval"),
+)
+_EFFECT = number("design_effect", "variance by the design over that of as many vehicles drawn one by one")
+_EFFECTIVE = number(
+    "effective_n", "n over the design effect: vehicles drawn one by one that would tell as much"
+)
+_REASON = text("reason", "why a figure or its interval is missing")
+
+PACKAGES: Table = Table(
+    "packages",
+    "The packages of the study, each verified before it was read.",
+    (
+        text("place", "folder or ZIP as it was named", required=True),
+        text("survey", "name of the survey"),
+        text("site", "site: surveys of one site are one cluster"),
+        text("made_with", "version that made the package"),
+        text("chain_sha256", "SHA-256 of the package's audit chain without its seal"),
+    ),
+)
+FIGURES: Table = Table(
+    "figures",
+    "Figures of the true heights of each target, weighted to the fleet where one was given: 95 % intervals "
+    "hold sampling, differences between sites, errors that heights share, and random error (taken out).",
+    (
+        text("target", "what was measured", required=True),
+        text("figure", "which", required=True, enum=("percentile", "mean", "sd")),
+        number("percent", "of a percentile: which", "%"),
+        _N,
+        integer("sites", "at how many sites", required=True),
+        metres("value_m", "the figure"),
+        metres("low_m", "lower end of its total 95 % interval"),
+        metres("high_m", "upper end of its total 95 % interval"),
+        metres("raw_m", "of a percentile: that of the measured heights, random error left in"),
+        _EFFECT,
+        _EFFECTIVE,
+        number("weighting_effect", "how much unequal weights alone widen an interval's square"),
+        _REASON,
+    ),
+)
+ERRORS: Table = Table(
+    "errors",
+    "Errors (measured minus maker's height) of roofs, not rounded, by lighting and overall. Intervals hold "
+    "sampling and sites, that of the bias also the errors that heights share.",
+    (
+        text("group", "lighting, or overall", required=True),
+        text("figure", "which figure", required=True),
+        _N,
+        metres("value_m", "the figure"),
+        metres("low_m", "lower end of its 95 % interval"),
+        metres("high_m", "upper end of its 95 % interval"),
+    ),
+)
+CLASSES: Table = Table(
+    "classes",
+    "Shares of the classes of vehicles on the road as they were drawn, beside the fleet's that was given.",
+    (
+        text("group", "lighting, or all", required=True),
+        text("category", "class of vehicle", required=True),
+        _N,
+        number("share", "its share"),
+        *_INTERVAL,
+        _EFFECT,
+        number("fleet_share", "its share in the fleet that was given"),
+    ),
+)
+PLANS: Table = Table(
+    "plan",
+    "How many sites, with how many vehicles each, a further study would need for the U95 that was asked for, "
+    "if its sites and vehicles differ as these do.",
+    (
+        text("target", "what is measured", required=True),
+        number("percent", "which percentile", "%"),
+        metres("goal_U95_m", "the U95 that is wanted"),
+        integer("sites", "at so many sites", required=True),
+        integer("vehicles_each", "so many vehicles each; empty: no number is enough"),
+        metres("U95_m", "the U95 that is then expected"),
+    ),
+)
+TABLES = (PACKAGES, FIGURES, ERRORS, CLASSES, PLANS)
+
+
+def study_rows(study: Study) -> dict[str, Iterator[Cells]]:
+    """The rows of every table by its path."""
+    return {
+        PACKAGES.path: _packages(study),
+        FIGURES.path: _figures(study),
+        ERRORS.path: _errors(study),
+        CLASSES.path: _classes(study),
+        PLANS.path: _plans(study),
+    }
+
+
+def _packages(study: Study) -> Iterator[Cells]:
+    for one in study.packages:
+        told: Cells = {"place": str(one.place), "survey": one.name, "site": one.site}
+        yield {**told, "made_with": one.made_with, "chain_sha256": one.seal}
+
+
+def _figures(study: Study) -> Iterator[Cells]:
+    for one in study.targets:
+        key: Cells = {"target": one.target, "n": one.n, "sites": one.sites}
+        key["weighting_effect"] = one.weighting_effect
+        if one.mean is None or one.sd is None:
+            yield {**key, "figure": "mean", "reason": one.reason}
+            continue
+        for percentile in one.percentiles:
+            row = {**key, "figure": "percentile", "percent": percentile.percent, "raw_m": percentile.raw}
+            yield row | _told(percentile, one.n)
+        yield {**key, "figure": "mean"} | _told(one.mean, one.n)
+        yield {**key, "figure": "sd"} | _told(one.sd, one.n)
+
+
+def _told(one: StudyFigure | StudyPercentile, n: int, unit: str = "_m") -> Cells:
+    found: Cells = {
+        (f"value{unit}" if unit else "share"): one.value,
+        f"low{unit}": one.U95_low,
+        f"high{unit}": one.U95_high,
+        "reason": one.reason,
+    }
+    if one.effect is not None:
+        found |= {"design_effect": one.effect, "effective_n": n / one.effect if one.effect > 0.0 else None}
+    return found
+
+
+def _errors(study: Study) -> Iterator[Cells]:
+    for one in study.errors:
+        key: Cells = {"group": one.group, "figure": one.figure, "n": one.n}
+        yield key | _told(one.value, one.n)
+
+
+def _classes(study: Study) -> Iterator[Cells]:
+    for one in study.classes:
+        key: Cells = {"group": one.group, "category": one.category, "n": one.n, "fleet_share": one.fleet}
+        key |= _told(one.share, one.n, "")
+        yield key
+
+
+def _plans(study: Study) -> Iterator[Cells]:
+    for one in study.plans:
+        yield {
+            "target": one.target,
+            "percent": one.percent,
+            "goal_U95_m": one.goal_U95_m,
+            "sites": one.sites,
+            "vehicles_each": one.vehicles,
+            "U95_m": one.U95_m,
+        }

@@ -1,0 +1,117 @@
+"""The tables that a person gives a study: shares of the fleet (`--weights`), facts of sites (`--sites`)."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+from collections.abc import Iterator
+from pathlib import Path
+
+from sightline.errors import BadInput
+from sightline.studies.records import Fleet, SiteFacts
+
+#: What may divide a fleet.
+KINDS = ("category", "lighting", "stratum", "site")
+_CLOSE = 1e-3  # of a sum of shares, or of two sums of registrations
+
+
+def read_fleet(path: Path, text: str) -> Fleet:
+    """Shares by class. Columns: `category` (or another kind), or `variable` and `class` for several kinds;
+    then `share`, which sums to 1 for each kind, or `registrations`, which sums to the same for each.
+
+    Raises BadInput in one sentence that names the row or the sum.
+    """
+    header, rows = _rows(path, text)
+    kind = next((one for one in KINDS if one in header), None)
+    several = {"variable", "class"} <= set(header)
+    amount = next((one for one in ("share", "registrations") if one in header), None)
+    if amount is None or (kind is None and not several):
+        raise BadInput("studies-fleet-header", path=path)
+    found: dict[str, dict[str, float]] = {}
+    for at, row in rows:
+        variable = row["variable"] if several else str(kind)
+        name = row["class"] if several else row[str(kind)]
+        if variable not in KINDS:
+            raise BadInput("studies-fleet-variable", path=path, row=at, cell=variable, known=", ".join(KINDS))
+        of = found.setdefault(variable, {})
+        if name in of:
+            raise BadInput("studies-fleet-class-twice", path=path, row=at, name=name)
+        of[name] = _amount(path, at, row[amount], amount)
+    return Fleet(_shares(path, found, amount))
+
+
+def _shares(path: Path, found: dict[str, dict[str, float]], amount: str) -> dict[str, dict[str, float]]:
+    if not found:
+        raise BadInput("studies-fleet-empty", path=path)
+    sums = {variable: math.fsum(of.values()) for variable, of in found.items()}
+    first = next(iter(sums))
+    for variable, total in sums.items():
+        if amount == "share" and abs(total - 1.0) > _CLOSE:
+            raise BadInput("studies-shares-do-not-sum", path=path, variable=variable, total=f"{total:.4g}")
+        if abs(total - sums[first]) > _CLOSE * max(sums[first], 1e-300) or total <= 0.0:
+            raise BadInput(
+                "studies-registrations-do-not-sum",
+                path=path,
+                first=first,
+                first_sum=f"{sums[first]:.8g}",
+                other=variable,
+                other_sum=f"{total:.8g}",
+            )
+    return {
+        variable: {name: value / sums[variable] for name, value in of.items()}
+        for variable, of in found.items()
+    }
+
+
+def read_sites(path: Path, text: str) -> dict[str, SiteFacts]:
+    """What is known of each site: `site`, `stratum`; optional `sites_there` (of its stratum; empty: not
+    known) and `traffic` (vehicles in any one unit of time, for all sites or none). Raises BadInput.
+    """
+    header, rows = _rows(path, text)
+    if not {"site", "stratum"} <= set(header):
+        raise BadInput("studies-sites-header", path=path)
+    found: dict[str, SiteFacts] = {}
+    there: dict[str, float] = {}
+    for at, row in rows:
+        site, stratum = row["site"], row["stratum"]
+        told = row.get("sites_there", "")
+        sites_there = _amount(path, at, told, "sites_there") if told else math.inf
+        if there.setdefault(stratum, sites_there) != sites_there:
+            raise BadInput("studies-sites-there-differ", path=path, row=at, stratum=stratum)
+        if site in found:
+            raise BadInput("studies-fleet-class-twice", path=path, row=at, name=site)
+        traffic = row.get("traffic", "")
+        found[site] = SiteFacts(
+            stratum, sites_there, _amount(path, at, traffic, "traffic") if traffic else None
+        )
+    if len({one.traffic is None for one in found.values()}) > 1 or any(
+        one.traffic == 0 for one in found.values()
+    ):
+        raise BadInput("studies-traffic-of-some", path=path)
+    return found
+
+
+def _rows(path: Path, text: str) -> tuple[list[str], Iterator[tuple[int, dict[str, str]]]]:
+    try:
+        told = [
+            [cell.strip() for cell in row] for row in csv.reader(io.StringIO(text, newline=""), strict=True)
+        ]
+    except csv.Error as error:
+        raise BadInput("studies-not-csv", path=path, why=str(error)) from error
+    header = told[0] if told else []
+    body = [(at, row) for at, row in enumerate(told[1:], start=2) if any(row)]
+    for at, row in body:
+        if len(row) != len(header):
+            raise BadInput("commands-row-cells", path=path, row=at, cells=len(row), columns=len(header))
+    return header, iter([(at, dict(zip(header, row, strict=True))) for at, row in body])
+
+
+def _amount(path: Path, at: int, cell: str, name: str) -> float:
+    try:
+        value = float(cell)
+    except ValueError:
+        value = math.nan
+    if not 0.0 <= value < math.inf:
+        raise BadInput("studies-not-an-amount", path=path, row=at, name=name, cell=cell)
+    return value

@@ -1,0 +1,144 @@
+"""What a study reads of its packages: DuckDB over their Parquet, nothing else and no server."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from types import TracebackType
+from typing import Any
+
+import duckdb
+import numpy as np
+from numpy.typing import NDArray
+
+from sightline.enums import StatisticsTarget
+from sightline.infra.csv_package.schema import parquet_path
+from sightline.studies.records import Floats, Ints, StudiedHeights, StudiedPackage
+
+#: The tables that a study reads of a package.
+READ = ("survey.csv", "measurements.csv", "vehicles.csv", "recordings.csv")
+_MEMORY, _THREADS = "700MB", 2
+_COUNTED = "NOT m.withdrawn AND m.height_m IS NOT NULL AND m.verdict IN ('accepted', 'fixed')"
+_LENGTHS = ("height_m", "u_height_m", "u_clicks_m", "u_by_inset_m", "inset_m", "u_inset_m")
+
+
+class StudyTables:
+    """The tables of many packages as one dataset. Words are codes by the lists that are given, from 0."""
+
+    def __init__(
+        self, packages: Sequence[StudiedPackage], categories: Sequence[str], lighting: Sequence[str]
+    ) -> None:
+        self._db = duckdb.connect(":memory:")
+        self._db.execute(
+            f"SET memory_limit = '{_MEMORY}'; SET threads = {_THREADS}; SET enable_progress_bar = false"
+        )
+        self._files = {name: [str(one.tables / parquet_path(name)) for one in packages] for name in READ}
+        self._codes(categories, "categories")
+        self._codes(lighting, "lightings")
+        self._cars()
+
+    def __enter__(self) -> StudyTables:
+        return self
+
+    def __exit__(
+        self, _kind: type[BaseException] | None, _error: BaseException | None, _trace: TracebackType | None
+    ) -> None:
+        self._db.close()
+
+    def heights(self, target: StatisticsTarget) -> StudiedHeights:
+        """The counted heights of one target."""
+        lengths = ", ".join(f"CAST(m.{name} AS DOUBLE) AS {name}" for name in _LENGTHS)
+        rows = self._numbers(
+            f"""
+            SELECT c.package, m.pose_id AS pose, c.category, c.lighting, c.reference_m, {lengths}
+            FROM {self._of("measurements.csv")} m
+            JOIN cars c ON c.package = m.file_index AND c.id = m.vehicle_id
+            WHERE {_COUNTED} AND m.target = $target
+            """,
+            target=target,
+        )
+        return StudiedHeights(
+            package=_ints(rows["package"]),
+            pose=_ints(rows["pose"]),
+            category=_ints(rows["category"]),
+            lighting=_ints(rows["lighting"]),
+            reference_m=_floats(rows["reference_m"]),
+            **{name: _floats(rows[name]) for name in _LENGTHS},
+        )
+
+    def vehicles(self) -> tuple[Ints, Ints, Ints]:
+        """(package, category, lighting), (V,) each, of every vehicle with a counted height."""
+        rows = self._numbers(
+            f"""
+            SELECT c.package, c.category, c.lighting FROM cars c
+            SEMI JOIN (
+              SELECT m.file_index, m.vehicle_id FROM {self._of("measurements.csv")} m WHERE {_COUNTED}
+            ) m ON c.package = m.file_index AND c.id = m.vehicle_id
+            """
+        )
+        return _ints(rows["package"]), _ints(rows["category"]), _ints(rows["lighting"])
+
+    def counted(self) -> Ints:
+        """How many heights count of each package, (P,)."""
+        rows = self._numbers(
+            f"SELECT m.file_index AS p, count(*) AS n FROM {self._of('measurements.csv')} m "
+            f"WHERE {_COUNTED} GROUP BY 1"
+        )
+        found = np.zeros(len(self._files["measurements.csv"]), dtype=np.int64)
+        found[_ints(rows["p"])] = _ints(rows["n"])
+        return found
+
+    def _codes(self, words: Sequence[str], name: str) -> None:
+        self._db.execute(f"CREATE TABLE {name} (word VARCHAR, code TINYINT)")
+        self._db.executemany(f"INSERT INTO {name} VALUES (?, ?)", [(word, n) for n, word in enumerate(words)])
+
+    def _cars(self) -> None:
+        """Living vehicles; one without lighting has its recording's."""
+        self._db.execute(
+            f"""
+            CREATE TABLE cars AS
+            SELECT CAST(v.file_index AS INTEGER) AS package, v.id, coalesce(c.code, -1) AS category,
+              coalesce(l.code, -1) AS lighting, v.manufacturer_height_m AS reference_m
+            FROM {self._of("vehicles.csv")} v
+            LEFT JOIN {self._of("recordings.csv")} r ON r.file_index = v.file_index AND r.id = v.recording_id
+            LEFT JOIN categories c ON c.word = v.category
+            LEFT JOIN lightings l ON l.word = coalesce(v.lighting, r.lighting)
+            """,
+            {name: value for name, value in self._places().items() if name in ("vehicles", "recordings")},
+        )
+
+    def _of(self, table: str) -> str:
+        """A table of all packages, with which of them each row is of."""
+        return (
+            f"(SELECT *, file_index FROM read_parquet(${table.removesuffix('.csv')}, union_by_name = true))"
+        )
+
+    def _places(self) -> dict[str, Any]:
+        return {name.removesuffix(".csv"): files for name, files in self._files.items()}
+
+    def _numbers(self, query: str, **values: Any) -> dict[str, NDArray[Any]]:
+        used = {name: files for name, files in self._places().items() if f"${name}" in query}
+        found: dict[str, NDArray[Any]] = self._db.execute(query, {**used, **values}).fetchnumpy()
+        return found
+
+
+def columns_of(package: Path) -> dict[str, tuple[str, ...]]:
+    """The columns, with their types, of each table that a study reads."""
+    import pyarrow.parquet as pq
+
+    found = {}
+    for name in READ:
+        schema = pq.read_schema(package / parquet_path(name))
+        found[name] = tuple(f"{field.name} {field.type}" for field in schema)
+    return found
+
+
+def _ints(values: NDArray[Any]) -> Ints:
+    return np.asarray(values, dtype=np.int64)
+
+
+def _floats(values: NDArray[Any]) -> Floats:
+    """NaN for null."""
+    if isinstance(values, np.ma.MaskedArray):
+        return np.asarray(values.filled(np.nan), dtype=np.float64)
+    return np.asarray(values, dtype=np.float64)
