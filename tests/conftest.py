@@ -109,6 +109,5 @@ def _empty(url: str) -> None:
         statements = ["SET LOCAL session_replication_role = replica"]
         statements += [f'DELETE FROM "{name}"' for name in names]
         statements += [f"SELECT setval('\"{name}\"', 1, false)" for name in sequences]
-        statements.append(f"INSERT INTO audit_anchor (id, count, hash) VALUES (1, 0, '{'0' * 64}')")
         connection.execute(text("; ".join(statements)))
     engine.dispose()

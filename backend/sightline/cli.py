@@ -33,6 +33,7 @@ COMMANDS = {
     "stream": "sightline.commands.stream:stream",
     "export": "sightline.commands.export:export",
     "verify": "sightline.commands.verify:verify",
+    "checkpoint": "sightline.commands.checkpoint:checkpoint",
 }
 
 

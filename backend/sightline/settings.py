@@ -33,6 +33,9 @@ class Settings(BaseSettings):
     frontend_dir: Path = Field(default_factory=default_frontend_dir)
     #: signs the session cookies; without it the data folder keeps one of its own
     secret: SecretStr | None = None
+    #: signs audit checkpoints (64 hexadecimal digits), where several machines share it; without it the data
+    #: folder keeps one of its own
+    signing_key: SecretStr | None = None
     secure_cookies: bool = False
     #: jobs done side by side by the processes that `serve` starts (0: it starts none) or `sightline worker`
     workers: int = Field(default=2, ge=0, le=64)

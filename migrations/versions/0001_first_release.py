@@ -45,9 +45,6 @@ $$
 
 def upgrade() -> None:
     create_tables()
-    op.execute(
-        sa.text("INSERT INTO audit_anchor (id, count, hash) VALUES (1, 0, :hash)").bindparams(hash="0" * 64)
-    )
     if op.get_bind().dialect.name == "postgresql":
         op.execute(FUNCTION)
         create_procrastinate()
@@ -93,12 +90,11 @@ def refuse_changes(table: str, also_unique: tuple[str, ...]) -> None:
 def create_tables() -> None:
     """In an order in which every foreign key finds its table."""
     op.create_table(
-        "audit_anchor",
-        sa.Column("id", sa.Integer(), autoincrement=False, nullable=False),
+        "audit_chains",
+        sa.Column("name", sa.String(length=40), nullable=False),
         sa.Column("count", sa.Integer(), nullable=False),
         sa.Column("hash", sa.String(length=64), nullable=False),
-        sa.CheckConstraint("id = 1", name=op.f("ck_audit_anchor_single")),
-        sa.PrimaryKeyConstraint("id", name=op.f("pk_audit_anchor")),
+        sa.PrimaryKeyConstraint("name", name=op.f("pk_audit_chains")),
     )
     op.create_table(
         "catalogue",
@@ -199,7 +195,9 @@ def create_tables() -> None:
     )
     op.create_table(
         "audit_events",
-        sa.Column("id", sa.Integer(), autoincrement=False, nullable=False),
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("chain", sa.String(length=40), nullable=False),
+        sa.Column("number", sa.Integer(), nullable=False),
         sa.Column("at", sa.String(length=40), nullable=False),
         sa.Column("actor_id", sa.Integer(), nullable=True),
         sa.Column("action", sa.String(length=60), nullable=False),
@@ -214,6 +212,7 @@ def create_tables() -> None:
         sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_audit_events_survey_id")),
         sa.PrimaryKeyConstraint("id", name=op.f("pk_audit_events")),
         sa.UniqueConstraint("hash", name=op.f("uq_audit_events_hash")),
+        sa.UniqueConstraint("chain", "number", name=op.f("uq_audit_events_chain_number")),
     )
     op.create_index("ix_audit_events_entity_entity_id", "audit_events", ["entity", "entity_id"], unique=False)
     op.create_index(op.f("ix_audit_events_survey_id"), "audit_events", ["survey_id"], unique=False)

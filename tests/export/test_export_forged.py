@@ -10,6 +10,7 @@ import math
 from collections.abc import Callable
 from pathlib import Path
 from random import Random
+from typing import Any
 
 import cv2
 import pytest
@@ -17,11 +18,10 @@ import pytest
 from sightline.cli import main
 from sightline.export.verify.package import PackageCheck, verify_package
 from sightline.infra.csv_package.files import FolderFiles
-from sightline.infra.csv_package.schema import sha256_hex
+from sightline.infra.csv_package.schema import json_bytes, sha256_hex
 from tests.support.forgeries import WAYS, a_makers_height, roof
 from tests.support.mutations import checked, load, mutated, with_sums
 from tests.support.packages import (
-    drop,
     edit,
     ground,
     package,
@@ -36,8 +36,8 @@ from tests.support.packages import (
 __all__ = ["ground", "package", "worked"]
 
 
-def check(place: Path, head: str | None = None) -> PackageCheck:
-    return verify_package(FolderFiles(place), head)
+def check(place: Path, head: str | None = None, key: str | None = None) -> PackageCheck:
+    return verify_package(FolderFiles(place), head, key)
 
 
 @pytest.mark.once
@@ -133,7 +133,7 @@ def test_a_name_takes_the_head(package: Path) -> None:
 @pytest.mark.once
 def test_the_head_of_the_report_vouches_for_the_rows_and_says_so(package: Path) -> None:
     events = rows(package, "audit.csv")
-    last = [one for one in events if one["withheld"] == "false"][-2]["hash"]
+    last = events[-2]["hash"]
     found = check(package, last)
     assert found.ok and "not for the seal" in " ".join(found.notes)
 
@@ -147,17 +147,45 @@ def test_a_package_without_its_seal_is_none(package: Path) -> None:
 
 
 @pytest.mark.once
-def test_an_event_of_this_survey_cannot_be_withheld(package: Path) -> None:
-    """Its link still holds; the seal has the text of the chain as it was told."""
-    events = rows(package, "audit.csv")
-    rejected = next(one for one in events if '"verdict":"rejected"' in one["after"])
-    for name in ("at", "actor_id", "action", "entity", "entity_id", "survey_id", "before", "after"):
-        rejected[name] = ""
-    rejected["withheld"] = "true"
-    rewrite(package, "audit.csv", events)
-    drop(package, "reviews.csv", lambda row: row["verdict"] == "rejected")
-    rederive(package, seal=False)
-    assert str(check(package).problem).startswith("audit.csv is not what the package's seal")
+def test_what_is_signed_anew_takes_the_key(package: Path) -> None:
+    """A forger writes the chain, the seal and a signature of their own: the installation's key tells."""
+    document = json.loads((package / "checkpoint.json").read_text())
+    key = document["key"]
+    assert check(package, key=key[:16]).ok and check(package).key == key
+    edit(package, "crops.csv", lambda row: row["file"] != "", reason="x")
+    reseal(package)
+    assert "not with the key that was given" in str(check(package, key=key).problem)
+    forged = json.loads((package / "checkpoint.json").read_text())
+    forged["keys"] = [*document["keys"], {**forged["keys"][0], "after": key}]
+    (package / "checkpoint.json").write_bytes(json_bytes(forged))
+    reseal(package, seal=False)
+    assert "how its key followed" in str(check(package, key=key).problem)
+
+
+@pytest.mark.once
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"at": "2020-01-01T00:00:00.000000+00:00"},
+        {"chains": 7},
+        {"root": "0" * 64},
+        {"key": "0" * 64},
+        {"signature": "0" * 128},
+        {"place": 1},
+        {"path": []},
+        {"leaf": {}},
+        {"keys": []},
+        {"format": "sightline-checkpoint-2"},
+    ],
+    ids=str,
+)
+def test_every_part_of_the_checkpoint_is_bound(package: Path, change: dict[str, Any]) -> None:
+    document = json.loads((package / "checkpoint.json").read_text())
+    assert {**document, **change} != document
+    (package / "checkpoint.json").write_bytes(json_bytes({**document, **change}))
+    reseal(package, seal=False)
+    found = check(package)
+    assert not found.ok and "checkpoint.json" in str(found.problem)
 
 
 FORMS: dict[str, tuple[str, Callable[[bytes], bytes], str]] = {

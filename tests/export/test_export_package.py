@@ -74,7 +74,11 @@ def test_the_button_makes_a_package_that_holds_everything_and_the_same_state_the
     # the same state, which the export itself has moved on by its own events, gives the same bytes
     (once, twice) = (_bytes(written(services, worked.survey_id, tmp_path / name)) for name in ("a", "b"))
     # but for the chain, which has a seal more, and its sum
-    assert {name for name in once if once[name] != twice.get(name)} == {"audit.csv", "SHA256SUMS"}
+    assert {name for name in once if once[name] != twice.get(name)} == {
+        "audit.csv",
+        "checkpoint.json",
+        "SHA256SUMS",
+    }
     assert once.keys() == twice.keys()
 
 
@@ -119,6 +123,7 @@ def test_frictionless_finds_nothing_to_complain_about(package: Path) -> None:
     assert {path for path in there - named if not path.startswith("crops/")} == {
         "SHA256SUMS",
         "datapackage.json",
+        "checkpoint.json",
     }
 
 

@@ -153,3 +153,34 @@ def test_settings_come_from_the_environment(monkeypatch: pytest.MonkeyPatch, tmp
     monkeypatch.setenv("SIGHTLINE_PORT", "many")
     with pytest.raises(ValueError, match="port"):
         load_settings()
+
+
+def test_different_surveys_are_written_side_by_side_and_each_in_turns(
+    factory: SessionFactory, engine: Engine
+) -> None:
+    """On PostgreSQL; who writes to everything waits for both."""
+    if engine.dialect.name == "sqlite":
+        pytest.skip("SQLite has one writer")
+    came: list[str] = []
+    begun = {name: threading.Event() for name in ("other", "same", "all")}
+
+    def write(name: str, survey: int | None) -> None:
+        begun[name].set()
+        with writing(factory, survey) as session:
+            came.append(name)
+            create_survey(session, name=name, actor=None)
+
+    waiting = {"same": threading.Thread(target=write, args=("same", 1), daemon=True)}
+    waiting["all"] = threading.Thread(target=write, args=("all", None), daemon=True)
+    with writing(factory, 1):
+        write("other", 2)
+        for name, thread in waiting.items():
+            thread.start()
+            begun[name].wait(5)
+            thread.join(0.3)
+        assert came == ["other"]
+    for thread in waiting.values():
+        thread.join(10)
+    assert sorted(came) == ["all", "other", "same"]
+    with reading(factory) as session:
+        assert verify_records(session).ok

@@ -3,6 +3,8 @@
 import json
 from collections.abc import Callable
 from dataclasses import asdict
+from hashlib import sha256
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -13,7 +15,15 @@ from sightline.cli import main
 from sightline.errors import SightlineError
 from sightline.export.store import add_export
 from sightline.infra.audit import trail
-from sightline.infra.audit.records import Verification
+from sightline.infra.audit.checkpoints import (
+    checkpoint_of_chain,
+    checkpoint_problem,
+    hand_on,
+    sign_checkpoint,
+)
+from sightline.infra.audit.merkle import path_of, root_by_path, root_of
+from sightline.infra.audit.records import AuditHead, Verification
+from sightline.infra.audit.signing import put_in_force, replacing_key, signing_key
 from sightline.infra.audit.tables import audit_events
 from sightline.infra.audit.verification import verify_database, verify_records
 from sightline.infra.audit.vouched import WrittenOnce, WrittenOnceApart, fingerprints, marked
@@ -25,6 +35,7 @@ from sightline.quality.checks.store import add_wheel_pair
 from sightline.recordings.store import remove_recording
 from sightline.reviews.store import add_review
 from sightline.scans.vehicles.review_store import add_scan_review
+from sightline.settings import Settings
 from sightline.surveys.photographs.store import order_photographs
 from sightline.vehicles.records import VehicleChanges
 from sightline.vehicles.store import create_vehicle, remove_vehicle, restore_vehicle, update_vehicle
@@ -144,18 +155,42 @@ def _tamper(engine: Engine, *statements: str) -> None:
             connection.execute(text(statement))
 
 
+_OF_SURVEY = "chain = 'survey/1' AND number"
 TAMPERED: dict[str, tuple[tuple[str, ...], str]] = {
     "an event's content": (
-        ('UPDATE audit_events SET after = \'{"name":"other"}\' WHERE id = 3',),
-        "Audit event 3 was changed",
+        (f'UPDATE audit_events SET after = \'{{"name":"other"}}\' WHERE {_OF_SURVEY} = 3',),
+        "Audit event 3 of survey/1 was changed",
     ),
-    "an event's actor": (("UPDATE audit_events SET actor_id = 2 WHERE id = 4",), "Audit event 4 was changed"),
-    "an event's time": (("UPDATE audit_events SET at = '2020' WHERE id = 5",), "Audit event 5 was changed"),
-    "an event removed": (("DELETE FROM audit_events WHERE id = 3",), "Audit event 3 is missing"),
-    "the first event removed": (("DELETE FROM audit_events WHERE id = 1",), "Audit event 1 is missing"),
-    "the tail cut off": (("DELETE FROM audit_events WHERE id > 8",), "ends at event 8"),
+    "an event's actor": (
+        (f"UPDATE audit_events SET actor_id = 2 WHERE {_OF_SURVEY} = 4",),
+        "Audit event 4 of survey/1 was changed",
+    ),
+    "an event's time": (
+        (f"UPDATE audit_events SET at = '2020' WHERE {_OF_SURVEY} = 5",),
+        "Audit event 5 of survey/1 was changed",
+    ),
+    "an event removed": (
+        (f"DELETE FROM audit_events WHERE {_OF_SURVEY} = 3",),
+        "Audit event 3 of survey/1 is missing",
+    ),
+    "the first event removed": (
+        (f"DELETE FROM audit_events WHERE {_OF_SURVEY} = 1",),
+        "Audit event 1 of survey/1 is missing",
+    ),
+    "events exchanged": (
+        (f"UPDATE audit_events SET id = 9999 WHERE {_OF_SURVEY} = 3",),
+        "Audit event 3 of survey/1 is missing",
+    ),
+    "an event moved to another chain": (
+        (f"UPDATE audit_events SET chain = 'survey/7', number = 1 WHERE {_OF_SURVEY} = 1",),
+        "Audit event 1 of survey/7 was changed",
+    ),
+    "the tail cut off": (
+        (f"DELETE FROM audit_events WHERE {_OF_SURVEY} > 8",),
+        "of survey/1 ends at event 8",
+    ),
     "all events removed": (("DELETE FROM audit_events",), "ends at event 0"),
-    "the anchor removed": (("DELETE FROM audit_anchor",), "not where it ended"),
+    "the chain's end removed": (("DELETE FROM audit_chains",), "not where it ended"),
     "a maker's height": (
         ("UPDATE vehicles SET manufacturer_height_m = 1.7 WHERE id = 1",),
         "vehicle 1 is not what its events say",
@@ -243,17 +278,17 @@ def test_verify_finds(filled: SessionFactory, what: str) -> None:
 
 def test_a_tail_cut_with_its_anchor_moved_is_found_by_an_export(filled: SessionFactory) -> None:
     with writing(filled) as session:
-        head = trail.head(session)
+        head = trail.head(session, 1)
         add_export(
             session, 1, media_key="z", size_bytes=1, sha256="0" * 64, head=head, actor=1
         )  # carries the head as it was before itself
     with reading(filled) as session:
-        cut = trail.for_export(session)[1]
+        cut = trail.for_export(session, 1)[1]
     _tamper(
         engine_of(filled),
         "DELETE FROM measurements",
-        "DELETE FROM audit_events WHERE id > 2",
-        f"UPDATE audit_anchor SET count = 2, hash = '{cut.hash}'",
+        f"DELETE FROM audit_events WHERE {_OF_SURVEY} > 2",
+        f"UPDATE audit_chains SET count = 2, hash = '{cut.hash}' WHERE name = 'survey/1'",
     )
     with reading(filled) as session:
         found = verify_records(session)
@@ -291,9 +326,62 @@ def test_a_vehicle_that_was_changed_deleted_and_restored_is_sound(filled: Sessio
         assert verify_records(session).ok
 
 
+def _settings(folder: Path) -> Settings:
+    return Settings(data_dir=folder)
+
+
+def test_a_chain_written_anew_is_found_by_a_signed_checkpoint(filled: SessionFactory, tmp_path: Path) -> None:
+    """Whoever holds the database and not the key: chains cut, ends and heads made to fit."""
+    with writing(filled) as session:
+        sign_checkpoint(session, signing_key(_settings(tmp_path)), actor=None)
+        assert verify_records(session).ok
+        cut = trail.for_export(session, 1)[8]
+    _tamper(
+        engine_of(filled),
+        f"DELETE FROM audit_events WHERE {_OF_SURVEY} > 9",
+        f"UPDATE audit_chains SET count = 9, hash = '{cut.hash}' WHERE name = 'survey/1'",
+    )
+    with reading(filled) as session:
+        assert "are not those signed on" in str(verify_records(session).problem)
+
+
+def test_keys_are_handed_on(factory: SessionFactory, tmp_path: Path) -> None:
+    first = signing_key(_settings(tmp_path))
+    assert signing_key(_settings(tmp_path)).public == first.public
+    assert (tmp_path / "signing.key").stat().st_mode & 0o77 == 0
+    with writing(factory) as session:
+        sign_checkpoint(session, first, actor=None)
+        second, waiting = replacing_key(tmp_path)
+        hand_on(session, first, second, actor=None)
+    put_in_force(tmp_path, waiting)
+    with writing(factory) as session:
+        signed = sign_checkpoint(session, signing_key(_settings(tmp_path)), actor=None)
+        told = checkpoint_of_chain(session, signed, "settings")
+        end = trail.heads(session)["settings"]
+        assert checkpoint_problem(told, "settings", AuditHead(end.count - 1, told["leaf"]["hash"])) is None
+        assert [one["key"] for one in told["keys"]] == [first.public, second.public]
+        broken = {**told, "keys": told["keys"][1:]}
+        assert checkpoint_problem(broken, "settings", AuditHead(end.count - 1, told["leaf"]["hash"]))
+    with writing(factory) as session, pytest.raises(SightlineError, match="signing key"):
+        sign_checkpoint(session, first, actor=None)
+
+
+@pytest.mark.parametrize("count", range(1, 18))
+def test_each_leaf_has_a_path_to_the_root_and_no_other_has_it(count: int) -> None:
+    ends = {f"survey/{n}": AuditHead(n, sha256(bytes([n])).hexdigest()) for n in range(count)}
+    root = root_of(ends)
+    for chain, end in ends.items():
+        place, path = path_of(ends, chain)
+        assert root_by_path(chain, end, place, count, path) == root
+        assert root_by_path(chain, AuditHead(end.count + 1, end.hash), place, count, path) != root
+        for wrong in range(count):
+            assert wrong == place or root_by_path(chain, end, wrong, count, path) != root
+        assert root_by_path(chain, end, place, count, [*path, "0" * 64]) is None
+
+
 def test_an_empty_chain_is_sound(factory: SessionFactory) -> None:
     with reading(factory) as session:
-        assert verify_records(session) == Verification(True, 0, "0" * 64, None)
+        assert verify_records(session) == Verification(True, 0, sha256(b"").hexdigest(), None)
 
 
 def test_verify_says_that_a_database_is_of_another_version(engine: Engine) -> None:

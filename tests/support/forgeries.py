@@ -206,10 +206,9 @@ def an_event(place: Path) -> str:
 
 
 def an_event_and_its_hash(place: Path) -> str:
-    """The event and the link of the withheld one after it: that one's hash no longer holds."""
+    """The event and its link: that of the one after it no longer holds."""
     events = rows(place, "audit.csv")
-    held = [event["withheld"] for event in events]
-    at = next(n for n in range(len(held) - 2) if held[n : n + 2] == ["false", "true"])
+    at = len(events) // 2
     events[at]["actor_id"] = str(int(events[at]["actor_id"]) + 1)
     only = rehash([dict(one) for one in events], at)
     rewrite(place, "audit.csv", [*only[: at + 1], *events[at + 1 :]])
@@ -217,11 +216,16 @@ def an_event_and_its_hash(place: Path) -> str:
     return "does not follow from the one before"
 
 
-def an_event_withheld(place: Path) -> str:
-    """Else a forged row would be vouched for by an event whose content nobody checks."""
-    edit(place, "audit.csv", lambda row: row["action"] == "revise", withheld="true")
+def an_event_left_out(place: Path) -> str:
+    """A rejection, with every link after it, the seal and the sums made to fit."""
+    events = rows(place, "audit.csv")
+    at = next(n for n, one in enumerate(events) if '"verdict":"rejected"' in one["after"])
+    del events[at]
+    rewrite(place, "audit.csv", events)
+    edit(place, "measurements.csv", lambda row: row["verdict"] == "rejected", verdict="to_review")
+    drop(place, "reviews.csv", lambda row: row["verdict"] == "rejected")
     rederive(place)
-    return "is not the one that was hashed"
+    return "does not follow from the one before"
 
 
 def a_statistic(place: Path) -> str:
@@ -408,7 +412,7 @@ WAYS: tuple[Callable[[Path], str], ...] = (
     a_verdict,
     an_event,
     an_event_and_its_hash,
-    an_event_withheld,
+    an_event_left_out,
     a_statistic,
     an_exclusion,
     crops_exchanged,

@@ -18,6 +18,9 @@ from sightline.export.contents import tables_of
 from sightline.export.derived import derive_tables, drawn
 from sightline.export.seal import sealed
 from sightline.infra.audit.hashing import canonical_json, event_hash, link_hash
+from sightline.infra.audit.merkle import root_of
+from sightline.infra.audit.records import AuditHead
+from sightline.infra.audit.signing import SigningKey
 from sightline.infra.csv_package.chain import hashed
 from sightline.infra.csv_package.files import FolderFiles, Staging, fresh_folder, sum_of
 from sightline.infra.csv_package.parquet import write_parquet
@@ -42,7 +45,7 @@ def ground(services: Services, survey_id: int, recording_id: int) -> Ground:
 def worked(operator: Client, reviewer: Client, ground: Ground, services: Services) -> Ground:
     """A survey with every kind of work: measured, revised, fixed, rejected, withdrawn, not measurable.
 
-    An event of another survey, withheld, stands between two of this one.
+    Another survey is written to meanwhile, of which the package tells nothing.
     """
     for n, caption in enumerate(("The rig", "The road"), start=1):
         picture = jpeg(np.full((60, 80, 3), 80 * n, np.uint8))
@@ -170,6 +173,21 @@ def seal_anew(place: Path) -> None:
     out = csv.DictWriter(text, list(events[-1]), lineterminator="\n", extrasaction="ignore")
     out.writerow(rehash(events, len(events) - 1)[-1])
     (place / "audit.csv").write_bytes(b"".join(lines[:-1]) + text.getvalue().encode())
+    sign_anew(place)
+
+
+def sign_anew(place: Path) -> None:
+    """The checkpoint signed with a key of the forger's own, who lacks the installation's."""
+    key, last = SigningKey(b"forger" + bytes(26)), rows(place, "audit.csv")[-1]
+    end = {"count": int(last["number"]), "hash": last["hash"]}
+    leaf = {"chain": f"survey/{last['survey_id']}", **end}
+    ends = {leaf["chain"]: AuditHead(**end)}
+    first = {"format": "sightline-key-1", "at": last["at"], "key": key.public, "after": None}
+    told = {"format": "sightline-checkpoint-1", "at": last["at"], "chains": 1, "root": root_of(ends)}
+    told["key"] = key.public
+    document = {**told, "signature": key.sign(told), "leaf": leaf, "place": 0, "path": []}
+    keys = [{**first, "signature": key.sign(first)}]
+    (place / "checkpoint.json").write_bytes(json_bytes({**document, "keys": keys}))
 
 
 def rederive(place: Path, drawings: bool = False, *, seal: bool = True) -> None:
@@ -200,10 +218,9 @@ def _sums(place: Path) -> dict[str, Written]:
 
 
 def rehash(events: Rows, first: int) -> Rows:
-    """The chain written anew from an event on, withheld ones by the hash of their content."""
+    """The chain written anew from an event on."""
     for before, event in zip(events[first - 1 :], events[first:], strict=False):
         event["previous_hash"] = before["hash"]
-        if event["withheld"] != "true":
-            event["content_sha256"] = event_hash(hashed(event))
+        event["content_sha256"] = event_hash(hashed(event))
         event["hash"] = link_hash(event["previous_hash"], event["content_sha256"])
     return events

@@ -105,7 +105,7 @@ def _csv(columns: dict[str, object]) -> bytes:
 
 
 def _seal(staging: Staging, survey: Invented) -> None:
-    first = {**dict.fromkeys(AUDIT.header, ""), "id": "1", "entity": "survey", "action": "create"}
+    first = {**dict.fromkeys(AUDIT.header, ""), "number": "1", "entity": "survey", "action": "create"}
     first["hash"] = hashlib.sha256(f"{survey.name}{survey.vehicles}".encode()).hexdigest()
     place = staging.folder / AUDIT.path
     with place.open("w", encoding="utf-8", newline="") as file:
@@ -114,8 +114,8 @@ def _seal(staging: Staging, survey: Invented) -> None:
         out.writerow(first)
     files = {path: one.sha256 for path, one in staging.written.items()}
     files[AUDIT.path] = hashlib.sha256(place.read_bytes()).hexdigest()
-    last = {**dict.fromkeys(AUDIT.header, ""), "id": "2", "entity": "package", "action": "seal"}
-    last |= {"withheld": "false", "survey_id": "1", "after": json.dumps({"as_of": 1, "files": files})}
+    last = {**dict.fromkeys(AUDIT.header, ""), "number": "2", "entity": "package", "action": "seal"}
+    last |= {"survey_id": "1", "after": json.dumps({"as_of": 1, "files": files})}
     with place.open("a", encoding="utf-8", newline="") as file:
         csv.DictWriter(file, AUDIT.header, lineterminator="\n").writerow(last)
     staging.add(AUDIT.path, place.read_bytes())

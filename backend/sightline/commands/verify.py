@@ -18,14 +18,16 @@ DATABASE = "sightline.db"
 @click.command()
 @click.argument("place", metavar="DIR_OR_DATABASE")
 @click.option("--head", help="Last hash of the audit chain as you kept it (16 signs or more); for an export.")
+@click.option("--key", help="Signing key of the installation (16 signs or more); for an export.")
 @json_option
-def verify(place: str, head: str | None, as_json: bool) -> None:
+def verify(place: str, head: str | None, key: str | None, as_json: bool) -> None:
     """Check the audit chain of a database (file, data folder or postgresql:// address) or a whole export.
 
     Of an export also its seal, by which the chain names every file, every height and every statistic,
-    computed again, and every row against the audit chain. Only --head finds a chain that was written anew.
+    computed again, every row against the audit chain, and the signature over its end. A chain that was
+    written and signed anew is found by --key (where the forger lacks the key) or --head.
     """
-    found = check(place, head)
+    found = check(place, head, key)
     if as_json:
         print_json(found)
     if not found["ok"]:
@@ -34,7 +36,7 @@ def verify(place: str, head: str | None, as_json: bool) -> None:
         click.echo(_words(place, found))
 
 
-def check(place: str, head: str | None = None) -> dict[str, Any]:
+def check(place: str, head: str | None = None, key: str | None = None) -> dict[str, Any]:
     """What was checked, with `ok` and `problem`. Raises BadInput for a place that is neither."""
     if "://" in place:
         return check_database(place)
@@ -44,16 +46,16 @@ def check(place: str, head: str | None = None) -> dict[str, Any]:
     if path.is_dir() and (path / DATABASE).is_file():
         path = path / DATABASE
     if path.is_dir() or path.suffix == ".zip":
-        return check_export(path, head)
+        return check_export(path, head, key)
     return check_database(sqlite_url(path.absolute()), str(path))
 
 
-def check_export(path: Path, head: str | None = None) -> dict[str, Any]:
+def check_export(path: Path, head: str | None = None, key: str | None = None) -> dict[str, Any]:
     """An exported folder or ZIP, with the SHA-256 of the ZIP."""
     from sightline.export.verify.package import verify_place
     from sightline.media.store.local import sha256_of
 
-    found = asdict(verify_place(path, head))
+    found = asdict(verify_place(path, head, key))
     return {"kind": "export", **found, "sha256": sha256_of(path) if path.is_file() else None}
 
 
@@ -71,7 +73,8 @@ def _words(place: str, found: dict[str, Any]) -> str:
     said += (
         f"; {found['files']} files unchanged, {found['heights']} heights and {found['statistics']} figures "
         f"of statistics computed again and equal, {found['keys']} keys followed, {found['crops']} crops "
-        f"compared, {found['drawings']} drawings made again."
+        f"compared, {found['drawings']} drawings made again; its end was signed on "
+        f"{found['signed_at'][:19]} UTC with key {found['key'][:16]}."
     )
     if found["sha256"] is not None:
         said += f" SHA-256 {found['sha256']}; compare it with the one on the export page."

@@ -31,16 +31,18 @@ from sightline.export.query import (
     vehicle_pages,
 )
 from sightline.export.report.words import selection_words
-from sightline.export.seal import ENTITY, sealed
+from sightline.export.seal import CHECKPOINT, ENTITY, sealed
 from sightline.export.store import seal_package
-from sightline.infra.audit.records import AuditHead, Who
-from sightline.infra.csv_package.audit import AUDIT, Link
+from sightline.infra.audit import trail
+from sightline.infra.audit.checkpoints import checkpoint_of_chain, sign_checkpoint
+from sightline.infra.audit.records import AuditHead, Who, survey_chain
+from sightline.infra.audit.signing import signing_key
+from sightline.infra.csv_package.audit import AUDIT
 from sightline.infra.csv_package.chain import stamp
 from sightline.infra.csv_package.files import Staging, TableWriter
 from sightline.infra.csv_package.parquet import write_parquet
-from sightline.infra.csv_package.schema import DESCRIPTION, Table, json_bytes, record_path
+from sightline.infra.csv_package.schema import DESCRIPTION, Row, Table, json_bytes, record_path
 from sightline.infra.database import Session
-from sightline.infra.database.engine import lock_chain
 from sightline.infra.services import Services
 from sightline.measurements.again.csv import COMPUTINGS
 from sightline.measurements.again.query import list_computings
@@ -86,7 +88,7 @@ from sightline.vehicles.catalogue.store import catalogue_of_models
 Record = TypeVar("Record")
 Tell = Callable[[float, str], None]
 # Of one measurement with its revisions, budget and audit events, uncompressed; of one crop.
-_ROW_BYTES, _CROP_BYTES = 4_000, 60_000
+_ROW_BYTES, _CROP_BYTES = 6_000, 60_000
 
 
 def silent(_fraction: float, _words: str) -> None:
@@ -168,8 +170,13 @@ def build(
     tables = tables_of(most)
     write_parquet(staging, tables)
     staging.add(DESCRIPTION, json_bytes(described(about, tables, staging.written)))
+    key = signing_key(services.settings)
+    ends = {name: one for name, one in trail.heads(session).items() if name in ("people", "catalogue")}
     with services.writing() as writing:
-        head = _seal(staging, writing, survey_id, audit, actor)
+        head = _seal(staging, writing, survey_id, audit, ends, actor)
+        signed = sign_checkpoint(writing, key, actor=actor)
+        chain = survey_chain(survey_id)
+        staging.add(CHECKPOINT, json_bytes(checkpoint_of_chain(writing, signed, chain)))
     staging.add_checksums()
     return Built(head, seen.measurements, seen.vehicles, taken)
 
@@ -320,22 +327,19 @@ def _frames(session: Session, seen: _Seen) -> Iterator[ClickedFrame]:
 class _Audit:
     """The chain as it was written so far: its last event, and when this survey's last one happened."""
 
-    table: TableWriter[Link]
+    table: TableWriter[Row]
     as_of: int = 0
     moment: str | None = None
 
 
 def _audit(staging: Staging, session: Session, survey_id: int, seen: _Seen) -> _Audit:
-    """The chain from the survey's first event on, without the seal."""
+    """The survey's chain, without the seal."""
     with staging.table(AUDIT) as table:
         written = _Audit(table)
         for page in audit_pages(session, survey_id):
             for event in page:
-                withheld = event["survey_id"] != survey_id
-                table.add(Link(event, withheld))
-                written.as_of = event["id"]
-                if withheld:
-                    continue
+                table.add(event)
+                written.as_of = event["number"]
                 if event["entity"] != ENTITY:
                     written.moment = stamp(event["at"])
                 if event["actor_id"] is not None:
@@ -343,17 +347,28 @@ def _audit(staging: Staging, session: Session, survey_id: int, seen: _Seen) -> _
     return written
 
 
-def _seal(staging: Staging, session: Session, survey_id: int, audit: _Audit, actor: int | None) -> AuditHead:
-    """Links for what came into the chain meanwhile, then the event that names every file; the chain's end."""
-    lock_chain(session)
+def _seal(
+    staging: Staging,
+    session: Session,
+    survey_id: int,
+    audit: _Audit,
+    ends: dict[str, AuditHead],
+    actor: int | None,
+) -> AuditHead:
+    """What came into the chain meanwhile, then the event that names every file; the chain's end.
+
+    `ends`: those of the chains of people and of the catalogue, whose names and sizes the tables repeat.
+    """
+    files_before = dict(staging.written)
     with staging.continued(AUDIT, audit.table) as table:
         for page in audit_pages(session, survey_id, audit.as_of):
             for event in page:
-                table.add(Link(event, withheld=True))
-        files = sealed(staging.written, table.written().sha256)
-        number = seal_package(session, survey_id, {"as_of": audit.as_of, "files": files}, actor=actor)
+                table.add(event)
+        files = sealed(files_before, table.written().sha256)
+        told = {"as_of": audit.as_of, "files": files, "chains": ends}
+        number = seal_package(session, survey_id, told, actor=actor)
         ((event,),) = audit_pages(session, survey_id, number - 1)
-        table.add(Link(event, withheld=False))
+        table.add(event)
     return AuditHead(number, str(event["hash"]))
 
 

@@ -12,6 +12,7 @@ from typing import Any
 from sightline.cameras.calibrations.csv import CALIBRATIONS
 from sightline.export.crops import CROPS
 from sightline.export.exclusions import EXCLUSIONS
+from sightline.export.seal import CHECKPOINT
 from sightline.export.statistics_csv import TABLES
 from sightline.infra.csv_package.audit import AUDIT
 from sightline.infra.csv_package.schema import PARQUET, About, AnyTable, Other, Written, description_of
@@ -83,15 +84,16 @@ _ABOUT = (
     "--pose poses/pose-N.json --clicks clicks/pose-N.csv` computes its heights again. statistics/ is made of "
     "the accepted measurements in these tables, heights to the micrometre. An apostrophe stands before any "
     "text that a spreadsheet would run as a formula. The last event of audit.csv seals the package: it "
-    "names every other file by its SHA-256. Keep its hash elsewhere: who writes the chain anew, from that "
-    "event or an earlier one on, makes a package that only a kept hash tells from this one. An event's hash "
-    "is sha256(previous_hash + content_sha256), its content_sha256 that of the event as JSON by RFC 8785."
+    "names every other file by its SHA-256. checkpoint.json signs that event with the installation's key "
+    "(Ed25519): compare its key with the one that the installation shows. A signature proves what the "
+    "holder of the key signed, not that it is true. An event's hash is sha256(previous_hash + "
+    "content_sha256), its content_sha256 that of the event as JSON by RFC 8785."
 )
 
 
 def described(about: About, tables: Sequence[AnyTable], written: Mapping[str, Written]) -> dict[str, Any]:
     """`datapackage.json`. It comes before the seal, and so names no hash of the table that ends with it."""
-    without = {path: one for path, one in written.items() if path != AUDIT.path}
+    without = {path: one for path, one in written.items() if path not in (AUDIT.path, CHECKPOINT)}
     return description_of(about, tables, others_of(without), without)
 
 

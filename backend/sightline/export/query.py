@@ -10,6 +10,7 @@ from sightline.cameras.calibrations.tables import calibrations
 from sightline.cameras.tables import cameras
 from sightline.enums import JsonObject
 from sightline.infra.audit.hashing import event_hash, plain
+from sightline.infra.audit.records import survey_chain
 from sightline.infra.audit.tables import audit_events
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import row_content
@@ -86,24 +87,21 @@ def review_pages(session: Session, survey_id: int) -> Iterator[tuple[Review, ...
 
 
 def audit_pages(session: Session, survey_id: int, after: int = 0) -> Iterator[list[dict[str, Any]]]:
-    """The chain from a survey's first event on, or from the one after `after`, oldest first: rows as they
+    """A survey's chain from its first event on, or from the one after `after`, oldest first: rows as they
     were hashed, with the hash of their content and the actor's name.
     """
-    first = select(func.min(audit_events.c.id)).where(audit_events.c.survey_id == survey_id)
-    at: int | None = after + 1 if after else session.execute(first).scalar_one()
+    at = after + 1
     names = [column.name for column in audit_events.c]
     query = (
         select(audit_events, people.c.name.label("actor_name"))
         .outerjoin(people, people.c.id == audit_events.c.actor_id)
-        .order_by(audit_events.c.id)
+        .where(audit_events.c.chain == survey_chain(survey_id))
+        .order_by(audit_events.c.number)
         .limit(PAGE)
     )
-    while at is not None:
-        rows = session.execute(query.where(audit_events.c.id >= at)).mappings().all()
-        if not rows:
-            return
+    while rows := session.execute(query.where(audit_events.c.number >= at)).mappings().all():
         yield [{**row, "content_sha256": event_hash({name: row[name] for name in names})} for row in rows]
-        at = int(rows[-1]["id"]) + 1
+        at = int(rows[-1]["number"]) + 1
 
 
 def pose_contents(session: Session, survey_id: int) -> dict[int, JsonObject]:

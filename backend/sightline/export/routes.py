@@ -14,6 +14,7 @@ from sightline.export import store
 from sightline.export.export_job import request_export
 from sightline.export.records import Export
 from sightline.infra.audit.records import Who
+from sightline.infra.audit.signing import signing_key
 from sightline.infra.web.bodies import In, JobBody, Out
 from sightline.infra.web.deps import PathId, Reading, Viewer, Wired, Writing
 from sightline.results.selection import Selection, selection_of
@@ -40,11 +41,12 @@ class ExportBody(Out):
     audit_count: int = Field(description="How many events the audit chain in it has.")
     audit_head: str = Field(description="The last hash of that chain; keep it elsewhere.")
     selection: Annotated[Selection, Field(description="The vehicles that its statistics are of.")]
+    signing_key: str = Field(description="The installation's key in force, which signs packages.")
     url: str
     filename: str = Field(description="What the downloaded file is called.")
 
 
-def body_of(made: Export, survey: str) -> ExportBody:
+def body_of(made: Export, survey: str, signing_key: str) -> ExportBody:
     who = None if made.created_by is None else made.created_by
     return ExportBody(
         id=made.id,
@@ -55,6 +57,7 @@ def body_of(made: Export, survey: str) -> ExportBody:
         audit_count=made.audit_count,
         audit_head=made.audit_head,
         selection=made.selection,
+        signing_key=signing_key,
         url=f"/api/exports/{made.id}.zip",
         filename=filename_of(made, survey),
     )
@@ -78,10 +81,10 @@ def make_export(
 
 
 @router.get("/surveys/{survey_id}/exports")
-def list_exports(survey_id: PathId, who: Viewer, session: Reading) -> list[ExportBody]:
+def list_exports(survey_id: PathId, who: Viewer, services: Wired, session: Reading) -> list[ExportBody]:
     """The packages that were made of a survey, newest first."""
-    name = get_survey(session, survey_id).name
-    return [body_of(made, name) for made in store.list_exports(session, survey_id)]
+    name, key = get_survey(session, survey_id).name, signing_key(services.settings).public
+    return [body_of(made, name, key) for made in store.list_exports(session, survey_id)]
 
 
 @router.get("/exports/{export_id}.zip", response_class=FileResponse)

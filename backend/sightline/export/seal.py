@@ -1,7 +1,8 @@
 """The seal of a package: the last event of its audit chain, which names every other file by its SHA-256.
 
-What no row's own event vouches for (names of people, texts of flags, pictures, figures, the description) is
-bound by it too, so that nothing in a package can be changed without writing the chain anew.
+What no row's own event vouches for (names of people, pictures, figures, the description) is bound by it too,
+so that nothing in a package can be changed without writing the chain anew. The chain's end is in the
+checkpoint that the installation signs (`checkpoint.json`), which comes after the seal.
 """
 
 from __future__ import annotations
@@ -26,6 +27,7 @@ from sightline.infra.csv_package.schema import (
 )
 
 ENTITY, ACTION = "package", "seal"
+CHECKPOINT = "checkpoint.json"
 _CROPS = "crops/"  # one hash for all of them: there may be a million
 
 
@@ -46,7 +48,7 @@ def sealed(written: Mapping[str, Written], before_sha256: str) -> dict[str, str]
     """The SHA-256 of every file by path; of audit.csv that of all lines but the seal's, of the crops that of
     their lines in SHA256SUMS.
     """
-    own = {CHECKSUMS, AUDIT.path}
+    own = {CHECKSUMS, CHECKPOINT, AUDIT.path}
     crops = {path: one for path, one in written.items() if path.startswith(_CROPS)}
     named = {path: one.sha256 for path, one in written.items() if path not in own and path not in crops}
     return {**named, _CROPS: sha256_hex(checksum_lines(crops)), AUDIT.path: before_sha256}
@@ -63,10 +65,10 @@ def read_seal(files: Files) -> Seal:
         (cells,) = csv.reader([last.decode("utf-8")], strict=True)
         row = dict(zip(AUDIT.header, cells, strict=True))
         after: dict[str, Any] = json.loads(row["after"])
-        if (row["entity"], row["action"], row["withheld"]) != (ENTITY, ACTION, "false"):
+        if (row["entity"], row["action"]) != (ENTITY, ACTION):
             raise ValueError(row["entity"])
         return Seal(
-            number=int(row["id"]),
+            number=int(row["number"]),
             survey_id=int(row["survey_id"]),
             as_of=int(after["as_of"]),
             files=dict(after["files"]),

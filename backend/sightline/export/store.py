@@ -39,10 +39,11 @@ def add_export(
 
 
 def seal_package(session: Session, survey_id: int, after: Mapping[str, Any], *, actor: int | None) -> int:
-    """Append a package's seal to the chain, which no event can come into before the transaction ends; its
-    number.
+    """Append a package's seal to the survey's chain, which no event can come into before the transaction
+    ends; its number.
     """
-    return trail.record(session, actor, ACTION, ENTITY, None, survey_id, None, after)
+    trail.record(session, actor, ACTION, ENTITY, None, survey_id, None, after)
+    return trail.head(session, survey_id).count
 
 
 def get_export(session: Session, export_id: int) -> Export:

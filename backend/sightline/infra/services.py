@@ -10,7 +10,14 @@ from typing import Protocol, TypeVar, cast
 from sqlalchemy import Engine
 from sqlalchemy.orm import Session
 
-from sightline.infra.database.engine import SessionFactory, make_engine, reading, session_factory, writing
+from sightline.infra.database.engine import (
+    InSurvey,
+    SessionFactory,
+    make_engine,
+    reading,
+    session_factory,
+    writing,
+)
 from sightline.media.store.local import MediaStore, open_store
 from sightline.media.video.decode_host import DecodeHost
 from sightline.media.video.frames import FrameServer
@@ -46,9 +53,12 @@ class Services:
         """A session that sees one state of the database and never commits."""
         return reading(self.sessions)
 
-    def writing(self) -> AbstractContextManager[Session]:
-        """The write transaction of this thread; committed when the block ends, rolled back on any error."""
-        return writing(self.sessions)
+    def writing(self, survey: InSurvey | None = None) -> AbstractContextManager[Session]:
+        """The write transaction of this thread; committed when the block ends, rolled back on any error.
+
+        `survey`: the only one that it writes to, so that other surveys need not wait.
+        """
+        return writing(self.sessions, survey)
 
     def part(self, make: Callable[["Services"], P]) -> P:
         """What `make(services)` gives: made the first time it is asked for, closed with the services."""

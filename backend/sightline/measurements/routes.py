@@ -1,11 +1,14 @@
 """Measurements: each click pair is stored at once; a correction is a new revision."""
 
+from collections.abc import AsyncIterator
+from functools import partial
 from typing import Annotated
 
-from fastapi import APIRouter, Query
+from fastapi import APIRouter, Depends, Query, Request
 
 from sightline.enums import Target
-from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
+from sightline.infra.database import Session
+from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired, writing_to
 from sightline.infra.web.quantities import AtRevision
 from sightline.measurements import service, store
 from sightline.measurements.bodies import (
@@ -18,6 +21,25 @@ from sightline.measurements.bodies import (
 from sightline.measurements.records import ClickedFrame, Clicks
 
 router = APIRouter()
+
+
+async def _writing_to_vehicle(
+    vehicle_id: PathId, request: Request, services: Wired
+) -> AsyncIterator[Session]:
+    async with writing_to(request, services, partial(store.survey_of_vehicle, vehicle_id=vehicle_id)) as made:
+        yield made
+
+
+async def _writing_to_measurement(
+    measurement_id: PathId, request: Request, services: Wired
+) -> AsyncIterator[Session]:
+    find = partial(store.survey_of_measurement, series_id=measurement_id)
+    async with writing_to(request, services, find) as made:
+        yield made
+
+
+OfVehicle = Annotated[Session, Depends(_writing_to_vehicle, scope="function")]
+OfMeasurement = Annotated[Session, Depends(_writing_to_measurement, scope="function")]
 
 
 def clicks_of(body: ClicksIn, target: Target) -> Clicks:
@@ -39,7 +61,7 @@ def clicks_of(body: ClicksIn, target: Target) -> Clicks:
 
 @router.post("/vehicles/{vehicle_id}/measurements", status_code=201)
 def add_measurement(
-    vehicle_id: PathId, body: NewMeasurement, who: Operator, session: Writing
+    vehicle_id: PathId, body: NewMeasurement, who: Operator, session: OfVehicle
 ) -> MeasurementBody:
     """Store one height; sending the same `client_key` again gives back the one that is stored.
 
@@ -64,7 +86,7 @@ def get_measurement(measurement_id: PathId, who: Viewer, session: Reading) -> Me
 
 @router.put("/measurements/{measurement_id}")
 def revise_measurement(
-    measurement_id: PathId, body: ChangedMeasurement, who: Operator, session: Writing
+    measurement_id: PathId, body: ChangedMeasurement, who: Operator, session: OfMeasurement
 ) -> MeasurementBody:
     """A new revision; sigma and inset left out are the survey's, as while clicking.
 
@@ -82,7 +104,7 @@ def withdraw_measurement(
     measurement_id: PathId,
     revision: Annotated[int, Query(ge=1, le=2**31 - 1, description="The revision that you saw.")],
     who: Operator,
-    session: Writing,
+    session: OfMeasurement,
 ) -> MeasurementBody:
     """A new revision that takes the measurement out of lists and counts; nothing is erased."""
     gone = store.withdraw_measurement(session, measurement_id, seen_revision=revision, actor=who.id)
@@ -91,7 +113,7 @@ def withdraw_measurement(
 
 @router.post("/measurements/{measurement_id}/restore")
 def restore_measurement(
-    measurement_id: PathId, body: AtRevision, who: Operator, session: Writing
+    measurement_id: PathId, body: AtRevision, who: Operator, session: OfMeasurement
 ) -> MeasurementBody:
     """A new revision that brings a withdrawn measurement back."""
     back = store.restore_measurement(session, measurement_id, seen_revision=body.revision, actor=who.id)

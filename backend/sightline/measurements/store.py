@@ -125,6 +125,18 @@ def restore_measurement(
     )
 
 
+def survey_of_vehicle(session: Session, vehicle_id: int) -> int:
+    """The survey of a vehicle; 0 where there is no such vehicle."""
+    found = session.execute(select(vehicles.c.survey_id).where(vehicles.c.id == vehicle_id))
+    return found.scalar_one_or_none() or 0
+
+
+def survey_of_measurement(session: Session, series_id: int) -> int:
+    """The survey of a measurement; 0 where there is no such measurement."""
+    chosen = select(measurement_series.c.survey_id).where(measurement_series.c.id == series_id)
+    return session.execute(chosen).scalar_one_or_none() or 0
+
+
 def get_measurement(session: Session, series_id: int) -> Measurement:
     """The current revision, withdrawn or not. Raises NotFound."""
     return _measurement_of(_current_row(session, series_id))

@@ -2928,6 +2928,8 @@ audit-action-revise = changed
 audit-action-run = ran
 audit-action-seal = sealed
 audit-action-set_password = set the password of
+audit-action-sign = signed
+audit-action-take = took
 audit-action-sign_out = signed out
 audit-action-swap_cameras = exchanged the cameras of
 audit-action-take_back_drift_decision = took back the decision on the drift of
@@ -2962,6 +2964,8 @@ audit-entity-line_pose = line pose
 audit-entity-line_height = line height
 audit-entity-export = export
 audit-entity-package = package
+audit-entity-checkpoint = checkpoint
+audit-entity-signing_key = signing key
 audit-entity-person = person
 audit-entity-sign_in_link = sign in link
 audit-entity-job = job
@@ -3026,7 +3030,7 @@ export-sha256-copied = The SHA-256 is on the clipboard.
 export-audit-head-copy = Copy the head of the audit chain
 export-audit-head-copied = The head of the audit chain is on the clipboard.
 export-checking = Checking a package
-export-checking-help = This checks every file, the audit chain and each row against it, and computes every height and every statistic again. Send the head of the audit chain and the SHA-256 by another way than the package: they find a package that was written anew from end to end.
+export-checking-help = This checks every file, the audit chain, its signature and each row against it, and computes every height and every statistic again. Send this installation's key (or the SHA-256) by another way than the package: it finds a package that somebody wrote anew and signed with another key. A signature proves what the holder of the key signed, not that it is true.
 export-command-copy = Copy the command
 export-command-copied = The command is on the clipboard.
 
@@ -3139,6 +3143,12 @@ export-audit-csv-ends-not-head-kept = audit.csv ends with { $head }, not with th
 export-no-no-whole-export-export-survey = There is no { $checksums }, so this is no whole export; export the survey again.
 export-not-belong-export-take-out-check = { $strange } does not belong to the export; take it out and check again.
 export-changed-after-export-take-whole-export = { $path } was changed after the export; take the whole export again.
+export-checkpoint-form = checkpoint.json is not written as this program writes it; take the whole export again.
+export-checkpoint-signature = checkpoint.json carries another signature than its key gives; it was changed.
+export-checkpoint-other-chain = checkpoint.json does not vouch for the end of audit.csv; one was changed.
+export-checkpoint-keys = checkpoint.json does not tell how its key followed from the ones before; it was changed.
+export-checkpoint-other-key = The package was signed with key { $key } and not with the key that was given; it is another installation's or forged.
+export-key-too-short = The first characters of a key prove little; give { $least } or more.
 export-no-seal = audit.csv does not end with the event that seals the package: it was cut off or changed; take the whole export again.
 export-not-the-file-that-the-seal-names = { $path } is not what the package's seal, the last event of audit.csv, says: it was changed, taken out or put in after the export, and the sums with it.
 export-event-of-another-survey-or-time = audit.csv: event { $number } is told or withheld where the package's seal says otherwise, or the chain does not begin with the survey; audit.csv was changed after the export.
@@ -3194,6 +3204,8 @@ geometry-cannot-planned-give-one = A { $what } of { $value } { $unit } cannot be
 
 ## Errors: audit
 
+audit-signing-key-unreadable = { $path } holds no signing key (64 hexadecimal digits); put it back from a backup.
+audit-signing-key-another = This machine's signing key is not the one that the database was signed with; put signing.key back from a backup, or give all machines the same SIGHTLINE_SIGNING_KEY.
 audit-database-made-another-version-verify-one = This database was made by another version; verify it with that one, or open it once with this one (`sightline serve`), which brings it up to date.
 audit-not-sightline-database-name-sightline-db = { $name } is not a Sightline database; name the sightline.db of a data folder.
 

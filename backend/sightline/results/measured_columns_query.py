@@ -17,7 +17,7 @@ from sqlalchemy.orm import Session
 
 from sightline.enums import Category, ClassSet, Lighting, Target, Verdict
 from sightline.errors import Damaged
-from sightline.infra.audit.tables import audit_anchor
+from sightline.infra.audit.tables import audit_chains
 from sightline.measurements.tables import measurement_series, measurements, reviews
 from sightline.recordings.tables import recordings
 from sightline.surveys.classes import sets_of
@@ -132,7 +132,7 @@ def _tables(session: Session, survey_ids: Sequence[int] | None, days: bool) -> l
     queries = (_series(survey_ids), _vehicles(survey_ids), _revisions(joined, days), _judged(joined))
     if wanted <= _FEW:
         return [arrow_rows(session, query) for query in queries]
-    return arrow_tables(session, select(audit_anchor.c.hash), queries)
+    return arrow_tables(session, select(func.sum(audit_chains.c.count)), queries)
 
 
 def _series(survey_ids: Sequence[int] | None) -> Select[Any]:

@@ -52,7 +52,7 @@ def check_scans(files: Files, events_of_scans: int) -> int:
 def _told(files: Files) -> dict[str, dict[int, dict[str, Any]]]:
     told: dict[str, dict[int, dict[str, Any]]] = {entity: {} for entity in _ENTITIES}
     for event in chain(files):
-        if event["entity"] in told and event["withheld"] != "true" and event["after"]:
+        if event["entity"] in told and event["after"]:
             known = told[event["entity"]].setdefault(int(event["entity_id"]), {"deleted": False})
             known.update(json.loads(event["after"]))
     return told

@@ -124,15 +124,15 @@ def survey_words(files: Files) -> dict[str, Any]:
 
 
 class _Head:
-    """The survey's last event in the chain that a package carries; its seals are not about the survey."""
+    """The survey's last event in its chain; seals of packages are not about the survey."""
 
     def __init__(self, files: Files) -> None:
         self.count, self.hash = 0, ""
         self.moment: datetime | None = None
-        names = ("id", "hash", "at", "entity")
-        for id_, hash_, at, entity in read_columns(files, "audit.csv", names):
-            if at and entity != ENTITY:
-                self.count, self.hash = int(id_), hash_
+        names = ("number", "hash", "at", "entity")
+        for event, hash_, at, entity in read_columns(files, "audit.csv", names):
+            if entity != ENTITY:
+                self.count, self.hash = int(event), hash_
                 self.moment = datetime.fromisoformat(at)
 
 

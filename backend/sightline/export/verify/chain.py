@@ -51,16 +51,15 @@ class ReplayedState:
 def walk(files: Files, seal: Seal) -> ReplayedState:
     """Check every link of audit.csv and gather what its events say. Raises Damaged.
 
-    What came into the chain while the package was made is a link only, for no table tells of it.
+    What came into the chain while the package was made, no table tells of.
     """
     told = ReplayedState()
     for event in chain(files):
-        first = told.count == 0
-        told.count, told.head = int(event["id"]), event["hash"]
-        is_told = event["withheld"] != "true"
-        if (is_told and not _belongs(event, seal)) or (first and not _begins(event, seal)):
+        told.count, told.head = int(event["number"]), event["hash"]
+        first = told.count == 1
+        if event["survey_id"] != str(seal.survey_id) or (first and not _begins(event, seal)):
             raise Damaged("export-event-of-another-survey-or-time", number=told.count)
-        if not is_told or event["entity"] == ENTITY:
+        if told.count > seal.as_of or event["entity"] == ENTITY:
             continue
         told.moment, told.survey_head = stamp(event["at"]), event["hash"]
         if event["after"]:
@@ -72,12 +71,6 @@ def _begins(event: Event, seal: Seal) -> bool:
     """A chain begins with the event that made the survey."""
     made = event["entity"], event["action"], event["entity_id"]
     return made == ("survey", "create", str(seal.survey_id))
-
-
-def _belongs(event: Event, seal: Seal) -> bool:
-    """Told are events of this survey, up to what the tables tell of, and the seal itself."""
-    number = int(event["id"])
-    return event["survey_id"] == str(seal.survey_id) and (number <= seal.as_of or number == seal.number)
 
 
 def _gather(told: ReplayedState, event: Event, after: dict[str, Any]) -> None:

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
-from itertools import zip_longest
+import tempfile
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from itertools import islice, zip_longest
+from typing import BinaryIO, cast
 
 import cv2
 import numpy as np
@@ -18,6 +21,7 @@ from sightline.export.measured import PackageStatistics, statistics_of
 from sightline.export.report.words import selection_words
 from sightline.export.statistics_csv import TABLES, same_cell, statistics_rows
 from sightline.export.verify.chain import ReplayedState
+from sightline.infra.csv_package.audit import AUDIT
 from sightline.infra.csv_package.files import Files, read_columns, read_header, read_rows, read_whole
 from sightline.infra.csv_package.forms import read_json
 from sightline.infra.csv_package.parquet import check_parquet
@@ -136,9 +140,31 @@ def _compare(files: Files, table: Table, rows: Iterable[Row]) -> int:
     return count
 
 
-def check_drawn(files: Files, found: PackageStatistics, written: dict[str, Written]) -> int:
-    """Figures and report drawn again, byte for byte; how many."""
-    made = drawn(files, found, written)
+class AsOf:
+    """A package whose chain ends where its tables end: what came while it was made, its report does not
+    tell.
+    """
+
+    def __init__(self, files: Files, as_of: int) -> None:
+        self._files, self._events = files, as_of
+        self.paths = files.paths
+
+    @contextmanager
+    def open(self, path: str) -> Iterator[BinaryIO]:
+        """One file's bytes from the start."""
+        with self._files.open(path) as file:
+            if path != AUDIT.path:
+                yield file
+                return
+            with tempfile.TemporaryFile() as shorter:
+                shorter.writelines(islice(file, 1 + self._events))
+                shorter.seek(0)
+                yield cast(BinaryIO, shorter)
+
+
+def check_drawn(files: Files, as_of: int, found: PackageStatistics, written: dict[str, Written]) -> int:
+    """Figures and report drawn again, byte for byte; how many. `as_of`: the last event that they tell of."""
+    made = drawn(AsOf(files, as_of), found, written)
     for path, content in made:
         if path not in files.paths or read_whole(files, path) != content:
             raise Damaged("export-not-one-these-rows-statistics-give", path=path)

@@ -1,13 +1,13 @@
 """Checking an export without the database: nothing in it is believed that something else does not vouch for.
 
 In order: the sums of all files and their one form; the audit chain, link by link; its seal, which names
-every file; then, as though there were no seal: every height from clicks, pose and camera, and every row
-against its audit event; keys; poses, calibrations and photographs against the chain; verdicts; the
-description; exclusions and statistics computed again from the rows; crops; figures and report drawn again.
+every file; the installation's signature over the chain's end; then, as though there were neither: every
+height from clicks, pose and camera, and every row against its audit event; keys; poses, calibrations and
+photographs against the chain; verdicts; the description; exclusions and statistics computed again from the
+rows; crops; figures and report drawn again.
 
-What is left: somebody who writes the chain anew, from the seal or an earlier event on, makes a package that
-is sound in itself. It is found by what was kept elsewhere: the head of the chain (`--head`), or the SHA-256
-of the ZIP, which the program that made it lists.
+What is left: who holds the installation's key can write and sign another chain; who does not can sign one
+with a key of their own, which is told by the key that the installation shows (`--key`).
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from pathlib import Path
 
 from sightline.cameras.calibrations.verify import check_calibrations
 from sightline.errors import BadInput, Damaged
-from sightline.export.seal import check_seal, read_seal
+from sightline.export.seal import CHECKPOINT, check_seal, read_seal
 from sightline.export.verify.chain import ReplayedState, walk
 from sightline.export.verify.derived import (
     check_crops,
@@ -27,6 +27,8 @@ from sightline.export.verify.derived import (
     check_tables_again,
     described_tables,
 )
+from sightline.infra.audit.checkpoints import checkpoint_problem
+from sightline.infra.audit.records import AuditHead, survey_chain
 from sightline.infra.csv_package.files import (
     Files,
     Tick,
@@ -37,7 +39,7 @@ from sightline.infra.csv_package.files import (
     read_whole,
     sum_of,
 )
-from sightline.infra.csv_package.forms import check_forms
+from sightline.infra.csv_package.forms import check_forms, read_json
 from sightline.infra.csv_package.schema import CHECKSUMS, Written
 from sightline.infra.csv_package.verify import check_keys
 from sightline.measurements.again.verify import check_computings
@@ -71,6 +73,8 @@ class PackageCheck:
     statistics: int = 0
     crops: int = 0
     drawings: int = 0
+    signed_at: str = ""
+    key: str = ""
     notes: list[str] = field(default_factory=list)
 
 
@@ -85,22 +89,28 @@ class _Found:
     statistics: int = 0
     crops: int = 0
     drawings: int = 0
+    signed_at: str = ""
+    key: str = ""
     notes: list[str] = field(default_factory=list)
 
 
-def verify_place(place: Path, head: str | None = None, tick: Tick = no_tick) -> PackageCheck:
+def verify_place(
+    place: Path, head: str | None = None, key: str | None = None, tick: Tick = no_tick
+) -> PackageCheck:
     """Check an exported folder or ZIP. Raises BadInput for anything else."""
-    return verify_package(open_package(place), head, tick)
+    return verify_package(open_package(place), head, key, tick)
 
 
-def verify_package(files: Files, head: str | None = None, tick: Tick = no_tick) -> PackageCheck:
-    """Check everything; the first problem found is told. `head`: (the beginning of) the chain's last hash, as
-    it was kept elsewhere.
+def verify_package(
+    files: Files, head: str | None = None, key: str | None = None, tick: Tick = no_tick
+) -> PackageCheck:
+    """Check everything; the first problem found is told. `head`: (the beginning of) the chain's last hash,
+    `key`: (the beginning of) a key of the installation that made the package, as they were kept elsewhere.
     """
     found = _Found()
     problem = None
     try:
-        _check(files, head, found, tick)
+        _check(files, head, key, found, tick)
     except (Damaged, BadInput) as error:
         problem = error.message
     except (KeyError, ValueError, TypeError, IndexError) as error:
@@ -118,11 +128,13 @@ def verify_package(files: Files, head: str | None = None, tick: Tick = no_tick) 
         statistics=found.statistics,
         crops=found.crops,
         drawings=found.drawings,
+        signed_at=found.signed_at,
+        key=found.key,
         notes=found.notes,
     )
 
 
-def _check(files: Files, head: str | None, found: _Found, tick: Tick) -> None:
+def _check(files: Files, head: str | None, key: str | None, found: _Found, tick: Tick) -> None:
     written = checksums(files)
     tick(0.1)
     check_forms(files, {CLICKS_FOLDER: CLICKS.path})
@@ -131,6 +143,8 @@ def _check(files: Files, head: str | None, found: _Found, tick: Tick) -> None:
     found.checked, found.head = told.count, told.head
     found.notes += _same_head(told, head)
     check_seal(seal, written)
+    found.signed_at, found.key = _signed(files, told, seal.survey_id, key)
+    found.notes += _of_key(found.key, key)
     tick(0.2)
     check_poses(files, told.poses)
     check_calibrations(files, told.calibrations)
@@ -161,7 +175,7 @@ def _check(files: Files, head: str | None, found: _Found, tick: Tick) -> None:
     found.crops = check_crops(files, written)
     tick(0.8)
     if drawn_alike:
-        found.drawings = check_drawn(files, statistics, written)
+        found.drawings = check_drawn(files, seal.as_of, statistics, written)
     check_tables_again(files)
 
 
@@ -178,6 +192,32 @@ def _same_head(told: ReplayedState, head: str | None) -> list[str]:
     if told.survey_head.startswith(head.lower()):
         return ["The head is that of the survey's last event: it vouches for the rows, not for the seal."]
     raise Damaged("export-audit-csv-ends-not-head-kept", head=told.head[:16])
+
+
+def _signed(files: Files, told: ReplayedState, survey_id: int, key: str | None) -> tuple[str, str]:
+    """When the end of the chain was signed and with which key. Raises Damaged, BadInput."""
+    document = read_json(files, CHECKPOINT)
+    end = AuditHead(told.count, told.head)
+    if (kind := checkpoint_problem(document, survey_chain(survey_id), end)) is not None:
+        raise Damaged(kind)
+    if key is not None:
+        if len(key) < _LEAST_OF_HEAD:
+            raise BadInput("export-key-too-short", least=_LEAST_OF_HEAD)
+        if not any(one["key"].startswith(key.lower()) for one in document["keys"]):
+            raise Damaged("export-checkpoint-other-key", key=document["key"][:16])
+    return str(document["at"]), str(document["key"])
+
+
+def _of_key(found: str, key: str | None) -> list[str]:
+    """What the signature does not prove."""
+    if key is not None:
+        return [
+            "The signature proves what the holder of that key signed, not that it is true or when it was."
+        ]
+    return [
+        f"Signed with key {found[:16]}: who forges a package can sign it with a key of their own. "
+        "Compare it with the one that the installation shows, or give that as --key."
+    ]
 
 
 def checksums(files: Files) -> dict[str, Written]:

@@ -13,7 +13,7 @@ GENESIS = "0" * 64
 #: The largest whole number that every reader of JSON holds exactly (RFC 8785, 3.2.2.3; RFC 7493, 2.2).
 LARGEST_INTEGER = 2**53 - 1
 
-_LINKS = ("hash", "previous_hash")
+_UNHASHED = ("id", "hash", "previous_hash")
 
 
 def chain_hash(row: Mapping[str, Any]) -> str:
@@ -22,13 +22,15 @@ def chain_hash(row: Mapping[str, Any]) -> str:
 
 
 def link_hash(previous_hash: str, content_sha256: str) -> str:
-    """sha256 over both, so that a link can be checked by who may not see its content."""
+    """sha256 over both texts."""
     return hashlib.sha256((previous_hash + content_sha256).encode()).hexdigest()
 
 
 def event_hash(row: Mapping[str, Any]) -> str:
-    """sha256 over the canonical JSON of an event: all columns but the links of the chain."""
-    return content_hash({key: value for key, value in row.items() if key not in _LINKS})
+    """sha256 over the canonical JSON of an event: all columns but the links of the chain and its place in the
+    database.
+    """
+    return content_hash({key: value for key, value in row.items() if key not in _UNHASHED})
 
 
 def content_hash(content: Mapping[str, Any]) -> str:

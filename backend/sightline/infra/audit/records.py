@@ -21,9 +21,16 @@ def name_or_somebody(person: Who | None) -> str:
     return person.name if person else "Somebody"
 
 
+def survey_chain(survey_id: int) -> str:
+    """The name of a survey's audit chain."""
+    return f"survey/{survey_id}"
+
+
 @dataclass(frozen=True, slots=True)
 class AuditEvent:
     id: int
+    chain: str
+    number: int
     at: datetime
     actor: Who | None
     action: str
@@ -39,7 +46,10 @@ class AuditEvent:
 
 @dataclass(frozen=True, slots=True)
 class AuditHead:
-    """How many events the chain has and the hash of the last; kept outside, it proves nothing was cut off."""
+    """How many events a chain has and the hash of the last; kept outside, it proves nothing was cut off.
+
+    Of all chains: how many events they have together, and the root over their ends (`merkle`).
+    """
 
     count: int
     hash: str

@@ -1,7 +1,6 @@
-"""The audit chain and its anchor."""
+"""The audit chains and where each ends."""
 
 from sqlalchemy import (
-    CheckConstraint,
     Column,
     ForeignKey,
     Index,
@@ -12,13 +11,16 @@ from sqlalchemy import (
     UniqueConstraint,
 )
 
-from sightline.infra.database.types import metadata
+from sightline.infra.database.types import identity, metadata
 
-# before and after are canonical JSON text, hashed as they stand; ids leave no gap.
+# before and after are canonical JSON text, hashed as they stand. `number` counts within a chain and leaves no
+# gap; `id` is the order in which events came and is not hashed.
 audit_events = Table(
     "audit_events",
     metadata,
-    Column("id", Integer, primary_key=True, autoincrement=False),
+    identity(),
+    Column("chain", String(40), nullable=False),
+    Column("number", Integer, nullable=False),
     Column("at", String(40), nullable=False),
     Column("actor_id", ForeignKey("people.id")),
     Column("action", String(60), nullable=False),
@@ -30,18 +32,18 @@ audit_events = Table(
     Column("previous_hash", String(64), nullable=False),
     Column("hash", String(64), nullable=False),
     UniqueConstraint("hash"),
+    UniqueConstraint("chain", "number"),
 )
 
 
 Index("ix_audit_events_entity_entity_id", audit_events.c.entity, audit_events.c.entity_id)
 
 
-# One row: how long the chain is and how it ends, so that a cut tail is seen.
-audit_anchor = Table(
-    "audit_anchor",
+# How long each chain is and how it ends, so that a cut tail is seen; who adds to a chain holds its row.
+audit_chains = Table(
+    "audit_chains",
     metadata,
-    Column("id", Integer, primary_key=True, autoincrement=False),
+    Column("name", String(40), primary_key=True),
     Column("count", Integer, nullable=False),
     Column("hash", String(64), nullable=False),
-    CheckConstraint("id = 1", name="single"),
 )

@@ -1,8 +1,10 @@
-"""The audit chain: one event per write, in the same transaction, each hashed with the one before.
+"""The audit chains: one event per write, in the same transaction, each hashed with the one before of its
+chain.
 
-hash = sha256(previous_hash + content_sha256), content_sha256 = sha256(the event as canonical JSON, RFC 8785).
-Ids leave no gap, the anchor row holds the length and the last hash, and exports carry both, so changed,
-missing and cut-off events are all found (`verify`).
+A survey has a chain of its own; people, catalogue and settings have one each. hash = sha256(previous_hash +
+content_sha256), content_sha256 = sha256(the event as canonical JSON, RFC 8785). Numbers leave no gap, the
+chain's row holds its length and last hash, checkpoints and exports carry them, so changed, missing and
+cut-off events are all found (`verify`).
 """
 
 import json
@@ -14,13 +16,17 @@ from sqlalchemy import ColumnElement, Row, insert, select, update
 from sqlalchemy.orm import Session
 
 from sightline.enums import JsonObject
-from sightline.infra.audit.hashing import canonical_json, chain_hash, event_hash, plain
-from sightline.infra.audit.records import AuditEvent, AuditHead, Who
-from sightline.infra.audit.tables import audit_anchor, audit_events
-from sightline.infra.database.engine import lock_chain
+from sightline.infra.audit.hashing import GENESIS, canonical_json, chain_hash, event_hash, plain
+from sightline.infra.audit.merkle import root_of
+from sightline.infra.audit.records import AuditEvent, AuditHead, Who, survey_chain
+from sightline.infra.audit.tables import audit_chains, audit_events
 from sightline.infra.database.people import people
+from sightline.infra.database.rows import add_rows
 from sightline.infra.database.types import now
 
+#: The chains of what belongs to no survey, by kind; what is not named is a setting.
+SETTINGS = "settings"
+_CHAINS = {"person": "people", "sign_in_link": "people", "catalogue": "catalogue"}
 #: What an event is about: the row's id, what it said before and what it says after.
 Change = tuple[int | None, Mapping[str, Any] | None, Mapping[str, Any] | None]
 
@@ -47,13 +53,14 @@ def record_many(
     survey_id: int | None,
     changes: Sequence[Change],
 ) -> int:
-    """Append an event for each change, in their order, and return the last one's id."""
-    lock_chain(session)
-    last = head(session)
+    """Append an event for each change to the chain that it belongs to, in their order; the last one's id."""
+    chain = chain_of(entity, survey_id)
+    last = _held(session, chain)
     rows: list[dict[str, Any]] = []
     for number, (entity_id, before, after) in enumerate(changes, last.count + 1):
         row = {
-            "id": number,
+            "chain": chain,
+            "number": number,
             "at": now().isoformat(timespec="microseconds"),
             "actor_id": actor,
             "action": action,
@@ -66,18 +73,44 @@ def record_many(
         }
         rows.append({**row, "hash": chain_hash(row)})
     if not rows:
-        return last.count
-    session.execute(insert(audit_events), rows)
-    session.execute(
-        update(audit_anchor).where(audit_anchor.c.id == 1).values(count=rows[-1]["id"], hash=rows[-1]["hash"])
-    )
-    return last.count + len(rows)
+        return 0
+    ids = add_rows(session, audit_events, rows)
+    end = {"count": rows[-1]["number"], "hash": rows[-1]["hash"]}
+    session.execute(update(audit_chains).where(audit_chains.c.name == chain).values(end))
+    return ids[-1]
 
 
-def head(session: Session) -> AuditHead:
-    """How long the chain is and its last hash."""
-    row = session.execute(select(audit_anchor.c.count, audit_anchor.c.hash)).one()
+def chain_of(entity: str, survey_id: int | None) -> str:
+    """The name of the chain that an event belongs to."""
+    if survey_id is not None:
+        return survey_chain(survey_id)
+    return _CHAINS.get(entity, SETTINGS)
+
+
+def _held(session: Session, chain: str) -> AuditHead:
+    """The end of a chain, which nobody else adds to before this transaction ends; begun where it is new."""
+    c = audit_chains.c
+    query = select(c.count, c.hash).where(c.name == chain).with_for_update()
+    row = session.execute(query).one_or_none()
+    if row is None:
+        session.execute(insert(audit_chains), {"name": chain, "count": 0, "hash": GENESIS})
+        return AuditHead(0, GENESIS)
     return AuditHead(row[0], row[1])
+
+
+def heads(session: Session) -> dict[str, AuditHead]:
+    """The end of every chain by its name, in the order of names."""
+    c = audit_chains.c
+    rows = session.execute(select(c.name, c.count, c.hash))
+    return {name: AuditHead(count, hash_) for name, count, hash_ in sorted(tuple(row) for row in rows)}
+
+
+def head(session: Session, survey_id: int | None = None) -> AuditHead:
+    """The end of a survey's chain; of all chains together, how many events they have and their root."""
+    ends = heads(session)
+    if survey_id is not None:
+        return ends.get(survey_chain(survey_id), AuditHead(0, GENESIS))
+    return AuditHead(sum(one.count for one in ends.values()), root_of(ends))
 
 
 def listing(
@@ -125,21 +158,24 @@ def _events() -> Any:
 def _event(row: Row[Any]) -> AuditEvent:
     return AuditEvent(
         id=row.id,
+        chain=row.chain,
+        number=row.number,
         at=datetime.fromisoformat(row.at),
         actor=None if row.actor_id is None else Who(row.actor_id, row.actor_name or ""),
         action=row.action,
         entity=row.entity,
         entity_id=row.entity_id,
         survey_id=row.survey_id,
-        before=_object(row.before),
-        after=_object(row.after),
+        before=object_of(row.before),
+        after=object_of(row.after),
         hash=row.hash,
         previous_hash=row.previous_hash,
         content_sha256=event_hash({column.name: getattr(row, column.name) for column in audit_events.c}),
     )
 
 
-def _object(text: str | None) -> JsonObject | None:
+def object_of(text: str | None) -> JsonObject | None:
+    """The JSON object of an event's text, None where there is none."""
     return None if text is None else dict(json.loads(text))
 
 

@@ -1,9 +1,10 @@
 """Finding out whether somebody changed the records behind the program's back.
 
-The chain is walked (ids without gap, each hash from the one before, the anchor and every head that a table
-carries in place), then every row that is written once and everything that has a fingerprint is hashed again
-and compared with what its audit event says, and every record that people change with what its events made of
-it. Which those are, tables and slices say of themselves (`vouched`).
+Every chain is walked (numbers without gap, each hash from the one before; the end that is noted, every head
+that a table carries and every signed checkpoint in place), then every row that is written once and
+everything that has a fingerprint is hashed again and compared with what its audit event says, and every
+record that people change with what its events made of it. Which those are, tables and slices say of
+themselves (`vouched`).
 """
 
 import json
@@ -16,9 +17,12 @@ from sqlalchemy.exc import DatabaseError, OperationalError
 from sqlalchemy.orm import Session
 
 from sightline.errors import BadInput
+from sightline.infra.audit import trail
+from sightline.infra.audit.checkpoints import CHECKPOINT, SIGN, is_signed
 from sightline.infra.audit.hashing import GENESIS, chain_hash, plain
-from sightline.infra.audit.records import Verification
-from sightline.infra.audit.tables import audit_anchor, audit_events
+from sightline.infra.audit.merkle import root_of
+from sightline.infra.audit.records import AuditHead, Verification, survey_chain
+from sightline.infra.audit.tables import audit_events
 from sightline.infra.audit.vouched import (
     CarriesHead,
     ChangedByEvents,
@@ -29,7 +33,6 @@ from sightline.infra.audit.vouched import (
 )
 from sightline.infra.database.engine import (
     explanation,
-    lock_chain,
     make_engine,
     newest_revision,
     reading,
@@ -46,11 +49,10 @@ class _Problem(Exception):
 
 
 def verify_records(session: Session) -> Verification:
-    """Check the chain and everything that it vouches for; writers wait meanwhile on PostgreSQL."""
-    lock_chain(session)
+    """Check the chains and everything that they vouch for, as one state of the database has it."""
     state = _Walk()
     try:
-        state.chain(session)
+        state.chains(session)
         _anchors(session, state)
         _rows(session, state)
     except _Problem as problem:
@@ -90,12 +92,16 @@ def _holds_a_chain(engine: Engine) -> bool:
 
 
 class _Walk:
-    """The state of a walk along the chain: what was checked and what the events promise."""
+    """The state of a walk along the chains: what was checked and what the events promise.
+
+    `hashes`: of every event by chain, that of none first.
+    """
 
     def __init__(self) -> None:
         self.checked = 0
-        self.head = GENESIS
-        self.hashes: list[str] = [GENESIS]
+        self.head = root_of({})
+        self.hashes: dict[str, list[str]] = {}
+        self.checkpoints: list[dict[str, Any]] = []
         self.promised: Promises = defaultdict(dict)
         self.fingerprints = fingerprints()
         self.marked = marked()
@@ -103,18 +109,30 @@ class _Walk:
             mark.entity: {} for mark, _ in self.marked if isinstance(mark, ChangedByEvents)
         }
 
-    def chain(self, session: Session) -> None:
-        """Every event in order: number, link and hash."""
+    def chains(self, session: Session) -> None:
+        """Every event of every chain in the order in which they came: number, link and hash."""
         for row in _all(session, audit_events):
-            expected = self.checked + 1
-            if row["id"] != expected:
-                raise _Problem(f"Audit event {expected} is missing; restore the database from a backup.")
-            if row["previous_hash"] != self.head or row["hash"] != chain_hash(dict(row)):
-                raise _Problem(f"Audit event {row['id']} was changed after it was written; restore a backup.")
-            self.checked, self.head = row["id"], row["hash"]
-            self.hashes.append(row["hash"])
-            after = _object(row["after"])
-            self._note(Event(row["entity"], row["action"], row["entity_id"], row["survey_id"], after))
+            hashes = self.hashes.setdefault(row["chain"], [GENESIS])
+            if row["number"] != len(hashes):
+                raise _Problem(f"Audit event {len(hashes)} of {row['chain']} is missing; restore a backup.")
+            if row["previous_hash"] != hashes[-1] or row["hash"] != chain_hash(dict(row)):
+                raise _Problem(
+                    f"Audit event {row['number']} of {row['chain']} was changed after it was written; "
+                    "restore a backup."
+                )
+            self.checked += 1
+            hashes.append(row["hash"])
+            event = Event(
+                row["entity"], row["action"], row["entity_id"], row["survey_id"], _object(row["after"])
+            )
+            self._note(event)
+            if (event.entity, event.action) == (CHECKPOINT, SIGN):
+                self.checkpoints.append(dict(event.after))
+        self.head = root_of(self.ends())
+
+    def ends(self) -> dict[str, AuditHead]:
+        """The end of every chain as it was walked."""
+        return {name: AuditHead(len(hashes) - 1, hashes[-1]) for name, hashes in self.hashes.items()}
 
     def _note(self, event: Event) -> None:
         """What an event says that a row, a record or something with a fingerprint must be."""
@@ -141,22 +159,38 @@ def _object(text: str | None) -> dict[str, Any]:
 
 
 def _anchors(session: Session, walk: _Walk) -> None:
-    """The anchor and every export remember how long the chain was: a cut tail is shorter."""
-    anchor = session.execute(select(audit_anchor)).mappings().one_or_none()
-    if anchor is None or (anchor["count"], anchor["hash"]) != (walk.checked, walk.head):
-        raise _Problem(
-            f"The audit chain ends at event {walk.checked}, which is not where it ended; restore a backup."
-        )
+    """Chains, exports and checkpoints remember how long a chain was: a cut tail is shorter."""
+    noted, walked = trail.heads(session), walk.ends()
+    for name in sorted({*noted, *walked}):
+        if noted.get(name) != walked.get(name):
+            count = walked[name].count if name in walked else 0
+            raise _Problem(
+                f"The audit chain of {name} ends at event {count}, which is not where it ended; "
+                "restore a backup."
+            )
     for mark, table in walk.marked:
         if isinstance(mark, CarriesHead):
-            _heads(session, walk, mark, table)
+            for row in _all(session, table):
+                chain = survey_chain(row["survey_id"])
+                if not _was(walk, chain, row["audit_count"], row["audit_head"]):
+                    raise _Problem(
+                        f"The audit chain is not the one in {mark.words} {row['id']}; restore a backup."
+                    )
+    _checkpoints(walk)
 
 
-def _heads(session: Session, walk: _Walk, mark: CarriesHead, table: Table) -> None:
-    for row in _all(session, table):
-        count = row["audit_count"]
-        if count > walk.checked or walk.hashes[count] != row["audit_head"]:
-            raise _Problem(f"The audit chain is not the one in {mark.words} {row['id']}; restore a backup.")
+def _was(walk: _Walk, chain: str, count: int, hash_: str) -> bool:
+    hashes = walk.hashes.get(chain, [])
+    return count < len(hashes) and hashes[count] == hash_
+
+
+def _checkpoints(walk: _Walk) -> None:
+    """Every checkpoint is signed, and each chain still goes through the end that was signed."""
+    for one in walk.checkpoints:
+        ends = {name: AuditHead(count, hash_) for name, count, hash_ in one["ends"]}
+        signed = root_of(ends) == one["root"] and is_signed(one)
+        if not signed or not all(_was(walk, name, end.count, end.hash) for name, end in ends.items()):
+            raise _Problem(f"The audit chains are not those signed on {one['at']}; restore a backup.")
 
 
 def _rows(session: Session, walk: _Walk) -> None:

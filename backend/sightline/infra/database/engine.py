@@ -1,14 +1,14 @@
 """Engines, migrations and the two kinds of transaction: reading and writing.
 
 SQLite runs in WAL mode with foreign keys and a busy timeout; a writing transaction begins IMMEDIATE under
-one process-wide lock, so writers queue up in order instead of failing. PostgreSQL takes
-one advisory lock instead, which also serialises the audit chain.
+one process-wide lock, so writers queue up in order instead of failing. PostgreSQL takes an advisory lock
+instead: one for all writers, or one for the writers of a survey (`writing`).
 """
 
 import os
 import re
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -19,7 +19,7 @@ from sqlalchemy.orm import Session, sessionmaker
 
 from sightline.errors import BadInput, NoRoom, SightlineError
 
-AUDIT_LOCK = 7_419_001
+WRITER_LOCK, _SURVEYS = 7_419_001, 7_419
 _USE = "use sqlite:///FILE or postgresql+psycopg://USER@HOST/NAME."
 _WRITING = "sightline_writing"
 _sqlite_writer = threading.RLock()
@@ -127,7 +127,7 @@ def migrate(engine: Engine) -> None:
         writer = connection.execution_options(**{_WRITING: True})
         with writer.begin():
             if engine.dialect.name == "postgresql":
-                writer.execute(text("SELECT pg_advisory_xact_lock(:key)"), {"key": AUDIT_LOCK})
+                writer.execute(text("SELECT pg_advisory_xact_lock(:key)"), {"key": WRITER_LOCK})
             upgrade(writer)
 
 
@@ -151,24 +151,33 @@ def reading(factory: SessionFactory) -> Iterator[Session]:
         session.close()
 
 
+#: The number of a survey, or how to find it in the transaction that is about to write to it.
+InSurvey = int | Callable[[Session], int]
+
+
 @contextmanager
-def writing(factory: SessionFactory) -> Iterator[Session]:
-    """A session that holds the only write transaction; commits at the end, rolls back on any error."""
+def writing(factory: SessionFactory, survey: InSurvey | None = None) -> Iterator[Session]:
+    """A session that may write; commits at the end, rolls back on any error.
+
+    It is the only one that does. With `survey` (whose rows, chain and nothing else it changes) it is on
+    PostgreSQL the only one of that survey, and others are written meanwhile.
+    """
     if engine_of(factory).dialect.name == "sqlite":
-        with _sqlite_writer, _write(factory) as session:
+        with _sqlite_writer, _write(factory, survey) as session:
             yield session
     else:
-        with _write(factory) as session:
+        with _write(factory, survey) as session:
             yield session
 
 
 @contextmanager
-def _write(factory: SessionFactory) -> Iterator[Session]:
+def _write(factory: SessionFactory, survey: InSurvey | None) -> Iterator[Session]:
     session = factory()
     try:
         with explained():
             session.connection(execution_options={_WRITING: True})
-            lock_chain(session)
+            if session.get_bind().dialect.name == "postgresql":
+                _await_turn(session, survey)
             yield session
             session.commit()
     except BaseException:
@@ -178,10 +187,14 @@ def _write(factory: SessionFactory) -> Iterator[Session]:
         session.close()
 
 
-def lock_chain(session: Session) -> None:
-    """Wait for the turn to write, on PostgreSQL; SQLite's BEGIN IMMEDIATE has done it already."""
-    if session.get_bind().dialect.name == "postgresql":
-        session.execute(text("SELECT pg_advisory_xact_lock(:key)"), {"key": AUDIT_LOCK})
+def _await_turn(session: Session, survey: InSurvey | None) -> None:
+    """Wait for the turn to write; SQLite's BEGIN IMMEDIATE has done it already."""
+    if survey is None:
+        session.execute(text("SELECT pg_advisory_xact_lock(:key)"), {"key": WRITER_LOCK})
+        return
+    session.execute(text("SELECT pg_advisory_xact_lock_shared(:key)"), {"key": WRITER_LOCK})
+    number = survey if isinstance(survey, int) else survey(session)
+    session.execute(text("SELECT pg_advisory_xact_lock(:key, :survey)"), {"key": _SURVEYS, "survey": number})
 
 
 def engine_of(factory: SessionFactory) -> Engine:

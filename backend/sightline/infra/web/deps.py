@@ -12,7 +12,8 @@ at the end. Every route declares a role (`Viewer`, `Operator`, `Reviewer`, `Admi
 all of them.
 """
 
-from collections.abc import AsyncIterator, Iterator
+from collections.abc import AsyncIterator, Callable, Iterator
+from contextlib import asynccontextmanager
 from typing import Annotated
 
 from fastapi import Depends, Path, Request
@@ -44,6 +45,19 @@ def reading_session(services: Wired) -> Iterator[Session]:
 async def writing_session(request: Request, services: Wired) -> AsyncIterator[Session]:
     gate: WriteGate = request.app.state.write_gate
     async with gate.unit(services.writing()) as session:
+        yield session
+
+
+@asynccontextmanager
+async def writing_to(
+    request: Request, services: Services, survey_of: Callable[[Session], int]
+) -> AsyncIterator[Session]:
+    """The session of a route that writes to one survey only: writers of other surveys need not wait for it.
+
+    `survey_of` finds the survey's number by what the path names; 0 where there is no such thing.
+    """
+    gate: WriteGate = request.app.state.write_gate
+    async with gate.unit(services.writing(survey_of)) as session:
         yield session
 
 

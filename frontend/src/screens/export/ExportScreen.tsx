@@ -282,7 +282,7 @@ function Hash({ text, which }: { text: string; which: "sha256" | "audit-head" })
 
 /** How the one who receives a package checks it, ready to be copied. */
 function Checking({ newest }: { newest: ExportPackage }) {
-  const command = `sightline verify ${newest.filename} --head ${newest.audit_head}`;
+  const command = `sightline verify ${newest.filename} --key ${newest.signing_key.slice(0, 32)}`;
   return (
     <section class="panel">
       <header class="panel__head">

@@ -1,0 +1,57 @@
+"""`sightline checkpoint`: sign the ends of all audit chains, keep what was signed, change the key."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import click
+
+from sightline.commands.options import data_dir_option, require_database, settings_of
+
+
+@click.command("checkpoint")
+@click.option("-o", "--output", type=click.Path(path_type=Path), help="JSON file to write.")
+@click.option("--new-key", is_flag=True, help="Make a new signing key first; the old one signs it.")
+@data_dir_option
+def checkpoint(output: Path | None, new_key: bool, data_dir: Path | None) -> None:
+    """Sign the ends of all audit chains with the installation's key and print what was signed, and the keys.
+
+    Keep it elsewhere: a chain that is cut or written anew afterwards is told by it, and a package by its key
+    (`sightline verify --key`). Every export is signed in the same way.
+    """
+    from sightline.infra.audit.checkpoints import hand_on, known_keys, sign_checkpoint
+    from sightline.infra.audit.signing import put_in_force, replacing_key, signing_key
+    from sightline.infra.csv_package.schema import json_bytes
+    from sightline.infra.database.engine import migrate
+    from sightline.infra.services import open_services
+
+    settings = settings_of(data_dir=data_dir)
+    require_database(settings)
+    services = open_services(settings)
+    try:
+        migrate(services.engine)
+        key = signing_key(settings)
+        waiting = None
+        with services.writing() as session:
+            if new_key:
+                after, waiting = replacing_key(settings.data_dir)
+                hand_on(session, key, after, actor=None)
+                key = after
+            signed = sign_checkpoint(session, key, actor=None)
+            document = json_bytes({**signed, "keys": known_keys(session)})
+        if waiting is not None:
+            # after the commit: until then the file waits beside the key in force
+            if settings.signing_key is None:
+                put_in_force(settings.data_dir, waiting)
+            else:
+                click.echo(f"Set SIGHTLINE_SIGNING_KEY everywhere to what stands in {waiting}.", err=True)
+    finally:
+        services.close()
+    if output is None:
+        click.echo(document.decode(), nl=False)
+    else:
+        fresh = output.with_name(f".{output.name}.{os.getpid()}")
+        fresh.write_bytes(document)
+        os.replace(fresh, output)
+        click.echo(f"Signed with key {signed['key']}.")

@@ -1,0 +1,120 @@
+"""Checkpoints: the ends of all audit chains at one moment, signed with the installation's key.
+
+A checkpoint is an event of the settings' chain and holds every end; a package carries its own chain's leaf,
+the path to the root, the signature, and how each key was handed on to the next.
+"""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from sqlalchemy import select
+from sqlalchemy.orm import Session
+
+from sightline.enums import JsonObject
+from sightline.errors import Damaged
+from sightline.infra.audit import trail
+from sightline.infra.audit.merkle import path_of, root_by_path, root_of
+from sightline.infra.audit.records import AuditHead
+from sightline.infra.audit.signing import SigningKey, holds
+from sightline.infra.audit.tables import audit_events
+from sightline.infra.database.types import now
+
+CHECKPOINT, SIGN = "checkpoint", "sign"
+KEY, TAKE = "signing_key", "take"
+FORMAT, KEY_FORMAT = "sightline-checkpoint-1", "sightline-key-1"
+_STATEMENT = ("format", "at", "chains", "root", "key")
+_KEY_STATEMENT = ("format", "at", "key", "after")
+
+
+def sign_checkpoint(session: Session, key: SigningKey, *, actor: int | None) -> JsonObject:
+    """Sign the ends of all chains as this transaction sees them; noted in the settings' chain."""
+    _take(session, key, actor)
+    ends = trail.heads(session)
+    moment = now().isoformat(timespec="microseconds")
+    statement = {"format": FORMAT, "at": moment, "chains": len(ends), "root": root_of(ends)}
+    statement["key"] = key.public
+    signed = {**statement, "signature": key.sign(statement)}
+    listed = [[name, end.count, end.hash] for name, end in ends.items()]
+    trail.record(session, actor, SIGN, CHECKPOINT, None, None, None, {**signed, "ends": listed})
+    return {**signed, "ends": listed}
+
+
+def is_signed(checkpoint: Mapping[str, Any]) -> bool:
+    """Whether a checkpoint carries its key's signature."""
+    statement = {name: checkpoint[name] for name in _STATEMENT}
+    return holds(statement, str(checkpoint["key"]), str(checkpoint["signature"]))
+
+
+def checkpoint_of_chain(session: Session, checkpoint: Mapping[str, Any], chain: str) -> JsonObject:
+    """What a package of this chain says of a checkpoint: enough to check it, and nothing of other chains."""
+    ends = {name: AuditHead(count, hash_) for name, count, hash_ in checkpoint["ends"]}
+    place, path = path_of(ends, chain)
+    signed = {name: value for name, value in checkpoint.items() if name != "ends"}
+    leaf = {"chain": chain, "count": ends[chain].count, "hash": ends[chain].hash}
+    return {**signed, "leaf": leaf, "place": place, "path": path, "keys": known_keys(session)}
+
+
+def checkpoint_problem(document: Mapping[str, Any], chain: str, end: AuditHead) -> str | None:
+    """Why a package's checkpoint does not vouch for the end of its chain: the kind of the error; None where
+    it does.
+    """
+    try:
+        leaf = {"chain": chain, "count": end.count, "hash": end.hash}
+        if list(document) != [*_STATEMENT, "signature", "leaf", "place", "path", "keys"]:
+            return "export-checkpoint-form"
+        if document["format"] != FORMAT or not is_signed(document):
+            return "export-checkpoint-signature"
+        found = root_by_path(chain, end, document["place"], document["chains"], document["path"])
+        if document["leaf"] != leaf or found != document["root"] or not _is_lower(document["path"]):
+            return "export-checkpoint-other-chain"
+        return None if _handed_on(document["keys"], document["key"]) else "export-checkpoint-keys"
+    except (KeyError, TypeError, ValueError):
+        return "export-checkpoint-form"
+
+
+def _is_lower(path: Sequence[str]) -> bool:
+    return all(step == step.lower() for step in path)
+
+
+def _handed_on(keys: Sequence[Mapping[str, Any]], last: str) -> bool:
+    """Whether each key was signed by the one before, the first by itself, and the last is this one."""
+    before: str | None = None
+    for one in keys:
+        if list(one) != [*_KEY_STATEMENT, "signature"] or one["format"] != KEY_FORMAT:
+            return False
+        statement = {name: one[name] for name in _KEY_STATEMENT}
+        by = one["key"] if before is None else before
+        if one["after"] != before or not holds(statement, by, one["signature"]):
+            return False
+        before = one["key"]
+    return before == last
+
+
+def known_keys(session: Session) -> list[JsonObject]:
+    """Every key that this installation signed with, oldest first, each signed by the one before."""
+    e = audit_events.c
+    query = select(e.after).where(e.entity == KEY).order_by(e.id)
+    found = [trail.object_of(text) or {} for text in session.execute(query).scalars()]
+    return [{name: one[name] for name in (*_KEY_STATEMENT, "signature")} for one in found]
+
+
+def hand_on(session: Session, old: SigningKey, new: SigningKey, *, actor: int | None) -> None:
+    """From now on another key signs; the old one says so."""
+    _take(session, old, actor)
+    _append_key(session, new.public, old.public, old, actor)
+
+
+def _take(session: Session, key: SigningKey, actor: int | None) -> None:
+    """The first key is noted. Raises Damaged for one that no key before it handed on to."""
+    known = known_keys(session)
+    if not known:
+        _append_key(session, key.public, None, key, actor)
+    elif known[-1]["key"] != key.public:
+        raise Damaged("audit-signing-key-another")
+
+
+def _append_key(session: Session, key: str, after: str | None, by: SigningKey, actor: int | None) -> None:
+    moment = now().isoformat(timespec="microseconds")
+    statement = {"format": KEY_FORMAT, "at": moment, "key": key, "after": after}
+    signed = {**statement, "signature": by.sign(statement)}
+    trail.record(session, actor, TAKE, KEY, None, None, None, signed)

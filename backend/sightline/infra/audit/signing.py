@@ -1,0 +1,97 @@
+"""The installation's signing key (Ed25519, RFC 8032): made once, kept in the data folder, changed when asked.
+
+What is signed is the canonical JSON (RFC 8785) of a statement. Keys and signatures are hexadecimal text.
+"""
+
+import os
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from cryptography.exceptions import InvalidSignature
+from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey, Ed25519PublicKey
+
+from sightline.errors import Damaged
+from sightline.infra.audit.hashing import canonical_json
+from sightline.settings import Settings
+
+FILE = "signing.key"
+
+
+class SigningKey:
+    """A private key; `public` is what others check its signatures with."""
+
+    def __init__(self, seed: bytes) -> None:
+        self._key = Ed25519PrivateKey.from_private_bytes(seed)
+        self.public = self._key.public_key().public_bytes_raw().hex()
+
+    def sign(self, statement: Mapping[str, Any]) -> str:
+        """The signature of a statement."""
+        return self._key.sign(canonical_json(statement).encode()).hex()
+
+
+def holds(statement: Mapping[str, Any], key: str, signature: str) -> bool:
+    """Whether a statement was signed with a key."""
+    try:
+        if signature != signature.lower() or key != key.lower():
+            return False
+        public = Ed25519PublicKey.from_public_bytes(bytes.fromhex(key))
+        public.verify(bytes.fromhex(signature), canonical_json(statement).encode())
+    except (InvalidSignature, ValueError):
+        return False
+    return True
+
+
+def signing_key(settings: Settings) -> SigningKey:
+    """SIGHTLINE_SIGNING_KEY where it is set (several machines share it), else the data folder's own, made
+    where there is none; only its owner may read the file. Raises Damaged.
+    """
+    path = settings.data_dir / FILE
+    if settings.signing_key is not None:
+        return _key_of(settings.signing_key.get_secret_value(), "SIGHTLINE_SIGNING_KEY")
+    if not path.exists():
+        settings.data_dir.mkdir(parents=True, exist_ok=True)
+        fresh = _written(path, os.urandom(32))
+        try:
+            os.link(fresh, path)  # two processes that start together end up with one key
+        except FileExistsError:
+            pass
+        finally:
+            fresh.unlink()
+    return _read(path)
+
+
+def replacing_key(data_dir: Path) -> tuple[SigningKey, Path]:
+    """A new key and the file where it waits; `put_in_force` makes it the data folder's."""
+    fresh = _written(data_dir / FILE, os.urandom(32))
+    return _read(fresh), fresh
+
+
+def put_in_force(data_dir: Path, fresh: Path) -> None:
+    """The key in this file takes the place of the one in force, which nobody can sign with any more."""
+    os.replace(fresh, data_dir / FILE)
+
+
+def _written(path: Path, seed: bytes) -> Path:
+    fresh = path.with_name(f"{path.name}.{os.getpid()}")
+    handle = os.open(fresh, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
+    with os.fdopen(handle, "wb") as file:
+        file.write(seed.hex().encode())
+        file.flush()
+        os.fsync(file.fileno())
+    return fresh
+
+
+def _read(path: Path) -> SigningKey:
+    try:
+        text = path.read_text()
+    except (OSError, ValueError) as error:
+        raise Damaged("audit-signing-key-unreadable", path=path) from error
+    return _key_of(text, str(path))
+
+
+def _key_of(text: str, place: str) -> SigningKey:
+    try:
+        return SigningKey(bytes.fromhex(text.strip()))
+    except ValueError as error:
+        raise Damaged("audit-signing-key-unreadable", path=place) from error
