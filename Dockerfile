@@ -5,6 +5,8 @@ COPY frontend/package.json frontend/package-lock.json frontend/.npmrc ./
 RUN npm ci --no-fund --no-audit
 COPY frontend/ ./
 COPY backend/sightline/messages/ ../backend/sightline/messages/
+COPY CONVENTIONS.md ../
+COPY docs/ ../docs/
 RUN npm run build
 
 FROM python:3.12-slim-bookworm

@@ -5,7 +5,7 @@ PYTHON ?= python3
 BIN := .venv/bin
 PIP := $(BIN)/python -m pip --quiet --disable-pip-version-check
 NPM := npm --prefix frontend --no-fund --no-audit --loglevel=error
-WEB_SOURCES := $(shell find frontend/src backend/sightline/messages frontend/public frontend/index.html frontend/vite.config.ts -type f 2>/dev/null)
+WEB_SOURCES := $(shell find frontend/src backend/sightline/messages frontend/public docs CONVENTIONS.md frontend/index.html frontend/vite.config.ts -type f 2>/dev/null)
 
 .PHONY: run wheel image test test-postgresql test-browser setup check lock types dev bench clean
 .DELETE_ON_ERROR:

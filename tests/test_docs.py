@@ -11,7 +11,8 @@ from sightline.export.contents import tables_of
 from sightline.settings import Settings
 
 ROOT = Path(__file__).resolve().parents[1]
-PAPERS = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md")])
+PAPERS = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")])
+GUIDE = sorted((ROOT / "docs" / "guide").rglob("*.md"))
 FORMATS = (ROOT / "docs" / "formats.md").read_text(encoding="utf-8")
 # Variables that are no field of Settings: where the migrations are, and what only tests and errors read.
 ELSEWHERE = {"MIGRATIONS", "DEBUG", "SHARED_DATA", "TEST_DATABASE_URL", "COMMIT", "VERSION"}
@@ -71,6 +72,16 @@ def test_the_map_names_every_room() -> None:
     assert [
         path.name for path in package.glob("*.py") if path.name not in text and path.stem != "__init__"
     ] == []
+
+
+@pytest.mark.parametrize("paper", GUIDE, ids=lambda paper: paper.name)
+def test_what_the_guide_calls_by_name_is_called_so_on_the_screens(paper: Path) -> None:
+    """Bold single words and phrases in the guide are names of pages and buttons; sentences in bold are not."""
+    catalogue = of(ROOT / "backend" / "sightline" / "messages" / f"{paper.parent.name}.ftl")
+    said = set(re.findall(r"^[\w-]+ = (.+)$", catalogue, re.MULTILINE))
+    text = " ".join(of(paper).split())
+    named = re.findall(r"(?:On|Open|open|opens|Press|press|Under|under|Use|from the) \*\*([^*]+)\*\*", text)
+    assert [name for name in named if name not in said] == []
 
 
 @pytest.mark.parametrize("paper", PAPERS, ids=lambda paper: paper.name)

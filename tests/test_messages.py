@@ -155,7 +155,7 @@ def test_every_message_is_said_somewhere() -> None:
 
 def _slot(first: str, last: str) -> str:
     """What a state's, a target's or a field's name looks like in a key; pages' names have hyphens."""
-    return r"[\w-]+" if last or first == "page-" else r"\w+"
+    return r"[\w-]+" if last or first.endswith("page-") else r"\w+"
 
 
 def test_numbers_are_said_whole_and_ungrouped_unless_the_sentence_asks() -> None:

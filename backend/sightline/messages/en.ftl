@@ -159,6 +159,7 @@ page-audit = Audit
 page-people = People
 page-jobs = Jobs
 page-account = Account
+page-guide = Guide
 
 ## Commands: buttons, menus and the list of keys
 
@@ -298,6 +299,20 @@ redo-nothing = Nothing to redo
 undo-done = Undone: { $step }.
 redo-done = Redone: { $step }.
 
+## Guide
+
+guide-pages = Pages of the guide
+guide-loading = the guide
+guide-page-first-survey = First survey
+guide-page-field-protocol = Field protocol
+guide-page-operator = Operator
+guide-page-reviewer = Reviewer
+guide-page-standards-engineer = Standards engineer
+guide-page-administrator = Administrator
+guide-page-CONVENTIONS = Method
+guide-page-formats = Formats
+guide-page-glossary = Glossary
+
 ## Jobs of the server, done once more
 
 jobs-only-failed-again = This job is { $state }; only one that failed or was stopped is done again.
@@ -369,6 +384,7 @@ app-loading-page = { $page ->
     [audit] audit
     [people] people
     [jobs] jobs
+    [guide] guide
    *[account] account
 }
 app-where = Where you are

@@ -1,6 +1,7 @@
 import { Button, Mark, Menu } from "../components";
 import { current } from "../core/address";
 import { hint } from "../core/commands";
+import { GUIDE_OF, guideAddress } from "../core/guide";
 import { chooseLanguage, LANGUAGES, language, say } from "../core/messages";
 import { outbox } from "../core/outbox";
 import { titleOf } from "../core/places";
@@ -23,6 +24,9 @@ export function TopBar() {
       <SaveWord />
       {topTools.value && <div class="topbar__tools">{topTools.value}</div>}
       <span class="topbar__rule" aria-hidden="true" />
+      <Button kind="quiet" href={guideAddress(GUIDE_OF[current.value?.place.name ?? "surveys"])}>
+        {say("page-guide")}
+      </Button>
       <Button
         kind="quiet"
         label={say("app-keys") + hint("help")}

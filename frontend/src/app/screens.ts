@@ -29,6 +29,7 @@ const LOADERS: Record<PlaceName, () => Promise<{ default: Screen }>> = {
   jobs: () => import("../screens/jobs/JobsScreen"),
   people: () => import("../screens/people/PeopleScreen"),
   account: () => import("../screens/account/AccountScreen"),
+  guide: () => import("../screens/guide/GuideScreen"),
 };
 
 // a signal: the code may come while a page is between being drawn and being looked after

@@ -28,7 +28,8 @@ export type PlaceName =
   | "audit"
   | "jobs"
   | "people"
-  | "account";
+  | "account"
+  | "guide";
 
 export interface Place {
   name: PlaceName;
@@ -152,6 +153,11 @@ export const PLACES: readonly Place[] = [
   {
     name: "account",
     pattern: "/account",
+    layout: "alone",
+  },
+  {
+    name: "guide",
+    pattern: "/guide",
     layout: "alone",
   },
 ];

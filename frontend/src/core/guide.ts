@@ -1,0 +1,35 @@
+/** Where the guide speaks of each page of the app: "page#section". */
+import type { PlaceName } from "./places";
+
+export const GUIDE_OF: Record<PlaceName, string> = {
+  "sign-in": "administrator#people",
+  surveys: "first-survey",
+  survey: "first-survey#1-make-the-survey",
+  planning: "field-protocol#before-the-day",
+  camera: "operator#camera",
+  recordings: "operator#recordings",
+  pose: "operator#road-pose",
+  measure: "operator#measure",
+  checks: "operator#checks",
+  review: "reviewer#review",
+  repeats: "operator#repeats",
+  "click-again": "operator#repeats",
+  scans: "operator#line-scans",
+  "scan-results": "operator#line-scans",
+  scan: "operator#line-scans",
+  export: "standards-engineer#tracing-a-figure",
+  statistics: "standards-engineer#statistics",
+  "sight-distance": "standards-engineer#sight-distance",
+  catalogue: "operator#vehicle-record",
+  audit: "administrator#jobs-and-the-audit-trail",
+  jobs: "administrator#jobs-and-the-audit-trail",
+  people: "administrator#people",
+  account: "administrator#people",
+  guide: "first-survey",
+};
+
+/** The address of a place in the guide, "page" or "page#section". */
+export function guideAddress(place: string): string {
+  const [page, section] = place.split("#");
+  return `/guide?page=${page}${section ? `&section=${section}` : ""}`;
+}

@@ -1,0 +1,4 @@
+declare module "*.md" {
+  const page: import("./pages").GuidePage;
+  export default page;
+}

@@ -1,0 +1,39 @@
+/** The pages of the guide, in the order of their list, each fetched when it is first read. */
+export interface GuidePage {
+  /** The ids of its sections, without "guide-". */
+  sections: string[];
+  html: string;
+}
+
+type Loader = () => Promise<{ default: GuidePage }>;
+
+// beside those written for the guide, two that stand in the repository for everybody
+const OTHERS: Record<string, Loader> = {
+  formats: () => import("../../../../docs/formats.md"),
+  CONVENTIONS: () => import("../../../../CONVENTIONS.md"),
+};
+const WRITTEN = import.meta.glob<{ default: GuidePage }>("../../../../docs/guide/en/*.md");
+
+export const GUIDE_PAGES = [
+  "first-survey",
+  "field-protocol",
+  "operator",
+  "reviewer",
+  "standards-engineer",
+  "administrator",
+  "CONVENTIONS",
+  "formats",
+  "glossary",
+] as const;
+
+export type GuidePageName = (typeof GUIDE_PAGES)[number];
+
+export const isGuidePage = (name: string): name is GuidePageName =>
+  (GUIDE_PAGES as readonly string[]).includes(name);
+
+/** A page of the guide; its code is in the app, so only a broken connection fails. */
+export async function readPage(name: GuidePageName): Promise<GuidePage> {
+  const load = OTHERS[name] ?? WRITTEN[`../../../../docs/guide/en/${name}.md`];
+  if (!load) throw new Error(`the guide has no ${name}`);
+  return (await load()).default;
+}
