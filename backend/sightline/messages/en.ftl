@@ -309,6 +309,7 @@ guide-page-operator = Operator
 guide-page-reviewer = Reviewer
 guide-page-standards-engineer = Standards engineer
 guide-page-administrator = Administrator
+guide-page-studies = Studies
 guide-page-CONVENTIONS = Method
 guide-page-formats = Formats
 guide-page-glossary = Glossary

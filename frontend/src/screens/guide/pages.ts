@@ -7,9 +7,10 @@ export interface GuidePage {
 
 type Loader = () => Promise<{ default: GuidePage }>;
 
-// beside those written for the guide, two that stand in the repository for everybody
+// beside those written for the guide, some that stand in the repository for everybody
 const OTHERS: Record<string, Loader> = {
   formats: () => import("../../../../docs/formats.md"),
+  studies: () => import("../../../../docs/studies.md"),
   CONVENTIONS: () => import("../../../../CONVENTIONS.md"),
 };
 const WRITTEN = import.meta.glob<{ default: GuidePage }>("../../../../docs/guide/en/*.md");
@@ -21,6 +22,7 @@ export const GUIDE_PAGES = [
   "reviewer",
   "standards-engineer",
   "administrator",
+  "studies",
   "CONVENTIONS",
   "formats",
   "glossary",
