@@ -358,6 +358,7 @@ app-title = { $page } – Sightline
 app-title-in-survey = { $page } – { $survey } – Sightline
 app-not-found = Not found
 app-skip = Skip to the page
+app-skip-picture = Skip to the picture
 app-to-surveys = Go to the surveys
 app-nothing-here-title = There is nothing at this address
 app-nothing-here = The link may be old, or the survey may have been removed.
@@ -2008,7 +2009,7 @@ scan-profile-beyond = { $count ->
     [one] { $count } block lies outside this picture; the CSV has all of them.
    *[other] { $count } blocks lie outside this picture; the CSV has all of them.
 }
-scan-profile-x = seconds after the front reached camera 1
+scan-profile-x = time after the front reached camera 1 (s)
 scan-match-title = Strip 2 laid over strip 1
 scan-match-picture = Picture of the match
 scan-match-1 = 1
@@ -2251,7 +2252,6 @@ motion-spread-says = { $count ->
    *[other] Cumulative distribution of { $count } vehicles; { $percentiles } { $unit }
 }
 motion-spread-note = Percentiles with their 95 % intervals, { $unit }: { $percentiles }.
-motion-spread-y = % of the vehicles
 
 ## Motion: the paper's table
 
@@ -2375,7 +2375,7 @@ statistics-nothing = Nothing to draw.
 statistics-nothing-because = Nothing to draw: { $reason }
 statistics-absolute-title = Absolute error, cumulative
 statistics-absolute-says = Share of vehicles with an absolute error of at most so much; { $groups }
-statistics-absolute-note = Bands at 95 % hold everywhere at once. { $groups }.
+statistics-absolute-note = Bands at 95 % hold everywhere at once; fewer than 5 vehicles have none. { $groups }.
 statistics-absolute-x = absolute error ({ $unit })
 statistics-relative-title = Relative error, cumulative
 statistics-relative-says = Share of vehicles with an error of at most so many per cent of their height; { $groups }
@@ -2386,7 +2386,7 @@ statistics-density-says = Density of the signed error; { $groups }
 statistics-density-note = Gaussian kernel, bandwidth { $bandwidths }; pointwise 95 % band. { $groups }.
 statistics-density-note-rounded = Gaussian kernel, bandwidth { $bandwidths }, at least half of the { $rounding } of rounding; pointwise 95 % band. { $groups }.
 statistics-signed-error = signed error ({ $unit })
-statistics-density-y = density (per { $unit })
+statistics-density-y = share of vehicles (% per { $unit })
 statistics-trend-title = Signed error against the manufacturer’s height
 statistics-trend-says = Signed error over the manufacturer's height of { $count ->
     [one] { $count } vehicle

@@ -2,7 +2,7 @@ import type { ComponentType } from "preact";
 import { useEffect, useState } from "preact/hooks";
 import { AskDialog, Loading, Problem } from "../components";
 import { Toasts } from "../components/Toasts";
-import { current, navigate } from "../core/address";
+import { current, navigate, surveyHere } from "../core/address";
 import { useCommands } from "../core/commands";
 import { language, say } from "../core/messages";
 import { titleOf } from "../core/places";
@@ -44,14 +44,15 @@ function Body() {
   const here = current.value;
   const person = me.value;
   const surveyId = here?.surveyId ?? 0;
+  const beside = surveyHere.value;
   useEffect(() => {
     const page = here ? titleOf(here.place.name) : say("app-not-found");
-    const name = surveyId ? survey.value?.name : undefined;
+    const name = beside ? survey.value?.name : undefined;
     document.title = name ? say("app-title-in-survey", { page, survey: name }) : say("app-title", { page });
   }, [here?.place.name, survey.value?.name, language.value]);
   useEffect(() => {
-    if (person && surveyId) void loadSurvey(surveyId);
-  }, [person?.person.id, surveyId, here?.place.name]);
+    if (person && beside) void loadSurvey(beside);
+  }, [person?.person.id, beside, here?.place.name]);
   useEffect(() => {
     if (person === null && here?.place.name !== "sign-in") {
       const back = location.pathname + location.search;
@@ -81,6 +82,11 @@ function Body() {
       <a class="skip btn" href="#main">
         {say("app-skip")}
       </a>
+      {full && (
+        <button type="button" class="skip btn" onClick={toPicture}>
+          {say("app-skip-picture")}
+        </button>
+      )}
       <TopBar />
       <div class="over">
         <Offline />
@@ -99,13 +105,19 @@ function Body() {
   );
 }
 
+/** The picture takes its keys itself; the lists before it need not be gone through. */
+function toPicture(): void {
+  document.querySelector<HTMLElement>("#main [role=application]")?.focus();
+}
+
 function Laid() {
   const here = current.value;
   if (!here) return null;
-  if (here.place.layout !== "bench") return <Screen here={here} />;
+  const railed = here.place.layout === "bench" || (here.place.layout === "alone" && surveyHere.value > 0);
+  if (!railed) return <Screen here={here} />;
   return (
     <div class="bench">
-      <Rail surveyId={here.surveyId} name={here.place.name} />
+      <Rail surveyId={surveyHere.value} name={here.place.name} />
       <Screen here={here} />
     </div>
   );

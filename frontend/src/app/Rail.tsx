@@ -2,7 +2,7 @@ import { Icon, type IconName, StateMark } from "../components";
 import { say } from "../core/messages";
 import { titleOf } from "../core/places";
 import { survey } from "../core/survey";
-import { stepState, WORK } from "../core/work";
+import { RESULTS, resultAddress, stepState, WORK } from "../core/work";
 
 const ICONS: Record<(typeof WORK)[number]["name"], IconName> = {
   survey: "overview",
@@ -16,6 +16,13 @@ const ICONS: Record<(typeof WORK)[number]["name"], IconName> = {
   repeats: "retry",
   scans: "scan",
   export: "package",
+};
+
+const RESULT_ICONS: Record<(typeof RESULTS)[number]["name"], IconName> = {
+  statistics: "chart",
+  "sight-distance": "crest",
+  catalogue: "overview",
+  audit: "audit",
 };
 
 /** The order of work beside the quiet screens: each step with its state. */
@@ -42,30 +49,18 @@ export function Rail({ surveyId, name }: { surveyId: number; name: string }) {
       </ul>
       <div class="rail__sep" />
       <ul>
-        <li>
-          <a class="rail__item" href={`/statistics?survey=${surveyId}`}>
-            <Icon name="chart" />
-            <span class="grow">{titleOf("statistics")}</span>
-          </a>
-        </li>
-        <li>
-          <a class="rail__item" href={`/sight-distance?survey=${surveyId}`}>
-            <Icon name="crest" />
-            <span class="grow">{titleOf("sight-distance")}</span>
-          </a>
-        </li>
-        <li>
-          <a class="rail__item" href="/catalogue">
-            <Icon name="overview" />
-            <span class="grow">{titleOf("catalogue")}</span>
-          </a>
-        </li>
-        <li>
-          <a class="rail__item" href={`/audit?survey_id=${surveyId}`}>
-            <Icon name="audit" />
-            <span class="grow">{say("app-audit")}</span>
-          </a>
-        </li>
+        {RESULTS.map((entry) => (
+          <li key={entry.name}>
+            <a
+              class="rail__item"
+              href={resultAddress(entry, surveyId)}
+              aria-current={entry.name === name ? "page" : undefined}
+            >
+              <Icon name={RESULT_ICONS[entry.name]} />
+              <span class="grow">{entry.name === "audit" ? say("app-audit") : titleOf(entry.name)}</span>
+            </a>
+          </li>
+        ))}
       </ul>
     </nav>
   );

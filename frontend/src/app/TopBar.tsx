@@ -1,5 +1,5 @@
 import { Button, Mark, Menu } from "../components";
-import { current } from "../core/address";
+import { current, surveyHere } from "../core/address";
 import { hint } from "../core/commands";
 import { GUIDE_OF, guideAddress } from "../core/guide";
 import { chooseLanguage, LANGUAGES, language, say } from "../core/messages";
@@ -14,7 +14,7 @@ import { toastProblem } from "../core/toasts";
 import { topTools } from "../core/topbar";
 import { ROLE_NAMES } from "../core/types";
 import { type LengthUnit, lengthUnit } from "../core/units";
-import { WORK } from "../core/work";
+import { RESULTS, resultAddress, WORK } from "../core/work";
 import { keysShown } from "./KeysDialog.state";
 
 export function TopBar() {
@@ -44,7 +44,8 @@ export function TopBar() {
 
 function Crumbs() {
   const here = current.value;
-  const inSurvey = here !== null && here.surveyId > 0;
+  const surveyId = surveyHere.value;
+  const inSurvey = surveyId > 0;
   return (
     <nav class="crumbs" aria-label={say("app-where")}>
       <a class="topbar__mark" href="/">
@@ -54,17 +55,22 @@ function Crumbs() {
       <ol>
         {inSurvey && (
           <li>
-            <a class="clip" href={`/surveys/${here.surveyId}`}>
+            <a class="clip" href={`/surveys/${surveyId}`}>
               {survey.value?.name ?? say("app-survey")}
             </a>
           </li>
         )}
         {here && here.place.name !== "surveys" && (
           <li>
-            {inSurvey && here.place.layout === "full" ? (
-              <WorkMenu surveyId={here.surveyId} name={here.place.name} title={titleOf(here.place.name)} />
-            ) : (
-              <span aria-current="page">{titleOf(here.place.name)}</span>
+            {inSurvey && (
+              <div class={here.place.layout === "full" ? undefined : "crumbs__menu"}>
+                <WorkMenu surveyId={surveyId} name={here.place.name} title={titleOf(here.place.name)} />
+              </div>
+            )}
+            {!(inSurvey && here.place.layout === "full") && (
+              <span aria-current="page" class={inSurvey ? "crumbs__page" : undefined}>
+                {titleOf(here.place.name)}
+              </span>
             )}
           </li>
         )}
@@ -73,7 +79,7 @@ function Crumbs() {
   );
 }
 
-/** On the full-window screens the order of work hides in the last crumb. */
+/** Where the rail has no room, the order of work hides in the last crumb. */
 function WorkMenu({ surveyId, name, title }: { surveyId: number; name: string; title: string }) {
   return (
     <Menu
@@ -94,6 +100,17 @@ function WorkMenu({ surveyId, name, title }: { surveyId: number; name: string; t
           aria-current={entry.name === name ? "page" : undefined}
         >
           {titleOf(entry.name)}
+        </a>
+      ))}
+      <div class="menu__sep" />
+      {RESULTS.map((entry) => (
+        <a
+          key={entry.name}
+          class="menu__item"
+          href={resultAddress(entry, surveyId)}
+          aria-current={entry.name === name ? "page" : undefined}
+        >
+          {entry.name === "audit" ? say("app-audit") : titleOf(entry.name)}
         </a>
       ))}
     </Menu>

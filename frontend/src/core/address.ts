@@ -8,6 +8,14 @@ export const pathname = computed(() => here.value.split("?")[0] ?? "/");
 export const query = computed(() => new URLSearchParams(here.value.split("?")[1] ?? ""));
 export const current = computed(() => match(pathname.value));
 
+/** The survey that the page is about: that of its path, or the one alone that a page of results is asked for; else 0. */
+export const surveyHere = computed(() => {
+  const here = current.value;
+  if (!here || here.surveyId > 0) return here?.surveyId ?? 0;
+  const asked = [...query.value.getAll("survey"), ...query.value.getAll("survey_id")];
+  return asked.length === 1 && /^[1-9]\d{0,15}$/.test(asked[0] ?? "") ? Number(asked[0]) : 0;
+});
+
 /** Goes to a path of this app; `replace` leaves no step to go back to. */
 export function navigate(to: string, options: { replace?: boolean } = {}): void {
   if (to === location.pathname + location.search) return;

@@ -22,6 +22,18 @@ export const WORK = [
   { name: "export", path: "/export", step: "results" },
 ] as const satisfies readonly WorkEntry[];
 
+/** What comes of the work: pages that may be of several surveys. */
+export const RESULTS = [
+  { name: "statistics", query: "survey" },
+  { name: "sight-distance", query: "survey" },
+  { name: "catalogue", query: null },
+  { name: "audit", query: "survey_id" },
+] as const satisfies readonly { name: PlaceName; query: string | null }[];
+
+export function resultAddress({ name, query }: (typeof RESULTS)[number], surveyId: number): string {
+  return query ? `/${name}?${query}=${surveyId}` : `/${name}`;
+}
+
 /** Where a step of the survey is done. */
 export function entryOfStep(key: StepKey): WorkEntry | undefined {
   return WORK.find((entry) => entry.step === key);

@@ -49,7 +49,7 @@ export function DriftVerdict({ recordingId, poseId, open }: Props) {
       </Button>
     );
   return (
-    <section class="drift" aria-label={say("drift-title")} data-testid="drift">
+    <div role="group" class="drift" aria-label={say("drift-title")} data-testid="drift">
       <p class="drift__words">
         <Shape shape={shapeOf(drift.data)} />
         <span>{check ? inUnits(check.words) : job ? say("drift-under-way") : say("drift-not-yet")}</span>
@@ -71,7 +71,7 @@ export function DriftVerdict({ recordingId, poseId, open }: Props) {
       ) : (
         lookButton(say("drift-title"))
       )}
-    </section>
+    </div>
   );
 }
 

@@ -5,14 +5,14 @@ import { say } from "../../core/messages";
 import { theme } from "../../core/theme";
 import { type LengthUnit, lengthUnit } from "../../core/units";
 import { type Cell, csvOf, download } from "./csv";
-import { svgFile } from "./svg";
 import "./figures.css";
 import { type Hue, hueOf } from "./hues";
+import { inOneStyle, type PlotOptions } from "./style";
+import { svgFile } from "./svg";
 
 export type Plot = typeof import("./plot");
 /** The library that draws, fetched once. */
 export const loadPlot = (): Promise<Plot> => import("./plot");
-type PlotOptions = Parameters<Plot["plot"]>[0];
 
 interface Table {
   columns: readonly string[];
@@ -87,18 +87,7 @@ export function PlotFigure({ name, title, says, note, legend, data, options, tab
   }, [reason]);
   const draw = (wide: number, height: number) => {
     if (!plot || !box.current || wide < 200) return;
-    const drawn = plot.plot({
-      width: wide,
-      height,
-      marginLeft: 48,
-      marginBottom: 40,
-      marginTop: 24,
-      marginRight: 16,
-      ariaLabel: says,
-      className: "figure",
-      style: { background: "transparent", color: "var(--ink)", fontSize: "12px", fontFamily: "var(--font)" },
-      ...options(plot, unit),
-    });
+    const drawn = plot.plot(inOneStyle({ ...options(plot, unit), width: wide, ariaLabel: says }, height));
     drawn.setAttribute("role", "img");
     for (const part of drawn.querySelectorAll("g[aria-label]")) part.removeAttribute("aria-label"); // one picture
     box.current.replaceChildren(drawn);

@@ -2,7 +2,7 @@
  * Marks of the figures. Three hues that are not the road's axes', dashes and words tell lines apart, never a hue alone.
  */
 import { say } from "../../core/messages";
-import { fixed } from "../../core/units";
+import { fixed, type LengthUnit } from "../../core/units";
 import type { Cell } from "./csv";
 import { type Hue, hueOf } from "./hues";
 import type { Plot } from "./PlotFigure";
@@ -14,13 +14,13 @@ export interface Curve {
   faint?: boolean;
   /** Ink, purple or ochre; ink unless said. */
   hue?: Hue;
-  /** Where along the curve its word stands: at this share. */
-  wordAt?: number;
   band?: boolean;
 }
 
 type Mark = ReturnType<Plot["line"]>;
-const HALO = { stroke: "var(--surface)", strokeWidth: 5, fill: "var(--ink)" } as const;
+
+/** A band of fewer says nothing and hides the others. */
+const LEAST_FOR_A_BAND = 5;
 
 const lineStyle = (curve: Curve) => ({
   stroke: hueOf(curve),
@@ -28,7 +28,7 @@ const lineStyle = (curve: Curve) => ({
   strokeDasharray: curve.dash,
 });
 
-/** A cumulative distribution as steps, with its band and its word. */
+/** A cumulative distribution as steps, with its band. */
 export function ecdfMarks(plot: Plot, ecdf: Ecdf, curve: Curve, perX: number): Mark[] {
   const first = ecdf.value[0] ?? 0;
   const steps = [
@@ -36,7 +36,7 @@ export function ecdfMarks(plot: Plot, ecdf: Ecdf, curve: Curve, perX: number): M
     ...ecdf.value.map((value, i) => ({ x: value * perX, y: 100 * (ecdf.share[i] ?? 0) })),
   ];
   const marks: Mark[] = [];
-  if (curve.band) {
+  if (curve.band && ecdf.n >= LEAST_FOR_A_BAND) {
     const band = ecdf.value.map((value, i) => ({
       x: value * perX,
       low: 100 * (ecdf.low[i] ?? 0),
@@ -57,46 +57,26 @@ export function ecdfMarks(plot: Plot, ecdf: Ecdf, curve: Curve, perX: number): M
   return marks;
 }
 
-/** The word of a curve, written on it: right of it, unless `left`, or where the figure (ending at `end`) has no room. */
-export function ecdfWord(
+/** Steps of a density's axis: a share is read "per centimetre" or "per inch", not "per metre"; of errors in finer ones. */
+export function shareStep(unit: LengthUnit, fine = false): { m: number; name: string } {
+  if (unit === "ft") return fine ? { m: 0.00254, name: "0.1 in" } : { m: 0.0254, name: "in" };
+  return fine ? { m: 0.001, name: "mm" } : { m: 0.01, name: "cm" };
+}
+
+/** A density with its band: per cent of the vehicles in each `stepM` of the axis. */
+export function densityMarks(
   plot: Plot,
-  ecdf: Ecdf,
+  density: Density,
   curve: Curve,
   perX: number,
-  end: number,
-  left = false,
-): Mark {
-  const share = curve.wordAt ?? 0.5;
-  const value = valueAt(ecdf, share);
-  const turned = left || value > 0.75 * end;
-  return plot.text([{ x: value * perX, y: 100 * share, word: curve.word }], {
-    x: "x",
-    y: "y",
-    text: "word",
-    textAnchor: turned ? "end" : "start",
-    dx: turned ? -8 : 8,
-    ...HALO,
-  });
-}
-
-/** Where a curve passes a share. */
-export function valueAt(ecdf: Ecdf, share: number): number {
-  const at = ecdf.share.findIndex((one) => one >= share);
-  return ecdf.value[Math.max(0, at)] ?? 0;
-}
-
-/** The largest value of several curves. */
-export function endOf(ecdfs: readonly Ecdf[]): number {
-  return Math.max(...ecdfs.map((one) => one.value.at(-1) ?? 0));
-}
-
-/** A density with its band and its word at the top. */
-export function densityMarks(plot: Plot, density: Density, curve: Curve, perX: number): Mark[] {
+  stepM: number,
+): Mark[] {
+  const perY = 100 * stepM;
   const rows = density.value.map((value, i) => ({
     x: value * perX,
-    y: (density.density[i] ?? 0) / perX,
-    low: (density.low[i] ?? 0) / perX,
-    high: (density.high[i] ?? 0) / perX,
+    y: (density.density[i] ?? 0) * perY,
+    low: (density.low[i] ?? 0) * perY,
+    high: (density.high[i] ?? 0) * perY,
   }));
   const marks: Mark[] = [];
   if (curve.band) {
@@ -106,34 +86,65 @@ export function densityMarks(plot: Plot, density: Density, curve: Curve, perX: n
   return marks;
 }
 
-/** Standards as upright rules with their names on them; those of one height share a rule. */
-export function standardMarks(
-  plot: Plot,
+const TIER_PX = 16;
+/** Above the frame: room for the name of the upward axis. */
+const TOP_PX = 24;
+
+/** The names of one height's standards, on a line of their own above the frame. */
+interface Tier {
+  x: number;
+  word: string;
+  /** Which way the word runs from its rule. */
+  way: "start" | "end";
+}
+
+/** A line of names for each height, the highest first, so that no two meet however close their heights lie. */
+export function standardTiers(
   standards: readonly Standard[],
   perX: number,
   unit: string,
-): Mark[] {
+  middle_m: number,
+): Tier[] {
   const byHeight = new Map<number, string[]>();
   for (const one of standards) byHeight.set(one.height_m, [...(byHeight.get(one.height_m) ?? []), one.name]);
-  const rows = [...byHeight].map(([height, names]) => ({
-    x: height * perX,
-    word: say("figure-standard", { standards: names.join(", "), height: fixed(height * perX, 2), unit }),
-  }));
-  return [
-    plot.text(rows, {
-      x: "x",
-      text: "word",
-      frameAnchor: "top",
-      rotate: -90,
-      lineAnchor: "middle",
-      textAnchor: "end",
-      dx: -9,
-      fill: "var(--accent-text)",
-      stroke: "var(--surface)",
-      strokeWidth: 3,
+  const tiers = [...byHeight].map(
+    ([height, names]): Tier => ({
+      x: height * perX,
+      word: say("figure-standard", { standards: names.join(", "), height: fixed(height * perX, 2), unit }),
+      way: height > middle_m ? "end" : "start",
     }),
-    plot.ruleX(rows, { x: "x", stroke: "var(--accent-text)", strokeWidth: 1.5 }),
-  ];
+  );
+  // a word runs over the rules on its side, which therefore end below it
+  const left = tiers.filter((one) => one.way === "start").sort((a, b) => a.x - b.x);
+  const right = tiers.filter((one) => one.way === "end").sort((a, b) => b.x - a.x);
+  return [...left, ...right];
+}
+
+/** The margin above the frame that so many names take. */
+export function marginOf(tiers: readonly Tier[]): number {
+  return TOP_PX + TIER_PX * tiers.length;
+}
+
+/** Standards as upright rules, each up to its names. */
+export function standardMarks(plot: Plot, tiers: readonly Tier[]): Mark[] {
+  return tiers.flatMap((tier, i) => {
+    const up = TIER_PX * (tiers.length - i);
+    return [
+      plot.ruleX([tier], { x: "x", stroke: "var(--accent-text)", strokeWidth: 1.5, insetTop: 2 - up }),
+      plot.text([tier], {
+        x: "x",
+        text: "word",
+        frameAnchor: "top",
+        textAnchor: tier.way,
+        lineAnchor: "top",
+        dx: tier.way === "start" ? 5 : -5,
+        dy: 2 - up,
+        fill: "var(--accent-text)",
+        stroke: "var(--surface)",
+        strokeWidth: 3,
+      }),
+    ];
+  });
 }
 
 /** The standards that lie in or near the values shown; others would squeeze the curves. */
@@ -144,6 +155,12 @@ export function nearby(standards: readonly Standard[], ecdfs: readonly Ecdf[]): 
   const high = Math.max(...values);
   const reach = Math.max(0.1, 0.4 * (high - low));
   return standards.filter((one) => one.height_m >= low - reach && one.height_m <= high + reach);
+}
+
+/** The middle of the values shown. */
+export function middleOf(ecdfs: readonly Ecdf[]): number {
+  const ends = ecdfs.flatMap((one) => [one.value[0] ?? 0, one.value.at(-1) ?? 0]);
+  return (Math.min(...ends) + Math.max(...ends)) / 2;
 }
 
 export const ECDF_COLUMNS = ["share", "band95_low", "band95_high", "n"] as const;

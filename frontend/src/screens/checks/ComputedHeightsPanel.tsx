@@ -79,11 +79,9 @@ function Changes({ found }: { found: ComputedHeights }) {
         const [perY, small] = smallScale(unit);
         const at = { x: (one: ComputedHeight) => (one.y_m ?? 0) * perX, y: changeIn(perY) };
         return {
-          x: { label: say("computing-figure-x", { unit: long }), labelArrow: "none", labelAnchor: "center" },
+          x: { label: say("computing-figure-x", { unit: long }) },
           y: {
             label: say("computing-figure-y", { small }),
-            labelArrow: "none",
-            grid: true,
             nice: true,
             zero: true,
           },

@@ -102,7 +102,7 @@ function Hint({ model }: { model: MeasureModel }) {
       {vehicle && <strong>{vehicleName(vehicle.number)}</strong>}
       {target && model.hasPose.value && <strong>{TARGET_WORDS[target]}</strong>}
       {target === "driver_eye" && vehicle && model.hasPose.value && <Driver model={model} />}
-      <span>{hintWords(model)}</span>
+      <span role="status">{hintWords(model)}</span>
       {!model.hasPose.value && (
         <a href={`/surveys/${model.surveyId}/pose?recording=${model.reel.player.value?.recordingId ?? ""}`}>
           {say("measure-find-pose")}

@@ -2,6 +2,7 @@
 import { useComputed, useSignalEffect } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { Button, StateMark } from "../../components";
+import { useOneTabStop } from "../../components/oneTabStop";
 import { Said } from "../../components/Said";
 import { hint } from "../../core/commands";
 import { say } from "../../core/messages";
@@ -30,6 +31,7 @@ export function PassList({ model }: { model: MeasureModel }) {
   const open = all.filter(isOpen).length;
   const recording = model.reel.recording.value;
   const box = useRef<HTMLUListElement>(null);
+  useOneTabStop(box, ".pass");
   useSignalEffect(() => {
     const id = model.vehicleId.value;
     requestAnimationFrame(() =>

@@ -3,6 +3,7 @@ import { Problem } from "../../components";
 import { say } from "../../core/messages";
 import { theme } from "../../core/theme";
 import { lengthScale, lengthUnit, smallScale } from "../../core/units";
+import { inOneStyle } from "../../parts/figures/style";
 import { type Curve, type Plan, wordOf } from "./model";
 
 type Plot = typeof import("../../parts/figures/plot");
@@ -102,40 +103,40 @@ function Figure({ title, note, curves, words, marker, fromZero }: FigureProps) {
     );
     const targets = curves.map((curve) => curve.target);
     const { label, x, y } = words(unit, small);
-    const drawn = plot.plot({
-      width,
-      height: 300,
-      marginLeft: 48,
-      marginBottom: 40,
-      ariaLabel: label,
-      className: "figure",
-      style: { background: "transparent", color: "var(--ink)", fontSize: "12px", fontFamily: "var(--font)" },
-      x: { label: x, labelArrow: "none", labelAnchor: "center" },
-      y: { label: y, labelArrow: "none", grid: true, zero: fromZero, nice: true },
-      symbol: { domain: targets, range: targets.map((one) => SYMBOLS[one] ?? "circle"), legend: false },
-      marks: [
-        plot.ruleX([marker * perX], { stroke: "var(--accent)", strokeWidth: 3 }),
-        plot.ruleY([0], { stroke: "var(--line-strong)" }),
-        ...targets.map((target) =>
-          plot.line(
-            points.filter((point) => point.target === target),
-            { x: "x", y: "y", stroke: "var(--ink)", strokeWidth: 1.5, strokeDasharray: DASHES[target] },
-          ),
-        ),
-        plot.dot(
-          points.filter((_, i) => i % 6 === 3),
-          {
-            x: "x",
-            y: "y",
-            symbol: "target",
-            r: 4,
-            fill: "var(--surface)",
-            stroke: "var(--ink)",
-            strokeWidth: 1.5,
-          },
-        ),
-      ],
-    });
+    const drawn = plot.plot(
+      inOneStyle(
+        {
+          width,
+          ariaLabel: label,
+          x: { label: x },
+          y: { label: y, zero: fromZero, nice: true },
+          symbol: { domain: targets, range: targets.map((one) => SYMBOLS[one] ?? "circle"), legend: false },
+          marks: [
+            plot.ruleX([marker * perX], { stroke: "var(--accent)", strokeWidth: 3 }),
+            plot.ruleY([0], { stroke: "var(--line-strong)" }),
+            ...targets.map((target) =>
+              plot.line(
+                points.filter((point) => point.target === target),
+                { x: "x", y: "y", stroke: "var(--ink)", strokeWidth: 1.5, strokeDasharray: DASHES[target] },
+              ),
+            ),
+            plot.dot(
+              points.filter((_, i) => i % 6 === 3),
+              {
+                x: "x",
+                y: "y",
+                symbol: "target",
+                r: 4,
+                fill: "var(--surface)",
+                stroke: "var(--ink)",
+                strokeWidth: 1.5,
+              },
+            ),
+          ],
+        },
+        300,
+      ),
+    );
     drawn.setAttribute("role", "img");
     for (const part of drawn.querySelectorAll("g[aria-label]")) part.removeAttribute("aria-label"); // one picture
     box.current.replaceChildren(drawn);

@@ -1,4 +1,5 @@
 /** Each repeat's difference from what it repeats, with the bar that the clicks' uncertainty lets one expect. */
+
 import { useEffect, useRef, useState } from "preact/hooks";
 import { Problem } from "../../components";
 import { say } from "../../core/messages";
@@ -6,6 +7,7 @@ import { theme } from "../../core/theme";
 import type { RepeatDifference, Target } from "../../core/types";
 import { lengthScale, lengthUnit, smallScale } from "../../core/units";
 import { TARGET_WORDS } from "../../core/words";
+import { inOneStyle } from "../../parts/figures/style";
 
 type Plot = typeof import("../../parts/figures/plot");
 
@@ -75,36 +77,31 @@ function draw(plot: Plot, differences: readonly RepeatDifference[], width: numbe
     target: one.target,
   }));
   const targets = Object.keys(SYMBOLS) as Target[];
-  const drawn = plot.plot({
-    width,
-    height: 300,
-    marginLeft: 48,
-    marginBottom: 40,
-    ariaLabel: say("repeats-differences-label", { small, unit, count: points.length }),
-    className: "figure",
-    style: { background: "transparent", color: "var(--ink)", fontSize: "12px", fontFamily: "var(--font)" },
-    x: {
-      label: say("repeats-differences-x", { unit }),
-      labelArrow: "none",
-      labelAnchor: "center",
-      nice: true,
-    },
-    y: { label: say("repeats-differences-y", { unit: small }), labelArrow: "none", grid: true, nice: true },
-    symbol: { domain: targets, range: targets.map((one) => SYMBOLS[one]), legend: false },
-    marks: [
-      plot.ruleY([0], { stroke: "var(--line-strong)" }),
-      plot.ruleX(points, { x: "x", y1: "low", y2: "high", stroke: "var(--line-strong)" }),
-      plot.dot(points, {
-        x: "x",
-        y: "y",
-        symbol: "target",
-        r: 4,
-        fill: "var(--surface)",
-        stroke: "var(--ink)",
-        strokeWidth: 1.5,
-      }),
-    ],
-  });
+  const drawn = plot.plot(
+    inOneStyle(
+      {
+        width,
+        ariaLabel: say("repeats-differences-label", { small, unit, count: points.length }),
+        x: { label: say("repeats-differences-x", { unit }), nice: true },
+        y: { label: say("repeats-differences-y", { unit: small }), nice: true },
+        symbol: { domain: targets, range: targets.map((one) => SYMBOLS[one]), legend: false },
+        marks: [
+          plot.ruleY([0], { stroke: "var(--line-strong)" }),
+          plot.ruleX(points, { x: "x", y1: "low", y2: "high", stroke: "var(--line-strong)" }),
+          plot.dot(points, {
+            x: "x",
+            y: "y",
+            symbol: "target",
+            r: 4,
+            fill: "var(--surface)",
+            stroke: "var(--ink)",
+            strokeWidth: 1.5,
+          }),
+        ],
+      },
+      300,
+    ),
+  );
   drawn.setAttribute("role", "img");
   for (const part of drawn.querySelectorAll("g[aria-label]")) part.removeAttribute("aria-label"); // one picture
   return drawn;

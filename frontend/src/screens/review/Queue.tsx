@@ -2,6 +2,7 @@
 import { useSignalEffect } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { Button, StateMark } from "../../components";
+import { useOneTabStop } from "../../components/oneTabStop";
 import { Said } from "../../components/Said";
 import { say, wordsOf } from "../../core/messages";
 import { may } from "../../core/session";
@@ -25,6 +26,7 @@ export function Queue({ model }: { model: ReviewModel }) {
   const counts = survey.value?.counts;
   const work = model.work.value;
   const box = useRef<HTMLUListElement>(null);
+  useOneTabStop(box, ".pass");
   useSignalEffect(() => {
     const id = model.currentId.value;
     requestAnimationFrame(() =>

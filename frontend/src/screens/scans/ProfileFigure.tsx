@@ -39,7 +39,7 @@ export function ProfileFigure({ detail }: { detail: ScanVehicleDetail }) {
       options={(plot) => ({
         height: 220,
         x: { label: say("scan-profile-x") },
-        y: { label: unit, domain: [low, high], grid: true },
+        y: { label: say("with-unit", { name: say("scan-head-speed"), unit }), domain: [low, high] },
         marks: [
           plot.line(rows, { x: "time_s", y: "fitted", strokeWidth: 2 }),
           plot.dot(

@@ -40,8 +40,8 @@ export function SpreadFigure({ spread }: { spread: ScanSpread }) {
       note={there && percentiles ? say("motion-spread-note", { unit, percentiles }) : undefined}
       options={(plot) => ({
         height: 240,
-        x: { label: unit, grid: true },
-        y: { label: say("motion-spread-y"), domain: [0, 100], grid: true },
+        x: { label: say("with-unit", { name: title, unit }) },
+        y: { label: say("figure-share-of-vehicles"), domain: [0, 100] },
         marks: there
           ? [
               ...ecdfMarks(plot, ecdf, { word: "", band: true }, by),

@@ -2,6 +2,7 @@
 import { useSignalEffect } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { StateMark, TableScroll } from "../../components";
+import { useOneTabStop } from "../../components/oneTabStop";
 import { Said } from "../../components/Said";
 import { say } from "../../core/messages";
 import type { ScanVehicle } from "../../core/types";
@@ -13,6 +14,7 @@ import { stateOf } from "./words";
 export function VehicleTable({ model }: { model: ScanModel }) {
   const units = heads();
   const box = useRef<HTMLTableSectionElement>(null);
+  useOneTabStop(box, ".scan__pick");
   useSignalEffect(() => {
     const id = model.chosenId.value;
     requestAnimationFrame(() =>

@@ -34,15 +34,10 @@ export function KFigure({ sight }: { sight: Sight }) {
         return {
           x: {
             label: say("sight-figure-x", { unit: speedUnit }),
-            labelArrow: "none",
-            labelAnchor: "center",
-            labelOffset: 34,
             nice: true,
           },
           y: {
             label: say("sight-figure-y", { unit: long }),
-            labelArrow: "none",
-            grid: true,
             zero: true,
             nice: true,
           },

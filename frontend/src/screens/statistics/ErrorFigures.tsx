@@ -7,8 +7,7 @@ import {
   ECDF_COLUMNS,
   ecdfMarks,
   ecdfRows,
-  ecdfWord,
-  endOf,
+  shareStep,
 } from "../../parts/figures/curves";
 import { fixedRange } from "../../parts/figures/numbers";
 import { type LegendEntry, PlotFigure } from "../../parts/figures/PlotFigure";
@@ -17,9 +16,9 @@ import { type Errors, GROUP_WORDS, isThere, type Reason } from "./model";
 import { TrendFigure } from "./TrendFigure";
 
 const CURVES: Record<string, Omit<Curve, "word">> = {
-  daytime: { wordAt: 0.72, band: true },
-  low_light: { dash: "7 4", hue: 1, wordAt: 0.5, band: true },
-  overall: { dash: "2 3", faint: true, wordAt: 0.28 },
+  daytime: { band: true },
+  low_light: { dash: "7 4", hue: 1, band: true },
+  overall: { dash: "2 3", faint: true },
 };
 const GROUPS = Object.keys(CURVES);
 
@@ -96,19 +95,11 @@ function AbsoluteFigure({ errors }: { errors: Errors }) {
         return {
           x: {
             label: say("statistics-absolute-x", { unit: small }),
-            labelArrow: "none",
-            labelAnchor: "center",
-            labelOffset: 34,
             zero: true,
             nice: true,
           },
-          y: { label: say("figure-share-of-vehicles"), labelArrow: "none", grid: true, domain: [0, 100] },
-          marks: [
-            ...list.flatMap((one) => ecdfMarks(plot, one.part, one.curve, perX)),
-            ...list.map((one) =>
-              ecdfWord(plot, one.part, one.curve, perX, endOf(list.map((other) => other.part))),
-            ),
-          ],
+          y: { label: say("figure-share-of-vehicles"), domain: [0, 100] },
+          marks: [...list.flatMap((one) => ecdfMarks(plot, one.part, one.curve, perX))],
         };
       }}
       table={() => ({
@@ -133,19 +124,11 @@ function RelativeFigure({ errors }: { errors: Errors }) {
       options={(plot) => ({
         x: {
           label: say("statistics-relative-x"),
-          labelArrow: "none",
-          labelAnchor: "center",
-          labelOffset: 34,
           zero: true,
           nice: true,
         },
-        y: { label: say("figure-share-of-vehicles"), labelArrow: "none", grid: true, domain: [0, 100] },
-        marks: [
-          ...list.flatMap((one) => ecdfMarks(plot, one.part, one.curve, 100)),
-          ...list.map((one) =>
-            ecdfWord(plot, one.part, one.curve, 100, endOf(list.map((other) => other.part))),
-          ),
-        ],
+        y: { label: say("figure-share-of-vehicles"), domain: [0, 100] },
+        marks: [...list.flatMap((one) => ecdfMarks(plot, one.part, one.curve, 100))],
       })}
       table={() => ({
         columns: ["lighting", "relative_error", ...ECDF_COLUMNS],
@@ -183,20 +166,15 @@ function DensityFigure({ errors }: { errors: Errors }) {
         return {
           x: {
             label: say("statistics-signed-error", { unit: small }),
-            labelArrow: "none",
-            labelAnchor: "center",
-            labelOffset: 34,
           },
           y: {
-            label: say("statistics-density-y", { unit: small }),
-            labelArrow: "none",
-            grid: true,
+            label: say("statistics-density-y", { unit: shareStep(unit, true).name }),
             zero: true,
             nice: true,
           },
           marks: [
             plot.ruleX([0], { stroke: "var(--line-strong)" }),
-            ...list.flatMap((one) => densityMarks(plot, one.part, one.curve, perX)),
+            ...list.flatMap((one) => densityMarks(plot, one.part, one.curve, perX, shareStep(unit, true).m)),
           ],
         };
       }}

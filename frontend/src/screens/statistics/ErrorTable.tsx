@@ -1,7 +1,7 @@
-import { Button } from "../../components";
+import { Button, TableScroll } from "../../components";
 import { Said } from "../../components/Said";
 import { say, wordsOf } from "../../core/messages";
-import { formatCount, formatLength, formatSmall, smallScale } from "../../core/units";
+import { formatCount, formatSmall, smallScale } from "../../core/units";
 import { csvOf, download } from "../../parts/figures/csv";
 import { NONE, range, scaled, squareScale } from "../../parts/figures/numbers";
 import { type ErrorGroup, type Errors, GROUP_WORDS, isThere } from "./model";
@@ -61,7 +61,7 @@ export function ErrorTable({ errors }: { errors: Errors }) {
           {say("file-csv")}
         </Button>
       </header>
-      <div class="table-scroll">
+      <TableScroll label={say("statistics-errors-title")}>
         <table class="table stat-errors" data-testid="error-table">
           <thead>
             <tr>
@@ -80,7 +80,7 @@ export function ErrorTable({ errors }: { errors: Errors }) {
             ))}
           </tbody>
         </table>
-      </div>
+      </TableScroll>
       <div class="stat-notes small">
         <p>
           {errors.words} {say("statistics-errors-note")}
@@ -102,6 +102,11 @@ export function ErrorTable({ errors }: { errors: Errors }) {
   );
 }
 
+/** A figure without an interval is of too few vehicles to be stressed. */
+function Value({ text, sure }: { text: string; sure: boolean }) {
+  return sure ? <strong>{text}</strong> : <span class="muted">{text}</span>;
+}
+
 function Rows({ group, errors }: { group: ErrorGroup; errors: Errors }) {
   const paper = errors.paper.find((one) => one.group === group.group);
   return (
@@ -119,7 +124,7 @@ function Rows({ group, errors }: { group: ErrorGroup; errors: Errors }) {
           const [factor, digits] = column.scale();
           return (
             <td key={column.key} class="num">
-              <strong>{scaled(figure?.value ?? null, factor, digits)}</strong>
+              <Value text={scaled(figure?.value ?? null, factor, digits)} sure={figure?.ci95 != null} />
               <div class="stat-ci">{range(figure?.ci95 ?? null, factor, digits) ?? NONE}</div>
             </td>
           );
@@ -161,7 +166,7 @@ function NoIntervals({ group }: { group: ErrorGroup }) {
 /** What the paper leaves out: how lopsided the errors are, and how many lie within so many centimetres. */
 function Shares({ errors }: { errors: Errors }) {
   return (
-    <div class="table-scroll">
+    <TableScroll label={say("statistics-shares-title")}>
       <table class="table stat-errors" data-testid="error-shares">
         <caption class="small">{say("statistics-shares-title")}</caption>
         <thead>
@@ -170,7 +175,7 @@ function Shares({ errors }: { errors: Errors }) {
             <th class="num">{say("statistics-skewness")}</th>
             {WITHIN_MM.map((within_mm) => (
               <th key={within_mm} class="num">
-                {say("statistics-within", { within: formatLength(within_mm / 1000, 3) })}
+                {say("statistics-within", { within: formatSmall(within_mm / 1000) })}
               </th>
             ))}
           </tr>
@@ -187,7 +192,7 @@ function Shares({ errors }: { errors: Errors }) {
           ))}
         </tbody>
       </table>
-    </div>
+    </TableScroll>
   );
 }
 

@@ -1,8 +1,8 @@
 import { useState } from "preact/hooks";
-import { Segments } from "../../components";
+import { Segments, TableScroll } from "../../components";
 import { say, wordsOf } from "../../core/messages";
 import { formatCount, lengthScale } from "../../core/units";
-import { type Curve, ECDF_COLUMNS, ecdfMarks, ecdfRows, ecdfWord } from "../../parts/figures/curves";
+import { type Curve, ECDF_COLUMNS, ecdfMarks, ecdfRows } from "../../parts/figures/curves";
 import type { Hue } from "../../parts/figures/hues";
 import { NONE, percent, scaled } from "../../parts/figures/numbers";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
@@ -75,19 +75,11 @@ export function GroupSection({ targets }: { targets: readonly OfTarget[] }) {
             return {
               x: {
                 label: say("statistics-height-x", { unit: long }),
-                labelArrow: "none",
-                labelAnchor: "center",
-                labelOffset: 34,
                 nice: true,
                 inset: 6,
               },
-              y: { label: say("figure-share-of-vehicles"), labelArrow: "none", grid: true, domain: [0, 100] },
-              marks: [
-                ...curves.flatMap(({ ecdf, curve }) => ecdfMarks(plot, ecdf, curve, perX)),
-                ...curves.map(({ ecdf, curve }) =>
-                  ecdfWord(plot, ecdf, curve, perX, Number.POSITIVE_INFINITY),
-                ),
-              ],
+              y: { label: say("figure-share-of-vehicles"), domain: [0, 100] },
+              marks: [...curves.flatMap(({ ecdf, curve }) => ecdfMarks(plot, ecdf, curve, perX))],
             };
           }}
           table={() => ({
@@ -103,20 +95,19 @@ export function GroupSection({ targets }: { targets: readonly OfTarget[] }) {
 
 type Group = OfTarget["groups"][string]["groups"][number];
 
-/** The largest groups, each with a hue and a dash of its own, their words spread along the curves. */
+/** The largest groups, each with a hue and a dash of its own. */
 function drawn(groups: readonly Group[], grouping: string): { ecdf: Ecdf; curve: Curve }[] {
   const largest = [...groups].sort((a, b) => b.n - a.n).slice(0, MOST_DRAWN);
   return groups
     .filter((one) => largest.includes(one))
     .flatMap((one, i) => {
       if (!isThere<Ecdf>(one.ecdf)) return [];
-      const wordAt = (i + 0.7) / (Math.min(groups.length, MOST_DRAWN) + 0.4);
       const band = groups.length <= MOST_BANDS; // more of them hide each other; the CSV has them all
       const word = groupWord(grouping, one.word);
       return [
         {
           ecdf: one.ecdf,
-          curve: { word, hue: (i % HUES) as Hue, dash: i < HUES ? undefined : "6 4", wordAt, band },
+          curve: { word, hue: (i % HUES) as Hue, dash: i < HUES ? undefined : "6 4", band },
         },
       ];
     });
@@ -126,7 +117,7 @@ function GroupTable({ groups, grouping }: { groups: readonly Group[]; grouping: 
   const [factor, unit] = lengthScale();
   const at = (one: Group, wanted: number) => one.percentiles.find((p) => p.percent === wanted)?.value ?? null;
   return (
-    <div class="table-scroll">
+    <TableScroll label={say("statistics-groups-head", { grouping })}>
       <table class="table">
         <thead>
           <tr>
@@ -157,6 +148,6 @@ function GroupTable({ groups, grouping }: { groups: readonly Group[]; grouping: 
           ))}
         </tbody>
       </table>
-    </div>
+    </TableScroll>
   );
 }

@@ -1,3 +1,4 @@
+import { TableScroll } from "../../components";
 import { say } from "../../core/messages";
 import { formatSmall, lengthScale } from "../../core/units";
 import { NONE, percent, scaled } from "../../parts/figures/numbers";
@@ -15,7 +16,7 @@ export function SameRule({ rules }: { rules: readonly RuleToday[] }) {
       <header class="panel__head">
         <h2 id="stat-rules">{say("statistics-rule-title")}</h2>
       </header>
-      <div class="table-scroll">
+      <TableScroll label={say("statistics-rule-title")}>
         <table class="table">
           <thead>
             <tr>
@@ -55,7 +56,7 @@ export function SameRule({ rules }: { rules: readonly RuleToday[] }) {
             ))}
           </tbody>
         </table>
-      </div>
+      </TableScroll>
       <p class="stat-notes small">{say("statistics-rule-note")}</p>
     </section>
   );

@@ -1,5 +1,5 @@
 import { useState } from "preact/hooks";
-import { Button, SelectField, TextField } from "../../components";
+import { Button, SelectField, TableScroll, TextField } from "../../components";
 import { query } from "../../core/address";
 import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
@@ -70,7 +70,7 @@ interface DrawnProps {
 
 function Drawn({ standards, off, toggle }: DrawnProps) {
   return (
-    <div class="table-scroll">
+    <TableScroll label={say("statistics-standards-title")}>
       <table class="table" data-testid="standards">
         <thead>
           <tr>
@@ -129,7 +129,7 @@ function Drawn({ standards, off, toggle }: DrawnProps) {
           })}
         </tbody>
       </table>
-    </div>
+    </TableScroll>
   );
 }
 

@@ -1,4 +1,4 @@
-import { Button, Notice } from "../../components";
+import { Button, Notice, TableScroll } from "../../components";
 import { Said } from "../../components/Said";
 import { allOf, say } from "../../core/messages";
 import { fixed, formatLength, lengthScale } from "../../core/units";
@@ -10,13 +10,15 @@ import {
   ECDF_COLUMNS,
   ecdfMarks,
   ecdfRows,
-  ecdfWord,
+  marginOf,
+  middleOf,
   nearby,
+  shareStep,
   standardMarks,
-  valueAt,
+  standardTiers,
 } from "../../parts/figures/curves";
 import { NONE, percent, scaled } from "../../parts/figures/numbers";
-import { type Plot, PlotFigure } from "../../parts/figures/PlotFigure";
+import { PlotFigure } from "../../parts/figures/PlotFigure";
 import type { Density, Ecdf, Standard } from "../../parts/figures/types";
 import { isThere, type OfTarget, type Percentile, TARGET_TITLES } from "./model";
 
@@ -89,21 +91,20 @@ function EcdfFigure({ target, standards, title }: Props & { title: string }) {
       data={[target, shown.map((one) => one.name + one.height_m).join()]}
       options={(plot, unit) => {
         const [perX, long] = lengthScale(unit);
+        const tiers = standardTiers(shown, perX, long, middleOf(both));
         return {
+          marginTop: marginOf(tiers),
+          height: 296 + marginOf(tiers),
           x: {
             label: say("statistics-height-x", { unit: long }),
-            labelArrow: "none",
-            labelAnchor: "center",
-            labelOffset: 34,
             nice: true,
             inset: 16,
           },
-          y: { label: say("figure-share-of-vehicles"), labelArrow: "none", grid: true, domain: [0, 100] },
+          y: { label: say("figure-share-of-vehicles"), domain: [0, 100] },
           marks: [
-            ...standardMarks(plot, shown, perX, long),
+            ...standardMarks(plot, tiers),
             ...(raw ? ecdfMarks(plot, raw, rawCurve(), perX) : []),
             ...(corrected ? ecdfMarks(plot, corrected, correctedCurve(), perX) : []),
-            ...words(plot, raw, corrected, perX),
           ],
         };
       }}
@@ -113,25 +114,6 @@ function EcdfFigure({ target, standards, title }: Props & { title: string }) {
       })}
     />
   );
-}
-
-/** The words of both curves, on their outer sides. */
-function words(plot: Plot, raw: Ecdf | null, corrected: Ecdf | null, perX: number) {
-  const both = [
-    ...(raw ? [{ ecdf: raw, curve: rawCurve() }] : []),
-    ...(corrected ? [{ ecdf: corrected, curve: correctedCurve() }] : []),
-  ].sort((a, b) => valueAt(a.ecdf, 0.5) - valueAt(b.ecdf, 0.5));
-  return both.map(({ ecdf, curve }, i) => {
-    const left = i === 0 && both.length > 1;
-    return ecdfWord(
-      plot,
-      ecdf,
-      { ...curve, wordAt: left ? 0.8 : 0.25 },
-      perX,
-      Number.POSITIVE_INFINITY,
-      left,
-    );
-  });
 }
 
 function HeightDensity({ target, title }: { target: OfTarget; title: string }) {
@@ -149,19 +131,14 @@ function HeightDensity({ target, title }: { target: OfTarget; title: string }) {
         return {
           x: {
             label: say("statistics-height-x", { unit: long }),
-            labelArrow: "none",
-            labelAnchor: "center",
-            labelOffset: 34,
             nice: true,
           },
           y: {
-            label: say("statistics-density-y", { unit: long }),
-            labelArrow: "none",
-            grid: true,
+            label: say("statistics-density-y", { unit: shareStep(unit).name }),
             zero: true,
             nice: true,
           },
-          marks: [...(density ? densityMarks(plot, density, correctedCurve(), perX) : [])],
+          marks: [...(density ? densityMarks(plot, density, correctedCurve(), perX, shareStep(unit).m) : [])],
         };
       }}
       table={() => ({
@@ -222,7 +199,7 @@ function Percentiles({ target }: { target: OfTarget }) {
   const { total } = target;
   return (
     <div class="stat-percentiles">
-      <div class="table-scroll">
+      <TableScroll label={say("statistics-percentiles", { target: TARGET_TITLES[target.target] })}>
         <table class="table" data-testid={`percentiles-${target.target}`}>
           <caption class="visually-hidden">
             {say("statistics-percentiles", { target: TARGET_TITLES[target.target] })}
@@ -261,7 +238,7 @@ function Percentiles({ target }: { target: OfTarget }) {
             />
           </tbody>
         </table>
-      </div>
+      </TableScroll>
       <div class="row row--apart stat-notes small">
         <div class="grow">
           {total && (

@@ -41,16 +41,11 @@ export function TrendFigure({ errors }: { errors: Errors }) {
         return {
           x: {
             label: say("statistics-trend-x", { unit: long }),
-            labelArrow: "none",
-            labelAnchor: "center",
-            labelOffset: 34,
             nice: true,
             inset: 4,
           },
           y: {
             label: say("statistics-signed-error", { unit: small }),
-            labelArrow: "none",
-            grid: true,
             nice: true,
             inset: 4,
           },

@@ -1,0 +1,67 @@
+import { render } from "preact";
+import { useRef } from "preact/hooks";
+import { afterEach, beforeEach, expect, it } from "vitest";
+import { useOneTabStop } from "./oneTabStop";
+
+function List({ current, rows }: { current: number; rows: number }) {
+  const box = useRef<HTMLUListElement>(null);
+  useOneTabStop(box, "button");
+  return (
+    <ul ref={box}>
+      {Array.from({ length: rows }, (_, n) => (
+        <li key={n}>
+          <button type="button" aria-current={n === current ? "true" : undefined}>
+            {n}
+          </button>
+        </li>
+      ))}
+    </ul>
+  );
+}
+
+const buttons = () => [...document.querySelectorAll("button")];
+const stops = () => buttons().flatMap((one, n) => (one.tabIndex === 0 ? [n] : []));
+const shown = async (current: number, rows = 4) => {
+  render(<List current={current} rows={rows} />, document.body);
+  await new Promise((done) => setTimeout(done, 30));
+};
+const press = (key: string) =>
+  document.activeElement?.dispatchEvent(
+    new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true }),
+  );
+
+let heard: string[];
+const hear = (event: KeyboardEvent) => heard.push(event.key);
+
+beforeEach(() => {
+  heard = [];
+  window.addEventListener("keydown", hear);
+});
+afterEach(() => {
+  window.removeEventListener("keydown", hear);
+  render(null, document.body);
+});
+
+it("is one tab stop, at the current row, which follows it and the rows that come", async () => {
+  await shown(2);
+  expect(stops()).toEqual([2]);
+  await shown(0, 6);
+  expect(stops()).toEqual([0]);
+  await shown(-1, 3);
+  expect(stops()).toEqual([0]);
+});
+
+it("goes by arrows, Home and End within its ends, and lets no other command hear them", async () => {
+  await shown(1);
+  buttons()[1]?.focus();
+  const seen: (string | null)[] = [];
+  for (const key of ["ArrowDown", "ArrowDown", "ArrowDown", "Home", "ArrowUp", "End"]) {
+    press(key);
+    seen.push(document.activeElement?.textContent ?? null);
+  }
+  expect(seen).toEqual(["2", "3", "3", "0", "0", "3"]);
+  expect(heard).toEqual([]);
+  expect(stops()).toEqual([3]); // leaving and coming back by Tab finds the place
+  press("n");
+  expect(heard).toEqual(["n"]);
+});
