@@ -43,7 +43,8 @@ describe("curves", () => {
     const density = { value: [1, 1.01], density: [4, 4], low: [3, 3], high: [5, 5], n: 9, bandwidth: 1 };
     drawn.length = 0;
     densityMarks(plot, density as Density, { word: "" }, 1, shareStep("m").m);
-    expect((drawn[0]?.data as { y: number }[])[0]?.y).toBeCloseTo(4); // 4 a metre: 4 % in each centimetre
+    const [first] = (drawn[0]?.data ?? []) as { y: number }[];
+    expect(first?.y).toBeCloseTo(4); // 4 a metre: 4 % in each centimetre
     expect(shareStep("ft")).toEqual({ m: 0.0254, name: "in" });
   });
 
