@@ -1,6 +1,7 @@
 """Every kind of background work: importing a module registers its handler."""
 
 import sightline.demo.demo_job
+import sightline.demo.study_job
 import sightline.export.export_job
 import sightline.measurements.again.again_job
 import sightline.poses.pose_job
@@ -14,6 +15,7 @@ import sightline.vehicles.passes.find_job
 MODULES = (
     sightline.recordings.calibrating.calibrate_job,
     sightline.demo.demo_job,
+    sightline.demo.study_job,
     sightline.export.export_job,
     sightline.measurements.again.again_job,
     sightline.poses.pose_job,

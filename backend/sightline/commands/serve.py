@@ -104,13 +104,16 @@ def serve_on(
 
 
 def request_demonstration(services: Services) -> None:
-    """Queue the demonstration survey unless it is there."""
-    from sightline.demo.request import ensure_requested
+    """Queue the demonstration study and survey unless they are there."""
+    from sightline.demo.request import request_both
 
     with services.writing() as session:
-        job = ensure_requested(session)
+        job = request_both(session)
     if job is not None:
-        click.echo("The demonstration survey is being made; it appears on the home page within a minute.")
+        click.echo(
+            "The demonstration is being made: a simulated study of four sites at once, the survey within a "
+            "minute; they appear on the home page."
+        )
 
 
 def answer(

@@ -85,7 +85,10 @@ def make(context: registry.JobContext) -> registry.Outcome:
 
 def build(session: Session, parts: Parts, scanned: ScanParts) -> tuple[int, dict[str, list[int]]]:
     """Store everything; the survey's id and the vehicles' numbers by scene."""
-    operator, reviewer = _person(session, *OPERATOR, "operator"), _person(session, *REVIEWER, "reviewer")
+    operator, reviewer = (
+        demo_person(session, *OPERATOR, "operator"),
+        demo_person(session, *REVIEWER, "reviewer"),
+    )
     import_catalogue_rows(session, [_model(row) for row in demo_catalogue()], actor=None)
     survey = create_survey(
         session,
@@ -113,7 +116,7 @@ def build(session: Session, parts: Parts, scanned: ScanParts) -> tuple[int, dict
     return survey.id, {name: [one.vehicle.number for one in found] for name, found in passes.items()}
 
 
-def _person(session: Session, name: str, email: str, role: Role) -> Person:
+def demo_person(session: Session, name: str, email: str, role: Role) -> Person:
     """Somebody whose name stands at the work; switched off, without password or link: nobody can be them."""
     known = person_by_email(session, email) or create_person(
         session, name=name, email=email, role=role, actor=None

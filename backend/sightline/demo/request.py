@@ -10,8 +10,23 @@ from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.store import list_jobs
 from sightline.surveys.store import demo_survey_id
 
-KIND = "demonstration"
+KIND, STUDY_KIND = "demonstration", "demonstration_study"
 _UNDER_WAY: tuple[JobState, ...] = ("queued", "running")
+
+
+def request_both(session: Session) -> Job | None:
+    """Queue the demonstration study and, behind it, the survey: on the first start, not where the survey is
+    there, waits or is being made (a test that asked for a part of it wants no study). The survey's job.
+    """
+    if demo_survey_id(session) is not None or _under_way(session) is not None:
+        return ensure_requested(session)
+    registry.enqueue(session, STUDY_KIND, {}, survey_id=None, actor=None)
+    return ensure_requested(session)
+
+
+def _under_way(session: Session) -> Job | None:
+    found = (job for state in _UNDER_WAY for job in list_jobs(session, state=state) if job.kind == KIND)
+    return next(found, None)
 
 
 def ensure_requested(
@@ -24,10 +39,9 @@ def ensure_requested(
     """
     if demo_survey_id(session) is not None:
         return None
-    for state in _UNDER_WAY:
-        for job in list_jobs(session, state=state):
-            if job.kind == KIND:
-                return job
+    under_way = _under_way(session)
+    if under_way is not None:
+        return under_way
     payload: dict[str, Any] = {"scenes": list(scenes)} if scenes else {}
     if scan_vehicles is not None:
         payload["scan_vehicles"] = scan_vehicles

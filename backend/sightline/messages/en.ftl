@@ -341,6 +341,7 @@ jobs-kind = { $kind ->
     [scan_find] Finding vehicles in strips
     [scan_tidy] Tidying up after strips
     [demonstration] Demonstration survey
+    [demonstration_study] Demonstration study (simulated)
    *[other] Other work
 }
 jobs-column-what = What

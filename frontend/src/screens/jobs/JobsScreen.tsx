@@ -32,6 +32,7 @@ const KINDS = [
   "scan_find",
   "scan_tidy",
   "demonstration",
+  "demonstration_study",
 ] as const;
 const STATES = ["queued", "running", "failed", "cancelled", "done"] as const;
 /** How often the list is read again. */

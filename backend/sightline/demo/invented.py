@@ -1,0 +1,359 @@
+"""The demonstration study: four invented sites, measured and reviewed, so that results look like results.
+
+Nothing is filmed: vehicles are drawn from known fleets, their points are projected through each site's true
+camera, clicked 0.7 px beside it, and measured with a road pose that is off as its covariance states. The
+program computes every height as for everybody. Names, descriptions and each picture say that it is simulated.
+"""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from uuid import UUID, uuid5
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from sightline.cameras.calibrations.store import add_calibration
+from sightline.cameras.store import create_camera
+from sightline.demo.build import OPERATOR, REVIEWER, TRAFFIC, demo_person
+from sightline.enums import AskedTarget, Lighting, Point
+from sightline.geometry.camera import Camera, project
+from sightline.geometry.documents import camera_to_dict
+from sightline.geometry.insets import USUAL_INSETS, inset_name
+from sightline.geometry.road_pose import RoadPose
+from sightline.infra.database import Session
+from sightline.infra.jobs import registry
+from sightline.infra.services import Services
+from sightline.measurements.records import Clicks
+from sightline.measurements.service import store_measurement
+from sightline.media.store.local import key_of, sha256_of
+from sightline.media.video.ingest import Ingested, ingest
+from sightline.media.video.writer import write_mp4
+from sightline.poses.service import described
+from sightline.poses.store import add_pose
+from sightline.recordings.ingest_job import facts_of, pack_thumbnails, table_of, thumbnails_key_of
+from sightline.recordings.store import create_recording, note_ingested, update_recording
+from sightline.reviews.plan_store import choose_review_plan
+from sightline.reviews.store import add_review
+from sightline.simulation.models import MODELS, Model
+from sightline.surveys.records import Asked
+from sightline.surveys.store import create_survey, survey_names
+from sightline.vehicles.records import VehicleChanges
+from sightline.vehicles.store import create_vehicle
+
+Floats = NDArray[np.float64]
+Rng = np.random.Generator
+
+BEGIN = "Simulated study: "
+DESCRIPTION = (
+    "Simulated, not filmed: vehicles drawn from a known fleet, clicks with 0.7 px of noise, a road pose that "
+    "is off as its uncertainty states. It shows what statistics, standards, sight distance and report are "
+    "for; no figure in it says anything of real roads."
+)
+CLICK_NOISE_PX, FPS = 0.7, 25
+WIDTH_PX, HEIGHT_PX, FOCAL_PX = 640, 360, 450.0
+# u of the lens and of the road pose, in the order of the pose's parameters: px, radians, metres.
+_U_FOCAL_PX, _U_CENTRE_PX, _U_TURN, _U_MOVE_M = 0.4, 0.2, 0.0008, 0.002
+_TARGETS: dict[Lighting, tuple[AskedTarget, ...]] = {
+    "daytime": ("roof", "driver_eye"),
+    "low_light": ("roof", "taillight"),
+}
+_WORDS: dict[Lighting, str] = {"daytime": "daytime", "low_light": "low light"}
+_SPREAD_M = {"roof": 0.012, "driver_eye": 0.035, "taillight": 0.010}  # of vehicles of one model
+_OPEN_ONE_IN = 25  # vehicles that still wait for their review
+_NAMESPACE = UUID("0c4e1f66-20b1-4a53-9a30-6d7c3a9b1c52")
+
+
+@dataclass(frozen=True)
+class Site:
+    """An invented site: where its camera stands, how many vehicles by lighting, and its fleet by class."""
+
+    name: str
+    seed: int
+    daytime: int
+    low_light: int
+    height_m: float
+    distance_m: float
+    fleet: dict[str, float]
+
+    def count(self, lighting: Lighting) -> int:
+        """Vehicles of one lighting."""
+        return self.daytime if lighting == "daytime" else self.low_light
+
+
+SITES = (
+    Site(
+        name="Invented road A, two lanes",
+        seed=1,
+        daytime=100,
+        low_light=63,
+        height_m=1.45,
+        distance_m=4.2,
+        fleet={"hatchback": 0.40, "saloon": 0.18, "estate": 0.12, "suv": 0.24, "van": 0.06},
+    ),
+    Site(
+        name="Invented road B, two lanes",
+        seed=2,
+        daytime=100,
+        low_light=63,
+        height_m=1.60,
+        distance_m=5.0,
+        fleet={"hatchback": 0.30, "saloon": 0.15, "estate": 0.12, "suv": 0.33, "van": 0.08, "lorry": 0.02},
+    ),
+    Site(
+        name="Invented street C",
+        seed=3,
+        daytime=100,
+        low_light=62,
+        height_m=1.35,
+        distance_m=3.8,
+        fleet={"hatchback": 0.46, "saloon": 0.14, "estate": 0.10, "suv": 0.22, "van": 0.08},
+    ),
+    Site(
+        name="Invented bypass D",
+        seed=4,
+        daytime=100,
+        low_light=62,
+        height_m=1.50,
+        distance_m=4.6,
+        fleet={"hatchback": 0.28, "saloon": 0.22, "estate": 0.16, "suv": 0.26, "van": 0.05, "lorry": 0.03},
+    ),
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Film:
+    """A recording's stand-in, stored: one labelled picture for each vehicle."""
+
+    name: str
+    media_key: str
+    sha256: str
+    size_bytes: int
+    found: Ingested
+
+
+def make(context: registry.JobContext) -> registry.Outcome:
+    """Each site in a transaction of its own, so that others may write between; what is there stays."""
+    services = context.services
+    with services.reading() as session:
+        there = {name for name, _ in survey_names(session).values()}
+    made = 0
+    for n, site in enumerate(SITES):
+        if BEGIN + site.name in there:
+            continue
+        context.progress(n / len(SITES), "Simulating a site.")
+        films = {lighting: _film(services, site, lighting) for lighting in _TARGETS}
+        with services.writing() as session:
+            store_site(session, site, films)
+        made += 1
+    return {"surveys": made}
+
+
+def store_site(session: Session, site: Site, films: dict[Lighting, Film]) -> int:
+    """A whole survey of one site; its id."""
+    rng = np.random.default_rng([2026, site.seed])
+    operator = demo_person(session, *OPERATOR, "operator").id
+    reviewer = demo_person(session, *REVIEWER, "reviewer").id
+    survey = create_survey(
+        session,
+        name=BEGIN + site.name,
+        site=site.name,
+        description=DESCRIPTION,
+        traffic=TRAFFIC,
+        asked=Asked(**_TARGETS),
+        actor=None,
+    )
+    choose_review_plan(session, survey.id, blind_one_in=0, version=0, actor=None)
+    true = true_pose(site)
+    camera = create_camera(session, survey.id, name="Simulated camera", notes="Simulated.", actor=None)
+    lens = add_calibration(
+        session,
+        camera.id,
+        source="import",
+        document={**camera_to_dict(true.camera), "name": camera.name},
+        trusted=True,
+        warnings=[],
+        coverage=[],
+        views=[],
+        summary="simulated",
+        actor=None,
+    )
+    for lighting, film in films.items():
+        recording = create_recording(
+            session,
+            survey.id,
+            name=film.name,
+            media_key=film.media_key,
+            sha256=film.sha256,
+            size_bytes=film.size_bytes,
+            camera_id=camera.id,
+            actor=None,
+        )
+        note_ingested(session, recording.id, facts_of(film.found, None), table_of(film.found), actor=None)
+        update_recording(session, recording.id, {"lighting": lighting}, actor=None)
+        found = described(off(true, rng), np.zeros((0, 2)))
+        add_pose(
+            session,
+            recording.id,
+            calibration_id=lens.id,
+            first_frame=0,
+            last_frame=0,
+            rms_px=None,
+            distance_m=site.distance_m,
+            summary=f"Simulated. {found.summary}",
+            document=found.document,
+            warnings=found.warnings,
+            expected=found.expected,
+            overlay=found.overlay,
+            actor=None,
+        )
+        for n in range(site.count(lighting)):
+            model = _model(site, rng)
+            _vehicle(session, recording.id, true, n, model, lighting, rng, operator, reviewer)
+    return survey.id
+
+
+def true_pose(site: Site) -> RoadPose:
+    """Where the camera of a site really stands: looks across the road, a little down and along."""
+    rng = np.random.default_rng(site.seed)
+    lens = Camera(
+        name="simulated",
+        width_px=WIDTH_PX,
+        height_px=HEIGHT_PX,
+        model="brown",
+        fx_px=FOCAL_PX,
+        fy_px=FOCAL_PX,
+        cx_px=(WIDTH_PX - 1) / 2,
+        cy_px=(HEIGHT_PX - 1) / 2,
+        distortion=np.array([-0.08, 0.01, 0.0, 0.0, 0.0]),
+    )
+    yaw, pitch = rng.uniform(-0.08, 0.08), 0.06
+    level = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
+    turned = _rotation(np.array([pitch, yaw, 0.0])) @ level
+    centre = np.array([0.0, -site.distance_m, site.height_m])
+    return RoadPose(lens, turned, -turned @ centre, _covariance(lens))
+
+
+def off(true: RoadPose, rng: Rng) -> RoadPose:
+    """The pose as it was found: the true one with an error that its covariance states."""
+    step = rng.normal(0.0, [_U_TURN] * 3 + [_U_MOVE_M] * 3)
+    turn = _rotation(step[:3])
+    moved = turn @ true.translation_m + step[3:]
+    return RoadPose(true.camera, turn @ true.rotation, moved, true.covariance)
+
+
+def _covariance(lens: Camera) -> Floats:
+    """Lens and pose known apart; the lens's distortion is known here, and its focal length not quite."""
+    u = [_U_FOCAL_PX, _U_FOCAL_PX, _U_CENTRE_PX, _U_CENTRE_PX] + [0.0] * (len(lens.parameters) - 4)
+    return np.diag(np.square([*u, *[_U_TURN] * 3, *[_U_MOVE_M] * 3]))
+
+
+def _rotation(turn: Floats) -> Floats:
+    return np.asarray(cv2.Rodrigues(turn)[0], dtype=np.float64)
+
+
+def _model(site: Site, rng: Rng) -> Model:
+    classes = list(site.fleet)
+    category = classes[int(rng.choice(len(classes), p=list(site.fleet.values())))]
+    known = [one for one in MODELS if one.category == category]
+    return known[int(rng.integers(len(known)))]
+
+
+def _vehicle(
+    session: Session,
+    recording_id: int,
+    true: RoadPose,
+    n: int,
+    model: Model,
+    lighting: Lighting,
+    rng: Rng,
+    operator: int,
+    reviewer: int,
+) -> None:
+    """A vehicle on frame n with its heights, reviewed unless its lot still waits."""
+    right = bool(rng.random() < 0.55)
+    fields: VehicleChanges = {
+        "first_frame": n,
+        "last_frame": n,
+        "best_frame": n,
+        "make": model.make,
+        "model": model.model,
+        "year": int(rng.integers(model.year_from, model.year_to + 1)),
+        "category": model.category,  # type: ignore[typeddict-item]
+        "manufacturer_height_m": model.height_m,
+        "u_manufacturer_height_m": 0.012,
+        "height_source": "catalogue of the demonstration (invented)",
+        "lighting": lighting,
+        "direction": "right" if right else "left",
+    }
+    vehicle = create_vehicle(session, recording_id, fields, actor=operator)
+    for clicks in _clicks(true, n, model, right, lighting, rng):
+        key = str(uuid5(_NAMESPACE, f"{vehicle.id} {clicks.target}"))
+        made = store_measurement(session, vehicle.id, key, clicks, actor=operator)
+        if n % _OPEN_ONE_IN:
+            add_review(session, made.id, seen_revision=made.revision, verdict="accepted", actor=reviewer)
+
+
+def _clicks(
+    true: RoadPose, n: int, model: Model, right: bool, lighting: Lighting, rng: Rng
+) -> Iterator[Clicks]:
+    """Where an operator clicks: the tyre nearest to the camera's middle, and each target above it."""
+    side_m = rng.uniform(-0.1, 0.5) if right else rng.uniform(2.6, 3.2)
+    along_m = rng.uniform(-1.2, 1.2)
+    heights = {"roof": model.height_m, "driver_eye": model.eye_height_m, "taillight": model.tail_lamp_m}
+    for target in _TARGETS[lighting]:
+        name = inset_name(target, "far" if right else "near")
+        assert name is not None
+        usual, u, _ = USUAL_INSETS[name]
+        inset_m = rng.normal(usual, u)
+        height_m = heights[target] + rng.normal(0.0, _SPREAD_M[target])
+        there = np.array([[along_m, side_m, 0.0], [along_m + 0.3, side_m + inset_m, height_m]])
+        contact, point = project(true.camera, true.to_camera(there))
+        if not (0 < point[1] < HEIGHT_PX - 1 and 0 < contact[1] < HEIGHT_PX - 1):
+            continue  # a lorry's roof, above the picture
+        yield Clicks(
+            target=target,
+            frame=n,
+            contact=_beside(contact, rng),
+            target_point=_beside(point, rng),
+            sigma_px=CLICK_NOISE_PX,
+        )
+
+
+def _beside(point: Floats, rng: Rng) -> Point:
+    x, y = point + rng.normal(0.0, CLICK_NOISE_PX, 2)
+    return round(float(x), 2), round(float(y), 2)
+
+
+def _film(services: Services, site: Site, lighting: Lighting) -> Film:
+    """One labelled picture for each vehicle as a video, read as an upload would be, in the media store."""
+    name = f"simulated-{site.seed}-{lighting.replace('_', '-')}.mp4"
+    with tempfile.TemporaryDirectory(prefix="study-", dir=services.scratch) as folder:
+        path = Path(folder) / name
+        write_mp4(path, _pictures(site, lighting), FPS)
+        thumbs = Path(folder) / "thumbs"
+        found = ingest(path, lambda _: None, lambda: False, thumbs, work_dir=Path(folder), name=name)
+        sha256 = sha256_of(path)
+        key = key_of(sha256, path.suffix)
+        size = path.stat().st_size
+        services.media.put_file(thumbnails_key_of(sha256), pack_thumbnails(thumbs, found))
+        services.media.put_file(key, path)
+    return Film(name, key, sha256, size, found)
+
+
+def _pictures(site: Site, lighting: Lighting) -> Iterator[NDArray[np.uint8]]:
+    ground = 150 if lighting == "daytime" else 40
+    picture = np.full((HEIGHT_PX, WIDTH_PX, 3), ground, np.uint8)
+    picture[: HEIGHT_PX // 2] = ground + 40
+    for text, y in (("SIMULATED: NO CAMERA WAS HERE", 60), (f"{site.name}, {_WORDS[lighting]}", 95)):
+        cv2.putText(picture, text, (30, y), cv2.FONT_HERSHEY_SIMPLEX, 0.7, (255, 255, 255), 2, cv2.LINE_AA)
+    for n in range(site.count(lighting)):
+        one = picture.copy()
+        cv2.putText(
+            one, f"vehicle {n + 1}", (30, 130), cv2.FONT_HERSHEY_SIMPLEX, 0.6, (255, 255, 255), 1, cv2.LINE_AA
+        )
+        yield one
