@@ -45,8 +45,8 @@ def load(place: Path) -> Package:
     }
 
 
-def checked(package: Package) -> PackageCheck:
-    return verify_package(MemoryFiles(package))
+def checked(package: Package, key: str | None = None) -> PackageCheck:
+    return verify_package(MemoryFiles(package), key=key)
 
 
 def mutated(package: Package, random: Random) -> Mutation:
