@@ -345,3 +345,12 @@ def test_plan_without_a_calibration(capsys) -> None:
     assert "driver_eye_far" in capsys.readouterr().out
     assert run("plan", "--size", "640x480", *site) == 2
     assert "--field-of-view" in capsys.readouterr().err
+
+
+def test_a_picture_of_a_telephone_is_called_one(tmp_path, capsys) -> None:
+    path = tmp_path / "IMG_0001.HEIC"
+    path.write_bytes(b"\x00\x00\x00\x18ftypheic\x00\x00\x00\x00mif1heic" + bytes(200))
+    command = ["calibrate", str(path), "--board", "9x6", "--square", "0.1", "-o", str(tmp_path / "c.json")]
+    assert main(command) == 2
+    said = capsys.readouterr().err
+    assert "is a HEIC or AVIF picture" in said and "PNG or JPEG" in said and "video" not in said

@@ -1,7 +1,7 @@
 """Sixty forgeries of a package by who knows the format; they share no list and no hash with the program.
 
-The forger changes tables, and the events that would tell; then writes every hash anew that is not signed: each
-event's content and link to the end of the chain, the seal with all files, the sums of description and list.
+The forger changes tables, and the events that would tell; then writes all hashes anew that are not signed: of
+each event and link to the end of the chain, the seal with all files, the sums of description and list.
 What is left is the signature. Without it (the old checkpoint stays) the package is refused; signed with a key
 of the forger's own it is refused by who gives the installation's key.
 """

@@ -108,3 +108,25 @@ def test_other_json_is_refused(document) -> None:
         camera_from_dict(document)
     with pytest.raises(BadInput):
         pose_from_dict(document)
+
+
+@pytest.mark.parametrize("huge", [1e13, 1e300, 10**400, float("inf")])
+@pytest.mark.parametrize(
+    "place", [("camera", "fx_px"), ("camera", "width_px"), ("board", "distance_m"), ("frames_used",)]
+)
+def test_a_number_beyond_all_measure_is_refused_by_its_key(place: tuple[str, ...], huge: float) -> None:
+    document = json.loads(json.dumps(pose_to_dict(a_pose())))
+    inside = document
+    for key in place[:-1]:
+        inside = inside[key]
+    inside[place[-1]] = huge
+    with pytest.raises(BadInput, match=place[-1]):
+        pose_from_dict(document)
+
+
+@pytest.mark.parametrize("huge", [1e300, 10**400])
+def test_a_list_with_such_a_number_is_refused(huge: float) -> None:
+    document = json.loads(json.dumps(pose_to_dict(a_pose())))
+    document["cam_from_road"]["translation_m"][1] = huge
+    with pytest.raises(BadInput, match="translation_m"):
+        pose_from_dict(document)

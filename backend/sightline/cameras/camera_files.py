@@ -14,7 +14,7 @@ from sightline.geometry.camera import Camera, require_size
 from sightline.geometry.corners import Corners, Gray, detect, not_found
 from sightline.geometry.mean_picture import MeanPicture
 from sightline.geometry.tracking import track
-from sightline.media.images import read_image
+from sightline.media.images import HEIF, read_image
 from sightline.media.video.decode import frames_of
 
 Frames = Callable[[Path], Iterator[tuple[str, Gray]]]
@@ -52,8 +52,8 @@ def pictures_of(path: Path, frames: Frames) -> Iterator[tuple[str, Gray]]:
         return
     try:
         picture = read_image(path)
-    except BadInput:
-        if ending in _IMAGE_ENDINGS:
+    except BadInput as error:
+        if ending in _IMAGE_ENDINGS or error.code == HEIF:
             raise
         yield from frames(path)
         return

@@ -1,6 +1,5 @@
 """camera.json and pose.json (docs/formats.md) as dicts, both ways. Reading refuses by key, in a sentence."""
 
-import math
 from collections.abc import Mapping, Sequence
 from typing import Any, cast, get_args
 
@@ -68,6 +67,10 @@ def pose_to_dict(pose: RoadPose) -> dict[str, Any]:
     }
 
 
+#: No length, angle, pixel or variance is larger; the squares of much larger ones overflow.
+LARGEST = 1e12
+
+
 class _Reader:
     """Takes checked values out of one JSON object; every refusal names the key."""
 
@@ -83,8 +86,8 @@ class _Reader:
     def number(self, key: str, *, positive: bool = False, default: float | None = None) -> float:
         value = self.data.get(key, default)
         wanted = "a positive number" if positive else "a finite number"
-        if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
-            raise self.fail(key, wanted)
+        if isinstance(value, bool) or not isinstance(value, int | float) or not abs(value) <= LARGEST:
+            raise self.fail(key, f"{wanted} of at most {LARGEST:.0e}")
         if positive and value <= 0:
             raise self.fail(key, wanted)
         return float(value)
@@ -104,7 +107,7 @@ class _Reader:
 
     def whole(self, key: str, least: int, default: int | None = None) -> int:
         value = self.data.get(key, default)
-        if isinstance(value, bool) or not isinstance(value, int) or value < least:
+        if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= LARGEST:
             raise self.fail(key, f"a whole number of at least {least}")
         return value
 
@@ -118,9 +121,10 @@ class _Reader:
         wanted = "a list of numbers" if shape is None else f"{' x '.join(map(str, shape))} numbers"
         try:
             value = np.array(self.data.get(key), dtype=np.float64)
-        except (TypeError, ValueError):
+        except (TypeError, ValueError, OverflowError):
             raise self.fail(key, wanted) from None
-        if not np.isfinite(value).all() or (shape is not None and value.shape != shape) or value.ndim == 0:
+        fits = value.ndim > 0 and (shape is None or value.shape == shape)
+        if not fits or not (np.abs(value) <= LARGEST).all():
             raise self.fail(key, wanted)
         return value
 

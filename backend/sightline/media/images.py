@@ -11,10 +11,12 @@ from numpy.typing import NDArray
 
 from sightline.errors import BadInput, SightlineError
 from sightline.media.video.picture import Bgr, Gray
+from sightline.media.video.sniff import STILL_BRANDS
 
 MAX_SIDE_PX = 16_384
 MAX_PIXELS = 100_000_000
 MAX_BYTES = 200_000_000
+HEIF = "media-heif-picture"
 _WAY_OUT = "save it as PNG or JPEG and try again"
 
 
@@ -74,6 +76,8 @@ def image_size(data: bytes, name: str = "The picture") -> tuple[int, int]:
 
     Raises BadInput for other files: what cannot be measured is not decoded.
     """
+    if data[4:8] == b"ftyp" and data[8:12] in STILL_BRANDS:
+        raise BadInput(HEIF, name=name)
     reader = next((read for magic, read in _READERS if data.startswith(magic)), None)
     size = None
     if reader is not None:

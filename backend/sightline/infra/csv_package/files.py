@@ -10,10 +10,12 @@ import hashlib
 import io
 import os
 import shutil
+import stat
 import tempfile
 import zipfile
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager, contextmanager
+from itertools import islice
 from pathlib import Path
 from typing import BinaryIO, Generic, Protocol, TypeVar, cast
 
@@ -33,6 +35,12 @@ from sightline.infra.csv_package.schema import (
 from sightline.media.store.local import no_room_told
 
 CHUNK_BYTES = 1 << 20
+#: Deflate makes text of tables some ten times smaller, never a thousand times; a file of zeros is no table.
+MOST_RATIO, _SMALL_BYTES = 300, 10_000_000
+#: A package of a million measurements with crops lists two million files in some 200 MB; more is an attack.
+MOST_LISTING_BYTES, MOST_FILES = 300_000_000, 3_000_000
+_REGULAR = 0o10  # what a regular file's mode begins with
+_END_BYTES = 1 << 16  # where a ZIP's directory is pointed at
 _PACKED = (".jpg", ".png", ".pdf")  # packing them again costs time and gains nothing
 
 Tick = Callable[[float], None]
@@ -220,13 +228,16 @@ class FolderFiles:
 
     @property
     def paths(self) -> frozenset[str]:
-        found = (path for path in self._folder.rglob("*") if path.is_symlink() or path.is_file())
-        return frozenset(path.relative_to(self._folder).as_posix() for path in found)
+        found = list(islice(_below(self._folder), MOST_FILES + 1))
+        if len(found) > MOST_FILES:
+            raise BadInput("csv_package-too-many-files", place=self._folder)
+        return frozenset(Path(path).relative_to(self._folder).as_posix() for path in found)
 
     @contextmanager
     def open(self, path: str) -> Iterator[BinaryIO]:
         try:
-            if (self._folder / path).is_symlink():
+            mode = (self._folder / path).lstat().st_mode
+            if not stat.S_ISREG(mode):
                 raise Damaged("csv_package-link", path=path)
             file = (self._folder / path).open("rb")
         except OSError as error:
@@ -235,15 +246,37 @@ class FolderFiles:
             yield file
 
 
+def _below(folder: Path) -> Iterator[str]:
+    """Every file below a folder; links are files here, and are followed nowhere. Pipes and devices too: a
+    package that holds one is refused for it.
+    """
+    waiting = [str(folder)]
+    while waiting:
+        with os.scandir(waiting.pop()) as entries:
+            for entry in entries:
+                if entry.is_dir(follow_symlinks=False):
+                    waiting.append(entry.path)
+                else:
+                    yield entry.path
+
+
 class ZipFiles:
     """The files of a ZIP, read where it lies."""
 
     def __init__(self, place: Path) -> None:
+        _check_listing(place)
         self._archive = zipfile.ZipFile(place)
-        names = [name for name in self._archive.namelist() if not name.endswith("/")]
-        self.paths = frozenset(names)
-        if len(self.paths) < len(names):
+        entries = [one for one in self._archive.infolist() if not one.is_dir()]
+        self.paths = frozenset(one.filename for one in entries)
+        if len(self.paths) < len(entries):
             raise BadInput("csv_package-holds-file-twice-no-export-take", place=place)
+        for one in entries:
+            if not _is_plain(one.filename) or (one.external_attr >> 28) not in (0, _REGULAR):
+                raise BadInput("csv_package-zip-odd-entry", place=place, path=one.filename[:100])
+            if one.flag_bits & 1 or one.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
+                raise BadInput("csv_package-zip-odd-entry", place=place, path=one.filename[:100])
+            if one.file_size > _SMALL_BYTES and one.file_size > MOST_RATIO * max(one.compress_size, 1):
+                raise BadInput("csv_package-zip-bomb", place=place, path=one.filename[:100])
 
     @contextmanager
     def open(self, path: str) -> Iterator[BinaryIO]:
@@ -254,6 +287,26 @@ class ZipFiles:
                 yield cast(BinaryIO, file)
         except zipfile.BadZipFile as error:
             raise Damaged("csv_package-cannot-unpacked-take-whole-export-again", path=path) from error
+
+
+def _is_plain(path: str) -> bool:
+    """Whether a path leads to a file in the package and nowhere else, on any machine."""
+    parts = path.split("/")
+    return not ({"", ".", ".."} & set(parts) or "\\" in path or "\0" in path or ":" in parts[0])
+
+
+def _check_listing(place: Path) -> None:
+    """Raises BadInput for a ZIP that lists more files than any package has, before the list is read."""
+    size = place.stat().st_size
+    with place.open("rb") as file:
+        file.seek(max(0, size - _END_BYTES))
+        end = file.read()
+    at = end.rfind(b"PK\x05\x06")
+    listed = int.from_bytes(end[at + 12 : at + 16], "little") if at >= 0 else 0
+    if listed == 0xFFFFFFFF and (wide := end.rfind(b"PK\x06\x06")) >= 0:
+        listed = int.from_bytes(end[wide + 40 : wide + 48], "little")
+    if listed > MOST_LISTING_BYTES:
+        raise BadInput("csv_package-too-many-files", place=place)
 
 
 def missing(path: str) -> Damaged:

@@ -18,7 +18,7 @@ _STILLS = (
     (b"MM\x00*", "a TIFF picture"),
     (b"II+\x00", "a TIFF picture"),
 )
-_STILL_BRANDS = (b"heic", b"heix", b"mif1", b"avif", b"avis", b"msf1")
+STILL_BRANDS = (b"heic", b"heix", b"mif1", b"avif", b"avis", b"msf1")
 _PLAYLISTS = (
     b"#EXTM3U",
     b"ffconcat",
@@ -68,7 +68,7 @@ def _still(head: bytes) -> str | None:
             return f"is {what}, not a video"
     if head[:4] == b"RIFF" and head[8:12] == b"WEBP":
         return "is a WebP picture, not a video"
-    if head[4:8] == b"ftyp" and head[8:12] in _STILL_BRANDS:
+    if head[4:8] == b"ftyp" and head[8:12] in STILL_BRANDS:
         return "is a HEIF or AVIF picture, not a video"
     return None
 
