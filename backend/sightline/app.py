@@ -35,6 +35,7 @@ import sightline.recordings.uploads.routes
 import sightline.results.audited.routes
 import sightline.results.overview.routes
 import sightline.results.routes
+import sightline.results.sampling.routes
 import sightline.results.sightdistance.routes
 import sightline.reviews.routes
 import sightline.scans.heights.routes
@@ -69,6 +70,7 @@ ROUTERS: tuple[tuple[str, APIRouter], ...] = (
     ("session", sightline.people.session_routes.router),
     ("people", sightline.people.routes.router),
     ("surveys", sightline.results.overview.routes.router),
+    ("surveys", sightline.results.sampling.routes.router),
     ("photographs", sightline.surveys.photographs.routes.router),
     ("cameras", sightline.cameras.routes.router),
     ("calibrations", sightline.cameras.calibrations.routes.router),

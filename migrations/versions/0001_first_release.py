@@ -179,6 +179,7 @@ def create_tables() -> None:
         sa.Column("camera_place", sa.String(length=20), nullable=True),
         sa.Column("asked", sa.Text(), nullable=False),
         sa.Column("classes", sa.Text(), nullable=False),
+        sa.Column("sampling", sa.Text(), nullable=False),
         sa.Column("insets", sa.Text(), nullable=False),
         sa.Column("version", sa.Integer(), nullable=False),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
@@ -567,6 +568,7 @@ def create_tables() -> None:
         sa.Column("driver_eye_not_visible", sa.String(length=20), nullable=True),
         sa.Column("taillight_not_visible", sa.String(length=20), nullable=True),
         sa.Column("headlight_not_visible", sa.String(length=20), nullable=True),
+        sa.Column("discarded", sa.String(length=20), nullable=True),
         sa.Column("detection", sa.Text(), nullable=True),
         sa.Column("version", sa.Integer(), nullable=False),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
@@ -580,6 +582,10 @@ def create_tables() -> None:
             name=op.f("ck_vehicles_category_known"),
         ),
         sa.CheckConstraint("direction IN ('right', 'left')", name=op.f("ck_vehicles_direction_known")),
+        sa.CheckConstraint(
+            "discarded IN ('no_vehicle', 'twice', 'cut_off', 'stopped', 'other')",
+            name=op.f("ck_vehicles_discarded_known"),
+        ),
         sa.CheckConstraint("driver_side IN ('near', 'far')", name=op.f("ck_vehicles_driver_side_known")),
         sa.CheckConstraint(
             "roof_not_visible IN ('hidden', 'glare', 'too_dark', 'outside', 'no_driver')",

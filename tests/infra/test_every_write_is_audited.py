@@ -62,6 +62,7 @@ from sightline.recordings.uploads.store import create_upload, finish_upload, rem
 from sightline.results.standards_store import choose_standards
 from sightline.reviews.plan_store import choose_review_plan
 from sightline.reviews.store import add_review
+from sightline.statistics.sampling import Sampling
 from sightline.surveys.classes import USUAL_CLASSES
 from sightline.surveys.photographs.store import (
     change_photograph_caption,
@@ -187,6 +188,7 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
             traffic=TrafficFacts(),
             asked=Asked(),
             classes=USUAL_CLASSES,
+            sampling=Sampling(),
             insets={},
             version=1,
             actor=o.olga.id,

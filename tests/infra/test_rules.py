@@ -48,6 +48,8 @@ from sightline.recordings.uploads.store import (
 from sightline.results.overview.query import survey_overview
 from sightline.reviews.query import measurement_history
 from sightline.reviews.store import add_review, review_queue
+from sightline.statistics.sampling import Sampling
+from sightline.surveys.classes import USUAL_CLASSES
 from sightline.surveys.records import Asked, Inset
 from sightline.surveys.store import create_survey, get_survey, update_survey
 from sightline.vehicles.catalogue.records import CatalogueRow
@@ -179,6 +181,8 @@ def test_the_second_of_two_tabs_is_told(session: Session, one: Sample) -> None:
         "description": "",
         "traffic": TrafficFacts(),
         "asked": Asked(),
+        "classes": USUAL_CLASSES,
+        "sampling": Sampling(),
         "insets": {},
     }
     update_survey(session, one.survey.id, **same, version=1, actor=one.rene.id)
@@ -355,6 +359,8 @@ def test_insets_start_with_defaults_and_are_checked(session: Session, one: Sampl
         "actor": None,
         "traffic": TrafficFacts(),
         "asked": Asked(),
+        "classes": USUAL_CLASSES,
+        "sampling": Sampling(),
     }
     changed = update_survey(session, one.survey.id, insets={"roof": Inset(0.4, 0.05, "seen")}, **change)  # type: ignore[arg-type]
     assert changed.insets["roof"] == Inset(0.4, 0.05, "seen")

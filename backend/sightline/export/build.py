@@ -76,7 +76,7 @@ from sightline.results.selection import Selection
 from sightline.results.standards_store import get_standards
 from sightline.reviews.csv import REVIEWS
 from sightline.scans.csv import fill_scans
-from sightline.surveys.csv import CLASSES, INSETS, SURVEY, insets_in_force
+from sightline.surveys.csv import CLASSES, INSETS, QUOTAS, SAMPLING, SURVEY, insets_in_force
 from sightline.surveys.photographs.csv import PHOTOGRAPHS, photograph_path
 from sightline.surveys.photographs.service import photograph_content
 from sightline.surveys.photographs.store import list_photographs
@@ -278,6 +278,8 @@ def _small_tables(staging: Staging, session: Session, survey: Survey, seen: _See
     staging.fill(SURVEY, (survey,))
     staging.fill(INSETS, insets_in_force(survey))
     staging.fill(CLASSES, survey.classes)
+    staging.fill(SAMPLING, (survey,))
+    staging.fill(QUOTAS, survey.sampling.quotas)
     staging.fill(STANDARDS, get_standards(session, survey.id).standards)
     pairs = list_wheel_pairs(session, survey.id)
     for pair in pairs:

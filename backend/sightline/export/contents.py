@@ -12,6 +12,7 @@ from typing import Any
 from sightline.cameras.calibrations.csv import CALIBRATIONS
 from sightline.export.crops import CROPS
 from sightline.export.exclusions import EXCLUSIONS
+from sightline.export.response import RESPONSE
 from sightline.export.seal import CHECKPOINT
 from sightline.export.statistics_csv import TABLES
 from sightline.infra.csv_package.audit import AUDIT
@@ -29,7 +30,7 @@ from sightline.recordings.frames.csv import FRAMES
 from sightline.results.csv import SELECTION, STANDARDS
 from sightline.reviews.csv import REVIEWS
 from sightline.scans.csv import TABLES as SCANS
-from sightline.surveys.csv import CLASSES, INSETS, SURVEY
+from sightline.surveys.csv import CLASSES, INSETS, QUOTAS, SAMPLING, SURVEY
 from sightline.surveys.photographs.csv import FOLDER as PHOTOGRAPHS_FOLDER
 from sightline.surveys.photographs.csv import PHOTOGRAPHS
 from sightline.vehicles.catalogue.csv import CATALOGUE
@@ -50,6 +51,8 @@ _OTHER_TABLES: tuple[AnyTable, ...] = (
     COMPUTINGS,
     INSETS,
     CLASSES,
+    SAMPLING,
+    QUOTAS,
     STANDARDS,
     SELECTION,
     PHOTOGRAPHS,
@@ -60,6 +63,7 @@ _OTHER_TABLES: tuple[AnyTable, ...] = (
     AUDIT,
     CROPS,
     EXCLUSIONS,
+    RESPONSE,
     *TABLES,
 )
 

@@ -9,6 +9,7 @@ from sightline.export.report.canvas import Drawing
 from sightline.export.report.figures import drawings
 from sightline.export.report.package_facts import report_facts
 from sightline.export.report.report import report
+from sightline.export.response import RESPONSE, response_rows
 from sightline.export.seal import CHECKPOINT
 from sightline.export.statistics_csv import TABLES, statistics_rows
 from sightline.infra.csv_package.audit import AUDIT
@@ -31,6 +32,7 @@ def derive_tables(staging: Staging) -> PackageStatistics:
     """Write exclusions and statistics."""
     files = staging.files()
     staging.fill(EXCLUSIONS, exclusion_rows(files))
+    staging.fill(RESPONSE, response_rows(files))
     found = statistics_of(files)
     rows = statistics_rows(found)
     for table in TABLES:

@@ -39,6 +39,7 @@ class ClickContext:
     insets: Mapping[str, Inset]
     side: FoundSide | None
     not_visible: frozenset[str]
+    discarded: bool
     own_sigma_px: float | None
     frames: Mapping[int, Frame] = field(default_factory=dict)
 
@@ -99,7 +100,7 @@ def _context(
             recordings.c.width_px,
             recordings.c.height_px,
             *(surveys.c.insets, *(surveys.c[name] for name in TRAFFIC)),
-            *(vehicles.c.direction, vehicles.c.driver_side),
+            *(vehicles.c.direction, vehicles.c.driver_side, vehicles.c.discarded),
             *(vehicles.c[name] for name in NOT_VISIBLE.values()),
             _own_sigma(person_id).label("own_sigma_px"),
             *(frames.c.n, frames.c.pts, frames.c.time_s, frames.c.key, frames.c.crc32),
@@ -125,6 +126,7 @@ def _context(
         not_visible=frozenset(
             target for target, name in NOT_VISIBLE.items() if row._mapping[name] is not None
         ),
+        discarded=row.discarded is not None,
         side=driver_side(row.driver_side, row.direction, traffic_of_row(row._mapping)),
         own_sigma_px=row.own_sigma_px,
         frames={

@@ -97,7 +97,8 @@ def store_measurement(
     """Measure and store; the same `client_key` again gives back what was stored the first time.
 
     `repeat_of`: the measurement that these clicks repeat; its inset is theirs unless they bring one, so that
-    the heights differ by the clicks alone. A target that was said not to be visible is so no longer. Raises
+    the heights differ by the clicks alone. A target that was said not to be visible is so no longer,
+    nor is a vehicle discarded. Raises
     NotFound, Conflict without a road pose, BadInput for a frame outside the recording or a repeat of another
     target's or vehicle's.
     """
@@ -109,8 +110,10 @@ def store_measurement(
     made = add_measurement(
         session, vehicle_id, client_key=client_key, values=values, repeat_of=repeat_of, actor=actor
     )
-    if clicks.target in context.not_visible and repeat_of is None:
-        seen = cast(VehicleChanges, {f"{clicks.target}_not_visible": None})
+    gone = [f"{clicks.target}_not_visible"] if clicks.target in context.not_visible else []
+    gone += ["discarded"] if context.discarded else []
+    if gone and repeat_of is None:
+        seen = cast(VehicleChanges, dict.fromkeys(gone))
         update_vehicle(session, vehicle_id, seen, version=None, actor=actor)
     return made
 

@@ -58,6 +58,8 @@ state-to_do = to do
 state-partial = partly measured
 state-measured = measured
 state-not_visible = not visible
+state-out_of_sample = Out of the sample
+state-discarded = Discarded
 state-to_review = to review
 state-accepted = accepted
 state-fixed = fixed
@@ -109,6 +111,61 @@ class-set-light_trucks = Light trucks and multi-purpose
 class-set-heavy = Heavy vehicles
 class-set-none = no set
 class-choice = Classes
+discarded-no_vehicle = discarded: no vehicle
+discarded-twice = discarded: found twice
+discarded-cut_off = discarded: cut off by the recording
+discarded-stopped = discarded: stopped or turning
+discarded-other = discarded: other reason (see notes)
+sample-title = Sample
+sample-edit = Change the sample
+sample-dialog = Which passes are measured
+sample-method = Passes
+sample-method-help = The rule goes by the pass’s number, so that a pass found later changes no other’s place. Passes that it leaves out end as “out of the sample”.
+sample-every = every pass
+sample-nth = every n-th pass
+sample-share = a random share, drawn by a seed
+sample-step = n
+sample-step-problem = A whole number from 2 to 1000.
+sample-start = First number
+sample-start-problem = A whole number from 1 to n.
+sample-share-percent = Share
+sample-share-problem = More than 0 and at most 100 %.
+sample-seed = Seed
+sample-seed-problem = A whole number.
+sample-free = Free-flowing: at least so long behind the vehicle before
+sample-free-help = By direction, from the beginning of one pass to the next; empty: all vehicles. 5 s is usual.
+sample-free-problem = Seconds, more than 0 and at most 60.
+sample-quotas = Quotas
+sample-quotas-help = How many vehicles you want of each kind; empty: no quota. Their progress stands beside the passes while you measure.
+sample-quota-problem = A whole number from 1 on.
+sample-quota = { NUMBER($measured) } of { NUMBER($wanted) }
+sample-any-class = any class
+sample-response = What became of the passes
+sample-lighting = Lighting
+sample-classes = Classes
+sample-of = of
+sample-passes = Passes
+sample-discarded = Discarded
+sample-out = Outside
+sample-measured = Measured
+sample-unseen = Not visible
+sample-outside = { $count ->
+    [one] { $count } pass was measured though it is out of the sample, and counts in the results.
+   *[other] { $count } passes were measured though they are out of the sample, and count in the results.
+}
+sample-open = Open
+sample-rate = Response
+sample-rate-of = { $rate } % ({ $low } to { $high })
+sample-all = all
+sample-unknown = unknown
+sample-vehicle = vehicle
+sample-help = Response: measured over the passes in the sample, with its exact 95 % interval. Where it differs between groups, those that could be measured may differ from those that passed.
+sample-rule = { $method ->
+    [nth] One pass in { NUMBER($step) } is to be measured, from number { NUMBER($start) } on.
+    [share] A random share of { $share } % of the passes is to be measured (seed { $seed }).
+   *[every] Every pass is to be measured.
+}
+sample-rule-free = Only vehicles at least { $seconds } s behind the one before.
 class-choice-any = all classes
 class-choice-help = Sets and classes of vehicles that count; none chosen: all
 class-choice-sets = Sets
@@ -501,6 +558,7 @@ passes-all = All
 passes-to-do = To do
 passes-rejected = Rejected
 passes-measured = Measured
+passes-left-out = out of the sample
 passes-by-number = by number
 passes-by-time = by time
 passes-by-state = by state
@@ -1451,6 +1509,10 @@ measure-field-roof_not_visible = Roof not visible
 measure-field-driver_eye_not_visible = Driver’s eye not visible
 measure-field-taillight_not_visible = Taillight not visible
 measure-field-headlight_not_visible = Headlight not visible
+measure-field-discarded = Pass
+measure-in-sample = in the sample
+measure-out-of-sample = out of the sample, by the survey’s rule
+measure-discard-measured = Withdraw its measurements to discard it.
 measure-fact = { $field ->
     [first_frame] first frame { $value }
     [best_frame] best frame { $value }
@@ -1469,6 +1531,7 @@ measure-fact = { $field ->
     [driver_eye_not_visible] driver's eye not visible: { $value }
     [taillight_not_visible] taillight not visible: { $value }
     [headlight_not_visible] headlight not visible: { $value }
+    [discarded] { $value }
    *[notes] notes { $value }
 }
 measure-fact-empty = empty
@@ -3656,6 +3719,11 @@ surveys-asks-nothing-choose-target = A survey asks for at least one target by da
 surveys-survey-csv-not-what-audit = survey.csv is not what the survey's audit events say; it was changed.
 surveys-insets-csv-not-what-surveys-audit = insets.csv is not what the survey's audit events say; it was changed.
 surveys-classes-csv-not-what-surveys-audit = classes.csv is not what the survey's audit events say; it was changed.
+surveys-sampling-csv-not-what-audit = sampling.csv or quotas.csv is not what the survey's audit events say; it was changed.
+surveys-sampling-step = Every n-th pass: n lies between 1 and { $most_step }, the first number between 1 and n; correct them.
+surveys-sampling-share = A share of the passes lies above 0 and at most at 100 %; correct it.
+surveys-sampling-headway = A headway of free-flowing vehicles lies above 0 and at most at { $most_headway_s } s; correct it.
+surveys-sampling-quota-twice = A lighting and set of classes has two quotas; give each one once.
 surveys-class-twice = The class { $category } is in the table twice; give each class once.
 surveys-class-fhwa = A class of FHWA of { $category } is none of 1 to 13; correct it.
 
@@ -3697,6 +3765,8 @@ server-something-went-wrong = Something went wrong on the server and nothing was
 ## Errors: another person was quicker
 
 quality-tyres-changed-meanwhile = { $name } changed the tyres of this vehicle meanwhile; look at them first.
+measurements-discarded-but-measured-withdraw = Vehicle { $number } is measured, so it cannot be discarded; withdraw its measurements first.
+measurements-vehicles-csv-not-in-sample = vehicles.csv: whether vehicle { $id } is in the sample is not what sampling.csv and the passes give; it was changed.
 measurements-not-visible-but-measured-withdraw = { $target } is measured of this vehicle, so it is visible; withdraw the measurement first.
 measurements-already-measured = { $name } has measured this target of the vehicle already; keep one of the two.
 reviews-verdict-given-meanwhile = { $name } gave the verdict “{ $verdict }” meanwhile; look at it first.

@@ -5,9 +5,19 @@ from typing import Annotated, get_args
 
 from pydantic import Field, computed_field
 
-from sightline.enums import AskedTarget, CameraPlace, Category, ClassSet, EuClass, Hand
+from sightline.enums import (
+    AskedTarget,
+    CameraPlace,
+    Category,
+    ClassSet,
+    EuClass,
+    Hand,
+    Lighting,
+    SamplingMethod,
+)
 from sightline.geometry.insets import INSET_CHOICES
 from sightline.infra.web.bodies import In, Name, Out, Text
+from sightline.statistics.sampling import MOST_HEADWAY_S, MOST_STEP, Quota, Sampling
 
 Metres = Annotated[float, Field(ge=-10, le=10, allow_inf_nan=False)]
 Uncertainty = Annotated[float, Field(ge=0, le=10, allow_inf_nan=False)]
@@ -109,6 +119,47 @@ class VehicleClassIn(In):
     fhwa: Annotated[tuple[Annotated[int, Field(ge=1, le=13)], ...], Field(max_length=13)] = ()
 
 
+class QuotaBody(Out):
+    lighting: Lighting
+    class_set: Annotated[ClassSet | None, Field(description="Null: vehicles of any class.")]
+    wanted: int
+
+
+class SamplingBody(Out):
+    """Which passes are to be measured, and how many of each kind."""
+
+    method: SamplingMethod
+    step: Annotated[int, Field(description="With `nth`: each so many-th pass, by its number.")]
+    start: Annotated[int, Field(description="With `nth`: the first number taken.")]
+    share_percent: Annotated[float, Field(description="With `share`: how many of 100, drawn by the seed.")]
+    seed: int
+    free_flowing_s: Annotated[
+        float | None, Field(description="Only passes so many seconds behind the one before; null: all.")
+    ]
+    quotas: tuple[QuotaBody, ...]
+
+
+class QuotaIn(In):
+    lighting: Lighting
+    class_set: ClassSet | None = None
+    wanted: Annotated[int, Field(ge=1, le=1_000_000)]
+
+
+class SamplingIn(In):
+    method: SamplingMethod = "every"
+    step: Annotated[int, Field(ge=1, le=MOST_STEP)] = 1
+    start: Annotated[int, Field(ge=1, le=MOST_STEP)] = 1
+    share_percent: Annotated[float, Field(gt=0, le=100, allow_inf_nan=False)] = 100.0
+    seed: Annotated[int, Field(ge=0, le=2**31 - 1)] = 1
+    free_flowing_s: Annotated[float, Field(gt=0, le=MOST_HEADWAY_S, allow_inf_nan=False)] | None = None
+    quotas: Annotated[tuple[QuotaIn, ...], Field(max_length=8)] = ()
+
+    def record(self) -> Sampling:
+        """As the store takes it."""
+        quotas = tuple(Quota(**one.model_dump()) for one in self.quotas)
+        return Sampling(**{**self.model_dump(exclude={"quotas"}), "quotas": quotas})
+
+
 class SurveyFacts(Out):
     id: int
     name: str
@@ -120,6 +171,7 @@ class SurveyFacts(Out):
     traffic: TrafficBody
     asked: AskedBody
     classes: tuple[VehicleClassBody, ...]
+    sampling: SamplingBody
     insets: Insets
 
     @computed_field  # type: ignore[prop-decorator]
@@ -142,6 +194,7 @@ class SurveyChange(NewSurvey):
         description="The version that was changed; another's change in between is a conflict."
     )
     insets: InsetChanges | None = None
+    sampling: Annotated[SamplingIn | None, Field(description="Left out: as it is.")] = None
     classes: Annotated[
         tuple[VehicleClassIn, ...] | None,
         Field(max_length=len(get_args(Category)), description="Classes left out stay as they are."),

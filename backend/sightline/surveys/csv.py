@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from typing import get_args
 
-from sightline.enums import Category, ClassSet, InsetName
-from sightline.infra.csv_package.columns import key, metres, text
-from sightline.infra.csv_package.files import Files, read_columns
+from sightline.enums import AskedTarget, Category, ClassSet, InsetName, Lighting, SamplingMethod
+from sightline.infra.csv_package.columns import integer, key, metres, number, text
+from sightline.infra.csv_package.files import Files, read_columns, read_rows
+from sightline.infra.csv_package.files import number as figure
 from sightline.infra.csv_package.schema import Table
+from sightline.statistics.sampling import Quota, Sampling
 from sightline.surveys.classes import VehicleClass
-from sightline.surveys.records import Inset, Survey
+from sightline.surveys.records import Asked, Inset, Survey
 
 #: A target and the inset that is in force for it.
 InForce = tuple[str, Inset]
@@ -83,3 +85,67 @@ CLASSES: Table[VehicleClass] = Table(
 def class_sets_in(files: Files) -> dict[str, str]:
     """The set of each class by the class, as a package has it; empty for none."""
     return dict(read_columns(files, CLASSES.path, ("category", "class_set")))
+
+
+SAMPLING: Table[Survey] = Table(
+    "sampling",
+    "Which passes are to be measured: one row. A pass of number N is taken with every; with nth where N >= "
+    "start and N - start is a multiple of step; with share where SplitMix64 of 2^32 * seed + N, over 2^64, "
+    "is below share_percent over 100; and with free_flowing_s only where the pass before in its direction "
+    "began at least so many seconds earlier.",
+    (
+        text(
+            "method",
+            "every pass, each step-th, or a share that the seed draws",
+            lambda s: s.sampling.method,
+            required=True,
+            enum=get_args(SamplingMethod),
+        ),
+        integer("step", "with nth: every so many-th", lambda s: s.sampling.step, required=True),
+        integer("start", "with nth: the first", lambda s: s.sampling.start, required=True),
+        number("share_percent", "with share: how many of 100", "%", lambda s: s.sampling.share_percent),
+        integer("seed", "with share: what draws them", lambda s: s.sampling.seed, required=True),
+        number(
+            "free_flowing_s",
+            "least time behind the pass before; empty: any",
+            "s",
+            lambda s: s.sampling.free_flowing_s,
+        ),
+        text("asked_daytime", "targets asked for by day", lambda s: " ".join(s.asked.daytime)),
+        text("asked_low_light", "targets asked for in low light", lambda s: " ".join(s.asked.low_light)),
+    ),
+)
+QUOTAS: Table[Quota] = Table(
+    "quotas",
+    "How many vehicles are wanted of each lighting and set of classes.",
+    (
+        text("lighting", "lighting", lambda q: q.lighting, required=True, enum=get_args(Lighting)),
+        text("class_set", "set of classes; empty: any class", lambda q: q.class_set, enum=get_args(ClassSet)),
+        integer("wanted", "how many vehicles", lambda q: q.wanted, required=True, minimum=1),
+    ),
+    primary=("lighting", "class_set"),
+)
+
+
+def sampling_in(files: Files) -> Sampling:
+    """The rule of a package, without its quotas."""
+    (row,) = read_rows(files, SAMPLING.path)
+    methods: dict[str, SamplingMethod] = {word: word for word in get_args(SamplingMethod)}
+    return Sampling(
+        method=methods[row["method"]],
+        step=int(row["step"]),
+        start=int(row["start"]),
+        share_percent=float(row["share_percent"]),
+        seed=int(row["seed"]),
+        free_flowing_s=figure(row["free_flowing_s"]),
+    )
+
+
+def asked_in(files: Files) -> Asked:
+    """The targets that the survey of a package asks for."""
+    (row,) = read_rows(files, SAMPLING.path)
+    known: dict[str, AskedTarget] = {word: word for word in get_args(AskedTarget)}
+    by_day, in_low_light = (
+        tuple(known[word] for word in row[f"asked_{lighting}"].split()) for lighting in get_args(Lighting)
+    )
+    return Asked(by_day, in_low_light)

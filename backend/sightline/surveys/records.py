@@ -7,6 +7,7 @@ from typing import get_args
 
 from sightline.enums import USUALLY_ASKED, AskedTarget, Lighting
 from sightline.geometry.sides import TrafficFacts
+from sightline.statistics.sampling import Sampling
 from sightline.surveys.classes import VehicleClass
 
 
@@ -36,7 +37,7 @@ class Asked:
 
 @dataclass(frozen=True, slots=True)
 class Survey:
-    """Words, traffic, what it asks for, classes, and insets by `InsetName`; its progress: see `results`."""
+    """Words, traffic, targets, classes, sample, and insets by `InsetName`; its progress: see `results`."""
 
     id: int
     name: str
@@ -48,4 +49,5 @@ class Survey:
     traffic: TrafficFacts
     asked: Asked
     classes: tuple[VehicleClass, ...]
+    sampling: Sampling
     insets: Mapping[str, Inset]

@@ -14,12 +14,13 @@ from sightline.geometry.sides import TrafficFacts
 from sightline.infra.audit import trail
 from sightline.infra.database.rows import add_row, change_row, get_row, last_change
 from sightline.infra.database.types import now
+from sightline.statistics.sampling import MOST_HEADWAY_S, MOST_STEP, Quota, Sampling
 from sightline.surveys.classes import USUAL_CLASSES, VehicleClass, classes_of, stored_classes
 from sightline.surveys.records import Asked, Inset, Survey
 from sightline.surveys.tables import surveys
 
 TRAFFIC = ("traffic_side", "steering_side", "camera_place")
-EDITABLE = ("name", "site", "description", *TRAFFIC, "asked", "classes", "insets")
+EDITABLE = ("name", "site", "description", *TRAFFIC, "asked", "classes", "sampling", "insets")
 
 
 def default_insets() -> dict[str, Inset]:
@@ -36,13 +37,14 @@ def create_survey(
     traffic: TrafficFacts = TrafficFacts(),
     asked: Asked = Asked(),
     classes: tuple[VehicleClass, ...] = USUAL_CLASSES,
+    sampling: Sampling = Sampling(),
     insets: Mapping[str, Inset] | None = None,
     is_demo: bool = False,
     actor: int | None,
 ) -> Survey:
     """A new, empty survey. Raises BadInput without a name."""
     moment = now()
-    content = _content(name, site, description, traffic, asked, classes, insets or default_insets())
+    content = _content(name, site, description, traffic, asked, classes, sampling, insets or default_insets())
     stamps = {"created_at": moment, "created_by": actor, "updated_at": moment, "updated_by": actor}
     survey_id = add_row(session, surveys, {**content, **stamps, "is_demo": is_demo, "version": 1})
     trail.record(session, actor, "create", "survey", survey_id, survey_id, None, content)
@@ -97,6 +99,7 @@ def update_survey(
     traffic: TrafficFacts,
     asked: Asked,
     classes: tuple[VehicleClass, ...],
+    sampling: Sampling,
     insets: Mapping[str, Inset],
     version: int,
     actor: int | None,
@@ -106,7 +109,7 @@ def update_survey(
     if before["version"] != version:
         who, when = last_change(session, before)
         raise Conflict("surveys-changed-survey-look-again-redo", name=who, when=when)
-    content = _content(name, site, description, traffic, asked, classes, insets)
+    content = _content(name, site, description, traffic, asked, classes, sampling, insets)
     stamps = {"version": version + 1, "updated_at": now(), "updated_by": actor}
     change_row(session, surveys, survey_id, {**content, **stamps})
     what = trail.changed(before, content, EDITABLE)
@@ -121,6 +124,7 @@ def _content(
     traffic: TrafficFacts,
     asked: Asked,
     classes: tuple[VehicleClass, ...],
+    sampling: Sampling,
     insets: Mapping[str, Inset],
 ) -> dict[str, Any]:
     if not name.strip():
@@ -138,6 +142,7 @@ def _content(
         **asdict(traffic),
         "asked": {lighting: list(targets) for lighting, targets in asdict(asked).items()},
         "classes": stored_classes(classes),
+        "sampling": stored_sampling(sampling),
         "insets": {target: asdict(inset) for target, inset in whole.items()},
     }
 
@@ -154,6 +159,7 @@ def _survey(row: Mapping[str, Any]) -> Survey:
         traffic=traffic_of_row(row),
         asked=asked_of(row["asked"]),
         classes=classes_of(row["classes"]),
+        sampling=sampling_of(row["sampling"]),
         insets={target: Inset(**values) for target, values in row["insets"].items()},
     )
 
@@ -166,3 +172,24 @@ def traffic_of_row(row: Mapping[Any, Any]) -> TrafficFacts:
 def asked_of(stored: Mapping[str, list[AskedTarget]]) -> Asked:
     """What a survey asks for, as its column holds it."""
     return Asked(tuple(stored["daytime"]), tuple(stored["low_light"]))
+
+
+def sampling_of(stored: Mapping[str, Any]) -> Sampling:
+    """Which passes a survey takes, as its column holds it."""
+    return Sampling(**{**stored, "quotas": tuple(Quota(**one) for one in stored["quotas"])})
+
+
+def stored_sampling(sampling: Sampling) -> dict[str, Any]:
+    """A rule as its column and the audit chain hold it. Raises BadInput for one that takes nothing, or a
+    quota that comes twice.
+    """
+    if not 1 <= sampling.step <= MOST_STEP or not 1 <= sampling.start <= sampling.step:
+        raise BadInput("surveys-sampling-step", most_step=MOST_STEP)
+    if not 0.0 < sampling.share_percent <= 100.0:
+        raise BadInput("surveys-sampling-share")
+    if sampling.free_flowing_s is not None and not 0.0 < sampling.free_flowing_s <= MOST_HEADWAY_S:
+        raise BadInput("surveys-sampling-headway", most_headway_s=format(MOST_HEADWAY_S, "g"))
+    of = [(one.lighting, one.class_set) for one in sampling.quotas]
+    if len(of) != len(set(of)):
+        raise BadInput("surveys-sampling-quota-twice")
+    return {**asdict(sampling), "quotas": [asdict(one) for one in sampling.quotas]}

@@ -30,6 +30,8 @@ surveys = Table(
     Column("asked", CanonicalJson, nullable=False),
     # by class of vehicle its set and what the EU and FHWA call it
     Column("classes", CanonicalJson, nullable=False),
+    # which passes are to be measured, and how many
+    Column("sampling", CanonicalJson, nullable=False),
     Column("insets", CanonicalJson, nullable=False),
     Column("version", Integer, nullable=False),
     Column("created_at", UtcDateTime, nullable=False),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 from typing import Any
 
 from sightline.errors import Damaged
@@ -10,7 +11,7 @@ from sightline.infra.csv_package.files import Files, read_rows
 from sightline.infra.csv_package.schema import cell_text
 from sightline.infra.csv_package.verify import says
 from sightline.surveys.classes import classes_of
-from sightline.surveys.csv import CLASSES, INSETS, SURVEY
+from sightline.surveys.csv import CLASSES, INSETS, QUOTAS, SAMPLING, SURVEY
 
 
 def check_survey(files: Files, survey_id: int, survey: Mapping[str, Any]) -> None:
@@ -36,3 +37,16 @@ def check_classes(files: Files, classes: Mapping[str, Mapping[str, Any]]) -> Non
     ]
     if list(read_rows(files, CLASSES.path)) != expected:
         raise Damaged("surveys-classes-csv-not-what-surveys-audit")
+
+
+def check_sampling(files: Files, survey: Mapping[str, Any]) -> None:
+    """Rule, targets and quotas are those of the survey's events. Raises Damaged."""
+    rule, asked = survey["sampling"], survey["asked"]
+    said = {name: value for name, value in rule.items() if name != "quotas"}
+    said |= {f"asked_{lighting}": " ".join(targets) for lighting, targets in asked.items()}
+    rows, quotas = list(read_rows(files, SAMPLING.path)), list(read_rows(files, QUOTAS.path))
+    as_said = len(rows) == 1 and says(SAMPLING, rows[0], said)
+    wanted = rule["quotas"]
+    alike = len(quotas) == len(wanted) and all(map(partial(says, QUOTAS), quotas, wanted))
+    if not as_said or not alike:
+        raise Damaged("surveys-sampling-csv-not-what-audit")

@@ -4,7 +4,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from sightline.enums import Category, Direction, DriverSide, Lighting, NotVisible
+from sightline.enums import Category, Direction, Discarded, DriverSide, Lighting, NotVisible
 from sightline.infra.web.bodies import Finite, FrameNumber, In, Text
 from sightline.infra.web.quantities import Word
 from sightline.vehicles.records import MOST_HEIGHT_M
@@ -30,6 +30,7 @@ class VehicleFields(In):
     driver_eye_not_visible: NotVisible | None = None
     taillight_not_visible: NotVisible | None = None
     headlight_not_visible: NotVisible | None = None
+    discarded: Discarded | None = None
     notes: Text | None = None
 
 

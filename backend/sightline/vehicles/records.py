@@ -10,6 +10,7 @@ from sightline.enums import (
     AskedTarget,
     Category,
     Direction,
+    Discarded,
     DriverSide,
     JsonObject,
     Lighting,
@@ -55,6 +56,9 @@ class Vehicle:
     driver_eye_not_visible: NotVisible | None
     taillight_not_visible: NotVisible | None
     headlight_not_visible: NotVisible | None
+    discarded: Annotated[
+        Discarded | None, Field(description="Why it is no pass of a vehicle to be measured.")
+    ]
     detection: Annotated[JsonObject | None, Field(description="What the search for passes saw of it.")]
     version: int
     updated_by: Who | None
@@ -65,6 +69,8 @@ class Vehicle:
     asked: Annotated[
         tuple[AskedTarget, ...], Field(description="What the survey asks for of it, by its lighting.")
     ]
+
+    in_sample: Annotated[bool, Field(description="Whether the survey's rule takes it into the sample.")]
 
     @property
     def not_visible(self) -> dict[AskedTarget, NotVisible]:
@@ -96,4 +102,5 @@ class VehicleChanges(TypedDict, total=False):
     driver_eye_not_visible: NotVisible | None
     taillight_not_visible: NotVisible | None
     headlight_not_visible: NotVisible | None
+    discarded: Discarded | None
     detection: JsonObject | None

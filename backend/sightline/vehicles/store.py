@@ -1,6 +1,6 @@
 """Vehicle records: their facts."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,7 +15,8 @@ from sightline.infra.database.people import people
 from sightline.infra.database.rows import add_row, change_row, get_row, last_change, missing, who
 from sightline.infra.database.types import columns_of, now
 from sightline.recordings.tables import recordings
-from sightline.surveys.store import TRAFFIC, asked_of, traffic_of_row
+from sightline.statistics.sampling import PassTime, headways, is_in_sample
+from sightline.surveys.store import TRAFFIC, asked_of, sampling_of, traffic_of_row
 from sightline.surveys.tables import surveys
 from sightline.vehicles.records import MOST_HEIGHT_M, NOT_VISIBLE, Vehicle, VehicleChanges
 from sightline.vehicles.tables import vehicles
@@ -61,13 +62,14 @@ def get_vehicle(session: Session, vehicle_id: int, *, deleted: bool = False) -> 
     row = session.execute(query).mappings().one_or_none()
     if row is None:
         raise missing("vehicle", vehicle_id)
-    return Vehicle(**facts_of_row(row))
+    return Vehicle(**facts_of_row(row, headways_needed(session, [row])))
 
 
 def list_vehicles_of_recording(session: Session, recording_id: int) -> tuple[Vehicle, ...]:
     """The facts of the vehicles of a recording, by number."""
-    rows = session.execute(vehicle_rows(vehicles.c.recording_id == recording_id)).mappings()
-    return tuple(Vehicle(**facts_of_row(row)) for row in rows)
+    rows = session.execute(vehicle_rows(vehicles.c.recording_id == recording_id)).mappings().all()
+    headway_s = headways_needed(session, rows)
+    return tuple(Vehicle(**facts_of_row(row, headway_s)) for row in rows)
 
 
 def update_vehicle(
@@ -165,7 +167,7 @@ def vehicle_rows(*where: ColumnElement[bool], deleted: bool = False) -> Select[A
 
     `deleted`: those too.
     """
-    of_survey = (*(surveys.c[name] for name in TRAFFIC), surveys.c.asked)
+    of_survey = (*(surveys.c[name] for name in TRAFFIC), surveys.c.asked, surveys.c.sampling)
     light = func.coalesce(vehicles.c.lighting, recordings.c.lighting).label("light")
     query = select(vehicles, people.c.name.label("changer"), *of_survey, light)
     query = query.join(surveys, surveys.c.id == vehicles.c.survey_id)
@@ -174,10 +176,40 @@ def vehicle_rows(*where: ColumnElement[bool], deleted: bool = False) -> Select[A
     return query.where(*where) if deleted else query.where(*where, _ALIVE)
 
 
-def facts_of_row(row: Mapping[Any, Any]) -> dict[str, Any]:
-    """The fields of a Vehicle, from a row of `vehicle_rows`."""
+def headways_of(session: Session, recording_ids: Iterable[int]) -> dict[int, float]:
+    """Seconds behind the pass before in its direction, by vehicle, of all passes of some recordings; frames
+    are taken to be as long as the recording's on average.
+    """
+    seconds = recordings.c.duration_s / func.nullif(recordings.c.frame_count, 0)
+    query = (
+        select(
+            vehicles.c.id,
+            vehicles.c.recording_id,
+            vehicles.c.direction,
+            (vehicles.c.first_frame * seconds).label("begins_s"),
+            vehicles.c.discarded,
+        )
+        .join(recordings, recordings.c.id == vehicles.c.recording_id)
+        .where(vehicles.c.recording_id.in_(sorted(set(recording_ids))), _ALIVE)
+    )
+    return headways(
+        PassTime(row.id, row.recording_id, row.direction, row.begins_s or 0.0, row.discarded is None)
+        for row in session.execute(query)
+    )
+
+
+def headways_needed(session: Session, rows: Iterable[Mapping[Any, Any]]) -> dict[int, float]:
+    """`headways_of` the rows of `vehicle_rows` whose survey takes free-flowing vehicles alone."""
+    wanted = {row["recording_id"] for row in rows if row["sampling"]["free_flowing_s"] is not None}
+    return headways_of(session, wanted) if wanted else {}
+
+
+def facts_of_row(row: Mapping[Any, Any], headway_s: Mapping[int, float]) -> dict[str, Any]:
+    """The fields of a Vehicle, from a row of `vehicle_rows` and `headways_needed`."""
     stored = {name: row[name] for name in _NAMED}
     changed = {"updated_by": who(row["updated_by"], row["changer"]), "deleted": row["deleted_at"] is not None}
     found = driver_side(row["driver_side"], row["direction"], traffic_of_row(row))
     side = {"side": found and found.side, "side_from": found and found.basis}
-    return {**stored, **changed, **side, "asked": asked_of(row["asked"]).of(row["light"])}
+    chosen = is_in_sample(sampling_of(row["sampling"]), row["number"], headway_s.get(row["id"]))
+    answers = {"asked": asked_of(row["asked"]).of(row["light"]), "in_sample": chosen}
+    return {**stored, **changed, **side, **answers}

@@ -12,7 +12,7 @@ from sqlalchemy import (
     UniqueConstraint,
 )
 
-from sightline.enums import Category, Direction, DriverSide, Lighting, NotVisible, VehicleOrigin
+from sightline.enums import Category, Direction, Discarded, DriverSide, Lighting, NotVisible, VehicleOrigin
 from sightline.infra.audit.vouched import ChangedByEvents, vouched
 from sightline.infra.database.types import CanonicalJson, UtcDateTime, enum_check, identity, metadata
 from sightline.vehicles.records import NOT_VISIBLE
@@ -43,6 +43,8 @@ vehicles = Table(
     Column("driver_side", String(20)),
     # why a target cannot be measured of this vehicle
     *(Column(name, String(20)) for name in NOT_VISIBLE.values()),
+    # why it is no pass of a vehicle to be measured
+    Column("discarded", String(20)),
     Column("detection", CanonicalJson),
     Column("version", Integer, nullable=False),
     Column("created_at", UtcDateTime, nullable=False),
@@ -56,6 +58,7 @@ vehicles = Table(
     enum_check("origin", VehicleOrigin),
     enum_check("direction", Direction),
     enum_check("driver_side", DriverSide),
+    enum_check("discarded", Discarded),
     *(enum_check(name, NotVisible) for name in NOT_VISIBLE.values()),
     CheckConstraint("first_frame >= 0 AND last_frame >= first_frame", name="span_forward"),
     CheckConstraint("version >= 1", name="version_counts"),

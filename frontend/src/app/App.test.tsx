@@ -39,6 +39,15 @@ const survey: Survey = {
   traffic: { traffic_side: null, steering_side: null, camera_place: null },
   asked: { daytime: ["roof", "driver_eye"], low_light: ["roof", "taillight"] },
   classes: [],
+  sampling: {
+    method: "every",
+    step: 1,
+    start: 1,
+    share_percent: 100,
+    seed: 1,
+    free_flowing_s: null,
+    quotas: [],
+  },
   insets: {
     roof: inset,
     driver_eye_near: inset,

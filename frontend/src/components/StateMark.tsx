@@ -20,6 +20,8 @@ const SHAPES: Record<StateName, MarkShape> = {
   partial: "half",
   measured: "full",
   not_visible: "dash",
+  out_of_sample: "dash",
+  discarded: "cross",
   // reviews
   to_review: "empty",
   accepted: "check",

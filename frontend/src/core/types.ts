@@ -39,6 +39,12 @@ export type NotVisible = NonNullable<Schemas["VehicleBody"]["roof_not_visible"]>
 /** What a survey makes of a class of vehicles: its set, and what the EU and FHWA call it. */
 export type VehicleClass = Survey["classes"][number];
 export type ClassSet = NonNullable<VehicleClass["class_set"]>;
+/** Which passes a survey takes, and how many of each kind. */
+export type Sampling = Survey["sampling"];
+export type Quota = Sampling["quotas"][number];
+export type SampleProgress = Schemas["SampleProgress"];
+export type Response = Schemas["Response"];
+export type Discarded = NonNullable<Schemas["VehicleBody"]["discarded"]>;
 export type InsetName = keyof Survey["insets"];
 
 export type CameraDocument = Schemas["CameraDocument"];
@@ -87,6 +93,7 @@ export type VehicleFields = Pick<
   | "direction"
   | "driver_side"
   | `${AskedTarget}_not_visible`
+  | "discarded"
   | "notes"
 >;
 export type CatalogueRow = Schemas["CatalogueEntry"];

@@ -5,6 +5,7 @@ import type {
   Category,
   ClassSet,
   Direction,
+  Discarded,
   DriverSide,
   InsetName,
   Lighting,
@@ -54,6 +55,15 @@ export const NOT_VISIBLE_WORDS: Readonly<Record<NotVisible, string>> = wordsOf({
   too_dark: "not-visible-too_dark",
   outside: "not-visible-outside",
   no_driver: "not-visible-no_driver",
+});
+
+/** Why a pass is none of a vehicle to be measured. */
+export const DISCARDED_WORDS: Readonly<Record<Discarded, string>> = wordsOf({
+  no_vehicle: "discarded-no_vehicle",
+  twice: "discarded-twice",
+  cut_off: "discarded-cut_off",
+  stopped: "discarded-stopped",
+  other: "discarded-other",
 });
 
 /** Which way a pass goes in the picture. */
@@ -117,6 +127,8 @@ export const STATE_WORDS = wordsOf({
   partial: "state-partial",
   measured: "state-measured",
   not_visible: "state-not_visible",
+  out_of_sample: "state-out_of_sample",
+  discarded: "state-discarded",
   // reviews
   to_review: "state-to_review",
   accepted: "state-accepted",

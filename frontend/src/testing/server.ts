@@ -122,6 +122,8 @@ export function vehicle(measurements: Measurement[] = [], facts: Partial<Vehicle
     driver_eye_not_visible: null,
     taillight_not_visible: null,
     headlight_not_visible: null,
+    discarded: null,
+    in_sample: true,
     ...facts,
   } as unknown as Vehicle;
 }

@@ -7,12 +7,13 @@ none", and the report says so in words.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from datetime import date, datetime
 
 from sightline.enums import LengthUnit
 from sightline.results.survey_statistics import Statistics, StatisticsOptions
 from sightline.scans.statistics.service import ScanStatistics
+from sightline.statistics.sampling import Response, Sampling
 from sightline.surveys.photographs.records import PhotographFile
 
 
@@ -187,6 +188,8 @@ class ReportFacts:
     exclusions: tuple[Exclusion, ...] = ()
     exclusions_total: int | None = None
     scans: ScanFacts | None = None
+    sampling: Sampling = field(default_factory=Sampling)
+    response: tuple[Response, ...] = ()
     code_versions: tuple[str, ...] = ()
     audit_events: int = 0
     audit_head: str = ""

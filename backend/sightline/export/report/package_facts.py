@@ -23,6 +23,7 @@ from sightline.export.report.facts import (
 )
 from sightline.export.report.scan_facts import scan_facts
 from sightline.export.report.words import selection_words
+from sightline.export.response import response_in
 from sightline.export.seal import ENTITY
 from sightline.geometry.documents import pose_from_dict
 from sightline.infra.csv_package.files import (
@@ -37,6 +38,7 @@ from sightline.infra.csv_package.files import (
 from sightline.infra.csv_package.schema import Written
 from sightline.results.csv import selection_in
 from sightline.results.survey_statistics import StatisticsOptions
+from sightline.surveys.csv import sampling_in
 from sightline.surveys.photographs.csv import photos_in
 from sightline.vehicles.records import NOT_VISIBLE
 
@@ -90,6 +92,8 @@ def report_facts(files: Files, made: PackageStatistics, written: Mapping[str, Wr
         exclusions=tuple(islice(_exclusions(files), MOST_EXCLUSIONS)),
         exclusions_total=exclusions,
         scans=scan_facts(files, made.scans),
+        sampling=sampling_in(files),
+        response=tuple(response_in(files)),
         code_versions=tuple(sorted(used.code_versions)),
         audit_events=head.count,
         audit_head=head.hash,

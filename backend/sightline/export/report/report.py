@@ -20,6 +20,7 @@ from sightline.export.report.facts import ReportFacts
 from sightline.export.report.figures import drawings
 from sightline.export.report.fonts import FOLDER, LACKING
 from sightline.export.report.pictures import Pictures
+from sightline.export.report.response import response
 from sightline.export.report.results import errors, glance, heights
 from sightline.export.report.scans import line_scans
 from sightline.export.report.settable import Values, settable
@@ -65,6 +66,7 @@ def _values(facts: ReportFacts, pictures: Pictures) -> bytes:
         "title": title(facts),
         "glance": glance(facts),
         "setup": setup(facts, pictures),
+        "response": response(facts),
         "calibration": calibration(facts),
         "insets": insets(facts),
         "errors": errors(facts, pictures),

@@ -19,6 +19,7 @@ from sightline.export.derived import drawn
 from sightline.export.exclusions import EXCLUSIONS, exclusion_rows
 from sightline.export.measured import PackageStatistics, statistics_of
 from sightline.export.report.words import selection_words
+from sightline.export.response import RESPONSE, response_rows
 from sightline.export.statistics_csv import TABLES, same_cell, statistics_rows
 from sightline.export.verify.chain import ReplayedState
 from sightline.infra.csv_package.audit import AUDIT
@@ -106,9 +107,10 @@ def check_statistics(files: Files, *, same_program: bool) -> tuple[PackageStatis
     where this one did not make the package a difference is told and not called a change.
     """
     found = statistics_of(files)
-    rows = {EXCLUSIONS.path: exclusion_rows(files), **statistics_rows(found)}
+    own = {EXCLUSIONS.path: exclusion_rows(files), RESPONSE.path: response_rows(files)}
+    rows = {**own, **statistics_rows(found)}
     count, notes = 0, []
-    for table in (EXCLUSIONS, *TABLES):
+    for table in (EXCLUSIONS, RESPONSE, *TABLES):
         try:
             compared = _compare(files, table, rows[table.path])
         except Damaged as difference:

@@ -54,7 +54,7 @@ from sightline.results.verify import check_standards
 from sightline.reviews.verify import check_verdicts
 from sightline.scans.verify import check_scans
 from sightline.surveys.photographs.verify import check_photographs
-from sightline.surveys.verify import check_classes, check_insets, check_survey
+from sightline.surveys.verify import check_classes, check_insets, check_sampling, check_survey
 
 _LEAST_OF_HEAD = 16
 
@@ -151,6 +151,7 @@ def _check(files: Files, head: str | None, key: str | None, found: _Found, tick:
     check_survey(files, seal.survey_id, told.survey)
     check_insets(files, told.survey.get("insets", {}))
     check_classes(files, told.survey["classes"])
+    check_sampling(files, told.survey)
     check_standards(files, told.standards)
     heights = Recomputed(files)
     found.heights = check_measurements(

@@ -66,6 +66,7 @@ def _context(survey: Survey, row: Any, insets: Mapping[str, Inset]) -> ClickCont
         insets=insets,
         side=driver_side(row.driver_side, row.direction, survey.traffic),
         not_visible=frozenset(),
+        discarded=False,
         own_sigma_px=None,
     )
 

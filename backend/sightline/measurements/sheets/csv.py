@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import get_args
 
-from sightline.enums import AskedTarget, Category, Direction, DriverSide, Lighting, NotVisible
-from sightline.infra.csv_package.columns import integer, key, metres, text
+from sightline.enums import AskedTarget, Category, Direction, Discarded, DriverSide, Lighting, NotVisible
+from sightline.infra.csv_package.columns import flag, integer, key, metres, text
 from sightline.infra.csv_package.schema import Column, Table
 from sightline.measurements.records import VehicleSheet
 from sightline.vehicles.records import NOT_VISIBLE
@@ -48,6 +48,13 @@ VEHICLES: Table[VehicleSheet] = Table(
             enum=get_args(DriverSide),
         ),
         *(_not_visible(target) for target in NOT_VISIBLE),
+        flag("in_sample", "whether the rule of sampling.csv takes it", lambda v: v.in_sample, required=True),
+        text(
+            "discarded",
+            "why it is no pass of a vehicle to be measured; empty where it is one",
+            lambda v: v.discarded,
+            enum=get_args(Discarded),
+        ),
         text("notes", "remarks", lambda v: v.notes),
         text(
             "state",

@@ -12,7 +12,7 @@ from sightline.measurements.query import measurements_of_vehicles
 from sightline.measurements.records import Measurement, VehicleSheet
 from sightline.measurements.tables import measurement_series, measurements, wheel_pairs
 from sightline.vehicles.records import NOT_VISIBLE
-from sightline.vehicles.store import facts_of_row, vehicle_rows
+from sightline.vehicles.store import facts_of_row, headways_needed, vehicle_rows
 from sightline.vehicles.tables import vehicles
 
 
@@ -81,10 +81,15 @@ def _fetch(
 ) -> tuple[VehicleSheet, ...]:
     rows = session.execute(vehicle_rows(*where)).mappings().all()
     found = measurements_of_vehicles(session, of_these) if rows else {}
-    return tuple(_sheet(facts_of_row(row), tuple(found.get(row["id"], ()))) for row in rows)
+    headway_s = headways_needed(session, rows)
+    return tuple(_sheet(facts_of_row(row, headway_s), tuple(found.get(row["id"], ()))) for row in rows)
 
 
 def _sheet(facts: dict[str, Any], measured: tuple[Measurement, ...]) -> VehicleSheet:
     unseen = [target for target, name in NOT_VISIBLE.items() if facts[name] is not None]
     state = state_of(measured, facts["asked"], unseen)
+    if facts["discarded"] is not None:
+        state = "discarded"
+    elif not measured and not facts["in_sample"]:
+        state = "out_of_sample"
     return VehicleSheet(**facts, state=state, measurements=measured)

@@ -17,7 +17,8 @@ def change_vehicle(
     """Change fields; where the driver's side becomes another, a standing eye is computed again by it.
 
     An eye with an inset of its own stays. Raises Conflict, naming who and when, if `version` is not current,
-    BadInput for a target that is measured and said not to be visible.
+    BadInput for a target that is measured and said not to be visible, and for a measured vehicle that is said
+    to be none.
     """
     before = get_vehicle(session, vehicle_id)
     after = update_vehicle(session, vehicle_id, changes, version=version, actor=actor)
@@ -27,6 +28,8 @@ def change_vehicle(
         measured = {one.values.target for one in standing} & set(after.not_visible)
         if measured:
             raise BadInput("measurements-not-visible-but-measured-withdraw", target=min(measured))
+    if after.discarded and measurements_of_vehicles(session, of_vehicle).get(vehicle_id):
+        raise BadInput("measurements-discarded-but-measured-withdraw", number=after.number)
     if (before.side, before.side_from) == (after.side, after.side_from):
         return
     for one in measurements_of_vehicles(session, of_vehicle).get(vehicle_id, ()):

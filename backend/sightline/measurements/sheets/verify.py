@@ -6,21 +6,44 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from sightline.errors import Damaged
-from sightline.infra.csv_package.files import Files, read_rows
+from sightline.infra.csv_package.files import Files, read_columns, read_rows
 from sightline.infra.csv_package.verify import says
 from sightline.measurements.sheets.csv import VEHICLES
+from sightline.statistics.sampling import PassTime, headways, is_in_sample
+from sightline.surveys.csv import sampling_in
 
 
 def check_vehicles(
     files: Files, vehicles: Mapping[int, Mapping[str, Any]], is_gone: Callable[[int], bool]
 ) -> None:
-    """Vehicles are what their events made of them, by number; deleted ones are gone. Raises Damaged."""
+    """Vehicles are what their events made of them, by number, and in the sample where its rule says so;
+    deleted ones are gone. Raises Damaged.
+    """
+    rule, behind = sampling_in(files), _headways(files)
     missing = {id_ for id_ in vehicles if not is_gone(id_)}
     for row in read_rows(files, VEHICLES.path):
         id_ = int(row["id"])
         made = vehicles.get(id_)
         if made is None or is_gone(id_) or not says(VEHICLES, row, made):
             raise Damaged("measurements-vehicles-csv-not-what-audit-events", id=id_)
+        if row["in_sample"] != str(is_in_sample(rule, int(row["number"]), behind.get(id_))).lower():
+            raise Damaged("measurements-vehicles-csv-not-in-sample", id=id_)
         missing.discard(id_)
     if missing:
         raise Damaged("measurements-vehicles-csv-missing-though-audit-event", missing=min(missing))
+
+
+def _headways(files: Files) -> dict[int, float]:
+    """As `vehicles.store.headways_of`, from the rows of a package."""
+    seconds = {
+        id_: float(duration) / int(frames)
+        for id_, duration, frames in read_columns(
+            files, "recordings.csv", ("id", "duration_s", "frame_count")
+        )
+        if duration and frames and int(frames)
+    }
+    names = ("id", "recording_id", "direction", "first_frame", "discarded")
+    return headways(
+        PassTime(int(id_), int(of), direction or None, int(first) * seconds.get(of, 0.0), not discarded)
+        for id_, of, direction, first, discarded in read_columns(files, "vehicles.csv", names)
+    )

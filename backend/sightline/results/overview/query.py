@@ -13,6 +13,7 @@ from sightline.measurements.query import is_current, is_first, verdict, waits, w
 from sightline.measurements.tables import measurement_series, measurements
 from sightline.recordings.tables import recordings
 from sightline.results.overview.records import Step, SurveyCounts, SurveyOverview
+from sightline.results.sampling.query import pass_answers
 from sightline.results.tables import exports
 from sightline.scans.progress_query import no_scans, scan_progress_of
 from sightline.scans.records import ScanProgress
@@ -55,7 +56,6 @@ def _overviews(session: Session, of: Sequence[Survey]) -> tuple[SurveyOverview, 
         for query in (
             _camera_facts(survey_ids),
             _recording_facts(survey_ids),
-            _grouped(vehicles.c.survey_id, survey_ids, [_ALIVE], vehicles=func.count()),
             _measurement_facts(survey_ids),
             _grouped(exports.c.survey_id, survey_ids, [], exports=func.count()),
         )
@@ -126,9 +126,11 @@ def _measurement_facts(survey_ids: Sequence[int]) -> Select[Any]:
 
 
 def _answered_vehicles(session: Session, of: Sequence[Survey]) -> dict[int, dict[str, int]]:
-    """By survey: vehicles of which all that is asked for is answered, and targets said not to be visible.
+    """By survey: vehicles of its sample, those of which all that is asked for is answered, and targets said
+    not to be visible.
 
-    Vehicles are counted by what they have, a few dozen ways, and judged by what their survey asks for.
+    Vehicles are counted by what they have, a few dozen ways, and judged by what their survey asks for; where
+    a survey takes a sample, each pass is looked at.
     """
     targets = list(NOT_VISIBLE)
     seen = [vehicles.c[NOT_VISIBLE[target]].is_(None) for target in targets]
@@ -145,18 +147,29 @@ def _answered_vehicles(session: Session, of: Sequence[Survey]) -> dict[int, dict
         .join(recordings, recordings.c.id == vehicles.c.recording_id)
         .outerjoin(measurement_series, and_(measurement_series.c.vehicle_id == vehicles.c.id, is_first))
         .outerjoin(measurements, standing)
-        .where(vehicles.c.survey_id.in_([survey.id for survey in of]), _ALIVE)
+        .where(vehicles.c.survey_id.in_([survey.id for survey in of]), _ALIVE, vehicles.c.discarded.is_(None))
         .group_by(vehicles.c.id, vehicles.c.survey_id, light, *unseen)
         .subquery()
     )
     asked = {survey.id: survey.asked for survey in of}
-    found: dict[int, dict[str, int]] = {}
+    found: dict[int, dict[str, int]] = {
+        survey.id: {"vehicles": 0, "vehicles_measured": 0, "not_visible": 0} for survey in of
+    }
     for row in session.execute(select(*each.c, func.count().label("count")).group_by(*each.c)).mappings():
-        counts = found.setdefault(row["survey_id"], {"vehicles_measured": 0, "not_visible": 0})
+        counts = found[row["survey_id"]]
+        counts["vehicles"] += row["count"]
         answered = {t for t in targets if row[t] or row[NOT_VISIBLE[t]]}
         if answered >= set(asked[row["survey_id"]].of(row["light"])):
             counts["vehicles_measured"] += row["count"]
         counts["not_visible"] += row["count"] * sum(row[name] for name in NOT_VISIBLE.values())
+    for survey in of:
+        if not survey.sampling.takes_all:
+            ends = [one.end for one in pass_answers(session, survey)]
+            answered_ends = ends.count("measured") + ends.count("not_visible")
+            found[survey.id] |= {
+                "vehicles": answered_ends + ends.count("open"),
+                "vehicles_measured": answered_ends,
+            }
     return found
 
 

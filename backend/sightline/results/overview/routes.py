@@ -85,6 +85,7 @@ def change_survey(survey_id: PathId, body: SurveyChange, who: Operator, session:
         classes=chosen_classes(
             (VehicleClass(**one.model_dump()) for one in body.classes or ()), before.classes
         ),
+        sampling=before.sampling if body.sampling is None else body.sampling.record(),
         insets=insets,
         version=body.version,
         actor=who.id,

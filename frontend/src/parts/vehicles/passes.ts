@@ -2,15 +2,16 @@
 import { wordsOf } from "../../core/messages";
 import type { Vehicle } from "../../core/types";
 
-export type Filter = "all" | "to_do" | "rejected" | "measured";
+export type Filter = "all" | "to_do" | "rejected" | "measured" | "left_out";
 export type Order = "number" | "time" | "state";
 
-export const FILTERS: readonly Filter[] = ["all", "to_do", "rejected", "measured"];
+export const FILTERS: readonly Filter[] = ["all", "to_do", "rejected", "measured", "left_out"];
 export const FILTER_WORDS = wordsOf({
   all: "passes-all",
   to_do: "passes-to-do",
   rejected: "passes-rejected",
   measured: "passes-measured",
+  left_out: "passes-left-out",
 });
 
 export const ORDERS: readonly Order[] = ["number", "time", "state"];
@@ -27,6 +28,8 @@ const RANK: Record<Vehicle["state"], number> = {
   measured: 3,
   not_visible: 4,
   accepted: 5,
+  out_of_sample: 6,
+  discarded: 7,
 };
 
 /** True if the operator has something to do here. */
@@ -42,7 +45,8 @@ function passesFilter(vehicle: Vehicle, filter: Filter): boolean {
   if (filter === "all") return true;
   if (filter === "to_do") return isOpen(vehicle);
   if (filter === "rejected") return vehicle.state === "rejected";
-  return !isOpen(vehicle);
+  const isLeftOut = RANK[vehicle.state] >= RANK.out_of_sample;
+  return filter === "left_out" ? isLeftOut : !isOpen(vehicle) && !isLeftOut;
 }
 
 const byTime = (a: Vehicle, b: Vehicle): number =>

@@ -19,6 +19,7 @@ import {
   ORDERS,
   type Order,
 } from "../../parts/vehicles/passes";
+import { SampleQuotas, useSample } from "../../parts/vehicles/SampleQuotas";
 import { filter, type MeasureModel, order } from "./model";
 import { readAgain } from "./passes/actions";
 import { PassMark } from "./passes/marks";
@@ -79,6 +80,7 @@ export function PassList({ model }: { model: MeasureModel }) {
           </select>
         </div>
       </header>
+      <Quotas model={model} />
       <ul class="passes__list" ref={box}>
         {list.map((vehicle) => (
           <Row key={vehicle.id} model={model} vehicle={vehicle} />
@@ -95,6 +97,19 @@ export function PassList({ model }: { model: MeasureModel }) {
       {canWork.value && <NewPass model={model} />}
     </nav>
   );
+}
+
+/** How far the quotas are; read again when a pass changes its state. */
+function Quotas({ model }: { model: MeasureModel }) {
+  const found = useSample(model.surveyId, () =>
+    model.vehicles.list.value.map((one) => `${one.id}${one.state}${one.category}${one.lighting}`).join(),
+  );
+  const quotas = found.data?.quotas ?? [];
+  return quotas.length > 0 ? (
+    <div class="passes__quotas">
+      <SampleQuotas quotas={quotas} />
+    </div>
+  ) : null;
 }
 
 function Row({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {

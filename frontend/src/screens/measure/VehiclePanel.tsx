@@ -7,7 +7,13 @@ import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import type { CatalogueRow, Vehicle } from "../../core/types";
 import { lengthProblem, lengthText, lengthUnit, parseLength } from "../../core/units";
-import { CATEGORY_WORDS, DIRECTION_WORDS, LIGHTING_WORDS, vehicleName } from "../../core/words";
+import {
+  CATEGORY_WORDS,
+  DIRECTION_WORDS,
+  DISCARDED_WORDS,
+  LIGHTING_WORDS,
+  vehicleName,
+} from "../../core/words";
 import { CatalogueField } from "../../parts/vehicles/CatalogueField";
 import { ModelYears } from "../../parts/vehicles/ModelYears";
 import { VehicleConflict } from "./Conflicts";
@@ -169,6 +175,22 @@ function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
             disabled={locked}
             onChange={(direction) => model.edit({ direction: direction === "" ? null : direction })}
           />
+          <div class="facts-form__wide">
+            <SelectField
+              label={FIELD_WORDS.discarded}
+              value={vehicle.discarded ?? ""}
+              options={[
+                {
+                  value: "" as const,
+                  label: say(vehicle.in_sample ? "measure-in-sample" : "measure-out-of-sample"),
+                },
+                ...choices(DISCARDED_WORDS).slice(1),
+              ]}
+              hint={vehicle.measurements.length > 0 ? say("measure-discard-measured") : undefined}
+              disabled={locked || (vehicle.measurements.length > 0 && !vehicle.discarded)}
+              onChange={(why) => model.edit({ discarded: why === "" ? null : why })}
+            />
+          </div>
           <div class="facts-form__wide">
             <CommitField
               rows={2}

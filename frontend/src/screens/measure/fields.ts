@@ -20,6 +20,7 @@ const FIELDS = [
   "driver_eye_not_visible",
   "taillight_not_visible",
   "headlight_not_visible",
+  "discarded",
   "notes",
 ] as const satisfies readonly (keyof VehicleFields)[];
 export type Field = (typeof FIELDS)[number];
@@ -43,6 +44,7 @@ export const FIELD_WORDS: Readonly<Record<Field, string>> = wordsOf({
   driver_eye_not_visible: "measure-field-driver_eye_not_visible",
   taillight_not_visible: "measure-field-taillight_not_visible",
   headlight_not_visible: "measure-field-headlight_not_visible",
+  discarded: "measure-field-discarded",
   notes: "field-notes",
 });
 

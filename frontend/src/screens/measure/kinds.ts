@@ -5,6 +5,7 @@ import { type Kind, outbox } from "../../core/outbox";
 import type {
   Category,
   Direction,
+  Discarded,
   DriverSide,
   Lighting,
   Measurement,
@@ -15,6 +16,7 @@ import { formatHeight, formatLength } from "../../core/units";
 import {
   CATEGORY_WORDS,
   DIRECTION_WORDS,
+  DISCARDED_WORDS,
   LIGHTING_NOUNS,
   NOT_VISIBLE_WORDS,
   SIDE_WORDS,
@@ -89,6 +91,7 @@ export function showFact(field: Field, value: unknown): string {
   if (field === "lighting") return LIGHTING_NOUNS[value as Lighting];
   if (field === "direction") return DIRECTION_WORDS[value as Direction];
   if (field === "driver_side") return SIDE_WORDS[value as DriverSide];
+  if (field === "discarded") return DISCARDED_WORDS[value as Discarded];
   if (field.endsWith("_not_visible")) return NOT_VISIBLE_WORDS[value as NotVisible];
   return field.endsWith("_m") ? formatLength(Number(value)) : String(value);
 }

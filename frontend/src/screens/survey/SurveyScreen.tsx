@@ -16,12 +16,15 @@ import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
 import { ClassesDialog } from "./ClassesDialog";
 import { EditSurvey } from "./EditSurvey";
 import { Photographs } from "./Photographs";
+import { SampleSection } from "./SampleSection";
+import { SamplingDialog } from "./SamplingDialog";
 import "./survey.css";
 
 /** What is there and what is missing, as the order of work; each step says what to do next. */
 export default function SurveyScreen({ surveyId }: ScreenProps) {
   const [editing, setEditing] = useState(false);
   const [sorting, setSorting] = useState(false);
+  const [sampling, setSampling] = useState(false);
   const jobs = useResource((signal) => api.ask("GET /jobs", { survey_id: surveyId }, { signal }), [surveyId]);
   const running = (jobs.data ?? []).filter((job) => !isOver(job));
   useEvery(running.length > 0 ? 1500 : 10_000, async () => {
@@ -60,7 +63,9 @@ export default function SurveyScreen({ surveyId }: ScreenProps) {
         ))}
       </ol>
       <LineScans survey={survey} />
+      <SampleSection key={`${survey.id}.${survey.version}`} survey={survey} edit={() => setSampling(true)} />
       <Photographs surveyId={survey.id} />
+      {sampling && <SamplingDialog survey={survey} close={() => setSampling(false)} />}
       {sorting && <ClassesDialog survey={survey} close={() => setSorting(false)} />}
       {editing && <EditSurvey survey={survey} close={() => setEditing(false)} />}
     </div>

@@ -1,0 +1,181 @@
+/** Which passes of a survey are to be measured, and how many of each lighting and set of classes. */
+import { useState } from "preact/hooks";
+import { FormDialog, SelectField, TextField } from "../../components";
+import { api } from "../../core/api";
+import { say, wordsOf } from "../../core/messages";
+import { refreshSurvey } from "../../core/survey";
+import type { ClassSet, Lighting, Quota, Sampling, Survey } from "../../core/types";
+import { CLASS_SET_WORDS, LIGHTING_WORDS } from "../../core/words";
+import { quotaWords } from "../../parts/vehicles/SampleQuotas";
+
+const METHODS = wordsOf({ every: "sample-every", nth: "sample-nth", share: "sample-share" });
+
+interface Typed {
+  method: Sampling["method"];
+  step: string;
+  start: string;
+  share: string;
+  seed: string;
+  free: string;
+  quotas: Record<string, string>;
+}
+
+/** Every lighting with every set, and with vehicles of any class. */
+const KINDS = (Object.keys(LIGHTING_WORDS) as Lighting[]).flatMap((lighting) =>
+  [null, ...(Object.keys(CLASS_SET_WORDS) as ClassSet[])].map((class_set) => ({ lighting, class_set })),
+);
+const keyOf = ({ lighting, class_set }: Pick<Quota, "lighting" | "class_set">) => `${lighting}.${class_set}`;
+
+export function SamplingDialog({ survey, close }: { survey: Survey; close: () => void }) {
+  const [typed, setTyped] = useState<Typed>(() => typedOf(survey.sampling));
+  const change = (part: Partial<Typed>) => setTyped({ ...typed, ...part });
+  const wrong = problemsOf(typed);
+  const submit = () => (Object.values(wrong).some(Boolean) ? null : save(survey, samplingOf(typed), close));
+  return (
+    <FormDialog title={say("sample-dialog")} action={say("action-save")} onClose={close} submit={submit}>
+      <SelectField
+        label={say("sample-method")}
+        value={typed.method}
+        options={(Object.keys(METHODS) as Sampling["method"][]).map((value) => ({
+          value,
+          label: METHODS[value],
+        }))}
+        onChange={(method) => change({ method })}
+        hint={say("sample-method-help")}
+      />
+      {typed.method === "nth" && (
+        <div class="row row--wrap">
+          <TextField
+            numeric
+            label={say("sample-step")}
+            value={typed.step}
+            problem={wrong.step}
+            onInput={(step) => change({ step })}
+          />
+          <TextField
+            numeric
+            label={say("sample-start")}
+            value={typed.start}
+            problem={wrong.start}
+            onInput={(start) => change({ start })}
+          />
+        </div>
+      )}
+      {typed.method === "share" && (
+        <div class="row row--wrap">
+          <TextField
+            numeric
+            unit="%"
+            label={say("sample-share-percent")}
+            value={typed.share}
+            problem={wrong.share}
+            onInput={(share) => change({ share })}
+          />
+          <TextField
+            numeric
+            label={say("sample-seed")}
+            value={typed.seed}
+            problem={wrong.seed}
+            onInput={(seed) => change({ seed })}
+          />
+        </div>
+      )}
+      <TextField
+        numeric
+        unit="s"
+        label={say("sample-free")}
+        hint={say("sample-free-help")}
+        value={typed.free}
+        problem={wrong.free}
+        onInput={(free) => change({ free })}
+      />
+      <fieldset class="survey-fields">
+        <legend>{say("sample-quotas")}</legend>
+        <p class="field__hint">{say("sample-quotas-help")}</p>
+        <div class="quota-grid">
+          {KINDS.map((kind) => (
+            <TextField
+              key={keyOf(kind)}
+              numeric
+              label={quotaWords(kind)}
+              value={typed.quotas[keyOf(kind)] ?? ""}
+              problem={wholeOf(typed.quotas[keyOf(kind)] || "1", 1, 1e6) ? null : say("sample-quota-problem")}
+              onInput={(count) => change({ quotas: { ...typed.quotas, [keyOf(kind)]: count } })}
+            />
+          ))}
+        </div>
+      </fieldset>
+    </FormDialog>
+  );
+}
+
+function typedOf(rule: Sampling): Typed {
+  return {
+    method: rule.method,
+    step: String(rule.method === "nth" ? rule.step : 2),
+    start: String(rule.method === "nth" ? rule.start : 1),
+    share: String(rule.method === "share" ? rule.share_percent : 50),
+    seed: String(rule.seed),
+    free: rule.free_flowing_s === null ? "" : String(rule.free_flowing_s),
+    quotas: Object.fromEntries(rule.quotas.map((one) => [keyOf(one), String(one.wanted)])),
+  };
+}
+
+/** A whole number within limits; null for any other text. */
+function wholeOf(text: string, least: number, most: number): number | null {
+  const value = /^\s*\d+\s*$/.test(text) ? Number(text) : Number.NaN;
+  return value >= least && value <= most ? value : null;
+}
+
+function amountOf(text: string, most: number): number | null {
+  const value = Number(text.replace(",", ".").trim() || "NaN");
+  return value > 0 && value <= most ? value : null;
+}
+
+function problemsOf(
+  typed: Typed,
+): Record<"step" | "start" | "share" | "seed" | "free" | "quotas", string | null> {
+  const of = (wrong: boolean, problem: () => string) => (wrong ? problem() : null);
+  const step = wholeOf(typed.step, 2, 1000);
+  const [nth, share] = [typed.method === "nth", typed.method === "share"];
+  const quotas = Object.values(typed.quotas);
+  return {
+    step: of(nth && step === null, () => say("sample-step-problem")),
+    start: of(nth && wholeOf(typed.start, 1, step ?? 1000) === null, () => say("sample-start-problem")),
+    share: of(share && amountOf(typed.share, 100) === null, () => say("sample-share-problem")),
+    seed: of(share && wholeOf(typed.seed, 0, 2 ** 31 - 1) === null, () => say("sample-seed-problem")),
+    free: of(typed.free.trim() !== "" && amountOf(typed.free, 60) === null, () => say("sample-free-problem")),
+    quotas: of(
+      quotas.some((text) => wholeOf(text || "1", 1, 1e6) === null),
+      () => say("sample-quota-problem"),
+    ),
+  };
+}
+
+function samplingOf(typed: Typed): Sampling {
+  const nth = typed.method === "nth";
+  const share = typed.method === "share";
+  return {
+    method: typed.method,
+    step: nth ? Number(typed.step) : 1,
+    start: nth ? Number(typed.start) : 1,
+    share_percent: share ? (amountOf(typed.share, 100) ?? 100) : 100,
+    seed: share ? Number(typed.seed) : 1,
+    free_flowing_s: amountOf(typed.free, 60),
+    quotas: KINDS.flatMap((kind) => {
+      const wanted = wholeOf(typed.quotas[keyOf(kind)] ?? "", 1, 1e6);
+      return wanted === null ? [] : [{ ...kind, wanted }];
+    }),
+  };
+}
+
+async function save(survey: Survey, sampling: Sampling, close: () => void): Promise<void> {
+  const { id, name, site, description, version } = survey;
+  await api.write(
+    "PUT /surveys/{survey_id}",
+    { survey_id: id },
+    { body: { name, site, description, version, sampling } },
+  );
+  await refreshSurvey();
+  close();
+}

@@ -1,0 +1,164 @@
+"""Sampling of a survey: the rule stored, quotas with progress, each pass ended, listed and exported."""
+
+from pathlib import Path
+
+import pytest
+
+from sightline.export.verify.package import verify_package
+from sightline.infra.csv_package.files import FolderFiles
+from sightline.infra.services import Services
+from tests.export.report.pdf_text import words
+from tests.support.app import Client, error_of
+from tests.support.ground import Ground, add_vehicle, lay_ground, measure
+from tests.support.packages import edit, reseal, rows, written
+
+pytestmark = pytest.mark.dialect
+ASKED = {"daytime": ["roof"], "low_light": ["roof"]}
+
+
+@pytest.fixture
+def ground(services: Services, survey_id: int, recording_id: int) -> Ground:
+    return lay_ground(services, survey_id, recording_id)
+
+
+def said(client: Client, ground: Ground, **sampling: object) -> None:
+    """The survey's rule from now on."""
+    path = f"/surveys/{ground.survey_id}"
+    body = {"name": "Rouen", "version": client.seen(path)["version"], "asked": ASKED, "sampling": sampling}
+    answer = client.put(path, body)
+    assert answer.status_code == 200, answer.text
+
+
+def fleet(client: Client, ground: Ground, count: int) -> list[int]:
+    """Cars by day, numbered from 1, one after the other."""
+    made = [
+        add_vehicle(
+            client,
+            ground.recording_id,
+            lighting="daytime",
+            category="saloon",
+            direction="right",
+            first_frame=n,
+            last_frame=n + 2,
+        )
+        for n in range(count)
+    ]
+    return [one["id"] for one in made]
+
+
+def test_each_pass_ends_and_quotas_tell_how_far(operator: Client, viewer: Client, ground: Ground) -> None:
+    quota = {"lighting": "daytime", "class_set": "passenger_cars", "wanted": 400}
+    said(operator, ground, method="nth", step=2, start=1, quotas=[quota])
+    ids = fleet(operator, ground, 7)  # 1, 3, 5 and 7 are in the sample
+    measure(operator, ids[0])
+    vehicle = f"/vehicles/{ids[2]}"
+    assert operator.put(vehicle, {"roof_not_visible": "glare", "version": 1}).status_code == 200
+    assert operator.put(f"/vehicles/{ids[4]}", {"discarded": "twice", "version": 1}).status_code == 200
+    measure(operator, ids[1])
+    found = viewer.seen(f"/surveys/{ground.survey_id}/sample")
+    assert found["quotas"] == [{**quota, "measured": 1, "open": 1}]
+    of_all = next(
+        row
+        for row in found["response"]
+        if (row["lighting"], row["class_set"], row["target"]) == ("all", "all", None)
+    )
+    ends = ("passes", "discarded", "out_of_sample", "in_sample", "measured", "not_visible", "open", "outside")
+    assert [of_all[name] for name in ends] == [7, 1, 3, 3, 1, 1, 1, 1]
+    states = [one["state"] for one in viewer.seen(f"/surveys/{ground.survey_id}/vehicles")]
+    assert states == [
+        "measured",
+        "measured",  # though it is out of the sample: the response says so
+        "not_visible",
+        "out_of_sample",
+        "discarded",
+        "out_of_sample",
+        "to_do",
+    ]
+    counts = viewer.seen(f"/surveys/{ground.survey_id}")["counts"]
+    assert (counts["vehicles"], counts["vehicles_measured"]) == (3, 2)
+
+
+def test_free_flowing_vehicles_alone(operator: Client, viewer: Client, ground: Ground) -> None:
+    ids = fleet(operator, ground, 3)
+    recording = viewer.seen(f"/recordings/{ground.recording_id}")
+    frame_s = recording["duration_s"] / recording["frame_count"]
+    said(operator, ground, free_flowing_s=1.5 * frame_s)
+    assert [viewer.seen(f"/vehicles/{one}")["in_sample"] for one in ids] == [True, False, False]
+    assert operator.put(f"/vehicles/{ids[1]}", {"discarded": "no_vehicle", "version": 1}).status_code == 200
+    assert [viewer.seen(f"/vehicles/{one}")["in_sample"] for one in ids] == [True, False, True]
+
+
+def test_discarding_and_measuring_exclude_each_other(operator: Client, ground: Ground) -> None:
+    (one, other) = fleet(operator, ground, 2)
+    measure(operator, one)
+    refused = operator.put(f"/vehicles/{one}", {"discarded": "stopped", "version": 1})
+    assert refused.status_code == 422 and "withdraw" in error_of(refused)
+    assert operator.seen(f"/vehicles/{one}")["discarded"] is None
+    assert operator.put(f"/vehicles/{other}", {"discarded": "stopped", "version": 1}).status_code == 200
+    measure(operator, other)
+    assert operator.seen(f"/vehicles/{other}")["discarded"] is None
+    assert operator.put(f"/vehicles/{other}", {"discarded": "tired", "version": 3}).status_code == 422
+
+
+@pytest.mark.parametrize(
+    ("wrong", "word"),
+    [
+        ({"method": "nth", "step": 3, "start": 4}, "between 1 and n"),
+        ({"method": "nth", "step": 0}, "step"),
+        ({"method": "share", "share_percent": 0}, "share_percent"),
+        ({"free_flowing_s": 0}, "free_flowing_s"),
+        ({"method": "some"}, "method"),
+        ({"quotas": [{"lighting": "daytime", "wanted": 2}] * 2}, "two quotas"),
+        ({"quotas": [{"lighting": "daytime", "wanted": 0}]}, "wanted"),
+    ],
+)
+def test_a_rule_that_cannot_be_is_refused(
+    operator: Client, survey_id: int, wrong: dict[str, object], word: str
+) -> None:
+    answer = operator.put(f"/surveys/{survey_id}", {"name": "Rouen", "version": 1, "sampling": wrong})
+    assert answer.status_code == 422 and word in answer.text
+    assert operator.seen(f"/surveys/{survey_id}")["version"] == 1
+
+
+def test_the_package_holds_rule_and_response_and_finds_a_forged_one(
+    operator: Client,
+    ground: Ground,
+    services: Services,
+    tmp_path: Path,
+) -> None:
+    said(
+        operator,
+        ground,
+        method="share",
+        share_percent=50,
+        seed=3,
+        quotas=[{"lighting": "daytime", "wanted": 9}],
+    )
+    ids = fleet(operator, ground, 8)
+    taken = [one for one in ids if operator.seen(f"/vehicles/{one}")["in_sample"]]
+    assert 0 < len(taken) < 8
+    measure(operator, taken[0])
+    assert operator.put(f"/vehicles/{taken[1]}", {"discarded": "cut_off", "version": 1}).status_code == 200
+    place = written(services, ground.survey_id, tmp_path / "package")
+    assert verify_package(FolderFiles(place)).ok
+    (rule,) = rows(place, "sampling.csv")
+    assert (rule["method"], rule["share_percent"], rule["seed"]) == ("share", "50.0", "3")
+    assert [row["wanted"] for row in rows(place, "quotas.csv")] == ["9"]
+    of_all = rows(place, "statistics/response.csv")[0]
+    counted = [of_all[name] for name in ("passes", "discarded", "in_sample", "measured")]
+    assert counted == ["8", "1", str(len(taken) - 1), "1"]
+    report = " ".join(words((place / "report.pdf").read_bytes()).split())
+    assert "A random share of 50 % of the passes (seed 3)" in report
+    edit(place, "vehicles.csv", lambda row: row["in_sample"] == "false", in_sample="true")
+    reseal(place)
+    assert "sample" in str(verify_package(FolderFiles(place)).problem)
+
+
+def test_the_rule_is_held_against_the_chain(
+    operator: Client, ground: Ground, services: Services, tmp_path: Path
+) -> None:
+    said(operator, ground, method="nth", step=2)
+    place = written(services, ground.survey_id, tmp_path / "package")
+    edit(place, "sampling.csv", lambda row: True, step="3")
+    reseal(place)
+    assert "sampling.csv" in str(verify_package(FolderFiles(place)).problem)
