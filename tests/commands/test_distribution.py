@@ -114,3 +114,77 @@ def test_rows_that_cannot_be_are_named(
     path.write_text(text)
     assert main(["distribution", str(path)]) == 2
     assert word in capsys.readouterr().err
+
+
+def two_years(tmp_path: Path, moved_m: float, n: int = 400, pose_mm: float = 4.0, seed: int = 7) -> Path:
+    """Heights of two years whose fleets lie `moved_m` apart, each year with the error of its own pose."""
+    rng = np.random.default_rng(seed)
+    lines = ["height_m,u_height_m,status,u_random_m,shared_group,u_shared_m,year"]
+    for year, shift in (("2020", 0.0), ("2026", moved_m)):
+        pose = rng.normal(0.0, pose_mm / 1000)
+        for height in rng.normal(1.16 + shift, 0.06, n) + pose + rng.normal(0.0, 0.01, n):
+            lines.append(f"{height:.6f},0.0108,ok,0.01,pose {year},{pose_mm / 1000},{year}")
+    path = tmp_path / "years.csv"
+    path.write_text("\n".join(lines) + "\n")
+    return path
+
+
+def compared(capsys: pytest.CaptureFixture[str], path: Path, pair: str = "2020,2026") -> dict:
+    asked = ["distribution", str(path), "--by", "year", "--compare", pair, "--percentile", "10,50"]
+    assert main([*asked, "--json"]) == 0
+    return json.loads(capsys.readouterr().out)["comparison"]
+
+
+def test_two_years_that_differ_are_told_apart_and_two_alike_are_not(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    apart = compared(capsys, two_years(tmp_path, 0.05))
+    assert (apart["first"], apart["second"]) == ("2020", "2026")
+    for one in (*apart["percentiles"].values(), apart["mean_m"]):
+        assert one["verdict"] == "higher" and one["U95_low"] < 0.05 < one["U95_high"]
+    back = compared(capsys, two_years(tmp_path, 0.05), "2026,2020")
+    assert back["mean_m"]["verdict"] == "lower"
+    assert back["mean_m"]["value"] == pytest.approx(-apart["mean_m"]["value"], abs=1e-12)
+    alike = compared(capsys, two_years(tmp_path, 0.0))
+    assert {one["verdict"] for one in alike["percentiles"].values()} == {"not_told_apart"}
+
+
+def test_years_alike_are_taken_for_different_as_seldom_as_is_said(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Shared errors of 10 mm: intervals of sampling alone (7 mm of the mean) would say so most times."""
+    found = [
+        compared(capsys, two_years(tmp_path, 0.0, n=150, pose_mm=10.0, seed=seed))["mean_m"]["verdict"]
+        for seed in range(60)
+    ]
+    wrong = sum(one != "not_told_apart" for one in found)
+    assert wrong <= 8  # 3 are expected; more than 8 of 60 have a probability of 0.4 %
+
+
+def test_a_comparison_of_few_heights_says_what_is_missing(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    found = compared(capsys, two_years(tmp_path, 0.0, n=5))
+    one = found["percentiles"]["10"]
+    assert one["value"] is None and one["verdict"] is None and "needs at least" in one["reason"]
+    assert (
+        main(["distribution", str(two_years(tmp_path, 0.0)), "--by", "year", "--compare", "2020,2026"]) == 0
+    )
+    assert "2026 less 2020" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--compare", "2020,2026"], "needs --by"),
+        (["--by", "year", "--compare", "2020"], "two different values"),
+        (["--by", "year", "--compare", "2020,2020"], "two different values"),
+        (["--by", "year", "--compare", "2020,1999"], "has 1999 in year"),
+    ],
+)
+def test_a_comparison_that_cannot_be_is_refused(
+    arguments: list[str], said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["distribution", str(two_years(tmp_path, 0.0)), *arguments]) == 2
+    printed = capsys.readouterr()
+    assert said in printed.err and printed.err.count("\n") == 1 and not printed.out

@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,6 +17,7 @@ from sightline.commands.options import json_option, print_json
 from sightline.errors import BadInput
 
 if TYPE_CHECKING:
+    from sightline.statistics.comparison import Compared
     from sightline.statistics.total_uncertainty import HeightSample, TotalFigure, TotalUncertainty
 
 _WHAT = "a heights.csv of sightline height"
@@ -40,8 +41,13 @@ class _Rows:
 @click.argument("heights", type=click.Path(path_type=Path))
 @click.option("--by", "by", metavar="COLUMN", help="Treat each value of this column apart.")
 @click.option("--percentile", "percents", metavar="P,P,...", default=_USUAL, show_default=True)
+@click.option(
+    "--compare",
+    metavar="FIRST,SECOND",
+    help="Of two values of --by (two surveys, two years): the second's figures less the first's.",
+)
 @json_option
-def distribution(heights: Path, by: str | None, percents: str, as_json: bool) -> None:
+def distribution(heights: Path, by: str | None, percents: str, compare: str | None, as_json: bool) -> None:
     """Percentiles, mean and SD of the heights in HEIGHTS (a heights.csv), with their total uncertainty.
 
     Read besides height_m, u_height_m and status: u_random_m (what no other row shares; usually u_height_m),
@@ -51,11 +57,17 @@ def distribution(heights: Path, by: str | None, percents: str, as_json: bool) ->
 
     wanted = percents_of(percents)
     groups, left_out = read_groups(heights, by)
+    pair = None if compare is None else _pair(compare, by, groups)
     found = {name: TotalUncertainty(sample_of(rows)) for name, rows in groups.items()}
     if as_json:
-        print_json({"groups": {name: _json(one, wanted) for name, one in found.items()}})
+        told: dict[str, Any] = {"groups": {name: _json(one, wanted) for name, one in found.items()}}
+        if pair is not None:
+            told["comparison"] = _compared_json(pair, found, wanted)
+        print_json(told)
         return
     click.echo("\n\n".join(_text(name, one, wanted) for name, one in found.items()))
+    if pair is not None:
+        click.echo("\n" + _compared_text(pair, found, wanted))
     if left_out:
         click.echo(f"\n{left_out} rows have no height and do not count.")
 
@@ -182,6 +194,62 @@ def _figure(one: TotalFigure) -> dict[str, float | str | None]:
         "U95_high": one.U95_high,
     }
     return ends if one.reason is None else {**ends, "reason": one.reason}
+
+
+def _pair(text: str, by: str | None, groups: Mapping[str, _Rows]) -> tuple[str, str]:
+    """The two groups to compare. Raises BadInput."""
+    names = [part.strip() for part in text.split(",")]
+    if by is None or len(names) != 2 or names[0] == names[1]:
+        raise BadInput("commands-compare-two-values", text=text)
+    for name in names:
+        if name not in groups:
+            raise BadInput(
+                "commands-compare-no-such-value", name=name, by=by, known=", ".join(sorted(groups))
+            )
+    return names[0], names[1]
+
+
+def _compared(
+    pair: tuple[str, str], found: Mapping[str, TotalUncertainty], percents: Sequence[tuple[str, float]]
+) -> Iterator[tuple[str, Compared]]:
+    """Each figure's name with what was found."""
+    from sightline.statistics.comparison import compare
+
+    told = compare(found[pair[0]], found[pair[1]], [percent for _, percent in percents])
+    for (name, _), one in zip(percents, told.percentiles, strict=True):
+        yield name, one
+    yield "mean", told.mean
+
+
+def _compared_json(
+    pair: tuple[str, str], found: Mapping[str, TotalUncertainty], percents: Sequence[tuple[str, float]]
+) -> dict[str, Any]:
+    told = {
+        name: {**_figure(one.difference), "verdict": one.verdict}
+        for name, one in _compared(pair, found, percents)
+    }
+    for one in told.values():
+        if one["value"] != one["value"]:  # no number, and JSON has none for it
+            one["value"] = None
+    mean = told.pop("mean")
+    return {"first": pair[0], "second": pair[1], "percentiles": told, "mean_m": mean}
+
+
+def _compared_text(
+    pair: tuple[str, str], found: Mapping[str, TotalUncertainty], percents: Sequence[tuple[str, float]]
+) -> str:
+    lines = [f"{pair[1]} less {pair[0]}:"]
+    for name, one in _compared(pair, found, percents):
+        label = name if name == "mean" else f"P{name}"
+        value = "-" if one.verdict is None else f"{one.difference.value:+.4f}"
+        said = (one.verdict or one.difference.reason or "").replace("_", " ")
+        lines.append(f"{label:>8} {value:>9} {_ends(one.difference):>20}  {said}")
+    lines.append(
+        "Higher or lower: the 95 % interval of that figure's difference leaves 0 out (risk at most 2.5 %)."
+    )
+    return "\n".join(
+        [*lines, "Errors that both share (a pose, a site, an inset) make the intervals too wide."]
+    )
 
 
 def _text(name: str, found: TotalUncertainty, percents: Sequence[tuple[str, float]]) -> str:

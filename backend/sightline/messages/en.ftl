@@ -3999,3 +3999,5 @@ studies-class-not-in-fleet = The surveys saw { $count } vehicles of { $variable 
 studies-site-not-in-sites = The table of sites has no row for { $site }; add it.
 studies-more-sites-than-there = Stratum { $stratum } has { $count } sites here, but sites_there says { $there }; correct it.
 studies-goal-no-length = --goal { $goal } is no U95 in metres between 0 and 1; 0.010 is 10 mm.
+commands-compare-two-values = --compare { $text } needs --by and two different values of its column, as in --by year --compare 2020,2026.
+commands-compare-no-such-value = No row with a height has { $name } in { $by }; compare two of { $known }.
