@@ -76,7 +76,7 @@ def test_the_map_names_every_room() -> None:
 
 @pytest.mark.parametrize("paper", GUIDE, ids=lambda paper: paper.name)
 def test_what_the_guide_calls_by_name_is_called_so_on_the_screens(paper: Path) -> None:
-    """Bold single words and phrases in the guide are names of pages and buttons; sentences in bold are not."""
+    """Bold words and phrases in the guide are names of pages and buttons; sentences in bold are not."""
     catalogue = of(ROOT / "backend" / "sightline" / "messages" / f"{paper.parent.name}.ftl")
     said = set(re.findall(r"^[\w-]+ = (.+)$", catalogue, re.MULTILINE))
     text = " ".join(of(paper).split())

@@ -2,8 +2,9 @@
 
 PACKAGE is a folder that `sightline export` wrote (COUNT 10,000, SEED 0 unless told). Each change is of one
 cell, line, column, key, byte or file, and `sightline verify` must find it: asked, 0 missed. Then, of 1 change
-in 20, what is found although the chain's last event, the seal, was written anew as well: that takes the head
-that was kept, and what rows, drawings and other events give away without it is a second line only.
+in 20, what is found although the seal, the chain's last event, was written anew as well and signed with a key
+of the forger's own: that takes the installation's key, and what rows, drawings and other events give away
+without it is a second line only.
 """
 
 from __future__ import annotations
@@ -39,7 +40,7 @@ def main(place: Path, count: int, seed: int) -> int:
     took = perf_counter() - start
     print(f"{count} changes of {len(files)} files, {took:.0f} s; missed {len(missed)}, asked 0")
     print(*missed, sep="\n")
-    print(f"with the seal written anew, {tried} tried: {len(behind)} are found by the kept head alone")
+    print(f"sealed and signed anew by others, {tried} tried: {len(behind)} are told by the key alone")
     print(*behind, sep="\n")
     return 1 if missed else 0
 

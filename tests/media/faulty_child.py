@@ -12,6 +12,14 @@ AT = 40
 HELD: list[bytearray] = []
 
 
+def _eat(name: str) -> None:
+    """Memory that stays, all that there is or some for each frame."""
+    while name.startswith("greedy"):
+        HELD.append(bytearray(b"x" * 16_000_000))
+    if name.startswith("heavy"):
+        HELD.append(bytearray(b"x" * 150_000_000))
+
+
 def main() -> None:
     """The child's own main with a seeker that has faults."""
     find = seeker.Seeker.find
@@ -27,8 +35,8 @@ def main() -> None:
             time.sleep(3600)
         if n >= AT and name.startswith("stuck"):
             ctypes.PyDLL(None).sleep(3600)  # and nothing else in the process gets on either
-        while n >= AT and name.startswith("greedy"):
-            HELD.append(bytearray(b"x" * 16_000_000))
+        if n >= AT:
+            _eat(name)
         if n >= AT and name.startswith("slow"):
             for _ in range(20):
                 time.sleep(0.1)

@@ -120,6 +120,18 @@ def test_a_fault_costs_the_child_and_one_sentence(
     assert host.process_id != before and is_gone(before)
 
 
+def test_a_frame_that_fits_alone_is_given_from_full_memory_and_a_greedy_one_is_not(
+    plain: RecordingMedia, host: DecodeHost, served: FrameServer, tmp_path: Path
+) -> None:
+    """150 MB a frame that stay: what the fourth asks for is not what it needs. Greedy ones need it alone."""
+    heavy = named(plain, "heavy", tmp_path)
+    for n in range(AT, AT + 8):
+        assert read_number(served.bgr(heavy, n)) == n
+    greedy = named(plain, "greedy", tmp_path)
+    with pytest.raises(CannotDecode, match=r"alone in a fresh process, there; .* to smaller"):
+        served.still(greedy, AT)
+
+
 def test_a_recording_that_does_it_again_and_again_is_set_aside(
     plain: RecordingMedia, host: DecodeHost, served: FrameServer, tmp_path: Path
 ) -> None:

@@ -11,6 +11,8 @@ from sightline.errors import BadInput
 from sightline.media.video.decode_wire import Limits
 
 _WAY_OUT = "convert the recording to MP4 with H.264 and upload it again"
+_SMALLER = "convert the recording to smaller pictures and upload it again"
+NEEDS_MORE = "needed more"
 
 
 class CannotDecode(BadInput):
@@ -69,4 +71,5 @@ class CrashTracker:
 
 def sentence(n: int, why: str) -> str:
     """What is said to whoever asked for the frame."""
-    return f"This recording cannot be decoded at frame {n}: the decoder {why} there; {_WAY_OUT}."
+    way_out = _SMALLER if why.startswith(NEEDS_MORE) else _WAY_OUT
+    return f"This recording cannot be decoded at frame {n}: the decoder {why} there; {way_out}."

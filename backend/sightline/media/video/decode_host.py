@@ -31,7 +31,7 @@ from numpy.typing import NDArray
 from sightline.enums import Display
 from sightline.errors import SightlineError
 from sightline.media.video.decode_child import TOO_MUCH_MEMORY
-from sightline.media.video.decode_crashes import CannotDecode, CrashTracker, sentence
+from sightline.media.video.decode_crashes import NEEDS_MORE, CannotDecode, CrashTracker, sentence
 from sightline.media.video.decode_wire import Header, Limits, Link, error_of, packed
 from sightline.media.video.picture import Bgr, Gray
 from sightline.media.video.seeker import RecordingMedia
@@ -49,11 +49,13 @@ Reply = tuple[Header, bytes]
 
 
 class _Died(Exception):
-    """The child ended in the middle; `guilty` are the recordings that are blamed for it."""
+    """The child ended in the middle; `culprits` are the recordings that are blamed for it. Who was decoded
+    when the memory of a child with other work ran out is not: it is tried `alone`.
+    """
 
-    def __init__(self, why: str, culprits: Set[str]) -> None:
+    def __init__(self, why: str, culprits: Set[str], *, alone: bool = False) -> None:
         super().__init__(why)
-        self.why, self.culprits = why, culprits
+        self.why, self.culprits, self.alone = why, culprits, alone
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,7 +87,10 @@ class _Call:
 class _Child:
     """One run of the decoding process. The first thread that finds it dead starts the next one."""
 
-    def __init__(self, entry: str, window_bytes: int, limits: Limits, blame: CrashTracker) -> None:
+    def __init__(
+        self, entry: str, window_bytes: int, limits: Limits, blame: CrashTracker, *, for_one: bool = False
+    ) -> None:
+        self._for_one = for_one
         ours, theirs = socket.socketpair()
         arguments = [str(theirs.fileno()), str(window_bytes), str(limits.memory_bytes)]
         with theirs:
@@ -207,10 +212,12 @@ class _Child:
         with self._lock:
             calls = list(self._calls.values())
             self._calls.clear()
-            blamed = self._ready and not self._is_closed
+            # the decoders kept warm and what others asked fill the memory too: only one alone tells its need
+            crowded = status == TOO_MUCH_MEMORY and not self._for_one
+            blamed = self._ready and not self._is_closed and not crowded
             decoding = frozenset(call.recording for call in calls) if blamed else frozenset()
             why = self._why or _why(status, self._limits)
-            self._end = _Died(why, self._crashes.died(decoding))
+            self._end = _Died(why, self._crashes.died(decoding), alone=crowded)
             self._link.close()
         if calls and not self._is_closed:
             log.warning("the decoding process %s (status %s) and is started anew", why, status)
@@ -231,6 +238,7 @@ class DecodeHost:
         self._crashes = CrashTracker(self._limits)
         self._numbers = itertools.count(1)
         self._lock = threading.Lock()
+        self._one_alone = threading.Lock()
         self._child: _Child | None = None
 
     def still(
@@ -305,9 +313,23 @@ class DecodeHost:
                 with self._crashes.turn(question.recording):
                     return self._running().ask(next(self._numbers), question, wanted)
             except _Died as died:
+                if died.alone:
+                    return self._alone(question, wanted)
                 if question.recording in died.culprits:
                     raise question.refusal(died.why) from died
         raise SightlineError("video-decoder-ended-again-again-look-memory")
+
+    def _alone(self, question: Question, wanted: CancelCheck) -> Reply:
+        """The answer of a fresh child that does nothing else, one such at a time."""
+        with self._one_alone:
+            self._crashes.check(question.recording)
+            child = _Child(self._entry, self._window_bytes, self._limits, self._crashes, for_one=True)
+            try:
+                return child.ask(next(self._numbers), question, wanted)
+            except _Died as died:
+                raise question.refusal(died.why) from died
+            finally:
+                child.end()
 
     def _running(self) -> _Child:
         with self._lock:
@@ -318,7 +340,8 @@ class DecodeHost:
 
 def _why(status: int, limits: Limits) -> str:
     if status == TOO_MUCH_MEMORY:
-        return f"took more than {limits.memory_bytes / _GIGABYTE:.1f} GB of memory"
+        needed = f"{NEEDS_MORE} than {limits.memory_bytes / _GIGABYTE:.1f} GB of memory"
+        return f"{needed}, alone in a fresh process,"
     if status == -signal.SIGALRM:
         return "hung"
     return "crashed"
