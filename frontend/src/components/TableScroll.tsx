@@ -6,7 +6,6 @@ export function TableScroll(props: { label: string; class?: string; children: Co
   const classes = props.class ? `${props.class} table-scroll` : "table-scroll";
   return (
     // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be reachable by keyboard
-    // biome-ignore lint/a11y/useSemanticElements: a fieldset is for fields
     <div class={classes} role="group" aria-label={props.label} tabIndex={0}>
       {props.children}
     </div>

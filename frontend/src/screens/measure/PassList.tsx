@@ -2,6 +2,7 @@
 import { useComputed, useSignalEffect } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { Button, StateMark } from "../../components";
+import { bringInSight } from "../../components/inSight";
 import { useOneTabStop } from "../../components/oneTabStop";
 import { Said } from "../../components/Said";
 import { hint } from "../../core/commands";
@@ -35,9 +36,7 @@ export function PassList({ model }: { model: MeasureModel }) {
   useOneTabStop(box, ".pass");
   useSignalEffect(() => {
     const id = model.vehicleId.value;
-    requestAnimationFrame(() =>
-      box.current?.querySelector(`[data-vehicle="${id}"]`)?.scrollIntoView({ block: "nearest" }),
-    );
+    requestAnimationFrame(() => bringInSight(box.current?.querySelector(`[data-vehicle="${id}"]`)));
   });
   return (
     <nav class="passes" aria-label={say("measure-passes")}>

@@ -2,6 +2,7 @@
 import { useSignalEffect } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { Button, StateMark } from "../../components";
+import { bringInSight } from "../../components/inSight";
 import { useOneTabStop } from "../../components/oneTabStop";
 import { Said } from "../../components/Said";
 import { say, wordsOf } from "../../core/messages";
@@ -29,9 +30,7 @@ export function Queue({ model }: { model: ReviewModel }) {
   useOneTabStop(box, ".pass");
   useSignalEffect(() => {
     const id = model.currentId.value;
-    requestAnimationFrame(() =>
-      box.current?.querySelector(`[data-measurement="${id}"]`)?.scrollIntoView({ block: "nearest" }),
-    );
+    requestAnimationFrame(() => bringInSight(box.current?.querySelector(`[data-measurement="${id}"]`)));
   });
   return (
     <nav class="passes" aria-label={say("review-queue")}>

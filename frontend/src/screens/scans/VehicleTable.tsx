@@ -2,6 +2,7 @@
 import { useSignalEffect } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { StateMark, TableScroll } from "../../components";
+import { bringInSight } from "../../components/inSight";
 import { useOneTabStop } from "../../components/oneTabStop";
 import { Said } from "../../components/Said";
 import { say } from "../../core/messages";
@@ -17,9 +18,7 @@ export function VehicleTable({ model }: { model: ScanModel }) {
   useOneTabStop(box, ".scan__pick");
   useSignalEffect(() => {
     const id = model.chosenId.value;
-    requestAnimationFrame(() =>
-      box.current?.querySelector(`[data-vehicle="${id}"]`)?.scrollIntoView({ block: "nearest" }),
-    );
+    requestAnimationFrame(() => bringInSight(box.current?.querySelector(`[data-vehicle="${id}"]`)));
   });
   const vehicles = model.vehicles.value;
   return (

@@ -1,0 +1,14 @@
+/** Scrolls the row's own list so far that the row is seen, and nothing else: a page that scrolled too would take the
+ * picture from under the pointer. */
+export function bringInSight(row: Element | null | undefined): void {
+  let list = row?.parentElement;
+  while (list && !(list.scrollHeight > list.clientHeight && scrolls(list))) list = list.parentElement;
+  if (!row || !list || list.id === "main") return;
+  const [seen, place] = [list.getBoundingClientRect(), row.getBoundingClientRect()];
+  if (place.top < seen.top) list.scrollTop -= seen.top - place.top;
+  else if (place.bottom > seen.bottom) list.scrollTop += place.bottom - seen.bottom;
+}
+
+function scrolls(element: Element): boolean {
+  return /auto|scroll/.test(getComputedStyle(element).overflowY);
+}
