@@ -721,6 +721,7 @@ camera-made-by = { $source ->
 camera-use = Use this one
 camera-residual = residual (rms)
 camera-not-told = not told
+camera-download = camera.json
 camera-views-used = { $count ->
     [one] { $used } of { $count } view used
    *[other] { $used } of { $count } views used
@@ -866,6 +867,7 @@ pose-problem-span = Mark the frames in which the board stands still.
 ## Road pose: the result
 
 pose-result = The recording's road pose
+pose-download = pose.json
 pose-result-earlier = An earlier road pose
 pose-use = Use this pose for the recording
 pose-measure = Measure with it

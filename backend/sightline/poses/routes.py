@@ -1,8 +1,9 @@
 """Road poses: the board on a frame, a pose from a span of frames, and the poses of a survey."""
 
-from fastapi import APIRouter
+from fastapi import APIRouter, Response
 
 from sightline.cameras.boards import board_told
+from sightline.infra.csv_package.schema import json_bytes
 from sightline.infra.web.bodies import JobBody
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired, Writing
 from sightline.poses import pose_job, store
@@ -53,3 +54,11 @@ def list_poses(survey_id: PathId, who: Viewer, session: Reading) -> list[PoseSum
 def get_pose(pose_id: PathId, who: Viewer, session: Reading) -> PoseBody:
     """One pose with its document, what heights will be worth, and what to draw over the frame."""
     return PoseBody.model_validate(store.get_pose(session, pose_id))
+
+
+@router.get("/poses/{pose_id}/pose.json", response_class=Response)
+def download_pose(pose_id: PathId, who: Viewer, session: Reading) -> Response:
+    """A road pose with its camera as `pose.json`, as `sightline height --pose` reads it."""
+    document = store.get_pose(session, pose_id).document
+    headers = {"Content-Disposition": f'attachment; filename="pose-{pose_id}.json"'}
+    return Response(json_bytes(document), media_type="application/json", headers=headers)

@@ -121,6 +121,11 @@ class CalibrationWish(Markers):
     bent_board: bool = Field(default=False, description="Solve for the board's shape too.")
 
 
+def camera_document(made: Calibration) -> dict[str, Any]:
+    """`camera.json` without the checks that are stored beside its own keys."""
+    return {name: value for name, value in made.document.items() if name != CHECKS}
+
+
 def calibration_body(made: Calibration) -> CalibrationBody:
     """A calibration as it goes out: the checks beside camera.json, not in it. One made before there were
     checks, or imported, has none.

@@ -1,9 +1,10 @@
 """Calibrations: imported, looked at."""
 
-from fastapi import APIRouter, UploadFile
+from fastapi import APIRouter, Response, UploadFile
 
 from sightline.cameras.calibrations import calibrating, store
-from sightline.cameras.calibrations.bodies import CalibrationBody, calibration_body
+from sightline.cameras.calibrations.bodies import CalibrationBody, calibration_body, camera_document
+from sightline.infra.csv_package.schema import json_bytes
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired
 from sightline.infra.web.uploaded import clean_name, whole_file
 
@@ -25,3 +26,11 @@ def import_calibration(
 def get_calibration(calibration_id: PathId, who: Viewer, session: Reading) -> CalibrationBody:
     """One calibration, whole."""
     return calibration_body(store.get_calibration(session, calibration_id))
+
+
+@router.get("/calibrations/{calibration_id}/camera.json", response_class=Response)
+def download_camera(calibration_id: PathId, who: Viewer, session: Reading) -> Response:
+    """A calibration as `camera.json`, as the command line reads it."""
+    document = camera_document(store.get_calibration(session, calibration_id))
+    headers = {"Content-Disposition": f'attachment; filename="camera-{calibration_id}.json"'}
+    return Response(json_bytes(document), media_type="application/json", headers=headers)

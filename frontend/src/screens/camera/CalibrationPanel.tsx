@@ -47,6 +47,9 @@ export function CalibrationPanel({ id, camera, makeCurrent }: Props) {
           </h2>
           <p class="muted small">{madeWords(c)}</p>
         </div>
+        <Button small icon="download" href={`/api/calibrations/${c.id}/camera.json`} download>
+          {say("camera-download")}
+        </Button>
         {inUse ? (
           <span class="badge badge--solid">{say("in-use")}</span>
         ) : (

@@ -34,6 +34,9 @@ export function PoseResult({ model }: { model: PoseModel }) {
           </header>
           <Verdict pose={pose} />
           {inUse && <DriftVerdict recordingId={recording.id} poseId={recording.pose_id} open />}
+          <Button small icon="download" href={`/api/poses/${pose.id}/pose.json`} download>
+            {say("pose-download")}
+          </Button>
           {!inUse && canWork.value && (
             <Button onClick={() => void model.choose(pose.id)}>{say("pose-use")}</Button>
           )}
