@@ -47,14 +47,16 @@ export function CalibrationPanel({ id, camera, makeCurrent }: Props) {
           </h2>
           <p class="muted small">{madeWords(c)}</p>
         </div>
-        <Button small icon="download" href={`/api/calibrations/${c.id}/camera.json`} download>
-          {say("camera-download")}
-        </Button>
-        {inUse ? (
-          <span class="badge badge--solid">{say("in-use")}</span>
-        ) : (
-          makeCurrent && <Button onClick={() => void makeCurrent(c.id)}>{say("camera-use")}</Button>
-        )}
+        <div class="row">
+          <Button small icon="download" href={`/api/calibrations/${c.id}/camera.json`} download>
+            {say("camera-download")}
+          </Button>
+          {inUse ? (
+            <span class="badge badge--solid">{say("in-use")}</span>
+          ) : (
+            makeCurrent && <Button onClick={() => void makeCurrent(c.id)}>{say("camera-use")}</Button>
+          )}
+        </div>
       </header>
       <div class="panel__body stack">
         {c.summary && <p>{c.summary}</p>}
