@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from array import array
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from datetime import date
 
 import numpy as np
@@ -16,11 +16,15 @@ from numpy.typing import NDArray
 
 from sightline.enums import Correction, Rounding
 from sightline.export.scans import scans_in
+from sightline.geometry.documents import camera_across_m
 from sightline.infra.csv_package.files import Files, read_columns, unsafe
+from sightline.infra.csv_package.forms import read_json
+from sightline.poses.csv import pose_path
 from sightline.results.csv import selection_in, standards_in
 from sightline.results.measured_columns_query import (
     CATEGORIES,
     CLASS_SETS,
+    LANES,
     LIGHTING,
     NONE,
     TARGETS,
@@ -46,6 +50,7 @@ _READ = (
     "created_by_id",
     "created_at",
     "pose_id",
+    "y_m",
     *UNCERTAINTY,
 )
 
@@ -55,6 +60,7 @@ class Cars:
     """What the vehicles of a package are, by id: lighting, category and set as indices, lengths in metres."""
 
     lighting: dict[str, int]
+    lane: dict[str, int]
     category: dict[str, int]
     class_set: dict[str, int]
     height_m: dict[str, float]
@@ -97,9 +103,10 @@ def measured_of(files: Files) -> Measured:
     """The standing measurements with a height, from measurements.csv, vehicles.csv and recordings.csv."""
     cars = _cars(files)
     whole = {name: array("q") for name in ("id", "vehicle", "operator", "day", "target", "verdict", "pose")}
-    of_car = {name: array("q") for name in ("lighting", "category", "class_set")}
-    lengths = {name: array("d") for name in ("height", "paper", "known", "u_known", *UNCERTAINTY)}
-    for id_, car, target, height, paper, withdrawn, verdict, maker, at, pose, *parts in read_columns(
+    of_car = {name: array("q") for name in ("lighting", "lane", "category", "class_set")}
+    lengths = {name: array("d") for name in ("height", "paper", "known", "u_known", "across", *UNCERTAINTY)}
+    cameras = _Cameras(files)
+    for id_, car, target, height, paper, withdrawn, verdict, maker, at, pose, y, *parts in read_columns(
         files, "measurements.csv", _READ
     ):
         if withdrawn == "true" or not height or car not in cars.lighting:
@@ -111,6 +118,7 @@ def measured_of(files: Files) -> Measured:
         whole["target"].append(TARGETS.index(target))
         whole["verdict"].append(VERDICTS.index(verdict))
         of_car["lighting"].append(cars.lighting[car])
+        of_car["lane"].append(cars.lane[car])
         of_car["category"].append(cars.category[car])
         of_car["class_set"].append(cars.class_set[car])
         lengths["height"].append(float(height))
@@ -118,6 +126,7 @@ def measured_of(files: Files) -> Measured:
         lengths["known"].append(cars.height_m[car])
         lengths["u_known"].append(cars.u_height_m[car])
         whole["pose"].append(int(pose))
+        lengths["across"].append(float(y) - cameras.across_m(int(pose)) if y else np.nan)
         for name, cell in zip(UNCERTAINTY, parts, strict=True):
             lengths[name].append(float(cell) if cell else np.nan)
     return Measured(
@@ -128,6 +137,7 @@ def measured_of(files: Files) -> Measured:
         day=_ints(whole["day"]),
         target=_ints(whole["target"]),
         lighting=_ints(of_car["lighting"]),
+        lane=_ints(of_car["lane"]),
         category=_ints(of_car["category"]),
         class_set=_ints(of_car["class_set"]),
         verdict=_ints(whole["verdict"]),
@@ -136,8 +146,22 @@ def measured_of(files: Files) -> Measured:
         manufacturer_height_m=np.frombuffer(lengths["known"], np.float64),
         u_manufacturer_height_m=np.frombuffer(lengths["u_known"], np.float64),
         pose_id=_ints(whole["pose"]),
+        across_m=np.frombuffer(lengths["across"], np.float64),
         **{name: np.frombuffer(lengths[name], np.float64) for name in UNCERTAINTY},
     )
+
+
+class _Cameras:
+    """Where the cameras of a package's poses stand, each read once."""
+
+    def __init__(self, files: Files) -> None:
+        self._files = files
+        self._across_m: dict[int, float] = {}
+
+    def across_m(self, pose_id: int) -> float:
+        if pose_id not in self._across_m:
+            self._across_m[pose_id] = camera_across_m(read_json(self._files, pose_path(pose_id)))
+        return self._across_m[pose_id]
 
 
 def _ints(values: array[int]) -> NDArray[np.int64]:
@@ -147,10 +171,21 @@ def _ints(values: array[int]) -> NDArray[np.int64]:
 def _cars(files: Files) -> Cars:
     """A vehicle without lighting has its recording's, as on the statistics page."""
     of_recording = dict(read_columns(files, "recordings.csv", ("id", "lighting")))
-    names = ("id", "recording_id", "lighting", "category", "manufacturer_height_m", "u_manufacturer_height_m")
-    cars, sets = Cars({}, {}, {}, {}, {}), class_sets_in(files)
-    for id_, recording, lighting, category, height, u_height in read_columns(files, "vehicles.csv", names):
+    names = (
+        "id",
+        "recording_id",
+        "lighting",
+        "direction",
+        "category",
+        "manufacturer_height_m",
+        "u_manufacturer_height_m",
+    )
+    cars, sets = Cars(**{one.name: {} for one in fields(Cars)}), class_sets_in(files)
+    for id_, recording, lighting, direction, category, height, u_height in read_columns(
+        files, "vehicles.csv", names
+    ):
         cars.lighting[id_] = _code(lighting or of_recording.get(recording, ""), LIGHTING)
+        cars.lane[id_] = _code(direction, LANES)
         cars.category[id_] = _code(category, CATEGORIES)
         cars.class_set[id_] = _code(sets[category] if category else "", CLASS_SETS)
         cars.height_m[id_] = float(height) if height else np.nan

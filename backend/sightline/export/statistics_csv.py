@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain
 from typing import Any, get_args
 
-from sightline.enums import Correction, Rounding, RuleVerdict, StatisticsTarget
+from sightline.enums import Category, Correction, Direction, Rounding, RuleVerdict, StatisticsTarget
 from sightline.export import scans
 from sightline.export.measured import PackageStatistics
 from sightline.infra.csv_package.columns import metres, number
@@ -249,6 +249,25 @@ SHARES = Table(
     ),
     folder=FOLDER,
 )
+LATERAL_TABLE = Table(
+    "lateral_positions",
+    "Where vehicles drive: the distance of the tyre's contact from the camera across the road, one of each "
+    "vehicle (the median of its contacts), by lane (the way it goes in the picture) and class.",
+    (
+        Column(
+            "lane", "string", "which way the vehicles go in the picture; empty: all", enum=get_args(Direction)
+        ),
+        Column("class", "string", "body of the vehicles; empty: all", enum=get_args(Category)),
+        Column("figure", "string", "which", required=True, enum=("percentile", "mean", "sd")),
+        number("percent", "of a percentile: which", "%"),
+        _N,
+        metres("value_m", "the figure"),
+        metres("low_m", "lower end of its 95 % interval"),
+        metres("high_m", "upper end of its 95 % interval"),
+        _REASON,
+    ),
+    folder=FOLDER,
+)
 TABLES = (
     ERROR_TABLE,
     AGREEMENT,
@@ -262,6 +281,7 @@ TABLES = (
     HEIGHT_ECDF,
     HEIGHT_DENSITY,
     SHARES,
+    LATERAL_TABLE,
     *scans.TABLES,
 )
 
@@ -287,6 +307,7 @@ def statistics_rows(found: PackageStatistics) -> dict[str, Iterator[Cells]]:
         HEIGHT_ECDF.path: chain.from_iterable(_height_ecdf_rows(*one) for one in heights),
         HEIGHT_DENSITY.path: chain.from_iterable(_height_density_rows(*one) for one in heights),
         SHARES.path: chain.from_iterable(_share_rows(*one) for one in heights),
+        LATERAL_TABLE.path: _lateral_rows(found.headline),
         **scans.scan_rows(found.scans),
     }
 
@@ -443,6 +464,24 @@ def _share_rows(correction: Correction, found: Statistics) -> Iterator[Cells]:
             row = {**key, "standard": standard.name, "limit_m": standard.height_m, "source": standard.source}
             part = {"below": share.below, "n": share.n, "share": share.share}
             yield {**row, **part, "low": share.low, "high": share.high}
+
+
+def _lateral_rows(found: Statistics) -> Iterator[Cells]:
+    if found.lateral is None:
+        return
+    lateral = found.lateral
+    parts: list[tuple[str | None, str | None, Distribution]] = [(None, None, lateral.all)]
+    parts += [(lane, None, one) for lane, one in lateral.lanes.of.items()]
+    parts += [
+        (lane, of, one) for lane, found_of in lateral.classes.items() for of, one in found_of.of.items()
+    ]
+    for lane, category, one in parts:
+        key: Cells = {"lane": lane, "class": category, "n": one.n}
+        yield {**key, "figure": "mean", "value_m": one.mean_m}
+        yield {**key, "figure": "sd", "value_m": one.sd_m}
+        for each in one.percentiles:
+            row: Cells = {**key, "figure": "percentile", "percent": each.percent, "value_m": each.value}
+            yield {**row, "low_m": each.low, "high_m": each.high, "reason": each.reason}
 
 
 def same_cell(column: Column, told: str, found: str) -> bool:

@@ -239,3 +239,12 @@ def pose_from_dict(data: object, what: str = "pose.json") -> RoadPose:
         frames_used=read.whole("frames_used", 0, default=0),
         rms_px=read.optional("rms_px"),
     )
+
+
+def camera_across_m(document: Mapping[str, Any]) -> float:
+    """Where the camera of a pose.json stands along the road's Y (C = -R' t), metres; NaN without a place."""
+    place = document.get("cam_from_road")
+    if not place:
+        return float("nan")
+    rotation = np.asarray(place["rotation"], dtype=np.float64)
+    return float(-rotation[:, 1] @ np.asarray(place["translation_m"], dtype=np.float64))

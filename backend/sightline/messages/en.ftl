@@ -2533,6 +2533,16 @@ statistics-percentiles-reason = { $percentiles }: { $reason }.
 
 ## Statistics: heights by group
 
+statistics-lateral-title = Lateral position
+statistics-lateral-note = Distance of the tyre’s contact from the camera, measured across the road; one of each vehicle, the median of its contacts. A lane is all that goes one way in the picture.
+statistics-lateral-figure = Lateral position by lane
+statistics-lateral-says = Cumulative distributions of the distance from the camera across the road, of { $count } lanes.
+statistics-lateral-x = distance from the camera across the road ({ $unit })
+statistics-lateral-none = No vehicle has a direction yet, so there are no lanes; the search for passes fills it in, or the vehicle’s panel.
+statistics-lateral-vehicles = vehicles
+statistics-lateral-all = all
+statistics-lane-right = to the right
+statistics-lane-left = to the left
 statistics-groups-title = Corrected heights by group
 statistics-groups-target = Target
 statistics-groups-by = Grouped by

@@ -147,8 +147,17 @@ class TargetBody(Out):
     groups: dict[str, GroupingBody]
 
 
+class LateralBody(Out):
+    """Where vehicles drive: distance of the contact from the camera across the road, one of each vehicle."""
+
+    all: DistributionBody
+    lanes: GroupingBody = Field(description="By the way that they go in the picture.")
+    classes: dict[str, GroupingBody] = Field(description="Of each lane, by class.")
+
+
 class StatisticsBody(Out):
     rules: list[RuleToday] = Field(description="The rules of standards on the heights of their classes.")
+    lateral: LateralBody | None
     counted: SampleCounts
     errors: ErrorsBody
     targets: list[TargetBody]

@@ -15,10 +15,12 @@ from numpy.typing import NDArray
 from sqlalchemy import ColumnElement, Select, case, func, null, select
 from sqlalchemy.orm import Session
 
-from sightline.enums import Category, ClassSet, Lighting, Target, Verdict
+from sightline.enums import Category, ClassSet, Direction, Lighting, Target, Verdict
 from sightline.errors import Damaged
+from sightline.geometry.documents import camera_across_m
 from sightline.infra.audit.tables import audit_chains
 from sightline.measurements.tables import measurement_series, measurements, reviews
+from sightline.poses.tables import road_poses
 from sightline.recordings.tables import recordings
 from sightline.surveys.classes import sets_of
 from sightline.surveys.store import classes_of_surveys
@@ -32,6 +34,7 @@ Ints = NDArray[np.int64]
 
 TARGETS: tuple[str, ...] = get_args(Target)
 LIGHTING: tuple[str, ...] = get_args(Lighting)
+LANES: tuple[str, ...] = get_args(Direction)
 CATEGORIES: tuple[str, ...] = get_args(Category)
 CLASS_SETS: tuple[str, ...] = get_args(ClassSet)
 VERDICTS: tuple[str, ...] = get_args(Verdict)
@@ -46,9 +49,11 @@ _FEW = 20_000  # series: so many are read sooner through the session than anothe
 class Measured:
     """Standing measurements with a height, (N,) each: current, not withdrawn, no repeats, of living vehicles.
 
-    In the order of `measurement_id`. Words are indices into TARGETS, LIGHTING, CATEGORIES, CLASS_SETS,
+    In the order of `measurement_id`. Words are indices into TARGETS, LIGHTING, LANES (the way that a vehicle
+    goes in the picture), CATEGORIES, CLASS_SETS,
     VERDICTS, -1 for none; `class_set` is what the survey makes of the category; `day` counts days since
-    1970-01-01 (UTC) of the revision's making, 0 unless asked for; lengths in metres, NaN where unknown.
+    1970-01-01 (UTC) of the revision's making, 0 unless asked for; `across_m`: the contact's distance from the
+    camera across the road; lengths in metres, NaN where unknown.
     """
 
     measurement_id: Ints
@@ -58,6 +63,7 @@ class Measured:
     day: Ints
     target: Ints
     lighting: Ints
+    lane: Ints
     category: Ints
     class_set: Ints
     verdict: Ints
@@ -66,6 +72,7 @@ class Measured:
     manufacturer_height_m: Floats
     u_manufacturer_height_m: Floats
     pose_id: Ints
+    across_m: Floats
     inset_m: Floats
     u_inset_m: Floats
     u_height_m: Floats
@@ -98,6 +105,7 @@ def load_measured_columns(
     car = _Places(car_id)(vehicle)
     keep = (row != NONE) & ~np.isnan(height) & (car != NONE)
     row, car = row[keep], car[keep]
+    pose_id = _ints(revisions, "pose_id")[row]
     survey, category = _ints(cars, "survey_id")[car], _codes(cars, "category", CATEGORIES)[car]
     return Measured(
         measurement_id=id_[keep],
@@ -107,6 +115,7 @@ def load_measured_columns(
         day=_days(revisions)[row] if days else np.zeros(len(row), np.int64),
         target=_codes(revisions, "target", TARGETS)[row],
         lighting=_codes(cars, "lighting", LIGHTING)[car],
+        lane=_codes(cars, "direction", LANES)[car],
         category=category,
         class_set=_class_sets(session, survey, category),
         verdict=verdict[keep],
@@ -114,7 +123,8 @@ def load_measured_columns(
         uncorrected_height_m=_floats(revisions, "uncorrected_height_m")[row],
         manufacturer_height_m=_floats(cars, "manufacturer_height_m")[car],
         u_manufacturer_height_m=_floats(cars, "u_manufacturer_height_m")[car],
-        pose_id=_ints(revisions, "pose_id")[row],
+        pose_id=pose_id,
+        across_m=_floats(revisions, "y_m")[row] - _cameras_across(session, pose_id),
         **{name: _floats(revisions, name)[row] for name in UNCERTAINTY},
     )
 
@@ -146,7 +156,13 @@ def _vehicles(survey_ids: Sequence[int] | None) -> Select[Any]:
     v = vehicles.c
     lighting = func.coalesce(v.lighting, recordings.c.lighting).label("lighting")
     query = select(
-        v.id, v.survey_id, lighting, v.category, v.manufacturer_height_m, v.u_manufacturer_height_m
+        v.id,
+        v.survey_id,
+        lighting,
+        v.direction,
+        v.category,
+        v.manufacturer_height_m,
+        v.u_manufacturer_height_m,
     ).join(recordings, recordings.c.id == v.recording_id)
     return query.where(v.deleted_at.is_(None), *_of(v.survey_id, survey_ids))
 
@@ -156,6 +172,7 @@ def _revisions(survey_ids: Sequence[int] | None, days: bool) -> Select[Any]:
     m = measurements.c
     height = case((m.withdrawn, null()), else_=m.height_m).label("height_m")
     query = select(m.series_id, m.revision, m.created_by, m.target, height, m.uncorrected_height_m, m.pose_id)
+    query = query.add_columns(m.y_m)
     query = query.add_columns(m.verdict_of_revision, *(m[name] for name in UNCERTAINTY))
     if days:
         query = query.add_columns(m.created_at)
@@ -167,6 +184,15 @@ def _judged(survey_ids: Sequence[int] | None) -> Select[Any]:
     r = reviews.c
     query = select(r.id, r.series_id, r.result_revision, r.verdict)
     return query.where(*_series_of(r.series_id, survey_ids))
+
+
+def _cameras_across(session: Session, pose_id: Ints) -> Floats:
+    """Where the camera of each row's pose (N,) stands along the road's Y, metres; NaN without a place."""
+    distinct, row = np.unique(pose_id, return_inverse=True)
+    query = select(road_poses.c.id, road_poses.c.document).where(road_poses.c.id.in_(distinct.tolist()))
+    documents = {found.id: found.document for found in session.execute(query)}
+    at = np.array([camera_across_m(documents.get(int(one), {})) for one in distinct], dtype=np.float64)
+    return at[row] if len(at) else np.zeros(len(pose_id))
 
 
 def _of(column: ColumnElement[Any], survey_ids: Sequence[int] | None) -> list[ColumnElement[bool]]:

@@ -33,6 +33,7 @@ from sightline.results.survey_statistics import (
 )
 from sightline.statistics.agreement import U_MANUFACTURER_M
 from sightline.statistics.errors import GROUPS, ErrorGroup
+from sightline.statistics.lateral import Lateral
 from sightline.statistics.paper import PAPER
 from sightline.statistics.sample_size import SampleSize, vehicles_needed
 from sightline.statistics.standards import Standard
@@ -131,6 +132,7 @@ def statistics_body(found: Statistics, correction: Correction) -> StatisticsBody
             "targets": [
                 _target(name, one, standards_of(found.standards, name)) for name, one in found.targets.items()
             ],
+            "lateral": _lateral(found.lateral),
             "standards": found.standards,
             "surveys": [Who(*one) for one in found.surveys.items()],
             "operators": [Who(*one) for one in found.operators.items()],
@@ -199,6 +201,13 @@ def _target(name: StatisticsTarget, one: Target, table: list[Standard]) -> dict[
         "total": one.total,
         "groups": {key: _grouping(groups, table) for key, groups in one.groups.items()},
     }
+
+
+def _lateral(found: Lateral | None) -> dict[str, Any] | None:
+    if found is None or found.all.n == 0:
+        return None
+    classes = {lane: _grouping(groups, []) for lane, groups in found.classes.items()}
+    return {"all": _distribution(found.all, []), "lanes": _grouping(found.lanes, []), "classes": classes}
 
 
 def _grouping(groups: Groups, table: list[Standard]) -> dict[str, Any]:

@@ -38,6 +38,7 @@ from sightline.people.store import list_people
 from sightline.results.measured_columns_query import (
     CATEGORIES,
     CLASS_SETS,
+    LANES,
     LIGHTING,
     NONE,
     TARGETS,
@@ -47,6 +48,7 @@ from sightline.results.measured_columns_query import (
 )
 from sightline.results.standards_store import standards_of_surveys
 from sightline.statistics.agreement import U_MANUFACTURER_M
+from sightline.statistics.lateral import Lateral, lateral_positions
 from sightline.statistics.rules import RuleToday, rule_today
 from sightline.statistics.standards import STANDARDS, Standard
 from sightline.statistics.summary import Errors, Grouping, Roofs, Target, errors_of, target_of
@@ -133,6 +135,7 @@ class Statistics:
     surveys: dict[int, str]
     operators: dict[int, str]
     rules: tuple[RuleToday, ...] = ()
+    lateral: Lateral | None = None
 
 
 def survey_statistics(
@@ -260,6 +263,7 @@ def made_of(
         targets=targets,
         surveys=named_surveys,
         operators=operators,
+        lateral=_lateral(measured.where(_of_target(measured, only))),
         rules=_rules(measured, against, sites) if choices.correction == "inset" and only is None else (),
     )
 
@@ -280,6 +284,13 @@ def _rules(measured: Measured, table: Sequence[Standard], sites: Grouping | None
         sample = height_sample(measured.where(rows), sites.where(rows) if sites else None)
         found.append(rule_today(standard, sample, by_class))
     return tuple(one for one in found if one is not None)
+
+
+def _lateral(measured: Measured) -> Lateral:
+    """Where the vehicles drive across the road; a lane is all that goes one way in the picture."""
+    return lateral_positions(
+        measured.across_m, measured.vehicle_id, measured.lane, measured.category, LANES, CATEGORIES
+    )
 
 
 def height_sample(measured: Measured, sites: Grouping | None = None) -> HeightSample:

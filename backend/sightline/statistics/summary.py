@@ -179,7 +179,7 @@ def target_of(
     if isinstance(done, str):
         return Target(raw, distribution(np.empty(0)), done, done, {})
     heights = done.height_m
-    by = {name: _groups(heights, one, limits_m) for name, one in groupings.items()}
+    by = {name: groups_of(heights, one, limits_m) for name, one in groupings.items()}
     total = None if correction != "inset" or sample is None else total_figures(sample, PERCENTILES, limits_m)
     return Target(
         raw=raw,
@@ -191,7 +191,10 @@ def target_of(
     )
 
 
-def _groups(heights_m: Floats, grouping: Grouping, limits_m: Sequence[float]) -> Groups:
+def groups_of(heights_m: Floats, grouping: Grouping, limits_m: Sequence[float] = ()) -> Groups:
+    """The distribution of heights_m (N,), metres, in each group, as Dupuis et al. 2019, section 3.5, by
+    `distribution`; the smallest of many groups are left out.
+    """
     counts = np.bincount(grouping.code + 1, minlength=len(grouping.words) + 1)[1:]
     largest = np.argsort(-counts, kind="stable")[:MOST_GROUPS]
     present = [int(code) for code in sorted(largest) if counts[code]]

@@ -11,6 +11,7 @@ from sightline.results.survey_statistics import (
     StatisticsOptions,
     standards_of,
 )
+from sightline.statistics.lateral import Lateral, lateral_positions
 from sightline.statistics.rules import rule_today
 from sightline.statistics.shared_errors import SharedErrors
 from sightline.statistics.standards import STANDARDS
@@ -69,4 +70,13 @@ def statistics(
         surveys={1: "A survey"},
         operators={1: "An operator"},
         rules=tuple(one for one in rules if one is not None),
+        lateral=_lateral(n),
     )
+
+
+def _lateral(n: int) -> Lateral:
+    """Two lanes, 3.2 and 6.4 m from the camera, of two classes each."""
+    rng = np.random.default_rng(11)
+    lane, category = rng.integers(0, 2, n), rng.integers(0, 2, n)
+    across = 3.2 * (1 + lane) + 0.2 * rng.standard_normal(n)
+    return lateral_positions(across, np.arange(n), lane, category, ("right", "left"), ("hatchback", "van"))

@@ -39,7 +39,7 @@ def test_every_figure_of_the_page_is_drawn(drawn: dict[str, Drawing | str]) -> N
         for target in ("driver_eye", "taillight", "roof")
         for kind in ("ecdf", "density", "by-category", "by-lighting")
     }
-    assert there == ERRORS | heights | {"crest-k"}
+    assert there == ERRORS | heights | {"crest-k", "lateral-position"}
     assert isinstance(drawn["headlight-ecdf"], str) and isinstance(drawn["headlight-density"], str)
 
 
@@ -57,7 +57,7 @@ def test_figures_are_svg_in_greys_whose_words_need_no_font(drawn: dict[str, Draw
 
 def test_the_same_result_gives_the_same_bytes(drawn: dict[str, Drawing | str]) -> None:
     again = figures(statistics(60, absent=EYES))
-    assert len(again) == 8
+    assert len(again) == 9
     for name, found in again.items():
         before = drawn[name]
         assert isinstance(before, Drawing) and found == before.svg, name

@@ -9,6 +9,7 @@ from sightline.enums import LengthUnit
 from sightline.export.report.canvas import Drawing
 from sightline.export.report.error_figures import error_figures
 from sightline.export.report.height_figures import height_figures
+from sightline.export.report.lateral import lateral_figure
 from sightline.export.report.scan_figures import scan_drawings
 from sightline.export.report.sight import sight_figure
 from sightline.results.survey_statistics import Statistics, standards_of
@@ -27,5 +28,6 @@ def drawings(
     found = error_figures(result.errors, unit)
     for name, target in result.targets.items():
         found |= height_figures(name, target, standards_of(result.standards, name), unit)
+    found |= lateral_figure(result, unit)
     found |= sight_figure(result, unit)
     return found if scans is None else {**found, **scan_drawings(scans, unit)}

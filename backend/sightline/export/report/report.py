@@ -19,6 +19,7 @@ from sightline.export.report.canvas import Drawing
 from sightline.export.report.facts import ReportFacts
 from sightline.export.report.figures import drawings
 from sightline.export.report.fonts import FOLDER, LACKING
+from sightline.export.report.lateral import lateral
 from sightline.export.report.pictures import Pictures
 from sightline.export.report.response import response
 from sightline.export.report.results import errors, glance, heights
@@ -71,6 +72,7 @@ def _values(facts: ReportFacts, pictures: Pictures) -> bytes:
         "insets": insets(facts),
         "errors": errors(facts, pictures),
         "heights": heights(facts, pictures),
+        "lateral": lateral(facts, pictures),
         "sight": sight(facts, pictures),
         "scans": line_scans(facts, pictures),
         "exclusions": exclusions(facts),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from sightline.enums import Category, ClassSet, Correction, StatisticsTarget, Target
+from sightline.enums import Category, ClassSet, Correction, Direction, StatisticsTarget, Target
 from sightline.results.selection import Selection
 
 TARGETS: dict[Target, str] = {
@@ -43,6 +43,7 @@ CATEGORIES: dict[Category, str] = {
     "motorcycle": "motorcycle",
     "other": "other",
 }
+LANES: dict[Direction, str] = {"right": "to the right", "left": "to the left"}
 CLASS_SETS: dict[ClassSet, str] = {
     "passenger_cars": "passenger cars",
     "light_trucks": "light trucks and multi-purpose",
@@ -75,6 +76,7 @@ def group_word(grouping: str, word: str) -> str:
         "lighting": LIGHTING,
         "category": CATEGORIES,
         "class_set": CLASS_SETS,
+        "lane": LANES,
     }
     return known.get(grouping, {}).get(word, word)
 

@@ -96,7 +96,7 @@ export function GroupSection({ targets }: { targets: readonly OfTarget[] }) {
 type Group = OfTarget["groups"][string]["groups"][number];
 
 /** The largest groups, each with a hue and a dash of its own. */
-function drawn(groups: readonly Group[], grouping: string): { ecdf: Ecdf; curve: Curve }[] {
+export function drawn(groups: readonly Group[], grouping: string): { ecdf: Ecdf; curve: Curve }[] {
   const largest = [...groups].sort((a, b) => b.n - a.n).slice(0, MOST_DRAWN);
   return groups
     .filter((one) => largest.includes(one))

@@ -11,6 +11,7 @@ import { ErrorTable } from "./ErrorTable";
 import { FilterBar } from "./FilterBar";
 import { narrowed, setFilter, statisticsQuery, WIDE } from "./filters";
 import { GroupSection } from "./GroupSection";
+import { LateralSection } from "./LateralSection";
 import { STANDARD_FOR, type Statistics } from "./model";
 import { SameRule } from "./SameRule";
 import { SamplePlan } from "./SamplePlan";
@@ -86,6 +87,7 @@ function Figures({ found, surveyId, reload }: FiguresProps) {
       ))}
       <SameRule rules={found.rules} />
       <GroupSection targets={found.targets} />
+      {found.lateral && <LateralSection lateral={found.lateral} />}
       <Standards standards={found.standards} surveyId={surveyId} reload={reload} />
       <SamplePlan sdM={eye?.corrected.sd_m ?? null} />
     </>

@@ -12,6 +12,7 @@ export type ErrorGroup = Schemas["ErrorGroupBody"];
 export type Trend = Schemas["TrendBody"];
 export type Reason = Schemas["ReasonBody"];
 export type OfTarget = Schemas["TargetBody"];
+export type Lateral = NonNullable<Statistics["lateral"]>;
 export type Percentile = Schemas["Percentile"];
 export type RuleToday = Schemas["RuleToday"];
 export type SampleSize = Schemas["SampleSize"];
@@ -28,6 +29,11 @@ export const GROUP_WORDS: Readonly<Record<string, string>> = wordsOf({
   unknown: "statistics-group-unknown",
 });
 
+const LANE_WORDS: Readonly<Record<string, string>> = wordsOf({
+  right: "statistics-lane-right",
+  left: "statistics-lane-left",
+});
+
 export const TARGET_TITLES = wordsOf({
   driver_eye: "statistics-eye",
   taillight: "statistics-taillight",
@@ -39,6 +45,7 @@ export const TARGET_TITLES = wordsOf({
 export function groupWord(grouping: string, word: string): string {
   if (grouping === "lighting") return LIGHTING_WORDS[word as Lighting] ?? word;
   if (grouping === "category") return CATEGORY_WORDS[word as Category] ?? word;
+  if (grouping === "lane") return LANE_WORDS[word] ?? word;
   if (grouping === "class_set") return CLASS_SET_WORDS[word as ClassSet] ?? word;
   return word;
 }

@@ -1,0 +1,90 @@
+"""Where vehicles drive across the road, by lane and class: the report's figure and table."""
+
+from __future__ import annotations
+
+from matplotlib.axes import Axes
+
+from sightline.enums import LengthUnit
+from sightline.export.report.canvas import FULL, INK, Drawing, Sheet, svg
+from sightline.export.report.facts import ReportFacts
+from sightline.export.report.pictures import Pictures
+from sightline.export.report.settable import Json, Values
+from sightline.export.report.units import HEIGHT, count
+from sightline.export.report.words import group_word, heading
+from sightline.results.survey_statistics import Statistics
+from sightline.statistics.lateral import Lateral
+from sightline.statistics.summary import Distribution
+
+FIGURE = "lateral-position"
+_ROW_MM = 4.6
+_SHOWN = (5.0, 50.0, 95.0)
+
+
+def lateral_figure(result: Statistics, unit: LengthUnit) -> dict[str, Drawing | str]:
+    """The figure by its name; nothing where no contact lies on the road."""
+    found = result.lateral
+    if found is None or not found.lanes.of:
+        return {}
+    scale, title = HEIGHT[unit], "Lateral position by lane and class"
+    rows = _rows(found)
+
+    def draw(axes: Axes) -> None:
+        for k, (_, one) in enumerate(rows):
+            at = {each.percent: scale.factor * each.value for each in one.percentiles}
+            axes.plot([at[5.0], at[95.0]], [k, k], color=INK, linewidth=0.8)
+            axes.plot([at[15.0], at[85.0]], [k, k], color=INK, linewidth=3.2, solid_capstyle="butt")
+            axes.plot(
+                at[50.0], k, "o", color="white", markeredgecolor=INK, markersize=4.2, markeredgewidth=0.9
+            )
+        axes.set_yticks(range(len(rows)), labels=[f"{word}  ({count(one.n)})" for word, one in rows])
+        axes.set_ylim(len(rows) - 0.4, -0.6)
+        axes.tick_params(axis="y", length=0)
+        axes.grid(axis="y", visible=False)
+        axes.spines["left"].set_visible(False)
+        axes.set_xlabel(f"Distance from the camera across the road ({scale.sign})")
+
+    caption = (
+        "Tyre's contact, one of each vehicle, by the way it goes in the picture and its class (number of "
+        "vehicles): median (ring), 15th to 85th percentile (thick), 5th to 95th (thin)."
+    )
+    sheet = Sheet(FULL.width, 12.0 + _ROW_MM * len(rows), left=62.0, right=3.0)
+    return {FIGURE: Drawing(svg(draw, title, sheet), title, caption)}
+
+
+def _rows(found: Lateral) -> list[tuple[str, Distribution]]:
+    """Each lane, and below it its classes, where it has more than one."""
+    rows: list[tuple[str, Distribution]] = []
+    for lane, one in found.lanes.of.items():
+        rows.append((heading(group_word("lane", lane)), one))
+        classes = found.classes.get(lane)
+        if classes is not None and len(classes.of) > 1:
+            rows += [
+                (f"{group_word('lane', lane)}, {group_word('category', word)}", of)
+                for word, of in classes.of.items()
+            ]
+    return rows
+
+
+def lateral(facts: ReportFacts, pictures: Pictures) -> Values | None:
+    """What the template shows; None where there is nothing to show."""
+    found = facts.statistics.lateral
+    if found is None or found.all.n == 0:
+        return None
+    rows = [("All", found.all), *_rows(found)]
+    return {
+        "percents": [f"{one:g}" for one in _SHOWN],
+        "rows": [_row(word, one, facts.unit) for word, one in rows],
+        "figures": pictures.figures([FIGURE]) if found.lanes.of else [],
+    }
+
+
+def _row(word: str, one: Distribution, unit: LengthUnit) -> Json:
+    scale = HEIGHT[unit]
+    at = {each.percent: each.value for each in one.percentiles}
+    return {
+        "name": word,
+        "n": one.n,
+        "mean": scale.number(one.mean_m),
+        "sd": scale.number(one.sd_m),
+        "percentiles": [scale.number(at.get(percent)) for percent in _SHOWN],
+    }

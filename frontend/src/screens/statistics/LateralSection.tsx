@@ -1,0 +1,109 @@
+/** Where vehicles drive across the road: by lane as a figure, by lane and class as a table. */
+import { TableScroll } from "../../components";
+import { say } from "../../core/messages";
+import { formatCount, lengthScale } from "../../core/units";
+import { ECDF_COLUMNS, ecdfMarks, ecdfRows } from "../../parts/figures/curves";
+import { NONE, percent, scaled } from "../../parts/figures/numbers";
+import { PlotFigure } from "../../parts/figures/PlotFigure";
+import type { Ecdf } from "../../parts/figures/types";
+import { drawn } from "./GroupSection";
+import { groupWord, isThere, type Lateral } from "./model";
+
+const PERCENTS = [5, 50, 95];
+const laneWord = (word: string) => groupWord("lane", word);
+const classWord = (word: string) => groupWord("category", word);
+
+export function LateralSection({ lateral }: { lateral: Lateral }) {
+  const lanes = lateral.lanes.groups;
+  const curves = drawn(lanes, "lane");
+  return (
+    <section class="panel" aria-labelledby="stat-lateral" data-testid="lateral">
+      <header class="panel__head">
+        <h2 id="stat-lateral">{say("statistics-lateral-title")}</h2>
+      </header>
+      <div class="stat-groups">
+        <PlotFigure
+          name="lateral-position"
+          title={say("statistics-lateral-figure")}
+          says={say("statistics-lateral-says", { count: curves.length })}
+          note={say("statistics-lateral-note")}
+          legend={curves.map(({ curve: { word, dash, faint, hue } }) => ({ word, dash, faint, hue }))}
+          reason={curves.length === 0 ? say("statistics-lateral-none") : null}
+          data={lateral}
+          options={(plot, unit) => {
+            const [perX, long] = lengthScale(unit);
+            return {
+              x: {
+                label: say("statistics-lateral-x", { unit: long }),
+                labelArrow: "none",
+                labelAnchor: "center",
+                labelOffset: 34,
+                nice: true,
+                inset: 6,
+              },
+              y: { label: say("figure-share-of-vehicles"), labelArrow: "none", grid: true, domain: [0, 100] },
+              marks: curves.flatMap(({ ecdf, curve }) => ecdfMarks(plot, ecdf, curve, perX)),
+            };
+          }}
+          table={() => ({
+            columns: ["lane", "across_m", ...ECDF_COLUMNS],
+            rows: lanes.flatMap((one) => (isThere<Ecdf>(one.ecdf) ? ecdfRows(one.word, one.ecdf) : [])),
+          })}
+        />
+        <LanesTable lateral={lateral} />
+      </div>
+    </section>
+  );
+}
+
+function LanesTable({ lateral }: { lateral: Lateral }) {
+  const unit = lengthScale()[1];
+  return (
+    <TableScroll label={say("statistics-lateral-title")}>
+      <table class="table">
+        <thead>
+          <tr>
+            <th>{say("statistics-lateral-vehicles")}</th>
+            <th class="num">n</th>
+            <th class="num">{say("statistics-groups-mean", { unit })}</th>
+            <th class="num">{say("statistics-groups-sd", { unit })}</th>
+            {PERCENTS.map((one) => (
+              <th key={one} class="num">
+                {percent(one / 100, 0)}
+              </th>
+            ))}
+          </tr>
+        </thead>
+        <tbody>
+          <Row word={say("statistics-lateral-all")} one={lateral.all} />
+          {lateral.lanes.groups.map((lane) => (
+            <>
+              <Row key={lane.word} word={laneWord(lane.word)} one={lane} />
+              {lateral.classes[lane.word]?.groups.map((of) => (
+                <Row key={`${lane.word} ${of.word}`} word={classWord(of.word)} one={of} within />
+              ))}
+            </>
+          ))}
+        </tbody>
+      </table>
+    </TableScroll>
+  );
+}
+
+function Row({ word, one, within }: { word: string; one: Lateral["all"]; within?: boolean }) {
+  const factor = lengthScale()[0];
+  const at = (wanted: number) => one.percentiles.find((p) => p.percent === wanted)?.value ?? null;
+  return (
+    <tr>
+      {within ? <td class="muted stat-within">{word}</td> : <th scope="row">{word}</th>}
+      <td class="num">{formatCount(one.n)}</td>
+      <td class="num">{scaled(one.mean_m, factor, 2)}</td>
+      <td class="num">{one.sd_m === null ? NONE : scaled(one.sd_m, factor, 2)}</td>
+      {PERCENTS.map((wanted) => (
+        <td key={wanted} class="num">
+          {scaled(at(wanted), factor, 2)}
+        </td>
+      ))}
+    </tr>
+  );
+}
