@@ -25,6 +25,7 @@ import sightline.measurements.sheets.routes
 import sightline.people.routes
 import sightline.people.session_routes
 import sightline.poses.routes
+import sightline.quality.adjusting.routes
 import sightline.quality.checks.routes
 import sightline.quality.drift.routes
 import sightline.quality.repeats.routes
@@ -81,6 +82,7 @@ ROUTERS: tuple[tuple[str, APIRouter], ...] = (
     ("planning", sightline.cameras.planning.routes.router),
     ("poses", sightline.poses.routes.router),
     ("checks", sightline.quality.checks.routes.router),
+    ("adjustment", sightline.quality.adjusting.routes.router),
     ("drift", sightline.quality.drift.routes.router),
     ("assist", sightline.measurements.assist.routes.router),
     ("geometry", sightline.measurements.preview.routes.router),

@@ -692,6 +692,7 @@ def create_tables() -> None:
         sa.Column("overlay", sa.Text(), nullable=False),
         sa.Column("turned_from", sa.Integer(), nullable=True),
         sa.Column("turned_by_rad", sa.Float(), nullable=True),
+        sa.Column("adjusted_from", sa.Integer(), nullable=True),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
         sa.Column("created_by", sa.Integer(), nullable=True),
         sa.CheckConstraint(
@@ -703,6 +704,9 @@ def create_tables() -> None:
         sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_road_poses_created_by")),
         sa.ForeignKeyConstraint(["recording_id"], ["recordings.id"], name=op.f("fk_road_poses_recording_id")),
         sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_road_poses_survey_id")),
+        sa.ForeignKeyConstraint(
+            ["adjusted_from"], ["road_poses.id"], name=op.f("fk_road_poses_adjusted_from")
+        ),
         sa.ForeignKeyConstraint(["turned_from"], ["road_poses.id"], name=op.f("fk_road_poses_turned_from")),
         sa.PrimaryKeyConstraint("id", name=op.f("pk_road_poses")),
     )

@@ -2,12 +2,11 @@
 
 import json
 import math
-from dataclasses import asdict
 from pathlib import Path
-from typing import Any
 
 import click
 
+from sightline.adjustment.account import adjustment_to_dict
 from sightline.adjustment.adjust import Adjustment, LeftOut, adjust
 from sightline.adjustment.observed import DEFAULT_U_COMMON_M
 from sightline.commands.files import write_json
@@ -63,25 +62,6 @@ def adjust_command(
     document = {**pose_to_dict(found.pose), "adjustment": adjustment_to_dict(found, unread)}
     write_json(output, document)
     click.echo(json.dumps(document) if as_json else _text(found, unread, output))
-
-
-def adjustment_to_dict(found: Adjustment, unread: list[LeftOut]) -> dict[str, Any]:
-    """The account of an adjustment as `adjusted.json` has it."""
-    return {
-        "passes": found.passes + len(unread),
-        "used": found.used,
-        "left_out": [{"pass": one.name, "reason": one.reason} for one in (*unread, *found.left_out)],
-        "left_out_points": [
-            {"pass": one.name, "frame": one.frame, "point": one.point} for one in found.dropped_points
-        ],
-        "chi2": found.chi2,
-        "degrees_of_freedom": found.degrees_of_freedom,
-        "chi2_limit": found.chi2_limit,
-        "moved": [asdict(one) for one in found.moved],
-        "heading_rad": found.heading_rad,
-        "u_heading_rad": found.u_heading_rad,
-        "notes": list(found.notes),
-    }
 
 
 def _text(found: Adjustment, unread: list[LeftOut], output: Path) -> str:

@@ -71,6 +71,11 @@ POSES: Table[Pose] = Table(
             "rad",
             lambda p: p.turned_by_rad,
         ),
+        integer(
+            "adjusted_from",
+            "the pose that this one was, before it was adjusted by its traffic (account: its document)",
+            lambda p: p.adjusted_from,
+        ),
         text(
             "document",
             "the pose as a file of this package (sightline-pose-1)",

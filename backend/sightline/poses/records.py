@@ -50,13 +50,15 @@ class PoseSummary:
     summary: str
     turned_from: int | None
     turned_by_rad: float | None
+    adjusted_from: int | None
 
 
 @dataclass(frozen=True, slots=True)
 class Pose:
     """A road pose with its pose.json `document`; never changed once written.
 
-    `turned_from`: the pose that it was before it was turned about the road's normal by `turned_by_rad`.
+    `turned_from`: the pose that it was before it was turned about the road's normal by `turned_by_rad`,
+    `adjusted_from`: before it was adjusted by its traffic.
     """
 
     id: int
@@ -76,3 +78,4 @@ class Pose:
     overlay: PoseOverlay
     turned_from: int | None
     turned_by_rad: float | None
+    adjusted_from: int | None

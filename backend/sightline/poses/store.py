@@ -38,11 +38,13 @@ def add_pose(
     attach: bool = True,
     turned_from: int | None = None,
     turned_by_rad: float | None = None,
+    adjusted_from: int | None = None,
     actor: int | None,
 ) -> Pose:
     """Store a pose taken from frames of a recording and (by default) make it that recording's pose.
 
-    turned_from, turned_by_rad: the pose that it was before it was turned about the road's normal.
+    turned_from, turned_by_rad: the pose that it was before it was turned about the road's normal;
+    adjusted_from: before it was adjusted by its traffic.
     """
     recording = get_row(session, recordings, recording_id, "recording", recordings.c.deleted_at.is_(None))
     _calibration_of_survey(session, calibration_id, recording["survey_id"])
@@ -61,6 +63,7 @@ def add_pose(
         "overlay": overlay,
         "turned_from": turned_from,
         "turned_by_rad": turned_by_rad,
+        "adjusted_from": adjusted_from,
         "created_at": now(),
         "created_by": actor,
     }

@@ -32,6 +32,8 @@ road_poses = Table(
     # a pose turned about the road's normal after the traffic's own direction
     Column("turned_from", ForeignKey("road_poses.id")),
     Column("turned_by_rad", Float),
+    # a pose adjusted by its traffic's known lengths; the account is in its document
+    Column("adjusted_from", ForeignKey("road_poses.id")),
     Column("created_at", UtcDateTime, nullable=False),
     Column("created_by", ForeignKey("people.id")),
     CheckConstraint("first_frame >= 0 AND last_frame >= first_frame", name="span_forward"),

@@ -32,8 +32,8 @@ def lateral_positions(
     """The distributions of across_m (N,), the contact's distance from the camera across the road, metres, NaN
     where it is unknown; vehicle (N,): its number; lane, category (N,): codes into the words, -1 for none.
 
-    Never fails. Own method: a vehicle counts once, by the median of its contacts: they are the same side plane, clicked once for each
-    target. The figures are those of `distribution` (Hyndman and Fan 1996).
+    Never fails. Own method: a vehicle counts once, by the median of its contacts, for they are of the same
+    side plane, clicked once for each target. Figures as in `distribution` (Hyndman and Fan 1996).
     """
     known = np.isfinite(across_m)
     across_m, vehicle, lane, category = across_m[known], vehicle[known], lane[known], category[known]

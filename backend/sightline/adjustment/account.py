@@ -1,0 +1,26 @@
+"""The account of an adjustment, as `adjusted.json` and a stored pose have it."""
+
+from collections.abc import Sequence
+from dataclasses import asdict
+from typing import Any
+
+from sightline.adjustment.adjust import Adjustment, LeftOut
+
+
+def adjustment_to_dict(found: Adjustment, unread: Sequence[LeftOut] = ()) -> dict[str, Any]:
+    """What was used, left out and moved; `unread`: passes that could not even be read."""
+    return {
+        "passes": found.passes + len(unread),
+        "used": found.used,
+        "left_out": [{"pass": one.name, "reason": one.reason} for one in (*unread, *found.left_out)],
+        "left_out_points": [
+            {"pass": one.name, "frame": one.frame, "point": one.point} for one in found.dropped_points
+        ],
+        "chi2": found.chi2,
+        "degrees_of_freedom": found.degrees_of_freedom,
+        "chi2_limit": found.chi2_limit,
+        "moved": [asdict(one) for one in found.moved],
+        "heading_rad": found.heading_rad,
+        "u_heading_rad": found.u_heading_rad,
+        "notes": list(found.notes),
+    }

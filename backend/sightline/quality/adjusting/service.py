@@ -1,0 +1,266 @@
+"""A road pose adjusted by its traffic: what it says, put in force by a person, taken back as a whole."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from sightline.adjustment.account import adjustment_to_dict
+from sightline.adjustment.adjust import Adjustment, Moved, adjust
+from sightline.errors import BadInput, Conflict, NotFound
+from sightline.geometry.height import Height, measure_with_budgets
+from sightline.geometry.road_pose import RoadPose
+from sightline.infra.database import Session
+from sightline.infra.jobs.records import Job
+from sightline.measurements.again.query import list_computings
+from sightline.measurements.again.service import ask_to_compute, ask_to_undo
+from sightline.measurements.height_of_clicks import measured_frames
+from sightline.measurements.records import Measurement
+from sightline.measurements.service import clicks_to_compute_again, road_pose
+from sightline.measurements.store import list_measurements
+from sightline.poses.records import Pose
+from sightline.poses.service import described
+from sightline.poses.store import add_pose, get_pose
+from sightline.quality.adjusting.observations import Observations, Seen, observations_of
+from sightline.quality.adjusting.records import (
+    AdjustedHeight,
+    KnownUncertainties,
+    LeftOutVehicle,
+    PoseAdjustment,
+    WithoutModel,
+)
+from sightline.recordings.records import Recording
+from sightline.recordings.store import list_recordings, update_recording
+
+_CAMERA_HEIGHT = "camera_height_m"
+_SAME_M = 1e-7
+_MOST_MODELS = 40
+_MOST_HEIGHTS = 500
+
+
+def check_adjustments(
+    session: Session, survey_id: int, known: KnownUncertainties
+) -> tuple[PoseAdjustment, ...]:
+    """Every pose in force of a survey's recordings, adjusted by their traffic. Nothing is stored."""
+    ready = list_recordings(session, survey_id)
+    poses = sorted({one.pose_id for one in ready if one.pose_id is not None})
+    return tuple(_checked(session, pose_id, known)[0] for pose_id in poses)
+
+
+def _checked(
+    session: Session, pose_id: int, known: KnownUncertainties
+) -> tuple[PoseAdjustment, Adjustment | None]:
+    stored = get_pose(session, pose_id)
+    users = _users(session, stored)
+    seen = observations_of(session, stored.survey_id, {one.id for one in users}, known.u_wheelbase_m)
+    empty = PoseAdjustment(
+        pose_id=pose_id,
+        recordings=tuple(one.name for one in users),
+        adjusted_from=stored.adjusted_from,
+        known=known,
+        tyres=sum(one.what == "tyres" for one in seen.seen),
+        roofs=sum(one.what == "roof" for one in seen.seen),
+        left_out=seen.left_out,
+    )
+    if stored.adjusted_from is not None:
+        # the traffic is in its covariance already; used twice it would count as twice as much
+        return replace(empty, reason="This pose was adjusted by the traffic already."), None
+    if not seen.seen:
+        reason = (
+            "Nothing is known yet: click both tyres of vehicles of a known model, or measure their roofs."
+        )
+        return replace(empty, reason=reason), None
+    pose = road_pose(session, pose_id)
+    try:
+        found = _adjusted(pose, seen.seen, known)
+    except BadInput as refused:
+        return replace(empty, reason=refused.message), None
+    heights = _heights(session, stored.survey_id, pose, found.pose, seen.numbers)
+    return _told(empty, pose, seen, found, heights), found
+
+
+def _users(session: Session, pose: Pose) -> list[Recording]:
+    return [one for one in list_recordings(session, pose.survey_id) if one.pose_id == pose.id]
+
+
+def _adjusted(pose: RoadPose, seen: tuple[Seen, ...], known: KnownUncertainties) -> Adjustment:
+    passes = [one.observed for one in seen]
+    return adjust(pose, passes, known.u_wheelbase_common_m, known.u_roof_common_m)
+
+
+def _told(
+    empty: PoseAdjustment,
+    pose: RoadPose,
+    seen: Observations,
+    found: Adjustment,
+    heights: list[AdjustedHeight],
+) -> PoseAdjustment:
+    of_name = {one.observed.name: one for one in seen.seen}
+    wrong = [
+        LeftOutVehicle(
+            vehicle_id=of_name[one.name].vehicle.id,
+            number=of_name[one.name].vehicle.number,
+            what=of_name[one.name].what,
+            reason=one.reason,
+        )
+        for one in found.left_out
+    ]
+    heights.sort(key=lambda one: -abs(one.change_m))
+    return replace(
+        empty,
+        passes=found.passes,
+        used=found.used,
+        left_out=(*wrong, *empty.left_out),
+        chi2=found.chi2,
+        degrees_of_freedom=found.degrees_of_freedom,
+        chi2_limit=found.chi2_limit,
+        moved=found.moved,
+        notes=found.notes,
+        without_model=_without_models(pose, seen, found, empty.known),
+        heights=tuple(heights[:_MOST_HEIGHTS]),
+        largest_change_m=abs(heights[0].change_m) if heights else None,
+    )
+
+
+def _without_models(
+    pose: RoadPose, seen: Observations, found: Adjustment, known: KnownUncertainties
+) -> tuple[WithoutModel, ...]:
+    """The leave-one-model check: does one model alone carry the result?"""
+    with_all = _camera_height(found)
+    models = sorted({one.model for one in seen.seen})
+    out = []
+    for model in models[:_MOST_MODELS] if len(models) > 1 else []:
+        others = tuple(one for one in seen.seen if one.model != model)
+        try:
+            change = _camera_height(_adjusted(pose, others, known)).value - with_all.value
+        except BadInput:
+            continue
+        out.append(
+            WithoutModel(
+                model=model,
+                vehicles=len({one.vehicle.id for one in seen.seen if one.model == model}),
+                camera_height_change_m=change,
+                by_u=abs(change) / with_all.u_after,
+            )
+        )
+    return tuple(sorted(out, key=lambda one: -one.by_u))
+
+
+def _camera_height(found: Adjustment) -> Moved:
+    return next(one for one in found.moved if one.name == _CAMERA_HEIGHT)
+
+
+def _heights(
+    session: Session, survey_id: int, before: RoadPose, after: RoadPose, numbers: Mapping[int, int]
+) -> list[AdjustedHeight]:
+    """Stored heights of vehicles (numbers by id) under both poses, with the same clicks and insets."""
+    made = [one for one in list_measurements(session, survey_id) if one.vehicle_id in numbers]
+    made = [one for one in made if one.values.inset_m is not None or one.values.more_frames]
+    out = []
+    for one, old, new in zip(made, _under(before, made), _under(after, made), strict=True):
+        if old.height_m is None or new.height_m is None:
+            continue
+        out.append(
+            AdjustedHeight(
+                measurement_id=one.id,
+                vehicle_id=one.vehicle_id,
+                number=numbers[one.vehicle_id],
+                target=one.values.target,
+                height_m=old.height_m,
+                U95_height_m=old.U95_height_m or 0.0,
+                adjusted_m=new.height_m,
+                U95_adjusted_m=new.U95_height_m or 0.0,
+                change_m=new.height_m - old.height_m,
+            )
+        )
+    return out
+
+
+def _under(pose: RoadPose, made: list[Measurement]) -> list[Height]:
+    single = measure_with_budgets(
+        pose,
+        [one.values.contact for one in made],
+        [one.values.target_point for one in made],
+        [one.values.sigma_px for one in made],
+        [one.values.inset_m or 0.0 for one in made],
+        [one.values.u_inset_m or 0.0 for one in made],
+    )
+    return [
+        measured_frames(
+            pose, replace(clicks_to_compute_again(one.values), sigma_px=one.values.sigma_px)
+        ).height
+        if one.values.more_frames
+        else height
+        for one, height in zip(made, single, strict=True)
+    ]
+
+
+def put_in_force(
+    session: Session, pose_id: int, known: KnownUncertainties, seen_camera_height_m: float, *, actor: int
+) -> tuple[Pose, Job]:
+    """Store the adjusted pose, in force for the recordings that use the one before, and compute again.
+
+    `seen_camera_height_m`: the change of the camera's height that was shown. Raises NotFound, BadInput where
+    the traffic gives no pose, Conflict where it now says something else or nobody uses the pose.
+    """
+    told, found = _checked(session, pose_id, known)
+    if found is None or found.used == 0:
+        raise BadInput("said", sentence=told.reason or "No pass with a known length could be used.")
+    if abs(_camera_height(found).value - seen_camera_height_m) > _SAME_M:
+        raise Conflict("adjusting-says-something-else-now")
+    before = get_pose(session, pose_id)
+    users = _users(session, before)
+    if not users:
+        raise Conflict("quality-no-recording-uses-road-pose-any")
+    own = next((one for one in users if one.id == before.recording_id), users[0])
+    made = add_pose(session, own.id, **_content(before, found), adjusted_from=pose_id, actor=actor)
+    for one in users:
+        if one.id != own.id:
+            update_recording(session, one.id, {"pose_id": made.id}, actor=actor)
+    return made, ask_to_compute(session, before.survey_id, kind="adjustment", actor=actor)
+
+
+def _content(before: Pose, found: Adjustment) -> dict[str, Any]:
+    corners = np.asarray(before.overlay.get("corners_px") or [], dtype=np.float64).reshape(-1, 2)
+    solved = described(found.pose, corners)
+    told = f"Adjusted by {found.used} passes of known wheelbase or height."
+    return {
+        "calibration_id": before.calibration_id,
+        "first_frame": before.first_frame,
+        "last_frame": before.last_frame,
+        "rms_px": before.rms_px,
+        "distance_m": before.distance_m,
+        "summary": f"{told} {solved.summary}",
+        "document": {**solved.document, "adjustment": adjustment_to_dict(found)},
+        "warnings": [*before.warnings, f"{told} The pose before it was number {before.id}.", *found.notes],
+        "expected": solved.expected,
+        "overlay": solved.overlay,
+        "turned_from": before.turned_from,
+        "turned_by_rad": before.turned_by_rad,
+    }
+
+
+def take_back(session: Session, pose_id: int, *, actor: int) -> Job | None:
+    """Put the pose before an adjusted one in force again, and the heights back that were computed with it.
+
+    None where those heights cannot be put back as a whole any more: then they are out of date and say so.
+    Raises NotFound, Conflict for a pose that is not an adjusted one in force.
+    """
+    stored = get_pose(session, pose_id)
+    users = _users(session, stored)
+    if stored.adjusted_from is None or not users:
+        raise Conflict("adjusting-not-an-adjusted-pose-in-force")
+    for one in users:
+        update_recording(session, one.id, {"pose_id": stored.adjusted_from}, actor=actor)
+    mine = [
+        one
+        for one in list_computings(session, stored.survey_id)
+        if one.kind == "adjustment" and one.undone_by is None and one.created_at >= stored.created_at
+    ]
+    try:
+        return ask_to_undo(session, mine[0].id, actor=actor) if mine else None
+    except (Conflict, NotFound):
+        return None
