@@ -112,6 +112,7 @@ export type TargetRepeats = Schemas["OfTarget"];
 export type RepeatDifference = Schemas["Difference"];
 export type ToClickAgain = Schemas["Blind"];
 
+export type PoseAdjustment = Schemas["PoseAdjustment"];
 export type Computings = Schemas["ComputingsBody"];
 export type Computing = Schemas["Computing"];
 export type ComputedHeights = Schemas["ComputedHeights"];

@@ -46,8 +46,9 @@ def check_adjustments(
 ) -> tuple[PoseAdjustment, ...]:
     """Every pose in force of a survey's recordings, adjusted by their traffic. Nothing is stored."""
     ready = list_recordings(session, survey_id)
-    poses = sorted({one.pose_id for one in ready if one.pose_id is not None})
-    return tuple(_checked(session, pose_id, known)[0] for pose_id in poses)
+    # by recording: a pose that is put in force stays where the one before it stood
+    poses = dict.fromkeys(one.pose_id for one in sorted(ready, key=lambda one: one.id))
+    return tuple(_checked(session, pose_id, known)[0] for pose_id in poses if pose_id is not None)
 
 
 def _checked(

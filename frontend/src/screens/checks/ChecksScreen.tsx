@@ -4,13 +4,21 @@ import { query, setQuery } from "../../core/address";
 import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { survey as openSurvey } from "../../core/survey";
+import { AdjustTab } from "./AdjustTab";
 import { AgainTab } from "./AgainTab";
 import { InsetsTab } from "./InsetsTab";
 import { TrafficTab } from "./TrafficTab";
 import "./checks.css";
 
-type Tab = "insets" | "traffic" | "again";
-const TABS: readonly string[] = ["traffic", "again"];
+type Tab = "insets" | "traffic" | "adjust" | "again";
+const TABS: readonly string[] = ["traffic", "adjust", "again"];
+
+const LEADS = {
+  insets: "checks-lead",
+  traffic: "checks-lead",
+  adjust: "adjust-lead",
+  again: "computing-lead",
+} as const;
 
 export default function ChecksScreen({ surveyId }: ScreenProps) {
   const asked = query.value.get("tab") ?? "";
@@ -22,7 +30,7 @@ export default function ChecksScreen({ surveyId }: ScreenProps) {
       <header class="page__head">
         <div>
           <h1>{say("page-checks")}</h1>
-          <p class="page__lead">{say(tab === "again" ? "computing-lead" : "checks-lead")}</p>
+          <p class="page__lead">{say(LEADS[tab])}</p>
         </div>
         <Segments
           label={say("checks-which")}
@@ -30,6 +38,7 @@ export default function ChecksScreen({ surveyId }: ScreenProps) {
           options={[
             { value: "insets", label: say("checks-insets") },
             { value: "traffic", label: say("checks-direction") },
+            { value: "adjust", label: say("adjust-tab") },
             { value: "again", label: say("checks-again") },
           ]}
           onChange={(value) => setQuery({ tab: value === "insets" ? null : value, computing: null })}
@@ -37,6 +46,7 @@ export default function ChecksScreen({ surveyId }: ScreenProps) {
       </header>
       {tab === "insets" && <InsetsTab survey={survey} />}
       {tab === "traffic" && <TrafficTab surveyId={surveyId} />}
+      {tab === "adjust" && <AdjustTab surveyId={surveyId} />}
       {tab === "again" && <AgainTab surveyId={surveyId} />}
     </div>
   );

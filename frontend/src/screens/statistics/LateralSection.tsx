@@ -33,15 +33,8 @@ export function LateralSection({ lateral }: { lateral: Lateral }) {
           options={(plot, unit) => {
             const [perX, long] = lengthScale(unit);
             return {
-              x: {
-                label: say("statistics-lateral-x", { unit: long }),
-                labelArrow: "none",
-                labelAnchor: "center",
-                labelOffset: 34,
-                nice: true,
-                inset: 6,
-              },
-              y: { label: say("figure-share-of-vehicles"), labelArrow: "none", grid: true, domain: [0, 100] },
+              x: { label: say("statistics-lateral-x", { unit: long }), nice: true, inset: 6 },
+              y: { label: say("figure-share-of-vehicles"), domain: [0, 100] },
               marks: curves.flatMap(({ ecdf, curve }) => ecdfMarks(plot, ecdf, curve, perX)),
             };
           }}

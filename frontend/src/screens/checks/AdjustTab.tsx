@@ -1,0 +1,351 @@
+/** What vehicles of known wheelbase and height say of each road pose in force; put in force by a person only. */
+import { useState } from "preact/hooks";
+import {
+  Button,
+  Empty,
+  JobProgress,
+  Loading,
+  Notice,
+  Problem,
+  TableScroll,
+  TextField,
+} from "../../components";
+import { api } from "../../core/api";
+import { cancelJob, useJob } from "../../core/jobs";
+import { allOf, say, wordsOf } from "../../core/messages";
+import { useResource } from "../../core/resource";
+import { canWork } from "../../core/session";
+import { refreshSurvey } from "../../core/survey";
+import { toast } from "../../core/toasts";
+import type { Job, PoseAdjustment } from "../../core/types";
+import {
+  fixed,
+  formatCount,
+  formatHeight,
+  formatSmall,
+  lengthUnit,
+  parseSmall,
+  smallScale,
+  smallText,
+} from "../../core/units";
+import { TARGET_WORDS } from "../../core/words";
+
+type Known = PoseAdjustment["known"];
+const USUAL: Known = { u_wheelbase_m: 0.01, u_wheelbase_common_m: 0.005, u_roof_common_m: 0.005 };
+const MOVED: Readonly<Record<string, string>> = wordsOf({
+  camera_height_m: "adjust-camera_height_m",
+  road_lean_rad: "adjust-road_lean_rad",
+  road_roll_rad: "adjust-road_roll_rad",
+  board_lean_rad: "adjust-board_lean_rad",
+  board_roll_rad: "adjust-board_roll_rad",
+  board_height_m: "adjust-board_height_m",
+  square_m: "adjust-square_m",
+  bow_along_rows_m: "adjust-bow_along_rows_m",
+  bow_down_columns_m: "adjust-bow_down_columns_m",
+  wheelbase_common_m: "adjust-wheelbase_common_m",
+  roof_common_m: "adjust-roof_common_m",
+});
+const MILLI = 1000;
+
+export function AdjustTab({ surveyId }: { surveyId: number }) {
+  const [known, setKnown] = useState(USUAL);
+  const read = useResource(
+    (signal) =>
+      api.ask("GET /surveys/{survey_id}/checks/adjustment", { survey_id: surveyId, ...known }, { signal }),
+    [surveyId, JSON.stringify(known)],
+    { keep: true },
+  );
+  const [jobId, setJobId] = useState<number | null>(null);
+  const [problem, setProblem] = useState<unknown>(null);
+  const [busy, setBusy] = useState(false);
+  const again = () => Promise.all([read.reload(), refreshSurvey()]);
+  const over = async () => {
+    setJobId(null);
+    await again();
+  };
+  const job = useJob(jobId, () => void over(), setProblem);
+  const run = async (ask: () => Promise<{ job: Job | null }>, done: string) => {
+    setBusy(true);
+    setProblem(null);
+    try {
+      const answer = await ask();
+      toast(done);
+      setJobId(answer.job?.id ?? null);
+    } catch (error) {
+      setProblem(error);
+    }
+    await again();
+    setBusy(false);
+  };
+  if (!read.data)
+    return read.error ? (
+      <Problem error={read.error} again={read.reload} />
+    ) : (
+      <Loading what={say("adjust-loading")} />
+    );
+  return (
+    <>
+      <KnownFields known={known} change={setKnown} />
+      <Problem error={problem ?? read.error} />
+      {jobId !== null && job && (
+        <div class="panel panel__body">
+          <JobProgress job={job} onCancel={() => void cancelJob(job.id)} />
+        </div>
+      )}
+      {read.data.length === 0 && <Empty title={say("adjust-no-pose")} />}
+      {read.data.map((one) => (
+        <OfPose
+          key={one.pose_id}
+          surveyId={surveyId}
+          found={one}
+          busy={busy || jobId !== null || read.loading}
+          put={(change) =>
+            run(
+              () =>
+                api.write(
+                  "POST /poses/{pose_id}/adjustment",
+                  { pose_id: one.pose_id },
+                  { body: { ...one.known, camera_height_change_m: change } },
+                ),
+              say("adjust-put-done"),
+            )
+          }
+          takeBack={() =>
+            run(
+              () => api.write("POST /poses/{pose_id}/adjustment/undo", { pose_id: one.pose_id }),
+              say("adjust-taken-back"),
+            )
+          }
+        />
+      ))}
+    </>
+  );
+}
+
+/** The three uncertainties that the page takes, typed in the small unit. */
+function KnownFields({ known, change }: { known: Known; change(next: Known): void }) {
+  const unit = smallScale()[1];
+  const field = (name: keyof Known, label: string) => (
+    <SmallField
+      key={`${name} ${unit}`}
+      label={label}
+      value={known[name]}
+      set={(m) => change({ ...known, [name]: m })}
+    />
+  );
+  return (
+    <div class="row row--wrap adjust-known">
+      {field("u_wheelbase_m", say("adjust-u-wheelbase", { unit }))}
+      {field("u_wheelbase_common_m", say("adjust-u-wheelbase-common", { unit }))}
+      {field("u_roof_common_m", say("adjust-u-roof-common", { unit }))}
+    </div>
+  );
+}
+
+function SmallField({ label, value, set }: { label: string; value: number; set(m: number): void }) {
+  const [text, setText] = useState(smallText(value));
+  const typed = parseSmall(text);
+  const good = typed !== null && typed >= 0 && typed <= 1;
+  return (
+    <TextField
+      label={label}
+      numeric
+      value={text}
+      onInput={(next) => {
+        setText(next);
+        const metres = parseSmall(next);
+        if (metres !== null && metres >= 0 && metres <= 1) set(metres);
+      }}
+      problem={good ? null : say("adjust-u-problem", { example: smallText(0.01, lengthUnit.value, 2) })}
+    />
+  );
+}
+
+interface PoseProps {
+  surveyId: number;
+  found: PoseAdjustment;
+  busy: boolean;
+  put(change: number): Promise<void>;
+  takeBack(): Promise<void>;
+}
+
+function OfPose({ surveyId, found, busy, put, takeBack }: PoseProps) {
+  const camera = found.moved.find((one) => one.name === "camera_height_m");
+  return (
+    <section class="panel" data-testid="adjustment">
+      <header class="panel__head row--wrap">
+        <h2>
+          {say("adjust-pose", { pose: String(found.pose_id), recordings: allOf([...found.recordings]) })}
+        </h2>
+        {canWork.value && found.adjusted_from !== null && (
+          <Button small icon="undo" busy={busy} onClick={() => void takeBack()}>
+            {say("adjust-take-back")}
+          </Button>
+        )}
+        {canWork.value && camera && found.used > 0 && (
+          <Button small kind="primary" busy={busy} onClick={() => void put(camera.value)}>
+            {say("adjust-put")}
+          </Button>
+        )}
+      </header>
+      <div class="panel__body stack">
+        {found.adjusted_from !== null ? (
+          <p>{say("adjust-adjusted", { pose: String(found.adjusted_from) })}</p>
+        ) : (
+          <p>{say("adjust-seen", { tyres: found.tyres, roofs: found.roofs })}</p>
+        )}
+        {found.reason && found.adjusted_from === null && <Notice>{found.reason}</Notice>}
+        {found.used > 0 && <p>{inWords(found)}</p>}
+        {found.notes.map((note) => (
+          <Notice kind="warning" key={note}>
+            {note}
+          </Notice>
+        ))}
+      </div>
+      {found.moved.length > 0 && <MovedTable found={found} />}
+      <LeftOut surveyId={surveyId} found={found} />
+      {found.without_model.length > 0 && <ModelsTable found={found} />}
+      {found.heights.length > 0 && <HeightsTable surveyId={surveyId} found={found} />}
+    </section>
+  );
+}
+
+function inWords(found: PoseAdjustment): string {
+  const words = [say("adjust-used", { used: found.used, passes: found.passes })];
+  if (found.chi2 !== null && found.chi2_limit !== null) {
+    const holds = found.chi2 <= found.chi2_limit;
+    const values = {
+      chi2: fixed(found.chi2, 1),
+      freedom: formatCount(found.degrees_of_freedom),
+      limit: fixed(found.chi2_limit, 1),
+    };
+    words.push(holds ? say("adjust-global-holds", values) : say("adjust-global-fails", values));
+  }
+  if (found.largest_change_m !== null)
+    words.push(say("adjust-largest", { largest: formatSmall(found.largest_change_m) }));
+  return words.join(" ");
+}
+
+/** A small length or angle in the unit that its name ends in. */
+function inItsUnit(name: string, value: number): string {
+  return name.endsWith("_rad") ? `${fixed(value * MILLI, 2)} mrad` : formatSmall(value);
+}
+
+function MovedTable({ found }: { found: PoseAdjustment }) {
+  const named = found.moved.filter((one) => MOVED[one.name] && one.u_before > 0);
+  return (
+    <TableScroll label={say("adjust-moved-title")}>
+      <table class="table" data-testid="moved">
+        <caption class="inset-words__caption">{say("adjust-moved-title")}</caption>
+        <thead>
+          <tr>
+            <th>{say("adjust-what")}</th>
+            <th class="num">{say("adjust-value")}</th>
+            <th class="num" title={say("adjust-by-u-help")}>
+              {say("adjust-by-u")}
+            </th>
+            <th class="num">{say("adjust-u-before")}</th>
+            <th class="num">{say("adjust-u-after")}</th>
+          </tr>
+        </thead>
+        <tbody>
+          {named.map((one) => (
+            <tr key={one.name}>
+              <td>{MOVED[one.name]}</td>
+              <td class="num">{inItsUnit(one.name, one.value)}</td>
+              <td class="num">{fixed(Math.abs(one.value) / one.u_before, 1)}</td>
+              <td class="num">{inItsUnit(one.name, one.u_before)}</td>
+              <td class="num">{inItsUnit(one.name, one.u_after)}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </TableScroll>
+  );
+}
+
+function LeftOut({ surveyId, found }: { surveyId: number; found: PoseAdjustment }) {
+  if (found.left_out.length === 0)
+    return found.used > 0 ? <p class="panel__body muted">{say("adjust-left-none")}</p> : null;
+  return (
+    <TableScroll label={say("adjust-left-title")} class="adjust-left">
+      <table class="table" data-testid="left-out">
+        <caption class="inset-words__caption">{say("adjust-left-title")}</caption>
+        <tbody>
+          {found.left_out.map((one) => (
+            <tr key={`${one.vehicle_id} ${one.what}`}>
+              <td>
+                <a href={`/surveys/${surveyId}/measure?vehicle=${one.vehicle_id}`}>#{one.number}</a>
+              </td>
+              <td>{one.what === "tyres" ? say("adjust-of-tyres") : say("adjust-of-roof")}</td>
+              <td>{one.reason}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </TableScroll>
+  );
+}
+
+function ModelsTable({ found }: { found: PoseAdjustment }) {
+  return (
+    <>
+      <TableScroll label={say("adjust-models-title")} class="adjust-left">
+        <table class="table">
+          <caption class="inset-words__caption">{say("adjust-models-title")}</caption>
+          <thead>
+            <tr>
+              <th>{say("adjust-model")}</th>
+              <th class="num">{say("adjust-vehicles")}</th>
+              <th class="num">{say("adjust-camera")}</th>
+              <th class="num">{say("adjust-by-u")}</th>
+            </tr>
+          </thead>
+          <tbody>
+            {found.without_model.map((one) => (
+              <tr key={one.model}>
+                <td>{one.model}</td>
+                <td class="num">{one.vehicles}</td>
+                <td class="num">{formatSmall(one.camera_height_change_m)}</td>
+                <td class="num">{fixed(one.by_u, 1)}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </TableScroll>
+      <p class="panel__body muted small">{say("adjust-models-note")}</p>
+    </>
+  );
+}
+
+function HeightsTable({ surveyId, found }: { surveyId: number; found: PoseAdjustment }) {
+  return (
+    <TableScroll label={say("adjust-heights-title")} class="again-heights">
+      <table class="table" data-testid="adjusted-heights">
+        <caption class="inset-words__caption">{say("adjust-heights-title")}</caption>
+        <thead>
+          <tr>
+            <th>{say("computing-vehicle")}</th>
+            <th>{say("computing-target")}</th>
+            <th class="num">{say("adjust-now")}</th>
+            <th class="num">{say("adjust-then")}</th>
+            <th class="num">{say("computing-change")}</th>
+          </tr>
+        </thead>
+        <tbody>
+          {found.heights.map((one) => (
+            <tr key={one.measurement_id}>
+              <td>
+                <a href={`/surveys/${surveyId}/measure?vehicle=${one.vehicle_id}`}>#{one.number}</a>
+              </td>
+              <td>{TARGET_WORDS[one.target]}</td>
+              <td class="num">{formatHeight(one.height_m, one.U95_height_m)}</td>
+              <td class="num">{formatHeight(one.adjusted_m, one.U95_adjusted_m)}</td>
+              <td class="num">{formatSmall(one.change_m)}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </TableScroll>
+  );
+}
