@@ -77,7 +77,7 @@ def image_size(data: bytes, name: str = "The picture") -> tuple[int, int]:
     Raises BadInput for other files: what cannot be measured is not decoded.
     """
     if data[4:8] == b"ftyp" and data[8:12] in STILL_BRANDS:
-        raise BadInput(HEIF, name=name)
+        raise BadInput("media-heif-picture", name=name)
     reader = next((read for magic, read in _READERS if data.startswith(magic)), None)
     size = None
     if reader is not None:

@@ -199,8 +199,8 @@ def _signed(files: Files, told: ReplayedState, survey_id: int, key: str | None) 
     """When the end of the chain was signed and with which key. Raises Damaged, BadInput."""
     document = read_json(files, CHECKPOINT)
     end = AuditHead(told.count, told.head)
-    if (kind := checkpoint_problem(document, survey_chain(survey_id), end)) is not None:
-        raise Damaged(kind)
+    if (problem := checkpoint_problem(document, survey_chain(survey_id), end)) is not None:
+        raise problem
     if key is not None:
         if len(key) < _LEAST_OF_HEAD:
             raise BadInput("export-key-too-short", least=_LEAST_OF_HEAD)

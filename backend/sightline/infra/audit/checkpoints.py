@@ -54,22 +54,20 @@ def checkpoint_of_chain(session: Session, checkpoint: Mapping[str, Any], chain: 
     return {**signed, "leaf": leaf, "place": place, "path": path, "keys": known_keys(session)}
 
 
-def checkpoint_problem(document: Mapping[str, Any], chain: str, end: AuditHead) -> str | None:
-    """Why a package's checkpoint does not vouch for the end of its chain: the kind of the error; None where
-    it does.
-    """
+def checkpoint_problem(document: Mapping[str, Any], chain: str, end: AuditHead) -> Damaged | None:
+    """Why a package's checkpoint does not vouch for the end of its chain; None where it does."""
     try:
         leaf = {"chain": chain, "count": end.count, "hash": end.hash}
         if list(document) != [*_STATEMENT, "signature", "leaf", "place", "path", "keys"]:
-            return "export-checkpoint-form"
+            return Damaged("export-checkpoint-form")
         if document["format"] != FORMAT or not is_signed(document):
-            return "export-checkpoint-signature"
+            return Damaged("export-checkpoint-signature")
         found = root_by_path(chain, end, document["place"], document["chains"], document["path"])
         if document["leaf"] != leaf or found != document["root"] or not _is_lower(document["path"]):
-            return "export-checkpoint-other-chain"
-        return None if _handed_on(document["keys"], document["key"]) else "export-checkpoint-keys"
+            return Damaged("export-checkpoint-other-chain")
+        return None if _handed_on(document["keys"], document["key"]) else Damaged("export-checkpoint-keys")
     except (KeyError, TypeError, ValueError):
-        return "export-checkpoint-form"
+        return Damaged("export-checkpoint-form")
 
 
 def _is_lower(path: Sequence[str]) -> bool:
