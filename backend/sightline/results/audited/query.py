@@ -125,7 +125,10 @@ def _subjects(session: Session, found: Sequence[AuditEvent]) -> dict[int, dict[s
 
 
 def _target(series: Mapping[str, Any] | None) -> dict[str, Any]:
-    return {} if series is None else {"target": series["target"], "measurement_id": series["id"]}
+    """A repeat stands in the review of what it repeats, and in no list of its own."""
+    if series is None:
+        return {}
+    return {"target": series["target"], "measurement_id": series["repeat_of"] or series["id"]}
 
 
 def _told(event: AuditEvent, name: str) -> int | None:
@@ -144,7 +147,10 @@ def _series(session: Session, found: Sequence[AuditEvent]) -> dict[int, dict[str
     series_of |= {id_: of_review.get(review) for id_, review in judged.items()}
     wanted = {one for one in series_of.values() if one is not None}
     query = (
-        select(measurement_series.c.id, measurement_series.c.vehicle_id, measurements.c.target)
+        select(
+            *(measurement_series.c.id, measurement_series.c.vehicle_id, measurement_series.c.repeat_of),
+            measurements.c.target,
+        )
         .join(measurements, measurements.c.series_id == measurement_series.c.id)
         .where(measurement_series.c.id.in_(wanted), measurements.c.revision == 1)
     )
