@@ -47,6 +47,7 @@ class LazyCommands(click.Group):
         place = COMMANDS.get(cmd_name)
         if place is None:
             return None
+        _one_thread_for_algebra()
         module, name = place.split(":")
         command = getattr(importlib.import_module(module), name)
         assert isinstance(command, click.Command)
@@ -64,6 +65,15 @@ class LazyCommands(click.Group):
 )
 def cli() -> None:
     """Heights of vehicles from roadside video, with their uncertainty and an audit trail."""
+
+
+def _one_thread_for_algebra() -> None:
+    """Before NumPy is loaded: our matrices are small, and threads of BLAS that wait for each other spin.
+
+    The statistics of 1,250 heights: 1.6 s with one thread, 4.6 s (7.9 s of processor time) with two.
+    """
+    for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS"):
+        os.environ.setdefault(name, "1")
 
 
 def _say_version(context: click.Context) -> None:
